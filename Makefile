@@ -42,12 +42,13 @@ bench: .venv/ready-to-test  ## promises of speed and memory, as ratios; on any m
 	  echo "== $$each"; QT_QPA_PLATFORM=offscreen $(BIN)/python benchmarks/$$each || failed=1; \
 	done; exit $$failed
 
-nightly: .venv/ready-to-test  ## damaged files, killed exports, studios that end at once, deeds at random; other seeds each time
+nightly: .venv/ready-to-test  ## damaged files, killed exports, studios that end at once, deeds at random, reference vectors
 	$(BIN)/python -m tests.nightly.recording_mutants
 	$(BIN)/python -m tests.nightly.limb_mutants
 	$(BIN)/python -m tests.nightly.killed_exports
 	$(BIN)/python -m tests.nightly.short_lives
 	$(BIN)/python -m tests.nightly.monkey
+	@for each in waveforms formulas numbers actuators; do $(BIN)/python tests/references/check_$$each.py || exit 1; done
 
 faults: .venv/ready-to-test  ## do the tests still notice the faults that they noticed once? (an hour or more)
 	$(BIN)/python -m tests.nightly.planted_faults

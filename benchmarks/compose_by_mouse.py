@@ -75,7 +75,7 @@ def recording(you: Composer, folder: Path) -> None:
         you.drag(view, at(time_s, 1.0), at(time_s, 0.0))
         you.settle()
     you.picture("envelope by mouse")
-    you.choose("View", "Arrange for designing")
+    you.choose("View", "Compose workspace")
     check_recording(you, _HAND_S, _HAND_LEVEL)
 
 

@@ -78,7 +78,7 @@ def photograph(theme: str, size: tuple[int, int]) -> None:
         window.show()
         window.do("arrange_design")
         keep(window, "timeline", theme, size)
-        window.do("arrange_drawing")
+        window.do("show_clip_editor")
         window.panel("clip_editor").setFocus(Qt.FocusReason.TabFocusReason)
         QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_E)
         keep(window, "editor", theme, size)

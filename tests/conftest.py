@@ -38,9 +38,9 @@ LONGEST_FIRST = (
     "tests/gui/monkey/",
     "tests/gui/test_scripts.py",
     "tests/gui/test_ending.py",
-    "tests/core/keeping/test_kills.py",
-    "tests/core/design_files/test_saving.py",
-    "tests/core/test_dataset_install.py",
+    "tests/core/frozen/",
+    "tests/core/sweeps/test_running.py",
+    "tests/core/test_notebooks.py",
 )
 BESIDE_THE_PROJECT = Path(__file__).resolve().parents[2] / "shared"
 

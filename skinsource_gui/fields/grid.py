@@ -10,7 +10,6 @@ from skinsource.specs.spec import Spec
 from skinsource_gui.fields.editor import NewEditor
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.fitting import LayoutWatcher
-from skinsource_gui.qt.questions import NextAct
 from skinsource_gui.qt.theme import UNIT_PX, letter_scale, set_tone
 from skinsource_gui.qt.tooltips import tooltip
 
@@ -89,8 +88,6 @@ class EditedCell(LabelledCell):
         self._value: object = None
         self._warns = self._differs = False
         self._problem, self._reason = "", ""
-        self._next_act = NextAct(self)
-        self._next_act.came.connect(self._forget_reason)
         self.field = new_editor(spec, self)
         self.field.edited.connect(self._edit)
         self.field.problem_changed.connect(self._show_problem)
@@ -148,12 +145,11 @@ class EditedCell(LabelledCell):
         self.show_reason(reason)
 
     def show_reason(self, reason: str) -> None:
-        """Show in red why the last edit was refused, until the next action of the user."""
+        """Show in red why the last edit was refused, until the field is used again."""
         self.field.mark_error(reason)
         # Where the typed text stays, its editor already shows the problem.
         if not self._problem:
             self._reason = reason
-            self._next_act.wait()
         self._advise()
 
     def _edit(self, value: object, gesture: int | None) -> None:

@@ -222,10 +222,8 @@ class CurveText(ListEditor):
     """Edits the breakpoints of a curve, typed as pairs."""
 
     def __init__(self, spec: CurveSpec, parent: QWidget) -> None:
-        self._pairs = PointsSpec(
-            label=spec.label, columns=(spec.x, spec.y), fewest=spec.fewest, most=spec.most
-        )
-        names = ", ".join(column_label(column) for column in self._pairs.columns)
+        self._pairs = spec
+        names = ", ".join(column_label(column) for column in spec.columns)
         super().__init__(spec, parent, f"{spec.hint}. Each point: {names}; semicolons between")
 
     def _read(self, text: str) -> tuple[tuple[float, ...], ...]:

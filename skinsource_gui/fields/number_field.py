@@ -41,7 +41,6 @@ from skinsource_gui.fields.units import (
     with_unit,
 )
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
-from skinsource_gui.qt.questions import NextAct
 from skinsource_gui.qt.theme import current_theme, letter_scale, tabular
 from skinsource_gui.qt.tooltips import show_tip_below, tooltip
 from skinsource_gui.qt.wheel import NOTCH
@@ -213,8 +212,6 @@ class NumberField(Editor, QLineEdit):
         self._problem_beside = problem_beside
         self._drag: _Drag | None = None
         self._wheel_travel = 0.0
-        self._next_act = NextAct(self)
-        self._next_act.came.connect(self._end_typing)
         self.textEdited.connect(self._check_again)
         self.setReadOnly(True)
         self.setCursor(Qt.CursorShape.SizeHorCursor)
@@ -263,7 +260,6 @@ class NumberField(Editor, QLineEdit):
 
     def begin_editing(self, text: str | None = None) -> None:
         """Let the user type; ``text`` replaces the number, which is selected otherwise."""
-        self._next_act.stop()
         self._set_problem("")
         self.setReadOnly(False)
         self.setCursor(Qt.CursorShape.IBeamCursor)
@@ -380,9 +376,8 @@ class NumberField(Editor, QLineEdit):
             return
         if self.commit():
             return
-        # The value comes back; the problem stays until the next action of the user.
+        # The value comes back; the problem stays until the field is used again.
         self._close()
-        self._next_act.wait()
         self._show(self.value_si)
         if not self._problem_beside:
             problem = self.problem
@@ -507,7 +502,6 @@ class NumberField(Editor, QLineEdit):
         self._set_problem("")
 
     def _close(self) -> None:
-        self._next_act.stop()
         self.setReadOnly(True)
         self.setCursor(Qt.CursorShape.SizeHorCursor)
 

@@ -6,27 +6,20 @@ The page measures in a job, and shows the rows as a table and as a plot.
 from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt, SignalInstance
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QShowEvent
 from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QDialog,
-    QFileDialog,
-    QHeaderView,
     QLabel,
     QSplitter,
-    QTableWidget,
-    QTableWidgetItem,
     QWidget,
 )
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.files import write_bytes
 from skinsource.base.job import Job, Progress, Stop, time_left_text
-from skinsource.base.quoting import sentence
 from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.studies.accuracy.cases import cases_of
@@ -40,12 +33,13 @@ from skinsource.studies.accuracy.measuring import (
     table_csv,
 )
 from skinsource_gui.fields.choice_field import DropDown
+from skinsource_gui.pages.page import RowTable, ToolPage
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
-from skinsource_gui.qt.buttons import page_button
+from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.layouts import in_column, in_row
-from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
+from skinsource_gui.qt.theme import current_theme
 from skinsource_gui.state.document import Document
-from skinsource_gui.state.job_runner import JobProgress, JobRunner, PageJob
+from skinsource_gui.state.job_runner import JobProgress, JobRunner, PageJobs
 from skinsource_gui.state.preferences import Preferences
 
 _NOTHING = "Nothing is measured yet"
@@ -125,6 +119,7 @@ class AccuracyPlot(Figure):
 
 _TITLE = "Measuring accuracy and speed"
 _BEGIN = "Measuring takes about half a minute; other work would spoil the times."
+_CANCELLED = "Cancelled. Nothing was kept."
 _SIZE_PX = (1180, 640)
 
 
@@ -145,7 +140,7 @@ class Status(Protocol):
         ...
 
 
-class AccuracyPage(QDialog):
+class AccuracyPage(ToolPage):
     """Measures accuracy and speed beside the window; closing it cancels the measurement.
 
     Parameters
@@ -168,24 +163,31 @@ class AccuracyPage(QDialog):
         document: Document,
         parent: QWidget,
     ) -> None:
-        super().__init__(parent)
-        self.setWindowTitle("Accuracy and speed")
-        self.setObjectName("accuracy_page")
-        self.resize(*_SIZE_PX)
+        super().__init__(parent, "accuracy_page", "Accuracy and speed", _SIZE_PX)
+        # It holds what was measured while it is closed.
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose, on=False)
         self._status = status
         self._preferences, self._document = preferences, document
-        self.run = PageJob(runner, self)
+        self.run = PageJobs(runner, self)
         self.rows: tuple[Row, ...] = ()
-        self.table, self.plot = _table(), AccuracyPlot()
-        self.message, self.now = QLabel(_BEGIN), QLabel()
+        self.table = RowTable(
+            "accuracy_table", "Errors and run times", dict.fromkeys(COLUMNS, ""), wide=(1,)
+        )
+        self.plot = AccuracyPlot()
+        self.now = page_label("accuracy_now")
+        self.say(_BEGIN)
         self._limb = DropDown()
         self._limb.setObjectName("accuracy_limb")
         self._limb.setAccessibleName("Limb to be measured on")
         self._limb.setMinimumContentsLength(19)
         self._limb.addItems(["Synthetic responses", ""])
-        self._measure = page_button("measure", "Measure now", "Run skinsource bench --quick")
-        self._save = page_button("save_table", "Save table…", "Save the table as CSV")
-        self._close = page_button("close_page", "Close", "Close this page (Esc)")
+        self._measure = self.add_button(
+            "measure", "Measure now", "Run skinsource bench --quick", self._start_or_cancel
+        )
+        self._save = self.add_button(
+            "save_table", "Save table…", "Save the table as CSV", self._ask_and_save
+        )
+        self._close = self.add_button("close_page", "Close", "Close this page (Esc)", self.close)
         self._lay_out()
         self._connect()
         self._name_limb()
@@ -200,15 +202,13 @@ class AccuracyPage(QDialog):
         try:
             write_bytes(path, table_csv(self.rows).encode())
         except SkinSourceError as error:
-            self._say(sentence(str(error)))
+            self.complain(str(error))
             return
         self._preferences.folder = path.parent
-        self._say(f"Saved {path.name}.")
+        self.say(f"Saved {path.name}.")
 
     def _lay_out(self) -> None:
-        meaning = QLabel(MEANING)
-        for label in (meaning, self.now, self.message):
-            label.setWordWrap(True)
+        meaning = page_label("accuracy_meaning", MEANING)
         split = QSplitter()
         split.addWidget(self.table)
         split.addWidget(self.plot)
@@ -221,14 +221,13 @@ class AccuracyPage(QDialog):
     def _connect(self) -> None:
         self._status.changed.connect(self._refresh)
         self._document.changed.connect(self._name_limb)
-        self._measure.clicked.connect(self._start_or_cancel)
-        self._save.clicked.connect(self._ask_and_save)
-        self._close.clicked.connect(self.close)
         self.table.currentCellChanged.connect(self._choose)
-        self.plot.reading.connect(self._show_reading)
+        self.plot.reading.connect(self.say_reading)
         self.run.progressed.connect(self._follow)
+        self.run.changed.connect(self._show_running)
         self.run.done.connect(self._take)
-        self.run.ended.connect(self._end)
+        self.run.failed.connect(self.complain)
+        self.run.cancelled.connect(lambda: self.say(_CANCELLED))
         self.finished.connect(self._give_up)
 
     def _refresh(self) -> None:
@@ -239,90 +238,45 @@ class AccuracyPage(QDialog):
         self._limb.setItemText(1, facts_of(self._document.design.limb).title)
 
     def _start_or_cancel(self) -> None:
-        if self.run.runs:
+        if self.run.busy:
             self._give_up()
             return
         design, chosen = self._document.design, bool(self._limb.currentIndex())
         limb = (design.limb, design.limb_digest) if chosen else ("", "")
         self._show_rows(())
-        self._say("Waiting until other work is done…")
-        self.run.start(Job(_TITLE, partial(measured, *limb)))
-        self._show_running()
+        self.say("Waiting until other work is done…")
+        self.run.add(Job(_TITLE, partial(measured, *limb)))
 
     def _give_up(self) -> None:
-        if self.run.runs:
+        if self.run.busy:
             self.run.give_up()
-            self._end("Cancelled. Nothing was kept.")
+            self.say(_CANCELLED)
 
-    def _follow(self, step: JobProgress) -> None:
+    def _follow(self, _job: Job[Any], step: JobProgress) -> None:
         left = time_left_text(step.seconds_left)
-        self._say(f"{step.done} of {step.total}: {step.text}{f', {left}' if left else ''}")
+        self.say(f"{step.done} of {step.total}: {step.text}{f', {left}' if left else ''}")
 
-    def _take(self, rows: tuple[Row, ...]) -> None:
+    def _take(self, _job: Job[Any], rows: tuple[Row, ...]) -> None:
         self._show_rows(rows)
-        self._end("Choose a row: its case is named in the plot.")
+        self.say("Choose a row: its case is named in the plot.")
         self.table.setFocus(Qt.FocusReason.OtherFocusReason)
 
-    def _end(self, text: str) -> None:
-        self._say(sentence(text))
-        self._show_running()
-
     def _show_running(self) -> None:
-        self._measure.setText("Cancel" if self.run.runs else "Measure now")
-        self._limb.setEnabled(not self.run.runs)
+        self._measure.setText("Cancel" if self.run.busy else "Measure now")
+        self._limb.setEnabled(not self.run.busy)
 
     def _show_rows(self, rows: tuple[Row, ...]) -> None:
         self.rows = rows
         self._save.setEnabled(bool(rows))
         self.plot.show_rows(rows)
-        _fill(self.table, rows)
+        self.table.fill([[(text, "") for text in cells_of(row)] for row in rows])
 
     def _choose(self, line: int, *_: int) -> None:
         if 0 <= line < len(self.rows):
             self.plot.show_case(self.rows[line].case)
 
     def _ask_and_save(self) -> None:
-        start = str(self._preferences.folder / "accuracy.csv")
-        name, _ = QFileDialog.getSaveFileName(self, "Save the table", start, "CSV (*.csv)")
-        if name:
-            self.save(Path(name))
-
-    def _show_reading(self, text: str) -> None:
-        if text:
-            self._say(text)
-
-    def _say(self, text: str) -> None:
-        self.message.setText(text)
-
-
-def _table() -> QTableWidget:
-    table = QTableWidget(0, len(COLUMNS))
-    table.setObjectName("accuracy_table")
-    table.setAccessibleName("Errors and run times")
-    table.setHorizontalHeaderLabels(COLUMNS)
-    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-    table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-    table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-    table.setTabKeyNavigation(False)
-    table.setShowGrid(False)
-    table.setFont(tabular(table.font()))
-    table.verticalHeader().hide()
-    table.verticalHeader().setDefaultSectionSize(table.fontMetrics().height() + UNIT_PX)
-    header = table.horizontalHeader()
-    header.setHighlightSections(False)
-    header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-    header.setSectionResizeMode(1, QHeaderView.ResizeMode.Stretch)
-    return table
-
-
-def _fill(table: QTableWidget, rows: Sequence[Row]) -> None:
-    table.setRowCount(len(rows))
-    right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-    for line, row in enumerate(rows):
-        for column, text in enumerate(cells_of(row)):
-            item = QTableWidgetItem(text)
-            if column > 1:
-                item.setTextAlignment(right)
-            table.setItem(line, column, item)
-    if rows:
-        table.setCurrentCell(0, 0)
+        start = self._preferences.folder / "accuracy.csv"
+        path = self.ask_save("Save the table", "CSV (*.csv)", start)
+        if path is not None:
+            self.save(path)

@@ -7,19 +7,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import cast
+from typing import Any, cast
 
 import numpy as np
-from PySide6.QtCore import QLineF, QPointF, QRectF, Qt, Signal
+from PySide6.QtCore import QLineF, QPointF, QRectF, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 from PySide6.QtWidgets import (
-    QAbstractItemView,
     QFileDialog,
     QHBoxLayout,
-    QHeaderView,
     QLabel,
-    QTableWidget,
-    QTableWidgetItem,
     QWidget,
 )
 
@@ -46,18 +42,30 @@ from skinsource.studies.checking import (
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.units import minus
-from skinsource_gui.pages.page import Page
+from skinsource_gui.pages.page import RowTable, ToolPage
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
-from skinsource_gui.qt.buttons import page_button, page_label
+from skinsource_gui.plots.ranges import Tick
+from skinsource_gui.qt.buttons import page_button
 from skinsource_gui.qt.fitting import LetterWidth
 from skinsource_gui.qt.layouts import in_column, in_row
-from skinsource_gui.qt.theme import UNIT_PX, Theme, current_theme, set_tone, tabular
+from skinsource_gui.qt.theme import UNIT_PX, current_theme
 from skinsource_gui.state.document import Document
-from skinsource_gui.state.job_runner import JobRunner, PageJob
+from skinsource_gui.state.job_runner import JobRunner, PageJobs
 from skinsource_gui.state.preferences import Preferences
 
 _WIDEST_PX = 40.0
 _NOTHING = "Channels above twice the noise appear here"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _GroupAxis(Axis):
+    """An axis with a label in the middle of each group."""
+
+    labels: tuple[str, ...]
+
+    def ticks(self, length_px: float, each_px: float) -> tuple[Tick, ...]:
+        del length_px, each_px
+        return tuple(Tick(value=rank + 0.5, label=label) for rank, label in enumerate(self.labels))
 
 
 class BoxFigure(Figure):
@@ -85,16 +93,15 @@ class BoxFigure(Figure):
         self.read_again()
 
     def draw(self, painter: QPainter, room: QRectF) -> None:
-        theme = current_theme()
         boxes = [quartiles(values) for _, values in self.groups]
         low = min(0.0, *(box[0] for box in boxes))
         high = max(1e-9, *(box[4] for box in boxes))
         edge = 0.05 * (high - low)
-        line = QFontMetricsF(painter.font()).height()
-        x = Axis(shown=(0.0, float(len(boxes))), title="Main frequency (Hz)")
+        labels = tuple(label for label, _ in self.groups)
+        x = _GroupAxis(shown=(0.0, float(len(boxes))), title="Main frequency (Hz)", labels=labels)
         y = Axis(shown=(low - (edge if low < 0.0 else 0.0), high + edge), title=self._title)
         self.axes = axes = fitted_axes(room, x, y, QFontMetricsF(painter.font()))
-        _paint_frame(painter, axes, theme, [label for label, _ in self.groups], line)
+        axes.paint(painter, current_theme(), grid=False)
         for rank, box in enumerate(boxes):
             self._paint_box(painter, axes, rank, box)
 
@@ -141,37 +148,6 @@ class BoxFigure(Figure):
         painter.drawRect(box)
         painter.setPen(QPen(QColor(theme.text), 2.0))
         painter.drawLine(QLineF(x - wide / 2, middle, x + wide / 2, middle))
-
-
-def _paint_frame(
-    painter: QPainter, axes: Axes, theme: Theme, labels: Sequence[str], line: float
-) -> None:
-    """Paint the frame and the numbers of y as on all figures, and a label below each box."""
-    frame = axes.frame
-    right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-    for tick in axes.y.ticks(frame.height(), 34.0):
-        y = float(axes.to_screen(np.zeros(1), np.array([tick.value]))[0, 1])
-        painter.setPen(QPen(QColor(theme.grid), 1))
-        painter.drawLine(QLineF(frame.left(), y, frame.right(), y))
-        painter.setPen(QColor(theme.dim))
-        left = QRectF(0.0, y - line / 2, frame.left() - 4.0, line)
-        painter.drawText(left, right, tick.label)
-    painter.setPen(QPen(QColor(theme.border), 1))
-    painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.drawRect(frame)
-    painter.setPen(QColor(theme.dim))
-    step = frame.width() / len(labels)
-    for rank, label in enumerate(labels):
-        below = QRectF(frame.left() + rank * step, frame.bottom() + 2.0, step, line)
-        painter.drawText(below, Qt.AlignmentFlag.AlignCenter, label)
-    title = QRectF(frame.left(), frame.bottom() + line + 2.0, frame.width(), line)
-    painter.drawText(title, Qt.AlignmentFlag.AlignCenter, axes.x.title)
-    painter.save()
-    painter.translate(line / 2 + 1, frame.center().y())
-    painter.rotate(-90.0)
-    side = QRectF(-frame.height() / 2, -line / 2, frame.height(), line)
-    painter.drawText(side, Qt.AlignmentFlag.AlignCenter, axes.y.title)
-    painter.restore()
 
 
 TITLE = "Check against a recording"
@@ -253,75 +229,35 @@ def check_rows(
     return tuple(results)
 
 
-_ERROR = "|p/P - m/M|; p predicted, m measured, P and M their RMS, mean over all channels"
-_AMPLITUDE = "100 |RMS(p/P) - RMS(m/M)| / RMS(m/M); letters as of Error"
-_COLUMNS = (
-    ("Design", "What is predicted"),
-    ("Recording", "What was measured of it"),
-    ("Hz", "Frequency with the most power in the prediction"),
-    ("Linear", "Smallest adjusted R² of outputs over the level of the inputs; 1: in proportion"),
-    ("Superposed", "Smallest Pearson's r between the sum of the inputs and all together"),
-    ("Channels", "How many are above twice the noise, and so count"),
-    (
-        "Error",
-        f"Normalised mean absolute error, median over the channels: mean over time of {_ERROR}",
-    ),
-    ("Amplitude %", f"Difference in amplitude, median over the channels: {_AMPLITUDE}"),
-    ("r", "Pearson's r over time, median over the channels"),
-    ("Shift", "By how many samples the recording was moved onto the prediction"),
+_ERROR = (
+    "Normalised mean absolute error, median over the channels: mean over time of |p/P - m/M|; p "
+    "predicted, m measured, P and M their RMS, mean over all channels"
 )
+_AMPLITUDE = "100 |RMS(p/P) - RMS(m/M)| / RMS(m/M); letters as of Error"
+_CHANNELS = "Channels"
+_COLUMNS = {
+    "Design": "What is predicted",
+    "Recording": "What was measured of it",
+    "Hz": "Frequency with the most power in the prediction",
+    "Linear": "Smallest adjusted R² of outputs over the level of the inputs; 1: in proportion",
+    "Superposed": "Smallest Pearson's r between the sum of the inputs and all together",
+    _CHANNELS: "How many are above twice the noise, and so count",
+    "Error": _ERROR,
+    "Amplitude %": f"Difference in amplitude, median over the channels: {_AMPLITUDE}",
+    "r": "Pearson's r over time, median over the channels",
+    "Shift": "By how many samples the recording was moved onto the prediction",
+}
 
 
-class CheckTable(QTableWidget):
-    """Shows a row for each design: two wide columns of names, then numbers."""
-
-    def __init__(self) -> None:
-        super().__init__(0, len(_COLUMNS))
-        self.setObjectName("check_table")
-        self.setAccessibleName("Designs that are checked")
-        for k, (title, hint) in enumerate(_COLUMNS):
-            item = QTableWidgetItem(title)
-            item.setToolTip(hint)
-            self.setHorizontalHeaderItem(k, item)
-        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-        self.setTabKeyNavigation(False)
-        self.setShowGrid(False)
-        self.setWordWrap(False)
-        self.setFont(tabular(self.font()))
-        self.verticalHeader().hide()
-        self.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + UNIT_PX)
-        header = self.horizontalHeader()
-        header.setHighlightSections(False)
-        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        for wide in (0, 1):
-            header.setSectionResizeMode(wide, QHeaderView.ResizeMode.Stretch)
-
-    def show_rows(self, rows: Sequence[Row]) -> None:
-        """Show ``rows``; the selected row stays selected."""
-        chosen = max(self.currentRow(), 0)
-        self.setRowCount(len(rows))
-        right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-        for k, row in enumerate(rows):
-            for column, text in enumerate(_texts(row)):
-                item = QTableWidgetItem(text)
-                item.setToolTip(_hint(row, column) or text)
-                if column > 1:
-                    item.setTextAlignment(right)
-                self.setItem(k, column, item)
-        if rows:
-            self.setCurrentCell(min(chosen, len(rows) - 1), 0)
-
-
-def _hint(row: Row, column: int) -> str:
-    """Return what the tooltip of a cell adds to its text; "": nothing."""
-    result = row.result
+def _cells(row: Row) -> list[tuple[str, str]]:
+    """Return text and tooltip of each cell."""
+    result, hints = row.result, dict.fromkeys(_COLUMNS, "")
     if isinstance(result, str):
-        return sentence(result)
-    if result is None or result.agreement is None or _COLUMNS[column][0] != "Channels":
-        return ""
-    return f"{result.noise_text[0].upper()}{result.noise_text[1:]}"
+        hints = dict.fromkeys(_COLUMNS, sentence(result))
+    elif result is not None and result.agreement is not None:
+        hints[_CHANNELS] = f"{result.noise_text[0].upper()}{result.noise_text[1:]}"
+    texts = zip(_texts(row), hints.values(), strict=True)
+    return [(text, hint or text) for text, hint in texts]
 
 
 def _texts(row: Row) -> list[str]:
@@ -374,7 +310,7 @@ class CheckList(QWidget):
     def __init__(self, rows: Sequence[Row], preferences: Preferences) -> None:
         super().__init__()
         self.rows, self._preferences = tuple(rows), preferences
-        self.table = CheckTable()
+        self.table = RowTable("check_table", "Designs that are checked", _COLUMNS, wide=(0, 1))
         recording = page_button(
             "choose_recording", "Recording…", "Choose what was recorded of the selected design"
         )
@@ -429,7 +365,8 @@ class CheckList(QWidget):
         self._add.setEnabled(not runs)
         for button in self._row_buttons:
             button.setEnabled(bool(self.rows) and not runs)
-        self.table.show_rows(self.rows)
+        chosen = max(self.table.currentRow(), 0)
+        self.table.fill([_cells(row) for row in self.rows], chosen)
 
     def _ask_recording(self) -> None:
         folder = str(self._preferences.folder)
@@ -475,7 +412,7 @@ _REPORTED = "The paper reports errors {0}, differences in amplitude {1} and r {2
 _SIZE_PX = (1080, 620)
 
 
-class CheckingPage(Page):
+class CheckingPage(ToolPage):
     """Compares predictions with measurements, as the paper's Fig. 4 does, and writes a report."""
 
     def __init__(
@@ -487,7 +424,7 @@ class CheckingPage(Page):
     ) -> None:
         super().__init__(parent, "checking_page", TITLE, _SIZE_PX)
         self._preferences = preferences
-        self.run = PageJob(runner, self)
+        self.run = PageJobs(runner, self)
         row = Row(name=_name_of(document), design=document.design)
         self.list = CheckList((row,), preferences)
         self.axes, self.rate = ChoiceField(_AXES), NumberField(_RATE)
@@ -497,10 +434,16 @@ class CheckingPage(Page):
             BoxFigure(f"check_boxes_{k}", f"{title} ({unit})" if unit else title)
             for k, (title, unit, _) in enumerate(FIGURES)
         )
-        self.message = page_label("check_words", _BEGIN)
-        self._check = page_button("check_designs", "Check", "Check all designs in the table")
-        self._save = page_button("save_report", "Save report…", "Save what was found as HTML")
-        self._close = page_button("close_page", "Close", "Close; what is being checked is given up")
+        self.say(_BEGIN)
+        self._check = self.add_button(
+            "check_designs", "Check", "Check all designs in the table", self.check
+        )
+        self._save = self.add_button(
+            "save_report", "Save report…", "Save what was found as HTML", self._ask_and_save
+        )
+        self._close = self.add_button(
+            "close_page", "Close", "Close; what is being checked is given up", self.close
+        )
         self._lay_out()
         self._connect()
         self._show()
@@ -509,8 +452,7 @@ class CheckingPage(Page):
         """Check all rows."""
         axes = "" if self.axes.value == _ALL else self.axes.value
         work = partial(check_rows, tuple(self.list.rows), axes, self.rate.value_si)
-        self.run.start(Job(CHECKING, work))
-        self._show()
+        self.run.add(Job(CHECKING, work))
 
     def save(self, path: Path) -> None:
         """Write the report, as the command ``check`` does."""
@@ -519,10 +461,10 @@ class CheckingPage(Page):
         try:
             write_report(path, self.list.conditions, limbs)
         except SkinSourceError as error:
-            self._complain(str(error))
+            self.complain(str(error))
             return
         self._preferences.folder = path.parent
-        self._say(f"Saved {path.name}.")
+        self.say(f"Saved {path.name}.")
 
     def _lay_out(self) -> None:
         for field, spec, width_px in ((self.axes, _AXES, 150), (self.rate, _RATE, 110)):
@@ -538,68 +480,51 @@ class CheckingPage(Page):
         in_column((self.list, 2), (plots, 3), below, of=self, gap_px=UNIT_PX)
 
     def _connect(self) -> None:
-        self._check.clicked.connect(self.check)
-        self._save.clicked.connect(self._ask_and_save)
-        self._close.clicked.connect(self.close)
         self.list.changed.connect(self._show)
-        self.list.failed.connect(self._complain)
-        self.list.recording_chosen.connect(self._say)
+        self.list.failed.connect(self.complain)
+        self.list.recording_chosen.connect(self.say)
         # Results hold for the axes and the rate that they were computed with.
         self.axes.edited.connect(self._begin_anew)
         self.rate.edited.connect(self._begin_anew)
         for box in self.boxes:
-            box.reading.connect(self._show_reading)
-        self.run.progressed.connect(lambda progress: self._say(f"{progress.text}…"))
+            box.reading.connect(self.say_reading)
+        self.run.changed.connect(self._show)
+        self.run.progressed.connect(lambda _, progress: self.say(f"{progress.text}…"))
         self.run.done.connect(self._take)
-        self.run.ended.connect(self._note_ended)
+        self.run.failed.connect(self.complain)
+        self.run.cancelled.connect(lambda: self.say("Cancelled. Nothing was changed."))
         self.finished.connect(self.run.give_up)
 
     def _begin_anew(self) -> None:
         """Clear the results and the message about them."""
         self.list.forget_results()
         has_recording = any(row.recording is not None for row in self.list.rows)
-        self._say(_AGAIN if has_recording else _BEGIN)
+        self.say(_AGAIN if has_recording else _BEGIN)
 
     def _ask_and_save(self) -> None:
-        start = str(self._preferences.folder / "check.html")
-        name, _ = QFileDialog.getSaveFileName(self, "Save the report", start, "HTML (*.html)")
-        if name:
-            self.save(Path(name))
+        start = self._preferences.folder / "check.html"
+        path = self.ask_save("Save the report", "HTML (*.html)", start)
+        if path is not None:
+            self.save(path)
 
     def _show(self) -> None:
         """Show the results, and enable what can be done now."""
-        runs, conditions = self.run.runs, self.list.conditions
+        runs, conditions = self.run.busy, self.list.conditions
         for k, box in enumerate(self.boxes):
             box.show_groups(by_frequency(conditions, k))
         self.list.show_running(runs)
         self._check.setEnabled(bool(self.list.rows) and not runs)
         self._save.setEnabled(bool(conditions) and not runs)
 
-    def _take(self, results: Sequence[Condition | str]) -> None:
+    def _take(self, _job: Job[Any], results: Sequence[Condition | str]) -> None:
         self.list.take_results(results)
         problems = [result for result in results if isinstance(result, str)]
         if problems:
-            self._complain(problems[0])
+            self.complain(problems[0])
         elif any(condition.agreement is not None for condition in self.list.conditions):
-            self._say(_REPORTED.format(*(reported for _, _, reported in FIGURES)))
+            self.say(_REPORTED.format(*(reported for _, _, reported in FIGURES)))
         else:
-            self._say("Checked. Choose a recording to hold it against.")
-
-    def _note_ended(self, reason: str) -> None:
-        self._show()
-        self._complain(reason)
-
-    def _show_reading(self, text: str) -> None:
-        if text:
-            self._say(text)
-
-    def _say(self, text: str) -> None:
-        set_tone(self.message, "")
-        self.message.setText(text)
-
-    def _complain(self, reason: str) -> None:
-        set_tone(self.message, "error")
-        self.message.setText(sentence(reason))
+            self.say("Checked. Choose a recording to hold it against.")
 
 
 def _name_of(document: Document) -> str:

@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
 )
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.quoting import sentence
 from skinsource.base.work import counted
 from skinsource.design import edits
 from skinsource.design.clips import Fragment
@@ -19,8 +18,7 @@ from skinsource.design.design import Design
 from skinsource.design.presets.presets import Preset, tags_of, whole_design
 from skinsource.design.view import View
 from skinsource_gui.fields.choice_field import DropDown
-from skinsource_gui.pages.page import Page
-from skinsource_gui.qt.buttons import page_label
+from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.qt.layouts import in_column
 
 
@@ -70,7 +68,7 @@ def _name(fragment: Fragment) -> str:
 TITLE = "Save to library"
 
 
-class SavePage(Page):
+class SavePage(ToolPage):
     """Asks what is saved, and for its name, tags, description and source.
 
     Parameters
@@ -90,8 +88,7 @@ class SavePage(Page):
         self.what.addItems([choice.text for choice in choices])
         self.name, self.tags = QLineEdit(), QLineEdit()
         self.description, self.source = QLineEdit(), QLineEdit()
-        self.problem = page_label("library_problem", tone="error")
-        self.problem.hide()
+        self.message.hide()
         self.buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel
         )
@@ -105,8 +102,8 @@ class SavePage(Page):
 
     def show_problem(self, text: str) -> None:
         """Show why it was not saved; the page stays."""
-        self.problem.setText(text)
-        self.problem.setVisible(bool(text))
+        self.complain(text)
+        self.message.show()
 
     def _lay_out(self) -> None:
         form = QFormLayout()
@@ -123,7 +120,7 @@ class SavePage(Page):
             field.setObjectName(name)
             field.setAccessibleName(label)
             form.addRow(label, field)
-        in_column(form, self.problem, None, self.buttons, of=self)
+        in_column(form, self.message, None, self.buttons, of=self)
 
     def _suggest(self) -> None:
         suggested = {choice.name for choice in self._choices}
@@ -147,6 +144,6 @@ class SavePage(Page):
                 fragment=self._choices[self.what.currentIndex()].fragment,
             )
         except InvalidInputError as error:
-            self.show_problem(sentence(str(error)))
+            self.show_problem(str(error))
             return
         self.chosen.emit(preset)

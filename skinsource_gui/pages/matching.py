@@ -36,7 +36,7 @@ from skinsource.lab.playing.stream import Stream
 from skinsource.limbs.locations import input_name
 from skinsource.specs.numbers import NumberSpec
 from skinsource_gui.fields.number_field import NumberField
-from skinsource_gui.pages.page import Page
+from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.qt.buttons import page_button, page_label
 from skinsource_gui.qt.fitting import LetterWidth
 from skinsource_gui.qt.keys import KEYS, Gesture
@@ -419,7 +419,7 @@ _POLL_MS = 40
 _HURRY_S = 1.0
 
 
-class MatchingPage(Page):
+class MatchingPage(ToolPage):
     """Asks for a procedure, then plays it and stores the answers of the person.
 
     Parameters
@@ -452,13 +452,21 @@ class MatchingPage(Page):
         self._timer = QTimer(self, interval=_POLL_MS)
         self._timer.timeout.connect(self._poll)
         self._stack = QStackedWidget()
-        self._problem = page_label("matching_problem", tone="error")
-        self._problem.setTextFormat(Qt.TextFormat.PlainText)
-        self._begin = page_button("matching_begin", "Begin", "Play, and store matches")
-        self._rehearse = page_button(
-            "matching_rehearse", "Rehearse", "The same, and nothing is stored"
+        self._begin = self.add_button(
+            "matching_begin",
+            "Begin",
+            "Play, and store matches",
+            partial(self._start, rehearsal=False),
         )
-        self._close = page_button("matching_close", "Close", "What was stored stays")
+        self._rehearse = self.add_button(
+            "matching_rehearse",
+            "Rehearse",
+            "The same, and nothing is stored",
+            partial(self._start, rehearsal=True),
+        )
+        self._close = self.add_button(
+            "matching_close", "Close", "What was stored stays", self.reject
+        )
         self._lay_out()
         self._connect()
 
@@ -483,18 +491,14 @@ class MatchingPage(Page):
 
     def _lay_out(self) -> None:
         setup = QWidget()
-        about = QLabel(_INTRODUCTION)
-        about.setWordWrap(True)
-        in_column(about, self.form, self._problem, None, of=setup, margins=0, gap_px=2 * UNIT_PX)
+        about = page_label("matching_about", _INTRODUCTION)
+        in_column(about, self.form, self.message, None, of=setup, margins=0, gap_px=2 * UNIT_PX)
         self._stack.addWidget(setup)
         self._stack.addWidget(self.view)
         foot = in_row(None, self._begin, self._rehearse, self._close)
         in_column((self._stack, 1), foot, of=self)
 
     def _connect(self) -> None:
-        self._begin.clicked.connect(lambda: self._start(rehearsal=False))
-        self._rehearse.clicked.connect(lambda: self._start(rehearsal=True))
-        self._close.clicked.connect(self.reject)
         self.form.browse.clicked.connect(self._choose_table)
         self.view.requested.connect(self._act)
         self.player.began.connect(self._show_began)
@@ -516,9 +520,9 @@ class MatchingPage(Page):
             path = None if rehearsal else self.form.path
             run = MatchingRun(self.form.procedure(self._limb), path)
         except SkinSourceError as error:
-            self._problem.setText(sentence(str(error)))
+            self.complain(str(error))
             return
-        self._problem.clear()
+        self.message.clear()
         self.run = run
         self._stack.setCurrentWidget(self.view)
         for button in (self._begin, self._rehearse):

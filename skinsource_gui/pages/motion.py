@@ -36,14 +36,14 @@ from skinsource.specs.numbers import ModelSpec, NumberSpec
 from skinsource.specs.spec import ChoiceSpec, Spec
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.grid import FieldGrid
-from skinsource_gui.pages.page import Page
+from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.panels.hand.layout import HandLayout, Marker, paint_occupied
 from skinsource_gui.panels.hand.panel import HandDiagram
 from skinsource_gui.panels.hand.picture import drawing_of
 from skinsource_gui.plots.preview import ClipDrawings, ClipStrip, Lane
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled
 from skinsource_gui.qt.layouts import in_column, in_row
-from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone, tabular
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
 from skinsource_gui.state.document import Document
 
 
@@ -375,33 +375,28 @@ class MotionFields(QObject):
     def __init__(self, adapt: Adapt, parent: QObject) -> None:
         super().__init__(parent)
         self._adapt = adapt
-        self._cells: tuple[FieldCell, ...] = ()
+        self.cells: tuple[FieldCell, ...] = ()
         self._built_for: tuple[type, ChoiceSpec] | None = None
         self.grid = FieldGrid()
-
-    @property
-    def cells(self) -> tuple[FieldCell, ...]:
-        """The kind, and the fields."""
-        return self._cells
 
     def show_model(self, model: Any, kinds: ChoiceSpec) -> None:
         """Show the values of a model; ``kinds`` is the choice of its kinds."""
         if self._built_for != (type(model), kinds):
             self._build(model, kinds)
-        kind, *others = self._cells
+        kind, *others = self.cells
         kind.set_value(type(model).__name__)
         for cell in others:
             cell.set_value(getattr(model, cell.name))
 
     def show_refused(self, model: Any, name: str, reason: str) -> None:
         """Show the value of ``model`` in a field again, and why it was not changed."""
-        for cell in self._cells:
+        for cell in self.cells:
             if cell.name == name:
-                kept = type(model).__name__ if cell is self._cells[0] else getattr(model, name)
+                kept = type(model).__name__ if cell is self.cells[0] else getattr(model, name)
                 cell.refuse(kept, reason)
 
     def _build(self, model: Any, kinds: ChoiceSpec) -> None:
-        old = self._cells
+        old = self.cells
         # The list in which a kind was just chosen keeps the keyboard.
         if self._built_for is not None and self._built_for[1] == kinds:
             kind = old[0]
@@ -412,12 +407,12 @@ class MotionFields(QObject):
             adapted = self._adapt(name, spec)
             if adapted is not None:
                 cells.append(FieldCell(name, adapted, edited=self._tell))
-        self._cells, self._built_for = tuple(cells), (type(model), kinds)
+        self.cells, self._built_for = tuple(cells), (type(model), kinds)
         removed = [cell for cell in old if cell not in cells]
         focused = QApplication.focusWidget()
         if focused is not None and any(cell.isAncestorOf(focused) for cell in removed):
             kind.field.setFocus(Qt.FocusReason.OtherFocusReason)
-        self.grid.show_cells(self._cells)
+        self.grid.show_cells(self.cells)
         for part in (widget for cell in removed for widget in (cell.label, cell)):
             part.deleteLater()
 
@@ -437,7 +432,7 @@ _MOTION_KINDS = ChoiceSpec(
 _HEIGHT_PX = 660
 
 
-class MotionPage(Page):
+class MotionPage(ToolPage):
     """Makes up a motion on a path of places, shows it, and adds it in one step."""
 
     def __init__(self, document: Document, parent: QWidget) -> None:
@@ -454,18 +449,18 @@ class MotionPage(Page):
         self.waveform_fields = MotionFields(
             lambda _, spec: spec.at_rate(limb.sample_rate_hz, limb.band_hz), self
         )
-        self._summary, self._about = page_label("motion_summary"), page_label("motion_about")
-        self._buttons()
+        self._summary = page_label("motion_summary")
+        self._about = page_label("motion_about", tone="dim")
+        self._about.setTextFormat(Qt.TextFormat.RichText)
+        self._add = self.add_button(
+            "add_motion", "Add", "Add the tracks to the design, in one step", self._keep
+        )
+        self._cancel = self.add_button(
+            "cancel_motion", "Cancel", "Close; nothing is changed", self.reject
+        )
         self._lay_out()
         self._connect()
         self._show()
-
-    def _buttons(self) -> None:
-        self._add = page_button("add_motion", "Add", "Add the tracks to the design, in one step")
-        self._cancel = page_button("cancel_motion", "Cancel", "Close; nothing is changed")
-
-        self._about.setTextFormat(Qt.TextFormat.RichText)
-        set_tone(self._about, "dim")
 
     def _lay_out(self) -> None:
         left = in_column((self.hand, 1), self.path_row)
@@ -498,8 +493,6 @@ class MotionPage(Page):
         self.motion_fields.edited.connect(self.draft.change_field)
         self.waveform_fields.kind_chosen.connect(self.draft.change_waveform_kind)
         self.waveform_fields.edited.connect(self.draft.change_waveform_field)
-        self._add.clicked.connect(self._keep)
-        self._cancel.clicked.connect(self.reject)
 
     def _show_refused(self, name: str, why: str) -> None:
         self.motion_fields.show_refused(self.draft.motion, name, why)

@@ -1,11 +1,42 @@
-"""The base of the pages that a menu opens."""
+"""The base of the pages that a menu opens, and of their tables."""
+
+from collections.abc import Callable, Collection, Mapping, Sequence
+from pathlib import Path
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDialog, QWidget
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QDialog,
+    QFileDialog,
+    QHeaderView,
+    QPushButton,
+    QTableWidget,
+    QTableWidgetItem,
+    QWidget,
+)
+
+from skinsource.base.quoting import sentence
+from skinsource_gui.qt.buttons import page_button, page_label
+from skinsource_gui.qt.theme import UNIT_PX, set_tone, tabular
 
 
-class Page(QDialog):
-    """A window of its own, which is deleted when it is closed."""
+class ToolPage(QDialog):
+    """A window of its own with a message and buttons, which is deleted when it is closed.
+
+    Parameters
+    ----------
+    parent
+        The window in front of which it opens.
+    name, title
+        Object name, and title of the window.
+    size_px
+        First size; by default as large as its content.
+
+    Attributes
+    ----------
+    message
+        Label that a page lays out where it says what happens; hidden until it has a parent.
+    """
 
     def __init__(
         self, parent: QWidget | None, name: str, title: str, size_px: tuple[int, int] | None = None
@@ -14,5 +45,90 @@ class Page(QDialog):
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setObjectName(name)
         self.setWindowTitle(title)
+        self.message = page_label("page_message")
+        self.message.setTextFormat(Qt.TextFormat.PlainText)
         if size_px is not None:
             self.resize(*size_px)
+
+    def say(self, text: str) -> None:
+        """Show a message."""
+        set_tone(self.message, "")
+        self.message.setText(text)
+
+    def say_reading(self, text: str) -> None:
+        """Show what is read under the pointer of a figure, if anything is."""
+        if text:
+            self.say(text)
+
+    def complain(self, reason: str) -> None:
+        """Show why something did not work."""
+        set_tone(self.message, "error")
+        self.message.setText(sentence(reason))
+
+    def add_button(self, name: str, text: str, hint: str, do: Callable[[], object]) -> QPushButton:
+        """Return a button that does something when it is pressed; the page lays it out."""
+        button = page_button(name, text, hint)
+        button.clicked.connect(lambda: do())
+        return button
+
+    def ask_open(self, title: str, kinds: str, start: Path | None = None) -> Path | None:
+        """Ask for a file to read; None where the user has chosen none."""
+        name, _ = QFileDialog.getOpenFileName(self, title, str(start or ""), kinds)
+        return Path(name) if name else None
+
+    def ask_save(self, title: str, kinds: str, start: Path) -> Path | None:
+        """Ask for a file to write; None where the user has chosen none."""
+        name, _ = QFileDialog.getSaveFileName(self, title, str(start), kinds)
+        return Path(name) if name else None
+
+
+class RowTable(QTableWidget):
+    """A table of which rows are chosen; two columns of words, then numbers.
+
+    Parameters
+    ----------
+    name, title
+        Object name and accessible name.
+    columns
+        Hints of the columns, by their titles.
+    wide
+        Numbers of the columns that get the room that is left.
+    """
+
+    def __init__(
+        self, name: str, title: str, columns: Mapping[str, str], wide: Collection[int]
+    ) -> None:
+        super().__init__(0, len(columns))
+        self.setObjectName(name)
+        self.setAccessibleName(title)
+        header = self.horizontalHeader()
+        for k, (heading, hint) in enumerate(columns.items()):
+            item = QTableWidgetItem(heading)
+            item.setToolTip(hint)
+            self.setHorizontalHeaderItem(k, item)
+            mode = QHeaderView.ResizeMode
+            header.setSectionResizeMode(k, mode.Stretch if k in wide else mode.ResizeToContents)
+        header.setHighlightSections(False)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setTabKeyNavigation(False)
+        self.setShowGrid(False)
+        self.setWordWrap(False)
+        self.setFont(tabular(self.font()))
+        self.verticalHeader().hide()
+        self.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + UNIT_PX)
+
+    def fill(self, rows: Sequence[Sequence[tuple[str, str]]], chosen: int = 0) -> None:
+        """Show rows of cells, each a text and its tooltip, and choose one of them."""
+        self.setRowCount(len(rows))
+        right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        for line, cells in enumerate(rows):
+            for column, (text, hint) in enumerate(cells):
+                item = QTableWidgetItem(text)
+                item.setToolTip(hint)
+                if column > 1:
+                    item.setTextAlignment(right)
+                self.setItem(line, column, item)
+        if rows:
+            self.setCurrentCell(min(chosen, len(rows) - 1), 0)

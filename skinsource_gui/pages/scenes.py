@@ -21,7 +21,7 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource.studies.scenes.catalog import all_scenes, open_scene, why_not_on
 from skinsource.studies.scenes.opened_scene import Scene
 from skinsource_gui.fields.choice_field import ChoiceField
-from skinsource_gui.pages.page import Page
+from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.qt.buttons import page_label, scrolled
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.resources import resource_folder
@@ -85,7 +85,7 @@ _PLAYED_ON = "On which limb the scenes are played: those of the paper, or one of
 _PICTURES = "Pictures are computed on synthetic limbs."
 
 
-class ScenesPage(Page):
+class ScenesPage(ToolPage):
     """Shows the scenes of the paper, and emits which one is to be opened.
 
     Parameters

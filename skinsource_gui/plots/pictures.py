@@ -1,11 +1,10 @@
 """Pictures for print and for slides: their sizes, files, captions, and the dialog that asks.
 
 A picture is drawn by a function, so that a page keeps lines and letters.  Its file is written whole
-or not at all.  Words on a PDF page can be searched for and copied.
+or not at all.
 """
 
 import re
-import zlib
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -126,48 +125,6 @@ def layout_of(name: str) -> Layout | None:
     return next((layout for layout in LAYOUTS if layout.name == name), None)
 
 
-_LETTERS_OF_FONT = re.compile(rb"/ToUnicode (\d+) 0 R")
-_TRAILER = re.compile(rb"trailer\s*<<(.*)>>\s*startxref\s*(\d+)\s*%%EOF\s*$", re.DOTALL)
-_MEANINGS = re.compile(rb"\[.*?\]", re.DOTALL)
-_TAB, _BLANK = b"<0009>", b"<0020>"
-
-
-def searchable(pdf: bytes) -> bytes:
-    """Return a PDF page that Qt has written, with blanks between its words.
-
-    Qt maps the empty letter of a font to a tab, so that a search for two words finds nothing.  An
-    incremental update at the end of the file repairs these maps; the page itself does not change.
-    """
-    end = _TRAILER.search(pdf)
-    numbers = sorted({int(number) for number in _LETTERS_OF_FONT.findall(pdf)})
-    repaired = {number: _repaired_map(pdf, number) for number in numbers}
-    if end is None or not any(repaired.values()):
-        return pdf
-    updated, places = bytearray(pdf), {}
-    for number, letters in repaired.items():
-        if letters:
-            places[number] = len(updated)
-            updated += b"%d 0 obj\n<</Length %d>>\nstream\n" % (number, len(letters))
-            updated += letters + b"\nendstream\nendobj\n"
-    table = len(updated)
-    rows = b"".join(b"%d 1\n%010d 00000 n \n" % place for place in places.items())
-    updated += b"xref\n" + rows
-    updated += b"trailer\n<<%s/Prev %s\n>>\nstartxref\n%d\n%%%%EOF\n" % (end[1], end[2], table)
-    return bytes(updated)
-
-
-def _repaired_map(pdf: bytes, number: int) -> bytes:
-    """Return the repaired letter map of a font; empty where nothing has to be repaired."""
-    stream = re.search(
-        rb"(?<!\d)%d 0 obj\s*<<(.*?)>>\s*stream\r?\n(.*?)\r?\nendstream" % number, pdf, re.DOTALL
-    )
-    if stream is None:
-        return b""
-    letters = zlib.decompress(stream[2]) if b"/FlateDecode" in stream[1] else stream[2]
-    repaired = _MEANINGS.sub(lambda meanings: meanings[0].replace(_TAB, _BLANK), letters)
-    return b"" if repaired == letters else repaired
-
-
 #: Draws a picture: painter, width and height in px, and for some a ``theme``.
 Draw = Callable[..., None]
 
@@ -228,8 +185,7 @@ def save_drawing(
     buffer = QBuffer()
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
     write(buffer, draw, width, height, title)
-    written = bytes(buffer.data().data())
-    write_bytes(path, searchable(written) if write is _pdf else written)
+    write_bytes(path, bytes(buffer.data().data()))
 
 
 def drawn_image(draw: Draw, width: int, height: int, dpi: int = PER_INCH) -> QImage:
@@ -333,9 +289,6 @@ def _without_cache(widget: QWidget) -> Iterator[None]:
 #: In place of the name of a panel: the panel in use, and all visible panels.
 PANEL_IN_USE, ALL_VISIBLE = "panel in use", "all panels in sight"
 
-#: Returns the height of the smallest letters in a picture of this width and height, px.
-Letters = Callable[[int, int], float]
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Picture:
@@ -351,8 +304,6 @@ class Picture:
         Usual width and height; None: the caller decides.
     seen
         The visible part, for who draws the same by other means; None: all of it.
-    letters_px
-        Height of its smallest letters where they scale with the picture; None: they do not.
     """
 
     draw: Draw
@@ -360,15 +311,12 @@ class Picture:
     caption: str = ""
     size_px: tuple[int, int] | None = None
     visible: object | None = None
-    letters_px: Letters | None = None
 
 
 # Clips of one input, and inputs, that a caption describes; it counts the rest.
 _MOST_CLIPS, _MOST_INPUTS = 3, 6
 #: Where a line may break: a number stays with its unit.
 BREAKS = re.compile(r"(?<!\d) | (?![^\W\d]|°)")
-# The unit after a number, and the punctuation after a number or word.
-_UNIT_AND_PUNCTUATION = re.compile(r"(?<=\d)(?:\s[^\d]*|[^\w.]*)$|[,;:.()]*$")
 
 #: A design with the name under which it is shown.
 Named = tuple[str, Design]
@@ -384,20 +332,10 @@ def stimulus_text(design: Design) -> str:
 
 
 def stimuli_text(named: Sequence[Named]) -> str:
-    """Describe the stimuli of several designs.
-
-    Where only numbers differ, they stand side by side in the order of the names, as in
-    ``"Tone 50/100 Hz"``; else each design has a sentence of its own.
-    """
-    texts = [stimulus_text(design) for _, design in named]
+    """Describe the stimuli of several designs, each after its name."""
     if len(named) == 1:
-        return texts[0]
-    names = [name for name, _ in named]
-    rows = [BREAKS.split(text) for text in texts]
-    if len({len(row) for row in rows}) == 1:
-        combined = " ".join(_side_by_side(column) for column in zip(*rows, strict=True))
-        return f"{_listed(names)}: {combined}"
-    return ". ".join(f"{name}: {text}" for name, text in zip(names, texts, strict=True))
+        return stimulus_text(named[0][1])
+    return ". ".join(f"{name}: {stimulus_text(design)}" for name, design in named)
 
 
 def common_title(titles: Sequence[str]) -> str:
@@ -409,32 +347,6 @@ def common_title(titles: Sequence[str]) -> str:
             break
         common.append(column[0])
     return " · ".join(common)
-
-
-def _listed(names: Sequence[str]) -> str:
-    """List names; a common first word of the last ones stands once: "Edited, Snapshots 1, 2"."""
-    first = names[-1].partition(" ")[0]
-    numbers = [name.removeprefix(f"{first} ") for name in names if name.startswith(f"{first} ")]
-    before = names[: len(names) - len(numbers)]
-    if len(numbers) < 2 or any(name.startswith(f"{first} ") for name in before):
-        return ", ".join(names)
-    return ", ".join((*before, f"{first}s {', '.join(numbers)}"))
-
-
-def _side_by_side(words: Sequence[str]) -> str:
-    """``"50/100 Hz,"`` of ``"50 Hz,"`` and ``"100 Hz,"``."""
-    if len(set(words)) == 1:
-        return words[0]
-    endings = {_unit_and_punctuation(word) for word in words}
-    if len(endings) > 1:
-        return "/".join(words)
-    [last] = endings
-    return "/".join(word.removesuffix(last) for word in words) + last
-
-
-def _unit_and_punctuation(word: str) -> str:
-    match = _UNIT_AND_PUNCTUATION.search(word)
-    return match[0] if match else ""
 
 
 def _input_text(track: Input, design: Design) -> str:
@@ -579,11 +491,6 @@ def _draw(
         painter.drawText(QPointF(edge, first + row * metrics.lineSpacing()), line)
 
 
-def height_above(caption: str, font: QFont, width: int, height: int) -> int:
-    """Return the height that `with_caption` leaves to the picture itself, px."""
-    return _laid_out(caption, font, width, height)[2] if caption else height
-
-
 def _laid_out(
     caption: str, font: QFont, width: int, height: int
 ) -> tuple[list[str], QFont, int, float]:
@@ -696,12 +603,11 @@ class Remark:
 
     Attributes
     ----------
-    warns, refuses
-        Whether the picture will have a flaw; whether it cannot be written at all.
+    refuses
+        Whether it says that the picture cannot be written at all.
     """
 
     text: str
-    warns: bool = False
     refuses: bool = False
 
 
@@ -823,8 +729,7 @@ class PictureDialog(QDialog):
             self._form.setRowVisible(cell, name not in self.options.unused)
         self.pixels.setText(self.options.pixels_text)
         remark = Remark("") if self._remark is None else self._remark(self.options)
-        tones = {(True, False): "warning", (False, True): "error"}
-        set_tone(self.remark_label, tones.get((remark.warns, remark.refuses), ""))
+        set_tone(self.remark_label, "error" if remark.refuses else "")
         self.remark_label.setText(remark.text)
         self._form.setRowVisible(self.remark_label, bool(remark.text))
         self._save.setEnabled(not remark.refuses)
@@ -847,43 +752,3 @@ def ask_picture_options(
     accepted = dialog.exec() == QDialog.DialogCode.Accepted
     dialog.deleteLater()
     return dialog.options if accepted else None
-
-
-#: The smallest letters that journals accept, points.
-SMALLEST_PT = 5.0
-# A width that a remark proposes is a multiple of this.
-_ROUND_PX = 10
-
-
-def letters_remark(picture: Picture) -> RemarkOf | None:
-    """Return what warns of letters too small for print; None where letters keep their size."""
-    letters_px, usual = picture.letters_px, picture.size_px
-    if letters_px is None or usual is None:
-        return None
-    return partial(_remark, letters_px, usual, partial(caption_px, picture.caption))
-
-
-def _remark(
-    letters_px: Letters, usual: tuple[int, int], below: Below, options: PictureOptions
-) -> Remark:
-    size_pt = _letters_points(letters_px, options.width_px, options.height_px)
-    if size_pt >= SMALLEST_PT:
-        return Remark("")
-    needed_px = ceil(options.width_px * SMALLEST_PT / size_pt / _ROUND_PX) * _ROUND_PX
-    large = [
-        layout.title
-        for layout in LAYOUTS
-        if _letters_points(letters_px, *layout.size_px(usual, below)) >= SMALLEST_PT
-    ]
-    sizes = [f"a width of {needed_px} px", *large]
-    choose = f"{', '.join(sizes[:-1])} or {sizes[-1]}" if large else sizes[0]
-    return Remark(
-        f"The smallest letters are {size_pt:.1f} pt high; to be read in print they need "
-        f"{SMALLEST_PT:g} pt. Choose {choose}, hide some panels and make the window smaller, or "
-        "export the panel in use.",
-        warns=True,
-    )
-
-
-def _letters_points(letters_px: Letters, width: int, height: int) -> float:
-    return letters_px(width, height) * _POINTS / PER_INCH

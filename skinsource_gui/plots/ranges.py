@@ -611,15 +611,6 @@ class CachedColumns:
         return x is self._axis or (x.size <= _MOST_COMPARED and np.array_equal(x, self._axis))
 
 
-def visible_points(x: Floats, y: Floats, shown: Range, width_px: int) -> Points:
-    """Return the points that draw the visible part of curves ``y``, (n_curves, n_points).
-
-    With more than `MOST_IN_COLUMN` samples in each column of pixels, these are the smallest and the
-    largest sample of each column.
-    """
-    return columns_of(x, shown, width_px).points(y)
-
-
 def in_rows(y_px: Floats, ratio: float) -> Floats:
     """Return heights moved into rows of pixels, of which ``ratio`` make 1 px.
 

@@ -2,6 +2,8 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
+from math import ceil, inf
 from typing import Any
 
 import numpy as np
@@ -154,8 +156,12 @@ class FieldImage:
 
 def field_image(surface: SurfaceOperator, limb: Limb) -> FieldImage:
     """Return the image of the surface of ``limb``."""
-    px_per_mm = limb.map.hand_length_px / limb.hand_length_mm
-    return FieldImage(surface.mask, surface.x_mm, surface.y_mm, px_per_mm)
+    return FieldImage(surface.mask, surface.x_mm, surface.y_mm, px_per_mm_of(limb))
+
+
+def px_per_mm_of(limb: Limb) -> float:
+    """Return the number of outline pixels in a millimetre."""
+    return limb.map.hand_length_px / limb.hand_length_mm
 
 
 def _inside_pixels(mask: NDArray[np.bool_]) -> NDArray[np.intp]:
@@ -274,9 +280,46 @@ def paint_small_map(
     painter.restore()
 
 
+#: A map is at least so high, px.
+LEAST_MAP_PX = 64.0
+# Height of a map over its width: hand and arm.
+_HIGH = 2.3
+
+
+def map_grid(
+    room: QRectF, n: int, around_px: float, *, most_px: float = inf, most_cell_px: float = inf
+) -> tuple[QRectF, ...]:
+    """Return the cells of ``n`` maps, in the fewest rows in which maps are largest.
+
+    Parameters
+    ----------
+    room
+        Area of all cells.
+    around_px
+        Height of a cell beside that of its map.
+    most_px, most_cell_px
+        Largest width of a map that counts, and of a cell; narrow cells stand in the middle.
+    """
+    if n == 0:
+        return ()
+
+    def map_width(rows: int) -> float:
+        width = min(room.width() / ceil(n / rows), (room.height() / rows - around_px) / _HIGH)
+        return min(width, most_px) - 1e-6 * rows if width > 0.0 else -float(rows)
+
+    rows = max(range(1, n + 1), key=map_width)
+    columns = ceil(n / rows)
+    width, height = min(room.width() / columns, most_cell_px), room.height() / rows
+    left = room.left() + (room.width() - width * columns) / 2.0
+    return tuple(
+        QRectF(left + width * (k % columns), room.top() + height * (k // columns), width, height)
+        for k in range(n)
+    )
+
+
 def small_frame(limb_map: LimbMap, area: QRectF) -> Frame:
     """Return the frame in which `paint_small_map` draws a map."""
-    return fitted(_bounds(limb_map.outline), area, up=True)
+    return fitted(bounds_of(limb_map.outline), area, up=True)
 
 
 def _paint_levels(
@@ -305,9 +348,10 @@ def _paint_levels(
                 painter.drawEllipse(QPointF(*place), _DISC_PX, _DISC_PX)
 
 
-def spacing_px(limb_map: LimbMap, frame: Frame) -> float:
-    """Return the smallest distance between two outputs on a small map, px; 0: there are no two."""
-    places = frame.to_screen(limb_map.output_positions)
+@lru_cache(maxsize=8)
+def smallest_spacing(limb_map: LimbMap) -> float:
+    """Return the smallest distance between outputs, in outline pixels; 0 for a single one."""
+    places = limb_map.output_positions
     places = places[np.isfinite(places).all(axis=1)]
     distances = np.linalg.norm(places[:, None] - places[None], axis=-1)
     return float(distances[distances > 0].min(initial=np.inf)) if distances.any() else 0.0
@@ -316,7 +360,7 @@ def spacing_px(limb_map: LimbMap, frame: Frame) -> float:
 def _paint_noise(painter: QPainter, frame: Frame, outline: QPainterPath, shown: SmallMap) -> None:
     places = frame.to_screen(shown.limb_map.output_positions)
     placed = [QPointF(*places[number - 1]) for number in shown.noisy if is_placed(places, number)]
-    reach = max(_NOISE_SPACINGS * spacing_px(shown.limb_map, frame), _DISC_PX)
+    reach = max(_NOISE_SPACINGS * smallest_spacing(shown.limb_map) * frame.scale, _DISC_PX)
     paint_strokes(painter, placed, reach, outline)
 
 
@@ -329,19 +373,30 @@ def _paint_inputs(
         if index in audible and is_placed(places, track.location):
             centre = QPointF(*places[track.location - 1])
             pen = QPen(theme.input_colour(track.colour), 1.5)
-            _paint_ring(painter, centre, _RING_PX, pen, theme)
+            paint_ring(painter, centre, _RING_PX, pen, theme)
 
 
-def _paint_ring(painter: QPainter, centre: QPointF, radius: float, pen: QPen, theme: Theme) -> None:
+def paint_ring(painter: QPainter, centre: QPointF, radius: float, pen: QPen, theme: Theme) -> None:
     """Draw a ring on a wider one in the colour of the background, to be visible on any colour."""
+    painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.setPen(QPen(QColor(theme.base), 2.0 * pen.widthF()))
     painter.drawEllipse(centre, radius, radius)
     painter.setPen(pen)
     painter.drawEllipse(centre, radius, radius)
 
 
-def _bounds(outline: Floats) -> QRectF:
-    (x0, y0), (x1, y1) = outline.min(axis=0), outline.max(axis=0)
+def paint_band(painter: QPainter, band: QRectF, theme: Theme) -> None:
+    """Draw a rubber band."""
+    fill = QColor(theme.accent)
+    painter.setPen(QPen(fill, 1))
+    fill.setAlphaF(0.15)
+    painter.setBrush(fill)
+    painter.drawRect(band)
+
+
+def bounds_of(points: Floats) -> QRectF:
+    """Return the box around points, in outline pixels; its top is the lowest y."""
+    (x0, y0), (x1, y1) = points.min(axis=0), points.max(axis=0)
     return QRectF(float(x0), float(y0), float(x1 - x0), float(y1 - y0))
 
 
@@ -456,9 +511,6 @@ def paint_small_bar(
 # Radius of the ring of a selected output, and of the output under the pointer.
 _OUTPUT_RING_PX, _WIDE_PX = 4.0, 7.0
 _FEW_RINGS = 12
-_EDGE_PX, _GROUND = 2.0, 0.85
-# A number stands less than so many rings from its own.
-_FARTHEST = 6
 
 
 def ring_size(n: int, spacing_px: float) -> tuple[float, float]:
@@ -481,67 +533,13 @@ def paint_rings(
     frame = small_frame(limb_map, area)
     points = frame.to_screen(limb_map.output_positions)
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    radius, width = ring_size(len(outputs), spacing_px(limb_map, frame))
+    radius, width = ring_size(len(outputs), smallest_spacing(limb_map) * frame.scale)
     rings = [(number, theme.output_pen(rank, width), radius) for rank, number in enumerate(outputs)]
     if pointed_at is not None:
         rings.append((pointed_at, QPen(QColor(theme.text), 1.5), _WIDE_PX))
     for number, pen, radius in rings:
         if is_placed(points, number):
-            _paint_ring(painter, QPointF(*points[number - 1]), radius, pen, theme)
-
-
-def number_areas(
-    small: SmallMap, area: QRectF, outputs: tuple[int, ...], metrics: QFontMetricsF
-) -> list[tuple[int, QRectF]]:
-    """Return the areas of the numbers of few outputs, beside their rings, without overlaps.
-
-    Where rings are close together, some numbers stand farther away or are left out.
-    """
-    points = small_frame(small.limb_map, area).to_screen(small.limb_map.output_positions)
-    placed = [number for number in outputs if is_placed(points, number)]
-    if len(outputs) > _FEW_RINGS:
-        return []
-    side = 2.0 * _OUTPUT_RING_PX + _EDGE_PX
-    occupied = [
-        QRectF(x - side / 2, y - side / 2, side, side)
-        for x, y in (points[number - 1] for number in placed)
-    ]
-    areas: list[tuple[int, QRectF]] = []
-    for number in placed:
-        x, y = (float(value) for value in points[number - 1])
-        width = metrics.horizontalAdvance(str(number)) + 2.0 * _EDGE_PX
-        height = metrics.height()
-        corners = [
-            (left, y - height / 2 + down * height / 2)
-            for away in (side / 2, *(rank * side for rank in range(1, _FARTHEST)))
-            for down in (0, -1, 1, -2, 2, -3, 3)
-            for left in (x + away, x - away - width)
-        ]
-        for left, top in corners:
-            place = QRectF(left, top, width, height)
-            if area.contains(place) and not any(place.intersects(other) for other in occupied):
-                occupied.append(place)
-                areas.append((number, place))
-                break
-    return areas
-
-
-def paint_numbers(
-    painter: QPainter, small: SmallMap, area: QRectF, outputs: tuple[int, ...], theme: Theme
-) -> None:
-    """Write the numbers of outputs beside their rings, each on a line in its colour."""
-    ground = QColor(theme.base)
-    ground.setAlphaF(_GROUND)
-    points = small_frame(small.limb_map, area).to_screen(small.limb_map.output_positions)
-    for number, place in number_areas(small, area, outputs, QFontMetricsF(painter.font())):
-        x, y = (float(value) for value in points[number - 1])
-        right = place.left() > x
-        edge = QPointF(place.left() if right else place.right(), place.center().y())
-        painter.setPen(theme.output_pen(outputs.index(number), 1.0))
-        painter.drawLine(QPointF(x + (_OUTPUT_RING_PX if right else -_OUTPUT_RING_PX), y), edge)
-        painter.fillRect(place, ground)
-        painter.setPen(QColor(theme.text))
-        painter.drawText(place, Qt.AlignmentFlag.AlignCenter, str(number))
+            paint_ring(painter, QPointF(*points[number - 1]), radius, pen, theme)
 
 
 def tick_text(

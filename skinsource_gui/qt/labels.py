@@ -1,7 +1,4 @@
-"""Labels, names in tables, a line for names, a level meter, and the hints of empty panels.
-
-A hint of an empty panel always names something that works with the visible panels.
-"""
+"""Labels, names in tables, a line for names, a level meter, and the hints of empty panels."""
 
 from collections.abc import Sequence
 
@@ -23,47 +20,15 @@ from shiboken6 import isValid
 from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
 
-#: Names of panels that hints mention.
-HAND, TIMELINE, SKIN = "hand", "timeline", "skin"
-#: Panels that are assumed to be visible at first.
-USUALLY_VISIBLE = frozenset({HAND, TIMELINE, SKIN})
+#: Hints how to select an input, a clip, and outputs.
+HOW_TO_SELECT_INPUT = "Select an input, on the hand or in the timeline, to edit it"
+HOW_TO_SELECT_CLIP = "Select a clip in the timeline to see and draw it"
+HOW_TO_SELECT_OUTPUT = "Select outputs on the skin map"
 
 
-def how_to_add(in_sight: frozenset[str], what: str = "an input") -> str:
+def how_to_add(what: str = "an input") -> str:
     """Return the hint how to add ``what``: an input, or a track, as the timeline calls it."""
-    if HAND in in_sight:
-        return f"Click a place on the hand to add {what}"
-    return f"Press {shortcut_text('add_input')} to add {what}"
-
-
-def how_to_select_input(in_sight: frozenset[str]) -> str:
-    """Return the hint how to select an input, where there are some."""
-    ways = [
-        phrase
-        for name, phrase in ((HAND, "on the hand"), (TIMELINE, "in the timeline"))
-        if name in in_sight
-    ]
-    if not ways:
-        return "Show the timeline or the hand (View > Panels) to select an input"
-    return f"Select an input, {' or '.join(ways)}, to edit it"
-
-
-def how_to_select_clip(in_sight: frozenset[str], *, inputs: bool) -> str:
-    """Return the hint how to select a clip; ``inputs``: whether there are inputs."""
-    if not inputs:
-        return how_to_add(in_sight)
-    if TIMELINE in in_sight:
-        return "Select a clip in the timeline to see and draw it"
-    if HAND in in_sight:
-        return "Select an input on the hand to see and draw its clip"
-    return "Show the timeline (View > Panels) to select a clip"
-
-
-def how_to_select_output(in_sight: frozenset[str]) -> str:
-    """Return the hint how to select outputs."""
-    if SKIN in in_sight:
-        return "Select outputs on the skin map"
-    return "Show the skin map (View > Panels) to select outputs"
+    return f"Click a place on the hand, or press {shortcut_text('add_input')}, to add {what}"
 
 
 class FittingLabel(QLabel):

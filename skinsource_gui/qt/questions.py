@@ -1,13 +1,13 @@
-"""Questions before something is lost, the next action of the user, and copying of tables."""
+"""Questions before something is lost, and copying of tables."""
 
 import math
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
-from PySide6.QtGui import QGuiApplication, QKeyEvent
-from PySide6.QtWidgets import QApplication, QMessageBox, QToolButton, QWidget
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QMessageBox, QToolButton, QWidget
 
 from skinsource.base.decibels import levels_for_tables
 
@@ -40,82 +40,6 @@ def ask_to_save(parent: QWidget, title: str, question: str, save: Callable[[], b
     buttons = _Answer.Save | _Answer.Discard | _Answer.Cancel
     answer = QMessageBox.question(parent, title, question, buttons, _Answer.Save)
     return save() if answer == _Answer.Save else answer == _Answer.Discard
-
-
-_KEY_EVENTS = (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress)
-_PRESSES = (QEvent.Type.MouseButtonPress, QEvent.Type.MouseButtonDblClick)
-_MODIFIER_KEYS = frozenset(
-    {
-        Qt.Key.Key_Shift,
-        Qt.Key.Key_Control,
-        Qt.Key.Key_Alt,
-        Qt.Key.Key_AltGr,
-        Qt.Key.Key_Meta,
-        Qt.Key.Key_CapsLock,
-    }
-)
-_COMMAND = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
-
-
-class NextAct(QObject):
-    """Signals once the next click anywhere, or the next key that types nothing.
-
-    A message on a past action stays until then: a user who types on in the next field can read it.
-    A click counts when it can no longer become a double click or a drag, because a message that
-    disappears may move what was clicked.
-    """
-
-    came = Signal()
-
-    def __init__(self, parent: QObject) -> None:
-        super().__init__(parent)
-        self._begin = QTimer(self, singleShot=True, interval=0)
-        self._begin.timeout.connect(self._watch)
-        self._click = QTimer(self, singleShot=True)
-        self._click.timeout.connect(self._end_click)
-
-    def wait(self) -> None:
-        """Wait for the next action after the present one."""
-        self._click.stop()
-        self._begin.start()
-
-    def stop(self) -> None:
-        """Stop waiting."""
-        self._begin.stop()
-        self._click.stop()
-        application = QApplication.instance()
-        if application is not None:
-            application.removeEventFilter(self)
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() in _PRESSES:
-            self._click.start(QApplication.doubleClickInterval())
-        elif event.type() in _KEY_EVENTS and _goes_on(event):
-            self._end()
-        return super().eventFilter(watched, event)
-
-    def _end_click(self) -> None:
-        if QApplication.mouseButtons():
-            self._click.start()
-        else:
-            self._end()
-
-    def _end(self) -> None:
-        self.stop()
-        self.came.emit()
-
-    def _watch(self) -> None:
-        application = QApplication.instance()
-        if application is not None:
-            application.installEventFilter(self)
-
-
-def _goes_on(event: QEvent) -> bool:
-    """Return whether a key does something else than typing."""
-    if not isinstance(event, QKeyEvent) or event.key() in _MODIFIER_KEYS:
-        return False
-    writes = event.text().isprintable() and event.text() != ""
-    return not writes or bool(event.modifiers() & _COMMAND)
 
 
 def copied_number(value: float) -> str:

@@ -29,6 +29,7 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.dataset import TITLE
 from skinsource_gui.qt.layouts import in_row
+from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.qt.tooltips import show_tooltip, tooltip
 
 _LEAST_PX = 260
@@ -249,6 +250,19 @@ class FoldedActions(QWidget):
         self._buttons.setVisible(not folded)
         self.more.setVisible(folded)
         self.setFixedWidth((self.more if folded else self._buttons).sizeHint().width())
+
+
+class WorkspaceButtons(QWidget):
+    """Buttons beside each other, one for each workspace."""
+
+    def __init__(self, actions: Sequence[QAction], parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setObjectName("workspaces")
+        buttons = [QToolButton(self) for _ in actions]
+        for button, action in zip(buttons, actions, strict=True):
+            button.setDefaultAction(action)
+            button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        in_row(*buttons, of=self, margins=0, gap_px=2).setContentsMargins(0, 2, UNIT_PX, 2)
 
 
 class StudioBar(QToolBar):

@@ -1,14 +1,14 @@
 """Pictures of panels, and the metadata that exports carry: stimulus, limbs, validity."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
-from PySide6.QtCore import QEventLoop, QPoint, QRect, QRectF, Qt
-from PySide6.QtGui import QColor, QFont, QFontInfo, QPainter
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QEventLoop, QPoint, QRect, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QFont, QPainter
+from PySide6.QtWidgets import QApplication, QScrollArea, QVBoxLayout, QWidget
 
 from skinsource.design.comparing import EDITED, Snapshot, shown_snapshot, with_edited
 from skinsource.design.labels import short_limb_title
@@ -17,10 +17,8 @@ from skinsource_gui.panels.skin.panel import SkinPanel
 from skinsource_gui.plots.pictures import (
     ALL_VISIBLE,
     PANEL_IN_USE,
-    Letters,
     Picture,
     caption_of,
-    height_above,
     stimulus_text,
     with_caption,
 )
@@ -28,7 +26,6 @@ from skinsource_gui.plots.signal_view import SignalExports
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.qt.theme import LIGHT, Theme, apply_theme, current_theme
 from skinsource_gui.shell.appearance import Appearance
-from skinsource_gui.shell.dock_layout import shown_off_screen, usual_size
 from skinsource_gui.shell.docks import Dock, PanelInUse
 from skinsource_gui.state.comparison import Judging
 from skinsource_gui.state.document import Document
@@ -167,8 +164,6 @@ def _drawn(panel: Panel) -> frozenset[str]:
 
 
 _TITLE_PX, _EDGE_PX = 22, 6
-# The smallest letters of panels, as a part of usual ones: those of notes on the skin map.
-_SMALLEST_LETTERS = 2 / 3
 
 
 class PanelPictures:
@@ -202,21 +197,24 @@ class PanelPictures:
         self._in_use = in_use
 
     def picture_of(self, name: str) -> Picture:
-        """Return the picture of a panel, `PANEL_IN_USE` or `ALL_VISIBLE`, with its caption."""
+        """Return the picture of a panel, `PANEL_IN_USE` or `ALL_VISIBLE`, with its caption.
+
+        ``"panel/view"``: that of one of its views.
+        """
+        name, _, view = name.partition("/")
         panel: Panel | None = None
         if name != ALL_VISIBLE:
             panel = self._in_use.panel if name == PANEL_IN_USE else self._panels[name]
         self._catch_up()
-        caption = self._metadata.caption(*((panel,) if panel else self._docked_panels()))
+        with nullcontext() if panel is None else panel.showing(view):
+            caption = self._metadata.caption(*((panel,) if panel else self._docked_panels()))
         size: tuple[int, int] | None = None
         draw: Callable[..., None] = self._draw_all
-        letters: Letters | None = None
         if panel is None:
             size = self._frame.width(), self._frame.height()
-            letters = partial(self._smallest_letters_px, caption)
         else:
-            draw = partial(self._draw_one, panel)
-            likes = panel.size() if panel.isVisible() else usual_size(panel)
+            draw = partial(self._draw_one, panel, view)
+            likes = panel.size() if panel.isVisible() else _usual_size(panel)
             size = None if name != PANEL_IN_USE else (2 * likes.width(), 2 * likes.height())
         result = panel.map.stage.visible if isinstance(panel, SkinPanel) else None
         draw = with_caption(draw, caption)
@@ -226,7 +224,6 @@ class PanelPictures:
             caption=caption,
             size_px=size,
             visible=result,
-            letters_px=letters,
         )
 
     def _docked_panels(self) -> list[Panel]:
@@ -236,15 +233,21 @@ class PanelPictures:
         ]
 
     def _draw_one(
-        self, panel: Panel, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
+        self,
+        panel: Panel,
+        view: str,
+        painter: QPainter,
+        width: int,
+        height: int,
+        theme: Theme = LIGHT,
     ) -> None:
-        """Draw a panel, which need not be in sight."""
+        """Draw a panel or one of its views, which need not be in sight."""
         if panel.isVisible():
-            with self._metadata.as_stored(), self._in_colours(theme):
+            with panel.showing(view), self._metadata.as_stored(), self._in_colours(theme):
                 panel.draw_picture(painter, width, height, theme)
             return
-        stage = shown_off_screen(self._docks[panel.name], width, height)
-        with self._metadata.as_stored(), stage as make_room:
+        stage = _shown_off_screen(self._docks[panel.name], width, height)
+        with panel.showing(view), self._metadata.as_stored(), stage as make_room:
             self._catch_up()
             # Parts that depend on results take their room now.
             QApplication.processEvents(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)
@@ -279,14 +282,6 @@ class PanelPictures:
             bounds = bounds.united(area.adjusted(0, -_TITLE_PX, 0, 0))
         return places, bounds
 
-    def _smallest_letters_px(self, caption: str, width: int, height: int) -> float:
-        """Return the height of the smallest letters of panels in a picture of all."""
-        _, bounds = self._places()
-        font = QApplication.font()
-        above = height_above(caption, font, width, height)
-        scale = min(width / max(bounds.width(), 1), above / max(bounds.height(), 1))
-        return scale * _SMALLEST_LETTERS * QFontInfo(font).pixelSize()
-
     @contextmanager
     def _in_colours(self, theme: Theme) -> Iterator[None]:
         """Put the studio in other colours for a while; nothing of that is painted on the screen."""
@@ -315,3 +310,52 @@ def _draw_titled(painter: QPainter, panel: Panel, area: QRect, theme: Theme) -> 
     painter.setFont(QApplication.font())
     panel.draw_picture(painter, area.width(), area.height(), theme)
     painter.restore()
+
+
+def _usual_size(panel: Panel) -> QSize:
+    """Return the preferred size of a panel, px."""
+    return panel.sizeHint().expandedTo(panel.minimumSizeHint()).expandedTo(panel.minimumSize())
+
+
+@contextmanager
+def _shown_off_screen(dock: Dock, width: int, height: int) -> Iterator[Callable[[], None]]:
+    """Show the panel of a dock off the screen, for as long as it is drawn.
+
+    A panel that was never shown has no layout and no results.  Yields a function that makes room
+    for what has to be scrolled; call it once the results are there.
+
+    Parameters
+    ----------
+    dock
+        The dock, in which the panel is hidden.
+    width, height
+        Of the picture: the panel is of this shape, and as large as it likes to be at least.
+    """
+    size = _usual_size(dock.panel)
+    wide = max(size.width(), round(size.height() * width / max(height, 1)))
+    high = max(size.height(), round(wide * height / max(width, 1)))
+    stage = QWidget()
+    stage.setAttribute(Qt.WidgetAttribute.WA_DontShowOnScreen)
+    stage.setAttribute(Qt.WidgetAttribute.WA_ShowWithoutActivating)
+    column = QVBoxLayout(stage)
+    column.setContentsMargins(0, 0, 0, 0)
+    with dock.lent() as panel:
+        column.addWidget(panel)
+        panel.show()
+        stage.resize(wide, high)
+        stage.show()
+        try:
+            yield partial(_make_room, stage)
+        finally:
+            column.removeWidget(panel)
+            panel.setParent(None)
+            stage.deleteLater()
+
+
+def _make_room(stage: QWidget) -> None:
+    hidden = max(
+        (area.verticalScrollBar().maximum() for area in stage.findChildren(QScrollArea)), default=0
+    )
+    high = stage.height() + hidden
+    # The shape stays the same.
+    stage.resize(round(stage.width() * high / max(stage.height(), 1)), high)

@@ -4,9 +4,10 @@ A dock makes its panel when it first comes into sight. Docks that share a place 
 that Qt makes.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from functools import cache, partial
+from typing import Any
 from weakref import ref
 
 from PySide6.QtCore import QChildEvent, QEvent, QObject, QPoint, QRectF, Qt, QTimer, Signal
@@ -28,11 +29,8 @@ from PySide6.QtWidgets import (
     QMainWindow,
     QMenu,
     QMenuBar,
-    QStyle,
-    QStyleOptionDockWidget,
     QTabBar,
     QTabWidget,
-    QToolButton,
     QWidget,
 )
 from shiboken6 import isValid
@@ -40,7 +38,6 @@ from shiboken6 import isValid
 from skinsource_gui.qt.fitting import SteadyArea
 from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.theme import Theme, current_theme, drawn_icon
-from skinsource_gui.qt.tooltips import show_tooltip
 from skinsource_gui.qt.window_events import WindowEvents
 from skinsource_gui.shell.focus import focus_into
 from skinsource_gui.state.panel import Panel, PanelRegistry
@@ -107,7 +104,9 @@ class Dock(QDockWidget):
     def __init__(self, name: str, title: str, panels: PanelRegistry, window: QWidget) -> None:
         super().__init__(title, window)
         self._panels = panels
-        self._tabbed = self._behind = False
+        self._behind = False
+        self._no_title = QWidget(self)
+        self._no_title.hide()
         self.setObjectName(name)
         self._area = area = SteadyArea()
         area.setObjectName(f"{name}_area")
@@ -156,15 +155,12 @@ class Dock(QDockWidget):
         self.raise_()
 
     def show_tabbed(self, tabbed: bool) -> None:
-        """Take over whether a tab names it; then its own title is empty."""
-        if tabbed != self._tabbed:
-            self._tabbed = tabbed
-            self.update()
-
-    def initStyleOption(self, option: QStyleOptionDockWidget) -> None:
-        super().initStyleOption(option)
-        if self._tabbed and not self.isFloating():
-            option.title = ""
+        """Take over whether a tab names it; then it has no title of its own."""
+        if tabbed != (self.titleBarWidget() is self._no_title):
+            self._no_title.setVisible(tabbed)
+            # The stubs of PySide take None for a mistake; with it Qt's own title is back.
+            set_title: Any = self.setTitleBarWidget
+            set_title(self._no_title if tabbed else None)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
@@ -216,93 +212,11 @@ def _draw_buttons(dock: QDockWidget) -> None:
                 button.setIcon(drawn)
 
 
-#: What the button is called.
-BUTTON = "tab_list"
-# As Qt calls the arrows at the end of a bar.
-_ARROWS = ("ScrollLeftButton", "ScrollRightButton")
-_WATCHED = (QEvent.Type.Show, QEvent.Type.Hide, QEvent.Type.Move, QEvent.Type.Resize)
-_HINT = "List all panels in this place"
-
-
-class TabLists(QObject):
-    """Gives bars a list of their tabs: with the right button, and with a button of its own.
-
-    That stands at the end of a bar whose tabs do not fit, behind the arrows; the room that the
-    style has for two arrows is shared by all three.  Qt makes bars and deletes them as it likes, so
-    nothing is kept here of any.
-    """
-
-    #: The bar whose list is wanted, and where in the bar.
-    requested = Signal(object, QPoint)
-
-    def add_to(self, bar: QTabBar) -> None:
-        """Give a bar its list."""
-        bar.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
-        bar.customContextMenuRequested.connect(self._tell)
-        button = QToolButton(bar)
-        button.setObjectName(BUTTON)
-        button.setAccessibleName(_HINT)
-        show_tooltip(button, f"{_HINT} (right button on the tabs)")
-        button.setArrowType(Qt.ArrowType.DownArrow)
-        button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        button.hide()
-        button.clicked.connect(self._request_below)
-        for arrow in _arrows(bar):
-            arrow.installEventFilter(self)
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        bar = watched.parent() if event.type() in _WATCHED else None
-        if isinstance(bar, QTabBar):
-            _share_room(bar)
-        return False
-
-    def _tell(self, at: QPoint) -> None:
-        self.requested.emit(self.sender(), at)
-
-    def _request_below(self) -> None:
-        button = self.sender()
-        if isinstance(button, QWidget):
-            self.requested.emit(button.parent(), button.geometry().bottomLeft())
-
-
-def tab_menu(bar: QTabBar, bring: Callable[[str], None], parent: QWidget) -> QMenu:
-    """Return a menu of all tabs of a bar, the front one ticked; ``bring`` is told a title."""
-    menu = QMenu(parent)
-    menu.setObjectName("tab_menu")
-    menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-    for index in range(bar.count()):
-        title = bar.tabText(index)
-        action = menu.addAction(title, partial(bring, title))
-        action.setCheckable(True)
-        action.setChecked(index == bar.currentIndex())
-        if action.isChecked():
-            menu.setActiveAction(action)
-    return menu
-
-
-def _arrows(bar: QTabBar) -> list[QToolButton]:
-    buttons = (bar.findChild(QToolButton, name) for name in _ARROWS)
-    return [button for button in buttons if isinstance(button, QToolButton)]
-
-
-def _share_room(bar: QTabBar) -> None:
-    arrows, button = _arrows(bar), bar.findChild(QToolButton, BUTTON)
-    if len(arrows) < len(_ARROWS) or not isinstance(button, QToolButton):
-        return
-    button.setHidden(any(arrow.isHidden() for arrow in arrows))
-    metric = QStyle.PixelMetric.PM_TabBarScrollButtonWidth
-    room = 2 * bar.style().pixelMetric(metric, None, bar)
-    each, left = room // 3, bar.width() - room
-    for k, part in enumerate((*arrows, button)):
-        # A button that is there already emits no event, so that this ends.
-        part.setGeometry(left + k * each, 0, each, bar.height())
-
-
 _NOTHING = "No panel shares its place with another one; View > Panels brings more"
 
 
 class DockTabs(QObject):
-    """Looks after docks that are tabs, whoever made them so: an arrangement, or the user.
+    """Looks after docks that are tabs, whoever made them so: a workspace, or the user.
 
     Parameters
     ----------
@@ -320,8 +234,6 @@ class DockTabs(QObject):
     def __init__(self, window: QMainWindow, docks: Mapping[str, Dock]) -> None:
         super().__init__(window)
         self._window, self._docks = window, docks
-        self._lists = TabLists(self)
-        self._lists.requested.connect(self._open_list)
         window.setTabPosition(Qt.DockWidgetArea.AllDockWidgetAreas, QTabWidget.TabPosition.North)
         # Qt makes a bar when it needs one, and says nothing else of it.
         WindowEvents.follow(window, self._note_child, QEvent.Type.ChildPolished)
@@ -341,13 +253,13 @@ class DockTabs(QObject):
         """List the panels in one place, where the keyboard is, to bring one to the front."""
         bar = self._bar_in_use()
         if bar is not None:
-            self._open_list(bar, bar.rect().bottomLeft())
+            self._open_list(bar, bar.rect().bottomLeft(), bar.currentIndex())
 
     def _note_child(self, event: QChildEvent) -> None:
         bar = event.child()
         if isinstance(bar, QTabBar):
             _prepare(bar)
-            self._lists.add_to(bar)
+            bar.customContextMenuRequested.connect(self._open_list_at)
             bar.tabBarClicked.connect(self._note_click)
 
     def _note_click(self, index: int) -> None:
@@ -363,21 +275,41 @@ class DockTabs(QObject):
             self._enter(dock, Qt.FocusReason.MouseFocusReason)
 
     def _tell(self) -> None:
-        names = frozenset(name for name, dock in self._docks.items() if dock.in_sight)
-        for name, dock in self._docks.items():
-            if name in names:  # of the others no title is seen, and to ask Qt takes long
+        for dock in self._docks.values():
+            if dock.in_sight:  # of the others no title is seen, and to ask Qt takes long
                 others = self._window.tabifiedDockWidgets(dock)
                 dock.show_tabbed(any(not other.isHidden() for other in others))
-            if not dock.is_empty and dock.panel.in_sight != names:
-                dock.panel.show_in_sight(names)
 
     def _go(self, step: int) -> None:
         bar = self._bar_in_use()
         if bar is not None:
             self._bring(bar.tabText((bar.currentIndex() + step) % bar.count()))
 
-    def _open_list(self, bar: QTabBar, at: QPoint) -> None:
-        tab_menu(bar, self._bring, self._window).popup(bar.mapToGlobal(at))
+    def _open_list_at(self, at: QPoint) -> None:
+        # Of the bar nothing is kept: Qt may delete it.
+        bar = self.sender()
+        if isinstance(bar, QTabBar):
+            self._open_list(bar, at, bar.tabAt(at))
+
+    def _open_list(self, bar: QTabBar, at: QPoint, index: int) -> None:
+        """List all tabs of a bar, the front one ticked, and what can be done with one of them."""
+        menu = QMenu(self._window)
+        menu.setObjectName("tab_menu")
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        for other in range(bar.count()):
+            title = bar.tabText(other)
+            action = menu.addAction(title, partial(self._bring, title))
+            action.setCheckable(True)
+            action.setChecked(other == bar.currentIndex())
+            if action.isChecked():
+                menu.setActiveAction(action)
+        if index >= 0:
+            title = bar.tabText(index)
+            dock = self._dock_titled(title)
+            menu.addSeparator()
+            menu.addAction(f"Float {title}", partial(dock.setFloating, True))
+            menu.addAction(f"Hide {title}", dock.hide)
+        menu.popup(bar.mapToGlobal(at))
 
     def _bring(self, title: str) -> None:
         dock = self._dock_titled(title)
@@ -418,6 +350,7 @@ def _prepare(bar: QTabBar) -> None:
         f"Panels in one place; {shortcut_text('next_tab')} shows the next, the right button lists "
         "them"
     )
+    bar.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
     # The keyboard has a key for it; a stop without a panel would only be in the way of Tab.
     bar.setFocusPolicy(Qt.FocusPolicy.NoFocus)
     bar.setDrawBase(False)
@@ -584,55 +517,19 @@ class KeyboardKeeper(QObject):
         self._last_dock: Dock | None = None
         # Docks come and go while they are arranged: only where they stand at the end counts.
         self._arranged = QTimer(self, singleShot=True, interval=0)
-        self._arranged.timeout.connect(self._give_back)
+        self._arranged.timeout.connect(self.settle)
         for dock in docks.values():
             # Both come before Qt has moved the keyboard.
             dock.goes_behind.connect(partial(self._take_from, dock))
             dock.sight_changed.connect(partial(self._take_from, dock))
 
-    def _take_from(self, dock: Dock) -> None:
-        focused = self._window.focusWidget()
-        if focused is None or not self._window.isVisible() or not dock.isAncestorOf(focused):
-            return
-        if dock.isVisible() and dock.in_sight:
-            return
-        if not self._arranged.isActive():
-            self._last_widget, self._last_dock = focused, dock
-            self._arranged.start()
-        focused.clearFocus()
-
     def settle(self) -> None:
-        """Give the keyboard back now: the docks are arranged."""
-        if self._arranged.isActive():
-            self._arranged.stop()
-            self._give_back()
-
-    @contextmanager
-    def kept(self) -> Iterator[None]:
-        """Keep the keyboard, once it is in a panel, while all docks are put elsewhere.
-
-        A panel that was a window of its own keeps it too, and where nobody has it, as in a window
-        that opens, the first panel takes it.
-        """
-        focused = QApplication.focusWidget()
-        in_panel = focused is not None and any(
-            dock.isAncestorOf(focused) for dock in self._docks.values()
-        )
-        nobody = focused is None and self._window.focusWidget() is None
-        yield
-        if in_panel or nobody:
-            self._arranged.stop()
-            self._last_widget = self._last_dock = None
-            self._give_to(focused)
-
-    def _give_back(self) -> None:
-        left, dock = self._last_widget, self._last_dock
+        """Give the keyboard to a panel, if nobody has it: the docks are arranged."""
+        self._arranged.stop()
+        left, before = self._last_widget, self._last_dock
         self._last_widget = self._last_dock = None
-        if self._window.focusWidget() is None and self._window.isVisible():
-            self._give_to(left, dock)
-
-    def _give_to(self, left: QWidget | None, before: Dock | None = None) -> None:
-        """Give the keyboard to the last widget, if that is in sight, or else to another panel."""
+        if self._window.focusWidget() is not None:
+            return
         if left is not None and isValid(left) and left.isVisible():
             left.setFocus(Qt.FocusReason.OtherFocusReason)
             return
@@ -642,3 +539,13 @@ class KeyboardKeeper(QObject):
             if not focus_into(dock.panel, Qt.FocusReason.OtherFocusReason):
                 # A window that is not shown yet has no stops.
                 dock.panel.setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def _take_from(self, dock: Dock) -> None:
+        if dock.in_sight and dock.isVisible():
+            return
+        for focused in (self._window.focusWidget(), QApplication.focusWidget()):
+            if focused is not None and self._window.isVisible() and dock.isAncestorOf(focused):
+                if not self._arranged.isActive():
+                    self._last_widget, self._last_dock = focused, dock
+                    self._arranged.start()
+                focused.clearFocus()

@@ -233,6 +233,51 @@ class ClipDrawing(QObject):
         panel.use("pen")
 
 
+class KeyboardFilter(QObject):
+    """Filters the events of the widget that has the keyboard.
+
+    One widget at a time: a filter on all widgets would see each event of the studio.
+    """
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._watched: QWidget | None = None
+
+    def follow(self, on: bool) -> None:
+        """Begin or end to filter."""
+        application = QApplication.instance()
+        if not isinstance(application, QApplication):
+            return
+        if on:
+            application.focusChanged.connect(self._note_focus)
+            self._note_focus(None, QApplication.focusWidget())
+        else:
+            application.focusChanged.disconnect(self._note_focus)
+            self.watch(None)
+
+    def wanted(self, focused: QWidget | None) -> QWidget | None:
+        """Return the widget to be filtered while one has the keyboard; by default that one."""
+        return focused
+
+    def watch(self, widget: QWidget | None) -> None:
+        """Filter the events of another widget."""
+        # While a widget with the keyboard is deleted, the next one gets it before that is told.
+        if self._watched is not None and shiboken6.isValid(self._watched):
+            self._watched.removeEventFilter(self)
+            self._watched.destroyed.disconnect(self._forget)
+        self._watched = widget
+        if widget is not None:
+            widget.installEventFilter(self)
+            widget.destroyed.connect(self._forget)
+
+    def _note_focus(self, _old: QWidget | None, new: QWidget | None) -> None:
+        self.watch(self.wanted(new))
+
+    def _forget(self) -> None:
+        if self._watched is not None and not shiboken6.isValid(self._watched):
+            self._watched = None
+
+
 _Standard = QKeySequence.StandardKey
 #: Keys that edit a text while it is typed.
 _WHILE_TYPING = (
@@ -253,7 +298,7 @@ _PRESSED = (QAbstractButton, QComboBox, QAbstractItemView)
 _HELD = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
 
 
-class ShortcutsInFields(QObject):
+class ShortcutsInFields(KeyboardFilter):
     """Keeps lines of text from taking shortcuts for keys of their own.
 
     On some desktops Ctrl+E goes to the end of a line, Ctrl+K deletes to it, and so on: nobody
@@ -271,13 +316,9 @@ class ShortcutsInFields(QObject):
         super().__init__(window)
         self._window = window
         self._shortcuts = [key for action in actions for key in action.shortcuts()]
-        self._watched: QWidget | None = None
         # The list that was clicked, or chosen from, and still has the keyboard.
         self._used: QComboBox | None = None
-        # One widget at a time: a filter on all widgets would see each event of the studio.
-        application = QApplication.instance()
-        if isinstance(application, QApplication):
-            application.focusChanged.connect(self._watch)
+        self.follow(True)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() != QEvent.Type.ShortcutOverride or not isinstance(event, QKeyEvent):
@@ -302,35 +343,35 @@ class ShortcutsInFields(QObject):
             return True
         return super().eventFilter(watched, event)
 
-    def _watch(self, _old: QWidget | None, new: QWidget | None) -> None:
-        # While a widget with the keyboard is deleted, the next one gets it before that is told.
-        if self._watched is not None and shiboken6.isValid(self._watched):
-            self._watched.removeEventFilter(self)
-            self._watched.destroyed.disconnect(self._forget)
-            if isinstance(self._watched, QComboBox):
-                self._watched.activated.disconnect(self._note_used)
-        self._watched = None
-        if new is not None and new is not self._used and not _is_popup_of(self._used, new):
+    def wanted(self, focused: QWidget | None) -> QWidget | None:
+        if (
+            focused is not None
+            and focused is not self._used
+            and not _is_popup_of(self._used, focused)
+        ):
             self._used = None
         # A clicked button has the keyboard too, but the next key is not meant for it.
-        clicked = isinstance(new, QAbstractButton) and bool(QApplication.mouseButtons())
-        is_field = isinstance(new, (*_TEXTS, *_PRESSED)) and not clicked
-        if is_field and new is not None and self._window.isAncestorOf(new):
-            self._watched = new
-            new.installEventFilter(self)
-            new.destroyed.connect(self._forget)
-            if isinstance(new, QComboBox):
-                new.activated.connect(self._note_used)
-                if QApplication.mouseButtons():
-                    self._used = new
+        clicked = bool(QApplication.mouseButtons())
+        is_field = isinstance(focused, (*_TEXTS, *_PRESSED))
+        if focused is None or not is_field or not self._window.isAncestorOf(focused):
+            return None
+        if isinstance(focused, QAbstractButton) and clicked:
+            return None
+        if isinstance(focused, QComboBox) and clicked:
+            self._used = focused
+        return focused
+
+    def watch(self, widget: QWidget | None) -> None:
+        before = self._watched
+        if isinstance(before, QComboBox) and shiboken6.isValid(before):
+            before.activated.disconnect(self._note_used)
+        super().watch(widget)
+        if isinstance(widget, QComboBox):
+            widget.activated.connect(self._note_used)
 
     def _note_used(self) -> None:
         if isinstance(self._watched, QComboBox):
             self._used = self._watched
-
-    def _forget(self) -> None:
-        if self._watched is not None and not shiboken6.isValid(self._watched):
-            self._watched = self._used = None
 
 
 def _is_popup_of(field: QComboBox | None, widget: QWidget) -> bool:

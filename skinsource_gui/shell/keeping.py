@@ -8,9 +8,7 @@ from typing import Any
 from PySide6.QtCore import QObject, QSize, Qt
 from PySide6.QtGui import QIcon, QPixmap
 from PySide6.QtWidgets import (
-    QDialog,
     QDialogButtonBox,
-    QLabel,
     QListWidget,
     QListWidgetItem,
     QWidget,
@@ -23,9 +21,10 @@ from skinsource.base.files import path_text, read_bytes, write_bytes
 from skinsource.design.recovery import Found, UnsavedWork
 from skinsource_gui.pages.files.autosave import Autosave, Recovery, WorkPicture
 from skinsource_gui.pages.files.file_actions import FileActions
+from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.qt.layouts import in_column
-from skinsource_gui.shell.dock_layout import DockLayout
 from skinsource_gui.shell.notices import Choice, Notice, Reports
+from skinsource_gui.shell.workspaces import Workspaces
 from skinsource_gui.state.conductor import Conductor
 from skinsource_gui.state.engine import Outcome
 from skinsource_gui.state.services import Services
@@ -52,7 +51,7 @@ def work_description(left: UnsavedWork) -> str:
     return f"{left.name}, kept {left.age()}\n{where}"
 
 
-class UnsavedWorkPage(QDialog):
+class UnsavedWorkPage(ToolPage):
     """Lists unsaved work with its picture and age, to be opened or discarded.
 
     Parameters
@@ -72,14 +71,11 @@ class UnsavedWorkPage(QDialog):
         discard: Callable[[UnsavedWork], None],
         parent: QWidget,
     ) -> None:
-        super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setWindowTitle("Unsaved work of earlier sessions")
-        self.resize(560, 420)
+        super().__init__(
+            parent, "unsaved_work_page", "Unsaved work of earlier sessions", (560, 420)
+        )
         self._look, self._open_it, self._discard = look, open_it, discard
         self._left: tuple[UnsavedWork, ...] = ()
-        self._text_label = QLabel()
-        self._text_label.setWordWrap(True)
         self.rows = QListWidget()
         self.rows.setObjectName("left_over_rows")
         self.rows.setAccessibleName("Unsaved work")
@@ -93,12 +89,12 @@ class UnsavedWorkPage(QDialog):
         self.open_button.clicked.connect(self._open)
         self.discard_button.clicked.connect(self._give_up)
         buttons.rejected.connect(self.reject)
-        in_column(self._text_label, self.rows, buttons, of=self)
+        in_column(self.message, self.rows, buttons, of=self)
         self._fill()
 
     def _fill(self) -> None:
         self._left = self._look()
-        self._text_label.setText(
+        self.say(
             "The studio ended before this work was saved. A copy of each was kept."
             if self._left
             else "There is no unsaved work of earlier sessions."
@@ -136,7 +132,7 @@ class AutosaveAndRecovery(QObject):
     ----------
     document, engine, runner
         The work, its predictions, and the long jobs, before which a copy is saved.
-    files, layout
+    files, workspaces
         Before files are opened a copy is saved, with the layout of the docks.
     interval_s
         See `Autosave`.
@@ -148,7 +144,7 @@ class AutosaveAndRecovery(QObject):
         self,
         services: Services,
         files: FileActions,
-        layout: DockLayout,
+        workspaces: Workspaces,
     ) -> None:
         super().__init__(services.window)
         document, interval_s = services.document, services.preferences.autosave_s
@@ -156,7 +152,7 @@ class AutosaveAndRecovery(QObject):
         self._folder = user_folder()
         self._picture = WorkPicture()
         self.autosave = Autosave(
-            document, self._folder, interval_s, layout.content, self._picture.image, self
+            document, self._folder, interval_s, workspaces.content, self._picture.image, self
         )
         self.recovery = Recovery(
             document,
@@ -166,7 +162,7 @@ class AutosaveAndRecovery(QObject):
             self.autosave.keep_now,
             self,
         )
-        self.recovery.opened.connect(layout.put)
+        self.recovery.opened.connect(workspaces.put)
         self.recovery.belonged.connect(self._suggest)
         files.risk_ahead.connect(self.autosave.keep_now)
         services.runner.starting.connect(self.autosave.keep_now)

@@ -78,7 +78,7 @@ def fill_menu_bar(
     for action in panels:
         shown.addAction(action)
     first = QShortcut(QKeySequence(MENU_KEY), bar)
-    first.activated.connect(lambda: bar.setActiveAction(menus[MENUS[0]].menuAction()))
+    first.activated.connect(lambda: bar.setActiveAction(menus["File"].menuAction()))
 
 
 class RecentMenu(QMenu):
@@ -251,8 +251,8 @@ def matching(actions: Sequence[QAction], letters: str) -> list[QAction]:
     """Return the actions that are meant by ``letters``, the likeliest first.
 
     First come those that say the letters in one piece: as their whole name, at its beginning, at
-    the beginning of a word, elsewhere.  Then come those that have a keyword which begins with them;
-    only where there is neither, those that say them scattered.  What only explains comes last.
+    the beginning of a word, elsewhere.  Then come those that have a keyword which begins with them.
+    What only explains comes last.
     """
     typed = letters.strip().lower()
     besides = [
@@ -263,10 +263,6 @@ def matching(actions: Sequence[QAction], letters: str) -> list[QAction]:
     by_keyword = [
         action for action in actions if action not in by_name and _is_keyword(action, typed)
     ]
-    if not (by_name or by_keyword or besides):
-        scores = ((action, score(letters, _label(action))) for action in actions)
-        gaps = {action: gap for action, gap in scores if gap is not None}
-        return sorted(gaps, key=lambda action: gaps[action])
     return [*sorted(by_name, key=lambda action: _nearness(action, typed)), *by_keyword, *besides]
 
 
@@ -290,18 +286,6 @@ def _nearness(action: QAction, typed: str) -> tuple[int, int]:
 
 def _is_keyword(action: QAction, typed: str) -> bool:
     return any(word.startswith(typed) for word in str(action.property(KEYWORDS) or "").split())
-
-
-def score(letters: str, text: str) -> int | None:
-    """Return the gaps between ``letters`` in ``text``; None where it has not all in order."""
-    position, gaps, lowered = -1, 0, text.lower()
-    for letter in letters.lower().replace(" ", ""):
-        next_position = lowered.find(letter, position + 1)
-        if next_position < 0:
-            return None
-        gaps += next_position - position - 1
-        position = next_position
-    return gaps
 
 
 Capabilities = Mapping[str, QObject]

@@ -27,7 +27,6 @@ from skinsource.limbs.dataset.store import StoreInfo
 from skinsource_gui.qt.layouts import in_row
 from skinsource_gui.qt.questions import ask_yes
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
-from skinsource_gui.qt.tooltips import ClickGuard
 from skinsource_gui.qt.window_events import WindowEvents
 from skinsource_gui.shell.status import Accuracy, StatusLine
 from skinsource_gui.state.conductor import UNPLAYABLE
@@ -35,6 +34,7 @@ from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import Outcome
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.preferences import INSTALLATIONS, InstalledLimbs, Preferences
+from skinsource_gui.state.worker import fault_text
 
 #: How long a message stays in the status bar.
 PASSING_MS = 5000
@@ -87,7 +87,6 @@ class Notice(QObject):
         self._passing, self._watches = QTimer(self), False
         self._passing.setSingleShot(True)
         self._passing.timeout.connect(self.be_quiet)
-        self._guard = ClickGuard(window)
         self.be_quiet()
         WindowEvents.follow(window, self._fit, *_LAID_OUT)
 
@@ -175,7 +174,6 @@ class Notice(QObject):
             self._choices.append(button)
 
     def _choose(self, act: Callable[[], object] | None = None, _checked: bool = False) -> None:
-        self._guard.cover(self.buttons.geometry())
         self.be_quiet()
         if act:
             act()
@@ -451,8 +449,7 @@ class Installations(QObject):
 
     def _note_failed(self, job: Job[Any], error: Exception) -> None:
         if job.title in INSTALLATIONS:
-            mistake = f"The studio made a mistake: {type(error).__name__}: {error}"
-            self._reports.complain(str(error) if isinstance(error, SkinSourceError) else mistake)
+            self._reports.complain(fault_text(error))
 
 
 def _title(limb: str) -> str:
@@ -471,19 +468,19 @@ class RunningJobs(QObject):
         In front of which questions are asked; also the parent.
     """
 
-    #: Whether there is something to cancel.
-    can_cancel = Signal(bool)
-
     def __init__(self, runner: JobRunner, window: QWidget) -> None:
         super().__init__(window)
         self._runner, self._window = runner, window
         self._ended = False
-        runner.changed.connect(self._emit_can_cancel)
 
     def show_on(self, cancel: QAction) -> None:
         """Enable that action only while there is something to cancel."""
-        cancel.setEnabled(self._runner.current is not None)
-        self.can_cancel.connect(cancel.setEnabled)
+
+        def show() -> None:
+            cancel.setEnabled(self._runner.current is not None)
+
+        self._runner.changed.connect(show)
+        show()
 
     def cancel(self) -> None:
         """Stop the running job; the next one begins."""
@@ -504,6 +501,3 @@ class RunningJobs(QObject):
             # It can take a second to clear away a gigabyte.
             self._window.hide()
         self._runner.close()
-
-    def _emit_can_cancel(self) -> None:
-        self.can_cancel.emit(self._runner.current is not None)

@@ -8,13 +8,11 @@ from typing import TYPE_CHECKING, cast
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
-    QApplication,
     QFileDialog,
     QSizePolicy,
     QToolButton,
     QWidget,
 )
-from shiboken6 import isValid
 
 from skinsource import actuators
 from skinsource.base.quoting import printable
@@ -34,6 +32,7 @@ from skinsource_gui.qt.labels import LevelMeter
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import play_icon, repeat_icon, stop_icon
 from skinsource_gui.qt.tooltips import tooltip
+from skinsource_gui.shell.focus import KeyboardFilter
 from skinsource_gui.shell.notices import Reports
 from skinsource_gui.shell.status import PreparingNote
 from skinsource_gui.state.document import Document
@@ -58,7 +57,7 @@ if TYPE_CHECKING:
 _WITHIN_S = 0.6
 
 
-class EscapeTwice(QObject):
+class EscapeTwice(KeyboardFilter):
     """Emits when Esc is pressed twice, whatever it means to the widget with the keyboard.
 
     Parameters
@@ -73,24 +72,18 @@ class EscapeTwice(QObject):
     def __init__(self, window: QWidget) -> None:
         super().__init__(window)
         self._window = window
-        self._watched: QWidget | None = None
         self._on = False
         self._last_s = -_WITHIN_S
 
-    def watch(self, on: bool) -> None:
+    def listen(self, on: bool) -> None:
         """Begin or stop to listen."""
         if on == self._on:
             return
         self._on, self._last_s = on, -_WITHIN_S
-        application = QApplication.instance()
-        if not isinstance(application, QApplication):
-            return
-        if on:
-            application.focusChanged.connect(self._follow)
-            self._follow(None, QApplication.focusWidget())
-        else:
-            application.focusChanged.disconnect(self._follow)
-            self._forget()
+        self.follow(on)
+
+    def wanted(self, focused: QWidget | None) -> QWidget | None:
+        return focused or self._window
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         # Each press sends one of these, wherever it goes then.
@@ -108,23 +101,6 @@ class EscapeTwice(QObject):
         self._last_s = now_s if escape and not twice else -_WITHIN_S
         if twice:
             self.pressed.emit()
-
-    def _follow(self, _old: QWidget | None, new: QWidget | None) -> None:
-        self._forget()
-        self._watched = new or self._window
-        self._watched.installEventFilter(self)
-        self._watched.destroyed.connect(self._note_destroyed)
-
-    def _forget(self) -> None:
-        # While a widget with the keyboard is deleted, the next one gets it before that is told.
-        if self._watched is not None and isValid(self._watched):
-            self._watched.removeEventFilter(self)
-            self._watched.destroyed.disconnect(self._note_destroyed)
-        self._watched = None
-
-    def _note_destroyed(self) -> None:
-        if self._watched is not None and not isValid(self._watched):
-            self._watched = None
 
 
 # The panel that it is looked at in, and the longest title there.
@@ -356,7 +332,7 @@ class Playback(QObject):
     def _follow(self) -> None:
         playing = self.player.playing
         self.note.show_preparing(self.player.preparing)
-        self._escape.watch(playing)
+        self._escape.listen(playing)
         if playing and not self._timer.isActive():
             self._timer.start()
         elif not playing:

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
@@ -40,8 +39,8 @@ from skinsource_gui.plots.small_map import level_style, with_colours
 from skinsource_gui.qt.keys import KEYS, key_text, meaning_of, shortcut_text
 from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import UNIT_PX
-from skinsource_gui.shell.arrangement_spec import PRESENTATION
-from skinsource_gui.shell.dock_layout import Arrangements, DockLayout
+from skinsource_gui.shell.focus import KeyboardFilter
+from skinsource_gui.shell.workspaces import Workspaces
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.services import Services
 
@@ -137,7 +136,7 @@ _PUSHED = (QAbstractButton, QComboBox, QAbstractItemView)
 _TEXTS = (QLineEdit, QPlainTextEdit, QTextEdit)
 
 
-class PresentingKeys(QObject):
+class PresentingKeys(KeyboardFilter):
     """Takes keys from the widget that has the keyboard, until its end.
 
     Clickers send Page Down and Page Up: plots go through time with them and numbers take large
@@ -173,19 +172,11 @@ class PresentingKeys(QObject):
             "play": play.trigger,
             "leave": leave,
         }
-        self._watched: QWidget | None = None
-        # One widget at a time: a filter on all widgets would see each event of the studio.
-        application = QApplication.instance()
-        if isinstance(application, QApplication):
-            application.focusChanged.connect(self._watch)
-        self._watch(None, QApplication.focusWidget())
+        self.follow(True)
 
     def end(self) -> None:
         """Leave the keys to the widget that has the keyboard."""
-        application = QApplication.instance()
-        if isinstance(application, QApplication):
-            application.focusChanged.disconnect(self._watch)
-        self._watch(None, None)
+        self.follow(False)
         self.deleteLater()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
@@ -205,20 +196,6 @@ class PresentingKeys(QObject):
         event.accept()
         return True
 
-    def _watch(self, _old: QWidget | None, new: QWidget | None) -> None:
-        # While a widget with the keyboard is deleted, the next one gets it before that is told.
-        if self._watched is not None and isValid(self._watched):
-            self._watched.removeEventFilter(self)
-            self._watched.destroyed.disconnect(self._forget)
-        self._watched = new
-        if new is not None:
-            new.installEventFilter(self)
-            new.destroyed.connect(self._forget)
-
-    def _forget(self) -> None:
-        if self._watched is not None and not isValid(self._watched):
-            self._watched = None
-
 
 def _belongs_to_presenter(watched: QObject, meaning: str) -> bool:
     """Return whether a key is not for the widget with the keyboard."""
@@ -229,76 +206,26 @@ def _belongs_to_presenter(watched: QObject, meaning: str) -> bool:
     return True
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class PresentedScene:
-    """A scene once it is opened.
-
-    Attributes
-    ----------
-    design, view
-        What the window shows.
-    arrangement, panels
-        Arrangement of the window that shows it, and the panels that are brought in sight there;
-        empty: the window stays as it is.
-    of_file
-        Whether it was saved: then it has colours that it was saved with, or that were chosen in
-        this show, but none of the file before.
-    """
-
-    design: Design
-    view: View
-    arrangement: str = ""
-    panels: tuple[str, ...] = ()
-    of_file: bool = False
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Step:
-    """One scene of a list.
-
-    Attributes
-    ----------
-    title
-        What it is called.
-    open
-        Opens it; may raise a `SkinSourceError`.
-    """
-
-    title: str
-    open: Callable[[], PresentedScene]
+#: One scene of a list: the file of a design, or the name of a scene of the paper.
+Step = Path | str
 
 
 def steps_of_folder(folder: Path) -> tuple[Step, ...]:
     """Return the designs of a folder in the order of their names."""
     try:
-        paths = sorted(path for path in folder.iterdir() if path.suffix == SUFFIX)
+        return tuple(sorted(path for path in folder.iterdir() if path.suffix == SUFFIX))
     except OSError:
         return ()
-    return tuple(Step(title=path.stem, open=partial(_of_file, path)) for path in paths)
 
 
 def steps_of_paper() -> tuple[Step, ...]:
     """Return the scenes of the paper, in the order of the figures."""
-    return tuple(
-        Step(title=scene.heading, open=partial(_of_paper, scene.name))
-        for scene in scenes.all_scenes()
-    )
+    return tuple(scene.name for scene in scenes.all_scenes())
 
 
-def _of_file(path: Path) -> PresentedScene:
-    content = open_design(path)
-    return PresentedScene(design=content.design, view=content.view, of_file=True)
-
-
-def _of_paper(name: str) -> PresentedScene:
-    opened = scenes.open_scene(name)
-    known = opened.scene
-    return PresentedScene(
-        design=opened.design,
-        view=opened.view,
-        arrangement=known.arrangement,
-        panels=known.panels,
-    )
+def step_title(step: Step) -> str:
+    """Return what a scene of a list is called."""
+    return step.stem if isinstance(step, Path) else scenes.scene(step).heading
 
 
 @dataclass(frozen=True, slots=True)
@@ -366,21 +293,18 @@ class Presenter(QObject):
         self,
         services: Services,
         files: FileActions,
-        arrangements: Arrangements,
-        layout: DockLayout,
+        workspaces: Workspaces,
         actions: Callable[[], Mapping[str, QAction]],
     ) -> None:
         window, document, panels = services.window, services.document, services.panels
         super().__init__(window)
-        self._window, self._document, self._preferences = window, document, services.preferences
+        self._window, self._document = window, document
         self._files, self._actions = files, actions
-        self._arrangements, self._layout = arrangements, layout
+        self._workspaces = workspaces
         self.presenting = self.covered = False
         self._made = panels
         panels.each(lambda panel: panel.show_covered(self.covered))
-        self._before, self._size = b"", window.size()
         self._focused: QWidget | None = None
-        self._arranged = ""
         self._steps: tuple[Step, ...] = ()
         self._at = -1
         self._panels: tuple[str, ...] = ()
@@ -405,13 +329,11 @@ class Presenter(QObject):
         is_scene = self._at >= 0 or self._document.path is not None
         whole = is_scene and not self._document.modified
         self._unchanged = WholeScene.of(self._document) if whole else None
-        self._layout.hold()
-        self._before, self._arranged = self._layout.own(), self._preferences.arrangement
-        self._size, self._focused = window.size(), window.focusWidget()
+        self._focused = window.focusWidget()
         self.presenting_changed.emit(True)
+        self._workspaces.begin_show(self._panels)
         for bar in self._bars():
             bar.hide()
-        self._layout.show_scene(PRESENTATION, self._panels)
         # Keys of menus that are away would be dead.
         window.addActions(list(self._actions().values()))
         window.setWindowState(window.windowState() | Qt.WindowState.WindowFullScreen)
@@ -429,7 +351,6 @@ class Presenter(QObject):
         """Bring back bars, panels where they stood, with those of the scene, and the map."""
         window = self._window
         self.presenting, self._unchanged = False, None
-        self._layout.release()
         for action in self._actions().values():
             window.removeAction(action)
         for key in self._keys:
@@ -445,12 +366,7 @@ class Presenter(QObject):
         for bar in self._bars():
             bar.show()
         self.presenting_changed.emit(False)
-        self._arrangements.show(self._arranged)
-        for panel in self._panels:
-            self._arrangements.bring(panel)
-        # Widths of columns are put back into a window as wide as it was, once it is.
-        window.installEventFilter(self)
-        self._put_back()
+        self._workspaces.end_show(self._panels)
         if self._focused is not None and isValid(self._focused):
             self._focused.setFocus()
         if self.covered:
@@ -488,19 +404,6 @@ class Presenter(QObject):
         self._show_notes()
         self._notes.show_beside(self._window)
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Resize:
-            self._put_back()
-        return super().eventFilter(watched, event)
-
-    def _put_back(self) -> None:
-        if self.presenting:
-            self._window.removeEventFilter(self)
-        elif self._window.size() == self._size:
-            self._window.removeEventFilter(self)
-            self._layout.put(self._before)
-            self._layout.settling.refit()
-
     def _bars(self) -> list[QWidget]:
         window = self._window
         return [window.menuBar(), window.statusBar(), *window.findChildren(QToolBar, "setup")]
@@ -527,9 +430,9 @@ class Presenter(QObject):
         if not self._steps:
             path = self._document.path
             self._steps = (() if path is None else steps_of_folder(path.parent)) or steps_of_paper()
-            titles = [step.title for step in self._steps]
+            stems = [step_title(step) for step in self._steps]
             here = "" if path is None else path.stem
-            self._at = titles.index(here) if here in titles else -1
+            self._at = stems.index(here) if here in stems else -1
         target = self._at + by
         if not 0 <= target < len(self._steps):
             self.done.emit("This is the last scene" if by > 0 else "This is the first scene")
@@ -540,22 +443,31 @@ class Presenter(QObject):
 
     def _open(self, number: int) -> None:
         step = self._steps[number]
+        title = step_title(step)
+        arrangement = ""
+        panels: tuple[str, ...] = ()
         try:
-            shown = step.open()
+            if isinstance(step, Path):
+                content = open_design(step)
+                design, view = content.design, content.view
+            else:
+                opened = scenes.open_scene(step)
+                design, view = opened.design, opened.view
+                arrangement, panels = opened.scene.arrangement, opened.scene.panels
         except SkinSourceError as error:
             self.failed.emit(str(error))
             return
         left = "" if self._unchanged is None else self._unchanged.left(self._document)
         self._at, self._opening = number, True
         # Colours chosen in front of an audience stay, unless a file has others.
-        view = self._colours.on(shown.view, self._document.view, of_file=shown.of_file)
-        self._document.start_over(shown.design, view, None, scene=step.title)
+        view = self._colours.on(view, self._document.view, of_file=isinstance(step, Path))
+        self._document.start_over(design, view, None, scene=title)
         self._files.leave_file()
-        self._opening, self._panels = False, shown.panels
+        self._opening, self._panels = False, panels
         self._unchanged = WholeScene.of(self._document) if self.presenting else None
-        if shown.arrangement:
-            self._layout.show_scene(shown.arrangement, shown.panels)
-        self.done.emit(f"Scene {number + 1} of {len(self._steps)}: {step.title}{left}")
+        if arrangement:
+            self._workspaces.show_scene(arrangement, panels)
+        self.done.emit(f"Scene {number + 1} of {len(self._steps)}: {title}{left}")
         self._show_notes()
 
     def _look(self) -> None:
@@ -568,7 +480,7 @@ class Presenter(QObject):
         if self._notes is None:
             return
         design, following = self._document.design, self._at + 1
-        titles = [step.title for step in self._steps]
+        titles = [step_title(step) for step in self._steps]
         heading = titles[self._at] if 0 <= self._at < len(titles) else design.title or "Notes"
         after = titles[following] if 0 < following < len(titles) else ""
         self._notes.show_scene(heading, design.notes, after)

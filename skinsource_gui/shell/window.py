@@ -18,11 +18,12 @@ from skinsource_gui.pages.actions import (
 )
 from skinsource_gui.pages.files.exports import ExportActions
 from skinsource_gui.pages.files.file_actions import FileActions
-from skinsource_gui.shell import dock_layout, docks
+from skinsource_gui.shell import docks
 from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.appearance import Appearance, WindowFrame
-from skinsource_gui.shell.bars import SetupBar, StudioBar
+from skinsource_gui.shell.bars import SetupBar, StudioBar, WorkspaceButtons
 from skinsource_gui.shell.carrying import PanelPictures
+from skinsource_gui.shell.conditions import Conditions
 from skinsource_gui.shell.drops import ClipDrops, ClipsAndClipboard, kind_choices
 from skinsource_gui.shell.focus import ClipDrawing, PanelFocus, ShortcutsInFields, move_focus
 from skinsource_gui.shell.keeping import AutosaveAndRecovery
@@ -34,7 +35,7 @@ from skinsource_gui.shell.panels import PANELS
 from skinsource_gui.shell.playing import Playback
 from skinsource_gui.shell.presenting import Presenter
 from skinsource_gui.shell.status import Accuracy, JobBar, MatchNote, StatusLine
-from skinsource_gui.shell.validity_lamps import Validity
+from skinsource_gui.shell.workspaces import WORKSPACES, Workspaces
 from skinsource_gui.state.comparison import Comparison
 from skinsource_gui.state.conductor import Conductor, PanelController
 from skinsource_gui.state.document import Document
@@ -75,7 +76,7 @@ class MainWindow(QMainWindow):
         self.notice = Notice(self)
         self.hints = FirstHints(preferences, self.notice, self.document)
         self.setup_bar = SetupBar()
-        self.status_line = StatusLine(self, self.engine)
+        self.status_line = StatusLine(self)
         self.job_bar = JobBar(self.runner)
         self.accuracy = Accuracy(self.engine, self)
         self.reports = Reports(
@@ -103,7 +104,7 @@ class MainWindow(QMainWindow):
         self._connect()
         self.appearance.apply()
         self.panels.each(self._install)
-        self.layout_of_docks.restore()
+        self.workspaces.restore()
         self._show_limbs()
         self._show_state()
 
@@ -129,15 +130,9 @@ class MainWindow(QMainWindow):
             loop.exec(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)
 
     def _make_capabilities(self, services: Services) -> None:
-        places = {spec.panel.name: spec.places for spec in PANELS}
-        self.arrangements = dock_layout.Arrangements(self, self.docks, places)
+        self.workspaces = Workspaces(self, self.docks, self.preferences, self.appearance)
         self.dock_tabs = docks.DockTabs(self, self.docks)
-        self.layout_of_docks = dock_layout.DockLayout(
-            self, self.docks, self.arrangements, self.preferences
-        )
-        self.files = FileActions(
-            self.document, self.preferences, self, self.layout_of_docks.content
-        )
+        self.files = FileActions(self.document, self.preferences, self, self.workspaces.content)
         self.pictures = PanelPictures(
             services,
             self.appearance,
@@ -147,26 +142,22 @@ class MainWindow(QMainWindow):
         )
         self.exports = ExportActions(services, self.files, self.pictures.picture_of)
         self.stimuli = StimulusActions(services, self.files)
-        self.scenes = SceneActions(services, self.files, self.layout_of_docks.show_scene)
+        self.scenes = SceneActions(services, self.files, self.workspaces.show_scene)
         self.comparison = Comparison(self.document, self.engine, self.panels)
-        self.keeping = AutosaveAndRecovery(services, self.files, self.layout_of_docks)
+        self.keeping = AutosaveAndRecovery(services, self.files, self.workspaces)
         self.imports = ImportActions(services)
         self.library = LibraryActions(self.document, self)
         self.playback = Playback(self.document, self.preferences, self)
         self.running_jobs = RunningJobs(self.runner, self)
         self.levelling = WaveletLevelling(self.document, self.runner, self)
         self.presenter = Presenter(
-            services,
-            self.files,
-            self.arrangements,
-            self.layout_of_docks,
-            lambda: self.actions_by_name,
+            services, self.files, self.workspaces, lambda: self.actions_by_name
         )
         self.pages = Pages(services, self._findable, self.status_line)
 
     def _capabilities(self) -> dict[str, QObject]:
         # By the names that the table of actions has for them.
-        panel_focus = PanelFocus(self.panels, self.arrangements.bring, self)
+        panel_focus = PanelFocus(self.panels, self.workspaces.bring, self)
         return {
             "files": self.files,
             "exports": self.exports,
@@ -180,7 +171,7 @@ class MainWindow(QMainWindow):
             "levelling": self.levelling,
             **self.playback.capabilities(),
             "steps": self.document.undo_stack,
-            "layout_of_docks": self.layout_of_docks,
+            "workspaces": self.workspaces,
             "dock_tabs": self.dock_tabs,
             "panel_focus": panel_focus,
             "clip_drawing": ClipDrawing(self.panels, panel_focus, self),
@@ -198,13 +189,15 @@ class MainWindow(QMainWindow):
         recent.chosen.connect(self.files.open)
         self._panel_toggles = docks.menu_toggles(self.docks.values(), self)
         fill_menu_bar(self.menuBar(), ACTIONS, actions, recent, self._panel_toggles)
+        choices = [actions[f"arrange_{workspace.name}"] for workspace in WORKSPACES]
+        self.menuBar().setCornerWidget(WorkspaceButtons(choices, self.menuBar()))
         groups = [[actions["undo"], actions["redo"]], [actions["find_action"]]]
         self._bar = StudioBar(self.setup_bar, self.playback.bar, groups, self)
         self.statusBar().addWidget(self.status_line, 1)
         self._match_note = MatchNote([actions["keep_match_gain"], actions["match_levels"]])
         for widget in (self._match_note, self.playback.note, self.job_bar):
             self.statusBar().addPermanentWidget(widget)
-        self.validity = Validity(self.document, self.engine, self.panels, self.statusBar())
+        self.conditions = Conditions(self.document, self.engine, self.panels, self.statusBar())
         self.statusBar().addPermanentWidget(self._limb_note)
 
     def _install(self, panel: Panel) -> None:
@@ -226,20 +219,19 @@ class MainWindow(QMainWindow):
         document.refused.connect(reports.refuse)
         self.action_set.edited.connect(document.apply)
         self.appearance.changed.connect(self._check_theme)
-        self.arrangements.text_scaled.connect(self.appearance.fit_room)
-        self.layout_of_docks.settling.follow(self.appearance)
+        self.workspaces.shown.connect(self._check_workspace)
         self.setup_bar.edited.connect(document.apply)
-        # The arrangement of a scene is left before the panels of a file are shown.
+        # The workspace of a scene is left before the panels of a file are shown.
         for leaves_scene in (self.files.started_over, self.files.opened):
-            leaves_scene.connect(self.layout_of_docks.leave_scene)
-        self.files.opened.connect(self.layout_of_docks.show_panels)
+            leaves_scene.connect(self.workspaces.leave_scene)
+        self.files.opened.connect(self.workspaces.show_panels)
         self.scenes.opened.connect(self.presenter.note_scene)
         for begins_or_ends in (self.notice.pass_now, self.hints.put_away):
             self.presenter.presenting_changed.connect(begins_or_ends)
         saving = self.files, self.scenes, self.library, self.presenter
         for fails in (*saving, self.exports, self.stimuli, self.levelling):
             fails.failed.connect(reports.complain)
-        for works in (*saving, self.imports, self.comparison, self.dock_tabs, self.layout_of_docks):
+        for works in (*saving, self.imports, self.comparison, self.dock_tabs):
             works.done.connect(reports.report)
         self.imports.risk_ahead.connect(self.keeping.autosave.keep_now)
         ClipDrops(self.panels, self)
@@ -279,6 +271,9 @@ class MainWindow(QMainWindow):
         known = f"use_{name}_theme" in self.actions_by_name
         self.actions_by_name[f"use_{name if known else 'system'}_theme"].setChecked(True)
 
+    def _check_workspace(self, name: str) -> None:
+        self.actions_by_name[f"arrange_{name}"].setChecked(True)
+
     def _show_limbs(self) -> None:
         self.setup_bar.show_available(self.limbs.names)
         self._limb_note.show_available(self.limbs.names)
@@ -299,7 +294,7 @@ class MainWindow(QMainWindow):
             event.ignore()
             return
         self.keeping.end()
-        self.layout_of_docks.close()
+        self.workspaces.close()
         self.engine.close()
         for part in (self.playback, self.running_jobs, self.pages, self.imports, self.stimuli):
             part.end()

@@ -41,11 +41,11 @@ from skinsource_gui.state.engine import (
     Slot,
     key_of_levels,
     on_limb,
-    reason_of,
     sources_of_levels,
     too_large,
 )
 from skinsource_gui.state.panel import Panel, PanelRegistry
+from skinsource_gui.state.worker import fault_text
 
 
 class OnLimbs(QObject):
@@ -156,7 +156,7 @@ class OnLimbs(QObject):
         if outcome is None or not (outcome.values is None or needs <= outcome.values.keys()):
             return Compared(snapshot=snapshot, axes=asked[1].axes)
         stale = not self._is_known(limb, needs, self._sources(asked))
-        problem = "" if outcome.values is not None or stale else reason_of(outcome.error)
+        problem = "" if outcome.values is not None or stale else fault_text(outcome.error)
         return Compared(
             snapshot=snapshot,
             values=outcome.values,
@@ -391,7 +391,7 @@ class Comparison(QObject):
             number = _PRESENT
         if number is None:
             return
-        result = reason_of(outcome.error) if outcome.values is None else outcome.values
+        result = fault_text(outcome.error) if outcome.values is None else outcome.values
         self._known[number] = _known(request.given, result)
         self._ask()
         self._tell()

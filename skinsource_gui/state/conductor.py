@@ -8,7 +8,6 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
-from skinsource.base.errors import SkinSourceError
 from skinsource.design import edits
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.signal_path import UnplayableInput
@@ -21,11 +20,11 @@ from skinsource_gui.state.engine import (
     Outcome,
     Purpose,
     Request,
-    reason_of,
     sources_shown,
     too_large,
 )
 from skinsource_gui.state.panel import Panel, PanelRegistry
+from skinsource_gui.state.worker import fault_text
 
 #: Inputs that results are without: panels are told of them, whatever else they need.
 UNPLAYABLE = "unplayable_inputs"
@@ -138,7 +137,12 @@ class Conductor(QObject):
             sources_shown(document.design, document.shown_view),
             perf_counter() if since_s is None else since_s,
         )
-        if self._request == request and self._needs.keys() <= self._shown.keys():
+        # A panel that needs something else than before is shown it even where it is known.
+        shown = all(
+            panel in self._shown and self._delivered_to.get(panel, ((), {}))[0] == needs
+            for panel, needs in self._needs.items()
+        )
+        if self._request == request and shown:
             return
         self._request = request
         for panel in self._needs:
@@ -180,7 +184,7 @@ class Conductor(QObject):
                 self._unplayable[panel] = unplayable
                 panel.show_unplayable(unplayable)
         if outcome.values is None:
-            reason = _reason(outcome.error)
+            reason = fault_text(outcome.error)
             self._explain(self._needs, reason)
             self.failed.emit(reason)
             self.stale.emit(not newest)
@@ -207,7 +211,7 @@ class Conductor(QObject):
         except Exception as error:  # noqa: BLE001  it would be stale for good
             fault = error
             self._shown.pop(panel, None)
-            panel.show_problem(f"This panel cannot show it. {_reason(error)}")
+            panel.show_problem(f"This panel cannot show it. {fault_text(error)}")
         self._delivered_to[panel] = needs, outcome.request.given
         if outcome.request is self._request:
             self._restarting.discard(panel)
@@ -237,13 +241,6 @@ class Conductor(QObject):
             self._delivered_to.pop(panel, None)
             panel.show_problem(reason)
             panel.show_stale(False)
-
-
-def _reason(error: Exception | None) -> str:
-    reason = reason_of(error)
-    if isinstance(error, SkinSourceError):
-        return reason
-    return f"{reason}. Undo the last edit, or choose something else; please report this."
 
 
 class PanelController(QObject):

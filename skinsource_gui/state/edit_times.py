@@ -1,7 +1,6 @@
 """How long the last edits took until they were seen."""
 
 from collections import deque
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -9,38 +8,6 @@ import numpy as np
 MOST_EDITS = 100
 _MS = 1e3
 _A_SECOND_MS = 1000.0
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class EditTime:
-    """One edit, from the user's hand to the screen.
-
-    Attributes
-    ----------
-    compute_s
-        The evaluation itself.
-    draw_s
-        From results in the window's thread until they are painted.
-    total_s
-        All of it; what is neither computing nor drawing is waiting.
-    """
-
-    compute_s: float
-    draw_s: float
-    total_s: float
-
-    @property
-    def queue_s(self) -> float:
-        """Time spent waiting: for an earlier evaluation, and from thread to thread."""
-        return max(self.total_s - self.compute_s - self.draw_s, 0.0)
-
-    def sentence(self) -> str:
-        """Return a sentence on the times."""
-        return (
-            f"On screen {milliseconds(self.total_s)} after the edit: "
-            f"{milliseconds(self.queue_s)} waiting, {milliseconds(self.compute_s)} computing, "
-            f"{milliseconds(self.draw_s)} drawing."
-        )
 
 
 class EditTimes:

@@ -16,7 +16,7 @@ from typing import Any
 from PySide6.QtCore import QEvent, QObject, QTimer, Signal
 from PySide6.QtWidgets import QWidget
 
-from skinsource.base.errors import SkinSourceError, Stopped
+from skinsource.base.errors import Stopped
 from skinsource.base.work import Work, counted
 from skinsource.design import edits
 from skinsource.design.design import Design
@@ -344,10 +344,3 @@ def too_large(limb: str) -> str:
         f"{counted(facts.n_outputs, 'output')}, and results follow edits up to "
         f"{LIVE_INPUTS} and {LIVE_OUTPUTS}. File > Export and sweeps compute it."
     )
-
-
-def reason_of(error: Exception | None) -> str:
-    """Return why there are no values, as a text for the user."""
-    if isinstance(error, SkinSourceError):
-        return str(error)
-    return f"The studio made a mistake: {type(error).__name__}: {error}"

@@ -1,10 +1,11 @@
 """Long jobs, one after another, away from the GUI thread.
 
-`PageJob` follows the job of one page, `WaveletLevelling` edits a wavelet train after its
+`PageJobs` follows the jobs of one page, `WaveletLevelling` edits a wavelet train after its
 prediction.
 """
 
 from collections import deque
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from threading import Event
@@ -23,7 +24,7 @@ from skinsource.design.view import View
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.engine.levelling import MEASURE, wavelet_levels_db
 from skinsource_gui.state.document import Document
-from skinsource_gui.state.worker import Worker
+from skinsource_gui.state.worker import Worker, fault_text
 
 # Progress that changes faster cannot be seen.
 _PROGRESS_INTERVAL_S = 0.05
@@ -174,59 +175,82 @@ class JobRunner(QObject):
             self.failed.emit(job, error)
 
 
-class PageJob(QObject):
-    """Runs one job of a page at a time, and emits signals for that job alone."""
+class PageJobs(QObject):
+    """Adds the jobs of a page to the runner, and emits what becomes of them, and of no others.
 
-    #: `JobProgress` of the job.
-    progressed = Signal(object)
-    #: Result of the job.
-    done = Signal(object)
-    #: Why the job ended without a result.
-    ended = Signal(str)
+    Parameters
+    ----------
+    runner
+        Runs the jobs.
+    titles
+        Titles of unfinished jobs that belong to the page too: an earlier one began them.
+    """
 
-    def __init__(self, runner: JobRunner, parent: QObject) -> None:
+    #: The `Job`, and its `JobProgress`.
+    progressed = Signal(object, object)
+    #: A job was added, or has ended.
+    changed = Signal()
+    #: The `Job`, and its result.
+    done = Signal(object, object)
+    #: Why a job failed.
+    failed = Signal(str)
+    #: A job was cancelled.
+    cancelled = Signal()
+
+    def __init__(self, runner: JobRunner, parent: QObject, titles: Sequence[str] = ()) -> None:
         super().__init__(parent)
         self._runner = runner
-        self._job: Job[Any] | None = None
-        runner.progressed.connect(self._follow)
-        runner.done.connect(self._take)
+        self._jobs = [job for job in runner.unfinished if job.title in titles]
+        runner.progressed.connect(self._note_progress)
+        runner.done.connect(self._note_done)
         runner.failed.connect(self._note_failed)
         runner.cancelled.connect(self._note_cancelled)
 
     @property
-    def runs(self) -> bool:
-        """Whether the job runs or waits."""
-        return self._job is not None
+    def busy(self) -> bool:
+        """Whether a job is not finished."""
+        return bool(self._jobs)
 
-    def start(self, job: Job[Any]) -> None:
-        """Run ``job`` after those that were added before."""
-        self._job = job
+    def add(self, job: Job[Any]) -> None:
+        """Run a job after those that were added before."""
+        self._jobs.append(job)
+        self.changed.emit()
         self._runner.add(job)
 
-    def give_up(self) -> None:
-        """Stop the job; no more signals are emitted."""
-        job, self._job = self._job, None
-        if job is not None:
+    def cancel(self) -> None:
+        """Cancel all jobs of the page."""
+        for job in tuple(self._jobs):
             self._runner.cancel(job)
 
-    def _follow(self, job: Job[Any], progress: JobProgress) -> None:
-        if job is self._job:
-            self.progressed.emit(progress)
+    def give_up(self) -> None:
+        """Cancel all jobs of the page; no more signals are emitted for them."""
+        jobs, self._jobs = self._jobs, []
+        for job in jobs:
+            self._runner.cancel(job)
+        self.changed.emit()
 
-    def _take(self, job: Job[Any], result: object) -> None:
-        if job is self._job:
-            self._job = None
-            self.done.emit(result)
+    def _note_progress(self, job: Job[Any], progress: JobProgress) -> None:
+        if job in self._jobs:
+            self.progressed.emit(job, progress)
+
+    def _note_done(self, job: Job[Any], result: object) -> None:
+        if self._has_ended(job):
+            self.done.emit(job, result)
 
     def _note_failed(self, job: Job[Any], error: Exception) -> None:
-        if job is self._job:
-            self._job = None
-            self.ended.emit(str(error))
+        if self._has_ended(job):
+            self.failed.emit(fault_text(error))
 
     def _note_cancelled(self, job: Job[Any]) -> None:
-        if job is self._job:
-            self._job = None
-            self.ended.emit("It was given up; nothing was changed")
+        if self._has_ended(job):
+            self.cancelled.emit()
+
+    def _has_ended(self, job: Job[Any]) -> bool:
+        if job not in self._jobs:
+            return False
+        self._jobs.remove(job)
+        self.changed.emit()
+        return True
 
 
 _CHANGED = "The wavelet train was changed while it was predicted; equalise it once more."

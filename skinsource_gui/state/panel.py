@@ -19,7 +19,7 @@ from skinsource.design.signal_path import UnplayableInput
 from skinsource.design.view import View
 from skinsource_gui.plots.preview import SharesPointedInput
 from skinsource_gui.qt.frames import DropPlace
-from skinsource_gui.qt.labels import USUALLY_VISIBLE, how_to_select_output
+from skinsource_gui.qt.labels import HOW_TO_SELECT_OUTPUT
 from skinsource_gui.qt.overlays import Cover, Staleness, StaleOverlay
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.state.compared import Compared
@@ -115,8 +115,6 @@ class Panel(ShowsStaleness):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        #: Names of the panels in sight.
-        self.in_sight = USUALLY_VISIBLE
         #: Parts that show what the skin map shows: they are covered together with it.
         self.guessed: tuple[QWidget, ...] = ()
         self._covers: list[Cover] = []
@@ -148,6 +146,11 @@ class Panel(ShowsStaleness):
     def snapshots_drawn(self, snapshots: Sequence[Snapshot]) -> Sequence[Snapshot]:
         """Return which of these designs it draws."""
         return snapshots
+
+    def showing(self, view: str) -> AbstractContextManager[None]:
+        """Return a context in which it shows one of its views, if it has some; "": as it is."""
+        del view
+        return nullcontext()
 
     def show_snapshots(self, compared: Sequence[Compared]) -> None:
         """Draw the designs side by side; called while it is visible."""
@@ -185,10 +188,6 @@ class Panel(ShowsStaleness):
 
     def show_history(self, history: History) -> None:
         """Take over the history; called while it is visible, if it ``lists_history``."""
-
-    def show_in_sight(self, names: frozenset[str]) -> None:
-        """Take over which panels are in sight, so that no text refers to a hidden one."""
-        self.in_sight = names
 
     def show_covered(self, covered: bool) -> None:
         """Cover the parts that an audience is to guess, or reveal them."""
@@ -240,7 +239,7 @@ class OutputsPanel(Panel):
     @property
     def no_outputs(self) -> str:
         """Message while no output is selected."""
-        return how_to_select_output(self.in_sight)
+        return HOW_TO_SELECT_OUTPUT
 
     @property
     def message(self) -> str:
@@ -271,12 +270,6 @@ class OutputsPanel(Panel):
         if settings != self.settings:
             self.view_changed.emit(with_settings(self._view, self.name, settings))
 
-    def show_in_sight(self, names: frozenset[str]) -> None:
-        was_empty = self.message == self.no_outputs
-        super().show_in_sight(names)
-        if was_empty:
-            self.say_instead(self.no_outputs)
-
     def show_problem(self, reason: str) -> None:
         self.say_instead(reason)
 
@@ -291,16 +284,17 @@ class LazyPanel:
     """Name and title of a panel that is imported when it is first made.
 
     A call makes the panel: its class is called by its name, with "Panel" behind, and stands in the
-    module ``panel`` of its folder.
+    module ``panel`` of its folder, which has the same name unless another one is given.
     """
 
     name: str
     title: str
+    folder: str = ""
 
     @property
     def type(self) -> type[Panel]:
         """The class of the panel, which is imported now if it was not before."""
-        module = import_module(f"skinsource_gui.panels.{self.name}.panel")
+        module = import_module(f"skinsource_gui.panels.{self.folder or self.name}.panel")
         words = (word.capitalize() for word in self.name.split("_"))
         panel_type: type[Panel] = getattr(module, f"{''.join(words)}Panel")
         if (panel_type.name, panel_type.title) != (self.name, self.title):

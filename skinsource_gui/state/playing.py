@@ -7,7 +7,7 @@ and the playhead of the view runs in step with what the device plays.
 import threading
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
@@ -115,30 +115,8 @@ class GainSetting(QObject):
         self.put(self.gain_db - _STEP_DB)
 
 
-class LazySession:
-    """Makes the session when it is first used: the studio starts without the audio modules.
-
-    Parameters
-    ----------
-    finished
-        Is called by the session with each stream that has ended.
-    """
-
-    def __init__(self, finished: "Callable[[Stream], None]") -> None:
-        self._finished = finished
-        self._session: Session | None = None
-
-    @property
-    def made(self) -> "Session":
-        """The session, which is made now if it was not used before."""
-        if self._session is None:
-            self._session = lab.playing.session.Session(self._finished)
-        return self._session
-
-    def close(self) -> None:
-        """Close the session, if it was made."""
-        if self._session is not None:
-            self._session.close()
+#: Returns the session, which is made with the first call: the studio starts without audio modules.
+SessionOf = Callable[[], "Session"]
 
 
 def played_of(document: Document) -> Design:
@@ -179,7 +157,7 @@ class LiveEdits(QObject):
     Attributes
     ----------
     render_s
-        Time from the last edit until it was rendered; 0 before the first edit.
+        How long rendering the last edit took; 0 before the first edit.
     """
 
     #: The `Playing` of the edited design.
@@ -188,7 +166,7 @@ class LiveEdits(QObject):
     failed = Signal(str)
 
     def __init__(
-        self, document: Document, session: LazySession, thread: Worker, parent: QObject
+        self, document: Document, session: SessionOf, thread: Worker, parent: QObject
     ) -> None:
         super().__init__(parent)
         self._document, self._session, self._thread = document, session, thread
@@ -198,15 +176,13 @@ class LiveEdits(QObject):
         self._rig: Rig | None = None
         self._busy = False
         self._edited_s = self.render_s = 0.0
-        # When the first edit was made that waits until the edit before it is rendered.
-        self._waiting_s: float | None = None
 
     def begin(
         self, playing: "Playing", design: Design, output: Output, rig: "Rig | None", *, loops: bool
     ) -> None:
         """Follow the document, whose ``design`` is played now."""
         self._playing, self._output, self._loops, self._rig = playing, output, loops, rig
-        self._rendered, self.render_s, self._waiting_s = (design, loops), 0.0, None
+        self._rendered, self.render_s = (design, loops), 0.0
         self._document.changed.connect(self._follow)
         self._follow()
 
@@ -224,18 +200,12 @@ class LiveEdits(QObject):
 
     def _follow(self) -> None:
         latest = played_of(self._document), self._loops
-        if self._playing is None or self._rendered == latest:
-            self._waiting_s = None if self._rendered == latest else self._waiting_s
-            return
-        since_s = perf_counter() if self._waiting_s is None else self._waiting_s
-        if self._busy:
-            # The delay of this edit begins now, not when it is rendered.
-            self._waiting_s = since_s
+        if self._playing is None or self._busy or self._rendered == latest:
             return
         self._busy, self._rendered = True, latest
-        self._edited_s, self._waiting_s = since_s, None
+        self._edited_s = perf_counter()
         change = partial(
-            self._session.made.change,
+            self._session().change,
             self._playing,
             latest[0],
             self._output,
@@ -360,7 +330,7 @@ class SoundSettings(QObject):
     refused = Signal(str)
 
     def __init__(
-        self, preferences: Preferences, session: LazySession, thread: Worker, parent: QObject
+        self, preferences: Preferences, session: SessionOf, thread: Worker, parent: QObject
     ) -> None:
         super().__init__(parent)
         self._preferences, self._session, self._thread = preferences, session, thread
@@ -442,7 +412,7 @@ class SoundSettings(QObject):
 
     def look(self) -> None:
         """Look for devices; playback ends."""
-        self._thread.run(self._session.made.devices, self._receive_devices)
+        self._thread.run(self._session().devices, self._receive_devices)
 
     def note_missing(self, reason: str) -> None:
         """Store why nothing was heard; "" where it was heard."""
@@ -514,7 +484,7 @@ class Player(QObject):
         super().__init__(parent)
         self._document = document
         self._thread = sound_worker(self)
-        self._session = LazySession(self._finished.emit)
+        self._session = cache(lambda: lab.playing.session.Session(self._finished.emit))
         self.settings = SoundSettings(preferences, self._session, self._thread, self)
         self.edits = LiveEdits(document, self._session, self._thread, self)
         self.playhead = RunningPlayhead(document, self)
@@ -557,7 +527,7 @@ class Player(QObject):
         output, loops, rig = self.settings.output, self.loops, self.settings.rig
         start = object()
         play = partial(
-            self._session.made.play,
+            self._session().play,
             design,
             output,
             loops=loops,
@@ -581,7 +551,7 @@ class Player(QObject):
         if not self.preparing and self.settings.rig_is_read():
             self._end_playing()
             output, gain_db, rig = self.settings.output, self.gain.gain_db, self.settings.rig
-            tone = partial(self._session.made.tone, number, output, gain_db, rig)
+            tone = partial(self._session().tone, number, output, gain_db, rig)
             self._begin(tone, None, object())
 
     def stop(self) -> None:
@@ -613,7 +583,8 @@ class Player(QObject):
         """Stop for good, and release the device."""
         self.preparing, self._start = False, None
         self._end_playing()
-        end_sound(self._thread, self._session.close)
+        used = self._session.cache_info().currsize
+        end_sound(self._thread, self._session().close if used else None)
 
     def _begin(
         self, play: "Callable[[], Playing]", follow: Callable[[], None] | None, start: object
@@ -624,7 +595,7 @@ class Player(QObject):
             if self._start is not start:
                 # It was stopped before it began. A start after that ends it by itself.
                 if playing is not None and not self.preparing:
-                    self._thread.run(self._session.close)
+                    self._thread.run(self._session().close)
             elif playing is None:
                 self.preparing = False
                 self.failed.emit(str(error))
@@ -663,9 +634,7 @@ class Player(QObject):
         if now is not None and now.over:
             self._end_playing()
             if now.stream is not None:
-                self._thread.run(
-                    partial(self._session.made.close_stream, now.stream), _ignore_result
-                )
+                self._thread.run(partial(self._session().close_stream, now.stream), _ignore_result)
                 self.failed.emit(_DEVICE_LOST)
 
     def _note_end(self, stream: "Stream") -> None:
@@ -680,7 +649,7 @@ class Player(QObject):
         else:
             # The last waves are still on their way.
             self.now = seen_on
-        self._thread.run(partial(self._session.made.close_stream, stream))
+        self._thread.run(partial(self._session().close_stream, stream))
         if ending is None:
             self.failed.emit(_DEVICE_LOST)
         elif ending.reason == "panic":

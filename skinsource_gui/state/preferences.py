@@ -113,15 +113,6 @@ class Preferences:
         self.settings.setValue("geometry", geometry)
 
     @property
-    def layout(self) -> QByteArray:
-        """Arrangement of the docks; empty at first."""
-        return self._bytes("layout")
-
-    @layout.setter
-    def layout(self, layout: QByteArray) -> None:
-        self.settings.setValue("layout", layout)
-
-    @property
     def own_arrangements(self) -> dict[str, bytes]:
         """By the name of an arrangement, where the user's docks stand in it."""
         names = str(self.settings.value("own_arrangements", "")).split()

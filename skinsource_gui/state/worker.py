@@ -181,11 +181,11 @@ class Worker(QObject):
                 self._arrived.emit()
 
 
-def fault_text(error: Exception) -> str:
+def fault_text(error: Exception | None) -> str:
     """Return why a task has no result, as a text for the user."""
     if isinstance(error, SkinSourceError):
         return str(error)
-    return f"The studio made a mistake ({type(error).__name__}: {error}). Please report this."
+    return f"The studio made a mistake: {type(error).__name__}: {error}. Please report this."
 
 
 def _do_nothing() -> None:

@@ -1,12 +1,11 @@
 """Actuators at their limits: wrong parameters, voltages and rates are refused by name."""
 
-from dataclasses import fields, replace
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.actuators.prediction import Breach, Limits
 from skinsource.base.errors import InvalidInputError
 from tests.core.actuators_bench import COIL, PIEZO, RECOIL
 
@@ -82,11 +81,3 @@ def test_a_parameter_at_the_end_of_all_numbers_moves_it_or_is_refused(actuator, 
         except InvalidInputError:
             continue
         assert np.isfinite(result).all()
-
-
-def test_a_limit_that_is_passed_is_called_as_in_the_panel_with_its_unit():
-    sentences = [str(Breach(field.name, 0.0123456, 0.002)) for field in fields(Limits)]
-    assert sentences[0] == "peak voltage: 0.01235 V, expected at most 0.002 V"
-    assert "RMS voltage: 0.01235 V, expected at most 0.002 V" in sentences
-    assert "slew: 0.01235 V/s, expected at most 0.002 V/s" in sentences
-    assert sentences[-1] == "duty: 0.01235, expected at most 0.002"

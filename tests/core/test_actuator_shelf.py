@@ -114,14 +114,3 @@ def test_each_channel_has_its_own_actuator_and_duty():
     assert loads[0].peak_displacement_m != loads[1].peak_displacement_m
     with pytest.raises(InvalidInputError, match="2 channels"):
         ss.actuators.predicted(rows, 13_000, [COIL])
-
-
-def test_limits_that_are_passed_are_named():
-    (load,) = ss.actuators.predicted(np.ones(4800), 48_000, COIL)
-    limits = ss.actuators.Limits(peak_voltage_v=0.5, rms_voltage_v=2.0, displacement_m=1e-6)
-    passed = ss.actuators.breaches(load, limits)
-    assert [breach.name for breach in passed] == ["peak_voltage_v", "displacement_m"]
-    assert "0.5" in str(passed[0])
-    assert ss.actuators.breaches(load, ss.actuators.Limits()) == ()
-    with pytest.raises(InvalidInputError, match="duty"):
-        ss.actuators.Limits(duty=1.5)

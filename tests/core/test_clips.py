@@ -140,13 +140,6 @@ def test_clips_get_the_smallest_free_ids_and_keep_them():
         Design(limb="synthetic-1", inputs=(Input(location=1, clips=(Clip(id=2), Clip(id=2))),))
 
 
-def test_a_waveform_stands_on_a_track_by_one_call():
-    made = ss.track(7, Tap(), onset_s=0.1, amplitude=0.5)
-    clip = ss.Clip(waveform=Tap(), onset_s=0.1)
-    assert made == ss.Input(location=7, amplitude=0.5, clips=(clip,))
-    assert ss.track(7) == ss.Input(location=7, clips=(ss.Clip(waveform=Tone()),))
-
-
 #: Ten clips, with onsets on samples and between them.
 TONES = tuple(
     Clip(waveform=Tone(frequency_hz=60.0 + 31 * k, duration_s=0.06), onset_s=0.0503 + 0.05 * k)

@@ -62,38 +62,36 @@ ROWS = {
 @pytest.mark.parametrize("case", ROWS)
 def test_a_row_that_is_not_what_it_should_be_is_named(refused_rows, complete_rows, case):
     change, message = ROWS[case]
-    rows = list(complete_rows)
-    rows[42] = change(*rows[42])
-    assert re.search(f"^impulseResponses.mat: row 43 .*{message}", refused_rows(rows))
+    rows = complete_rows[:3]
+    rows[1] = change(*rows[1])
+    assert re.search(f"^impulseResponses.mat: row 2 .*{message}", refused_rows(rows))
 
 
 def test_a_row_with_the_values_of_another_is_refused(refused_rows, complete_rows):
-    rows = list(complete_rows)
-    rows[30] = (rows[29][0], *rows[30][1:])
+    rows = complete_rows[:3]
+    rows[2] = (rows[1][0], *rows[2][1:])
     assert (
-        "row 31 (model 2, location 11) holds the values of row 30 (model 2, location 10), expected "
+        "row 3 (model 1, location 3) holds the values of row 2 (model 1, location 2), expected "
         "its own"
     ) in refused_rows(rows)
 
 
 def test_a_missing_row_is_named(refused_rows, complete_rows):
     rows = complete_rows[:64] + complete_rows[65:]
-    message = refused_rows(rows, "v7")
+    message = refused_rows(rows)
     assert "has 79 of 80 rows, the first missing one is model 4, location 5" in message
 
 
-def test_a_table_without_the_columns_is_refused(download, refused):
+def test_a_variable_that_is_no_table_with_the_columns_is_refused(download, refused):
     matio = pytest.importorskip("matio")
     pandas = pytest.importorskip("pandas")
     table = pandas.DataFrame({"Model": [1.0], "Other": [2.0]})
-    matio.save_to_mat(str(download / "impulseResponses.mat"), {"dataTable": table})
-    assert "dataTable has no column Data, Location" in refused()
-
-
-def test_a_variable_that_is_no_table_is_refused(download, refused):
-    matio = pytest.importorskip("matio")
-    matio.save_to_mat(str(download / "impulseResponses.mat"), {"dataTable": np.eye(3)})
-    assert "expected a table with the columns Data, Model, Location" in refused()
+    for variable, message in (
+        (table, "dataTable has no column Data, Location"),
+        (np.eye(3), "expected a table with the columns Data, Model, Location"),
+    ):
+        matio.save_to_mat(str(download / "impulseResponses.mat"), {"dataTable": variable})
+        assert message in refused()
 
 
 def test_a_matlab_file_with_something_else_in_it_is_refused(download, refused):
@@ -115,7 +113,7 @@ def test_a_file_that_was_cut_off_is_refused(
     download, refused, write_table, complete_rows, version, share
 ):
     path = download / "impulseResponses.mat"
-    write_table(path, complete_rows, version)
+    write_table(path, complete_rows[:4], version)
     whole = path.read_bytes()
     path.write_bytes(whole[: int(len(whole) * share)])
     assert "impulseResponses.mat: cannot be read as a MATLAB file" in refused()

@@ -8,7 +8,6 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.design.clips import Clip
 from skinsource.design.comparing import Snapshot
 from skinsource.design.design import (
-    MAX_INPUTS,
     Design,
     Input,
     amplitude_spec,
@@ -34,35 +33,10 @@ def test_a_change_of_one_input_leaves_the_others_the_very_same():
     assert THREE.inputs[1].amplitude == 1.0
 
 
-def test_inputs_are_counted_from_the_end_as_everywhere_in_python():
-    assert places(THREE.with_input(-1, location=9)) == [1, 2, 9]
-    assert places(THREE.without_input(-1)) == [1, 2]
-
-
-@pytest.mark.parametrize("index", [3, -4])
-def test_an_input_that_is_not_there_is_an_error(index):
-    with pytest.raises(IndexError):
-        THREE.with_input(index, amplitude=2.0)
-    with pytest.raises(IndexError):
-        THREE.without_input(index)
-
-
-def test_removing_an_input_keeps_the_order_and_the_colours_of_the_rest():
-    rest = THREE.without_input(1)
-    assert places(rest) == [1, 3]
-    assert [track.colour for track in rest.inputs] == [1, 3]
-
-
 def test_a_new_input_goes_to_the_end_in_the_first_colour_that_is_free():
     design = THREE.adding(track(location=9, colour=1)).adding(track(location=9))
     assert places(design) == [1, 2, 3, 9, 9]
     assert [track.colour for track in design.inputs] == [1, 2, 3, 0, 4]
-
-
-def test_a_hundred_inputs_are_allowed_and_no_more():
-    full = Design(limb="synthetic-1", inputs=(track(location=1),) * MAX_INPUTS)
-    with pytest.raises(InvalidInputError, match="expected a tuple of 0 to 100 parts"):
-        full.adding(track(location=2))
 
 
 @pytest.mark.parametrize(
@@ -99,11 +73,6 @@ def test_an_input_is_found_by_its_id_wherever_it_stands():
     assert [turned.index_of(id_) for id_ in THREE.ids] == [2, 1, 0]
     with pytest.raises(InvalidInputError, match="no input has the id 7; there are 1, 2, 3"):
         THREE.input(7)
-
-
-def test_two_inputs_of_one_id_are_refused():
-    with pytest.raises(InvalidInputError, match="expected different ones"):
-        Design(limb="synthetic-1", inputs=(track(location=1, id=4), track(location=2, id=4)))
 
 
 def test_a_new_design_is_in_probe_scaling_and_says_what_amplitudes_mean():

@@ -13,7 +13,6 @@ from skinsource.design.edits.effects import (
     choices_of,
     moved_part,
     new_part,
-    part_text,
     with_part,
     without_part,
 )
@@ -173,19 +172,6 @@ def test_a_new_part_of_layers_is_a_clip_of_any_waveform():
         new_part(PARTS.of, "Fade")
     short = Clip(waveform=Tone(100.0, duration_s=0.02))
     assert new_part(EFFECT_LIST.of, "Fade", short) == Fade(0.005, 0.005)
-
-
-@pytest.mark.parametrize(
-    ("part", "text"),
-    [
-        (B, "Noise"),
-        (replace(B, label="soft"), "soft"),
-        (replace(B, muted=True), "Noise (off)"),
-        (Reverse(on=False), "Reverse (off)"),
-    ],
-)
-def test_a_part_is_called_by_its_label_or_by_what_it_plays(part, text):
-    assert part_text(part) == text
 
 
 @pytest.mark.parametrize(

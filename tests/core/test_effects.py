@@ -156,13 +156,6 @@ def test_the_frequency_that_sounds_is_that_of_the_waveform_over_the_factor(effec
     assert np.argmax(spectrum) * RATE_HZ / 2**16 == pytest.approx(100.0 / factor, rel=0.02)
 
 
-def test_a_length_can_be_given_instead_of_a_factor():
-    assert played_s(TONE, (Stretch(to_s=0.35),)) == pytest.approx(0.35)
-    assert Stretch(to_s=0.35).factor_of(0.2) == pytest.approx(1.75)
-    same = played(TONE, (Stretch(to_s=0.2),), RATE_HZ, 0.3 / RATE_HZ)
-    assert same == pytest.approx(TONE.samples(RATE_HZ, 0.3 / RATE_HZ), abs=1e-8)
-
-
 def test_repeating_plays_again_after_the_gap():
     samples = played(TONE, (Repeat(3, 0.1),), RATE_HZ)
     tone = TONE.samples(RATE_HZ)

@@ -14,7 +14,6 @@ from skinsource.design.effects.time import Reverse
 from skinsource.design.waveforms.pulses import Impulse
 from skinsource.design.waveforms.samples import Formula
 from skinsource.specs import fields
-from skinsource.specs.models import decode, encode
 from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec
 
@@ -63,11 +62,6 @@ def test_an_effect_is_a_recipe_with_a_switch_that_describes_its_fields(kind):
     assert np.array_equal(played(BURST, (off,), RATE_HZ), BURST.samples(RATE_HZ))
 
 
-@pytest.mark.parametrize("effect", ALL, ids=NAMES)
-def test_it_is_written_and_read_as_the_same(effect):
-    assert decode(encode(effect), EFFECTS, fields.Address()) == effect
-
-
 at_shifts = pytest.mark.parametrize(("effect", "shift"), list(product(ALL, (0.0, 0.3, 0.999))))
 
 
@@ -114,6 +108,8 @@ def test_it_is_applied_twice_and_reversed(effect):
 def test_at_its_limits_it_gives_finite_samples_as_long_as_it_says(kind):
     for effect in at_limits(kind):
         for waveform, shift in ((BURST, 0.4), (Impulse(), 0.0)):
+            if waveform is BURST and played_s(waveform, (effect,)) > 60.0:
+                continue  # ten minutes take seconds, and an impulse fills them too
             samples = played(waveform, (effect,), RATE_HZ, shift / RATE_HZ)
             length = played_s(waveform, (effect,)) * RATE_HZ
             assert np.isfinite(samples).all(), effect

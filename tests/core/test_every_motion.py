@@ -30,7 +30,6 @@ from skinsource.design.view import View
 from skinsource.design.waveforms.periodic import Saw, Square, Triangle
 from skinsource.design.waveforms.pulses import Tap
 from skinsource.design.waveforms.tones import Tone
-from skinsource.specs.models import specs_of
 
 RATE_HZ = 48000.0
 PATHS = st.lists(st.integers(1, 20), min_size=2, max_size=12).map(tuple)
@@ -63,12 +62,6 @@ def test_bursts_are_evenly_spaced_along_the_path(path, burst_s, spacing_s, count
         onsets_s = [clip.onset_s for _, clip in in_time]
         expected_s = onset_s + step_s * np.arange(len(onsets_s))
         np.testing.assert_allclose(onsets_s, expected_s, rtol=0, atol=1e-9)
-
-
-def test_apparent_motion_says_its_times():
-    assert ApparentMotion().summary == (
-        "3 bursts of 100 ms, one every 79.3 ms, 20.7 ms overlap; 258.6 ms in all"
-    )
 
 
 @given(
@@ -143,16 +136,6 @@ def test_a_sweep_is_at_each_place_in_its_time():
     for place, samples in mixed(motion).items():
         expected = plain * levels[place]
         np.testing.assert_allclose(samples[: plain.size], expected, rtol=0, atol=1e-9)
-
-
-@every_motion
-def test_a_motion_says_what_it_does_and_by_whose_law(kind):
-    for text in (kind.title, kind.law, kind.source, kind.limits, kind().summary):
-        assert len(text) >= 5
-    assert kind.law.endswith(".")
-    assert "palm" in kind.limits or "hand" in kind.limits
-    assert isinstance(kind(), Motion)
-    assert next(iter(specs_of(kind))) == "path"
 
 
 @every_motion

@@ -28,6 +28,9 @@ from skinsource.specs.models import decode, encode, specs_of
 from skinsource.specs.spec import Address
 from tests.core.design_files.any_recipe import made, values
 
+#: Samples of the longest ones that are held against 40 digits: those of 600 s at 48 kHz take
+#: seconds, and are there at 1300 Hz too.
+LONGEST = 3_000_000
 #: Longer ones are made, and not played.
 MOST_SAMPLES = 30_000
 #: Largest image of a file of a waveform that holds no samples, in bytes.
@@ -143,9 +146,11 @@ def test_each_is_its_formula_to_1e_12_at_any_time_rate_and_shift(references, nam
     kinds = set()
     with np.load(references / f"{name}.npz") as stored:
         for number, case in enumerate(json.loads(str(stored["cases"]))):
+            places, expected = stored[f"places_{number}"], stored[f"values_{number}"]
+            if places[-1] > LONGEST:
+                continue
             recipe = getattr(waveforms, case["kind"])(*tuples(case["fields"]))
             samples = recipe.samples(case["rate_hz"], case["shift_s"])
-            places, expected = stored[f"places_{number}"], stored[f"values_{number}"]
             assert samples.size == places[-1] + 1, case
             np.testing.assert_allclose(
                 samples[places], expected, rtol=0, atol=1e-12, err_msg=str(case)[:200]

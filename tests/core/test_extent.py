@@ -94,14 +94,3 @@ def test_squares_of_windows_do_not_overflow():
 def test_a_window_is_a_whole_number_of_samples(window):
     with pytest.raises(InvalidInputError, match="window_samples"):
         ss.windowed_rms(np.ones(10), window)
-
-
-def test_the_default_train_contracts_as_measured(installed_dataset, monkeypatch):
-    monkeypatch.setenv("SKINSOURCE_DATA", str(installed_dataset))
-    limb = ss.load_limb("measured-4")
-    train = ss.waveforms.WaveletTrain().samples(1300.0)
-    field = ss.predict(limb, [train], [7], scaling="upstream")
-    length = np.sqrt(np.sum(field**2, axis=1))
-    windows = ss.windowed_rms(length, 156, first_sample=67)
-    distances_mm = [ss.extent(window, limb, 7).mean_distance_mm for window in windows[:5]]
-    np.testing.assert_allclose(distances_mm, [31.9, 27.9, 23.4, 18.8, 17.0], atol=0.1)

@@ -48,12 +48,6 @@ def test_the_phase_of_a_glide_does_not_jump_where_its_frequency_does():
     np.testing.assert_allclose(samples, expected, rtol=0, atol=1e-12)
 
 
-def test_a_glide_holds_the_values_of_its_first_point_before_it():
-    late = Glide(((0.1, 80.0, 0.5), (0.2, 200.0, 1.0))).samples(RATE_HZ)
-    full = Glide(((0.0, 80.0, 0.5), (0.1, 80.0, 0.5), (0.2, 200.0, 1.0))).samples(RATE_HZ)
-    np.testing.assert_array_equal(late, full)
-
-
 RISING = tuple((0.01 * k, 50.0 + 3.0 * k, 1.0) for k in range(30))
 
 

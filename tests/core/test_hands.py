@@ -59,12 +59,6 @@ def test_places_stand_in_order(shape):
     assert (pads[:, 1] > bases[:, 1]).all()
 
 
-def test_the_hand_that_is_shown_has_creases_inside_its_outline():
-    shape = drawn_hand(1)
-    assert len(shape.creases) == 24
-    assert all(is_inside(point, shape.outline) for line in shape.creases for point in line)
-
-
 def test_the_map_of_a_limb_carries_the_drawing_without_volar_outputs(shape):
     limb_map = shape.limb_map()
     assert limb_map.outline is shape.outline

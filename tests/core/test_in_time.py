@@ -61,13 +61,6 @@ def test_outside_of_the_response_there_is_silence():
     assert (values_at(np.ones((2, 50)), 1e6) == 0.0).all()
 
 
-def test_a_part_is_read_where_it_begins():
-    signals = np.arange(100.0)[None, None, :]
-    moving_ = moving(signals, first=500, n_times=10_000)
-    assert moving_.acceleration(530 / RATE)[0, 0] == 30.0
-    assert moving_.end == 600
-
-
 def test_the_sliding_rms_is_that_of_the_samples_in_the_window():
     rng = np.random.default_rng(5)
     samples = rng.standard_normal((3, 200))

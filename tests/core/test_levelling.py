@@ -11,7 +11,7 @@ from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, track
 from skinsource.design.edits.edit import Edit, Refusal
-from skinsource.design.effects import EFFECTS
+from skinsource.design.effects.time import Reverse
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
@@ -84,11 +84,9 @@ def test_effects_and_the_gain_curve_of_the_track_count():
     levels_db = wavelet_levels_db(replace(design_of(TRAIN), inputs=(quieter,)), 1)
     assert levels_db[0] == pytest.approx(plain[0], abs=1.0)
     assert levels_db[2] == pytest.approx(plain[2] - 20.0, abs=0.1)
-    reverse = next((kind for kind in EFFECTS if kind.__name__ == "Reverse"), None)
-    if reverse is not None:
-        turned = Input(location=7, clips=(Clip(waveform=TRAIN, effects=(reverse(),)),))
-        levels_db = wavelet_levels_db(replace(design_of(TRAIN), inputs=(turned,)), 1)
-        assert levels_db == pytest.approx(plain, abs=0.5)
+    turned = Input(location=7, clips=(Clip(waveform=TRAIN, effects=(Reverse(),)),))
+    levels_db = wavelet_levels_db(replace(design_of(TRAIN), inputs=(turned,)), 1)
+    assert levels_db == pytest.approx(plain, abs=0.5)
 
 
 def test_the_label_notes_what_was_measured_once_and_keeps_other_words():

@@ -1,8 +1,6 @@
 import numpy as np
 import pytest
 
-from skinsource.base.errors import InvalidInputError
-
 
 @pytest.fixture
 def limb(limb_of):
@@ -22,9 +20,3 @@ def test_responses_cannot_be_written_to(limb):
     for response in (limb.response_to(3), limb.impulse_responses, limb.response_to(3)):
         with pytest.raises(ValueError, match="read-only"):
             response[...] = 0.0
-
-
-@pytest.mark.parametrize("place", [0, 21, -1, 2.5, True, "7", None])
-def test_a_place_that_does_not_exist_is_named(limb, place):
-    with pytest.raises(InvalidInputError, match="1 to 20"):
-        limb.response_to(place)

@@ -8,7 +8,6 @@ import pytest
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import AXES
-from skinsource.design import edits
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import open_design, save_design
 from skinsource.design.view import View
@@ -19,7 +18,6 @@ from skinsource.engine.prediction import predict
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.limbs.extent import extent
 from skinsource.limbs.limb import Limb, LimbMap
-from skinsource.limbs.locations import input_name, output_name
 from skinsource.limbs.scaling import per_probe_acceleration
 from skinsource.limbs.surface.surface import surface_operator
 from skinsource.signals.projection import METHODS, project_axes
@@ -186,17 +184,6 @@ def test_responses_of_any_length_are_streamed_right(n_taps):
     )
 
 
-def test_prediction_takes_the_limb_as_it_is():
-    limb = limb_along("xyz")
-    drive = Noise(seed=1).samples(RATE_HZ)
-    response = predict(limb, [drive], [7], scaling="relative")
-    expected = np.convolve(drive, limb.response_to(7)[9, 2])
-    assert response.shape == (N_OUTPUTS, 3, drive.size + N_TAPS - 1)
-    np.testing.assert_allclose(response[9, 2], expected, atol=1e-12)
-    with pytest.raises(InvalidInputError, match="the whole numbers 1 to 7"):
-        predict(limb, [drive], [8])
-
-
 def test_a_response_of_another_shape_than_the_limb_says_is_refused():
     limb = limb_along("xyz")
     limb.n_taps = 179
@@ -227,13 +214,3 @@ def test_a_design_for_a_limb_that_is_not_here_is_read_and_refused_where_it_is_co
     assert content.design == design
     with pytest.raises(InvalidInputError, match="the limb 'foot-1' is not available here; choose"):
         evaluate(content.design, "output_levels_db")
-
-
-def test_places_that_have_no_name_here_are_called_by_their_number():
-    assert input_name(7).name == "Digit II, pad"
-    assert input_name(25).name == "Place 25, not on this hand"
-    assert output_name(80).short_name == "not on this limb"
-    assert (
-        edits.place_input(replace(PLAYED, limb="synthetic-1"), View(), 25).label
-        == "Place input at 25 (not on this hand)"
-    )

@@ -16,20 +16,6 @@ def cells_of(path):
     return [cell for cell in notebook.cells if cell.cell_type == "code"]
 
 
-def run(path, folder):
-    """Run a notebook in a kernel of its own; give its code cells with their outputs."""
-    notebook = nbformat.read(path, as_version=4)
-    client = nbclient.NotebookClient(
-        notebook, timeout=120, kernel_name="python3", resources={"metadata": {"path": str(folder)}}
-    )
-    client.execute()
-    return [cell for cell in notebook.cells if cell.cell_type == "code"]
-
-
-def kinds_of(cell):
-    return {kind for output in cell.outputs for kind in output.get("data", {})}
-
-
 def test_there_are_three_and_figure_2_takes_ten_cells():
     assert [path.stem for path in NOTEBOOKS] == ["figure_2", "people", "sweep"]
     assert len(cells_of(NOTEBOOKS[0])) == 10
@@ -42,18 +28,23 @@ def test_no_output_is_kept(path):
         assert cell.execution_count is None
 
 
-@every
-def test_each_runs_on_the_synthetic_limbs_and_shows_designs_and_pictures(path, tmp_path, user_data):
-    cells = run(path, tmp_path)
-    shown = set().union(*map(kinds_of, cells))
-    assert "text/plain" in shown
-    text = "".join(
-        output.get("text", "") for cell in cells for output in cell.outputs if "text" in output
-    )
-    if path.stem == "sweep":
-        assert (tmp_path / "reach.png").read_bytes().startswith(b"\x89PNG")
-        assert "reaches farthest" in text
-    else:
-        assert {"text/html", "image/png"} <= shown
-    if path.stem == "figure_2":
-        assert "SYNTHETIC" in text
+def test_they_run_on_the_synthetic_limbs_and_show_designs_and_pictures(tmp_path, user_data):
+    """One after the other in one kernel, which forgets in between."""
+    notebooks = {path.stem: nbformat.read(path, as_version=4) for path in NOTEBOOKS}
+    together = nbformat.v4.new_notebook()
+    for notebook in notebooks.values():
+        together.cells += [nbformat.v4.new_code_cell("%reset -f"), *notebook.cells]
+    resources = {"metadata": {"path": str(tmp_path)}}
+    nbclient.NotebookClient(together, timeout=120, resources=resources).execute()
+    for name, notebook in notebooks.items():
+        outputs = [output for cell in notebook.cells for output in cell.get("outputs", ())]
+        kinds = {kind for output in outputs for kind in output.get("data", {})}
+        text = "".join(output.get("text", "") for output in outputs)
+        assert "text/plain" in kinds
+        if name == "sweep":
+            assert (tmp_path / "reach.png").read_bytes().startswith(b"\x89PNG")
+            assert "reaches farthest" in text
+        else:
+            assert {"text/html", "image/png"} <= kinds
+        if name == "figure_2":
+            assert "SYNTHETIC" in text

@@ -72,10 +72,6 @@ def test_a_tone_at_half_the_rate_is_halved_whatever_its_phase(to_hz, phase_rad):
     assert loss_db(burst(500.0, phase_rad), to_hz) == pytest.approx(6.0, abs=0.4)
 
 
-def test_a_tone_far_above_is_all_but_gone():
-    assert loss_db(burst(200.0), 300) > 60.0
-
-
 def test_a_higher_rate_loses_what_lies_beyond_the_pass_band():
     assert loss_db(burst(590.0), 48_000) < 0.01
     # From 600 Hz on the filter falls, also on the way up.
@@ -92,10 +88,6 @@ def test_a_higher_rate_loses_what_lies_beyond_the_pass_band():
 def test_steeper_filters_between_1200_and_1300_hz_keep_600_hz():
     assert loss_db(burst(590.0), 1250) < 0.01
     assert loss_db(burst(640.0), 1250) > 20.0
-
-
-def test_what_does_not_move_loses_nothing():
-    assert loss_db(np.hanning(RATE_HZ), 100) < 1e-3
 
 
 @pytest.mark.parametrize("to_hz", [100, 900, 1250, 48_000])

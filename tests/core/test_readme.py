@@ -54,10 +54,3 @@ def test_the_examples_run_on_the_built_in_limb(path, capsys, tmp_path, monkeypat
     monkeypatch.chdir(tmp_path)
     runpy.run_path(str(path), run_name="__main__")
     assert "synthetic-1" in capsys.readouterr().out
-
-
-@pytest.mark.parametrize("path", sorted((ROOT / "examples").glob("*.py")), ids=lambda p: p.stem)
-def test_the_examples_run_on_the_measured_limb(path, measured, capsys, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    runpy.run_path(str(path), run_name="__main__")
-    assert "measured-1" in capsys.readouterr().out

@@ -102,18 +102,6 @@ def test_what_lies_in_the_transition_folds_only_above_the_band():
         assert decibels(spectrum[(at_hz >= 25) & (at_hz <= 595)].max()) < -80.0
 
 
-@pytest.mark.parametrize(("from_hz", "to_hz"), [(1300, 48_000), (48_000, 1300), (8000, 44_101)])
-def test_a_burst_is_the_burst_at_the_other_instants(from_hz, to_hz):
-    # A Gaussian of 20 ms at 250 Hz: what lies above 600 Hz is below 1e-300.
-    def burst(rate_hz, n):
-        time = np.arange(n) / rate_hz - 0.25
-        return np.exp(-0.5 * (time / 0.02) ** 2) * np.cos(2.0 * np.pi * 250.0 * time)
-
-    resampled = ss.resample(burst(from_hz, from_hz // 2), from_hz, to_hz)
-    assert np.abs(resampled - burst(to_hz, len(resampled))).max() < 1e-7
-    assert np.argmax(resampled) == to_hz // 4
-
-
 @pytest.mark.parametrize("rate_hz", [2000, 8000, 44_100, 48_000, 96_000, 192_000, 1777])
 def test_there_and_back_is_where_it_began(rate_hz):
     rng = np.random.default_rng(5)
@@ -162,6 +150,7 @@ def test_weights_computed_one_by_one_are_those_of_the_filter(from_hz, to_hz, mon
         (1.0, (1300, 48_000), "single number"),
         ([1j], (1300, 48_000), "complex"),
         (np.ones(1000), (1, 10_000_000), "take a part"),
+        (np.broadcast_to(np.float32(0.0), 50_000_000), (10_000_000, 9_999_999), "Take a part"),
     ],
 )
 def test_what_cannot_be_converted_is_refused(samples, rates, message):
@@ -206,11 +195,6 @@ def test_a_filter_longer_than_the_signal_takes_little_memory():
         tracemalloc.stop()
     # The sum of the filter over the first second, in which half of it lies.
     assert resampled == pytest.approx(ss.resample(np.ones(100), 100, 1), rel=0.02)
-
-
-def test_what_would_take_minutes_is_refused():
-    with pytest.raises(InvalidInputError, match="Take a part"):
-        ss.resample(np.broadcast_to(np.float32(0.0), 50_000_000), 10_000_000, 9_999_999)
 
 
 @pytest.mark.parametrize("rate_hz", [999.98, 1234.567, 1300.0 / 7.0])

@@ -49,16 +49,6 @@ def test_silence_around_a_signal_and_its_strength_change_nothing():
         assert share_outside_band(factor * samples, RATE_HZ) == pytest.approx(share, abs=1e-13)
 
 
-def test_a_band_and_what_is_beside_it_make_the_whole():
-    samples = Noise(2, 0.1, window="none").samples(RATE_HZ)
-    bands = [(0.0, 25.0), (25.0, 600.0), (600.0, 650.0)]
-    inside = [1 - share_outside_band(samples, RATE_HZ, band) for band in bands]
-    assert sum(inside) == pytest.approx(1.0, abs=1e-13)
-    assert share_outside_band(samples, RATE_HZ, (0.0, 650.0)) == pytest.approx(0.0, abs=1e-13)
-    assert share_outside_band(samples, RATE_HZ, (0.0, 1e6)) == pytest.approx(0.0, abs=1e-13)
-    assert share_outside_band(samples, RATE_HZ, (700.0, 900.0)) == 1.0
-
-
 def test_nothing_of_silence_lies_outside():
     assert share_outside_band(np.zeros(100), RATE_HZ) == 0.0
     assert share_outside_band([], RATE_HZ) == 0.0

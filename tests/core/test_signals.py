@@ -6,11 +6,7 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.waveforms.pulses import Impulse, Noise, Tap
-from skinsource.design.waveforms.tones import Tone
 from skinsource.signals.generators import impulse, sample_count, sinusoid, tap, white_noise
-
-RATE_HZ = 1300.0
 
 
 def half_up(milliseconds: int) -> int:
@@ -90,16 +86,6 @@ def test_noise_too_short_for_its_band_is_refused():
     with pytest.raises(InvalidInputError, match="holds no frequency"):
         white_noise(0.001)
     assert white_noise(0.0).shape == (0,)
-
-
-def test_waveforms_are_the_signals_they_are_named_after():
-    tone = Tone(frequency_hz=90.0, phase_rad=0.5, duration_s=0.3, window="hanning")
-    expected = sinusoid(90.0, 0.3, phase_rad=0.5, window_name="hanning")
-    np.testing.assert_array_equal(tone.samples(RATE_HZ), expected)
-    noise = Noise(seed=8, duration_s=0.3, window="none")
-    np.testing.assert_array_equal(noise.samples(RATE_HZ), white_noise(0.3, 8))
-    np.testing.assert_array_equal(Tap().samples(RATE_HZ), tap())
-    np.testing.assert_array_equal(Impulse().samples(RATE_HZ), [1.0])
 
 
 @pytest.mark.parametrize(("n", "first", "last"), [(52, 1, 24), (104, 2, 48), (130, 3, 60)])

@@ -78,19 +78,6 @@ def test_a_part_shows_the_waveform_at_its_own_instants(start_s, duration_s, shif
     assert (samples.size + 1e-6 - shift) / RATE_HZ >= last_s or samples.size == 0
 
 
-def test_a_part_of_a_part_counts_from_its_own_start():
-    twice = (Trim(start_s=0.02, duration_s=0.07), Trim(start_s=0.01, duration_s=0.03))
-    once = (Trim(start_s=0.03, duration_s=0.03),)
-    for shift in (0.0, 0.4):
-        np.testing.assert_allclose(
-            played(TONE, twice, RATE_HZ, shift / RATE_HZ),
-            played(TONE, once, RATE_HZ, shift / RATE_HZ),
-            rtol=0,
-            atol=1e-9,
-        )
-    assert played_s(TONE, twice) == pytest.approx(0.03)
-
-
 def test_a_trim_of_everything_changes_nothing():
     whole = TONE.samples(RATE_HZ, 0.0002)
     for part in (Trim(), Trim(duration_s=0.1)):

@@ -11,7 +11,6 @@ from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, track
-from skinsource.design.presets.presets import read_preset, shipped_folder
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Tap
 from skinsource.design.waveforms.tones import Tone
@@ -74,23 +73,6 @@ def test_what_is_taken_from_the_prediction_says_what_it_is_without(design):
     assert unplayable.sentence.removesuffix(".") in first.in_short
 
 
-def test_several_are_said_in_one_sentence():
-    bad = track(8, BEYOND_HALF_THE_RATE)
-    two, four = (Design(limb="synthetic-1", inputs=(TONE, *[bad] * count)) for count in (2, 4))
-    (finding, *_) = shown(two)["validity"]
-    assert "; 1 more input cannot be played either." in finding.sentence
-    (finding, *_) = shown(four)["validity"]
-    assert "; 3 more inputs cannot be played either." in finding.sentence
-
-
-def test_a_preset_that_the_actuator_cannot_follow_is_left_out():
-    (lane,) = read_preset(shipped_folder() / "heartbeat.skinpreset").fragment.lanes
-    heartbeat = Input(location=6, clips=lane.clips)
-    (unplayable,) = shown(design_of(heartbeat, EQUALISED))["unplayable_inputs"]
-    assert unplayable.sentence.startswith("Input at place 6 cannot be played through this actuator")
-    assert unplayable.sentence.endswith("of its energy lies below 25 Hz.")
-
-
 def test_files_are_not_written_without_it(design, tmp_path):
     with pytest.raises(InvalidInputError):
         export_levels(tmp_path / "levels.csv", design, View())
@@ -111,14 +93,6 @@ def test_a_muted_input_that_cannot_be_sampled_changes_nothing(design):
     for name in quantities[:-1]:
         np.testing.assert_allclose(values[name], expected[name], rtol=1e-9, atol=1e-12)
     assert np.array_equal(values["input_waveforms"][0], expected["input_waveforms"][0])
-
-
-def test_of_a_muted_input_that_cannot_be_sampled_there_is_no_waveform():
-    bad = track(8, BEYOND_HALF_THE_RATE)
-    design = Design(limb="synthetic-1", inputs=(TONE, replace(bad, muted=True)))
-    assert ss.evaluate(design, "input_waveforms")["input_waveforms"][1] is None
-    with pytest.raises(InvalidInputError, match="Input at place 8, Chirplet"):
-        ss.evaluate(design.with_input(1, muted=False), "input_waveforms")
 
 
 def test_of_clips_that_cannot_be_sampled_there_are_no_pictures():

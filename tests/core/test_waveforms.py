@@ -3,7 +3,6 @@
 import math
 import tracemalloc
 from fractions import Fraction
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,9 +11,9 @@ from hypothesis import strategies as st
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.waveforms.periodic import PulseTrain, Saw, Square, Triangle
-from skinsource.design.waveforms.pulses import CentredTap, Impulse, Noise, Tap
+from skinsource.design.waveforms.pulses import CentredTap, Impulse, Noise
 from skinsource.design.waveforms.tones import Tone
-from skinsource.design.waveforms.wavelet_train import EQUALISE, WaveletTrain, frequency_sweep
+from skinsource.design.waveforms.wavelet_train import WaveletTrain, frequency_sweep
 from skinsource.design.waveforms.wavelets import Morlet, Ricker
 from skinsource.signals.generators import sinusoid, white_noise
 from skinsource.signals.synthesis import harmonics_below, sum_of_harmonics
@@ -93,11 +92,6 @@ def test_a_pulse_that_is_to_leave_no_velocity_leaves_none(recipe):
     assert abs(displacement[-1]) < 2e-2 * np.abs(displacement).max()
 
 
-def test_an_upstream_tap_leaves_a_velocity():
-    velocity = np.cumsum(Tap().samples(FINE_HZ)) / FINE_HZ * 1e3
-    assert velocity[-1] == pytest.approx(8.46, abs=0.01)
-
-
 def test_a_harmonic_at_half_the_rate_is_left_out():
     assert harmonics_below(650.0, 50.0) == 12
     assert harmonics_below(650.0, 649.9) == 1
@@ -142,13 +136,6 @@ def test_a_sum_of_harmonics_takes_no_more_memory_than_a_few_of_its_results():
 
 
 FIVE_HZ = (50.0, 84.1, 141.4, 237.8, 400.0)
-
-
-def test_a_train_starts_with_five_frequencies_in_slots_of_their_own():
-    recipe = WaveletTrain()
-    assert recipe.frequencies_hz == FIVE_HZ
-    assert recipe.duration_s == pytest.approx(0.6)
-    assert recipe.middles_s() == pytest.approx((0.06, 0.18, 0.30, 0.42, 0.54))
 
 
 @pytest.mark.parametrize("family", ["gabor", "ricker", "hann"])
@@ -196,11 +183,3 @@ def test_a_sweep_never_turns_back(low_hz, factor, count, spacing):
 def test_a_sweep_that_is_none_is_refused(given, what):
     with pytest.raises(InvalidInputError, match=what):
         frequency_sweep(*given)
-
-
-def test_what_is_equalised_has_the_same_word_in_the_window_and_in_files():
-    page = (Path(__file__).parents[2] / "docs" / "words.md").read_text("utf-8")
-    row = next(line for line in page.splitlines() if line.startswith("| equalise |"))
-    for name, title in EQUALISE.options:
-        assert title.lower() == name
-        assert f"*{title}*" in row or f"*{name}*" in row

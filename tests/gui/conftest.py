@@ -118,7 +118,8 @@ def _shared_window(qapp, tmp_path_factory):
 @pytest.fixture
 def open_window(_shared_window, qtbot):
     """Start the window over that the tests of this file share, with a design and a view."""
-    return _shared_window.begin
+    yield _shared_window.begin
+    _shared_window.pause()
 
 
 @pytest.fixture

@@ -30,7 +30,8 @@ class Paper:
             else:
                 codes = re.findall(rb"....", match[2])
                 written.append("".join(font[int(code, 16)] for code in codes))
-        return "".join(written)
+        # Qt writes the blank of some fonts as a tab.
+        return "".join(written).replace("\t", " ")
 
     def images(self) -> list[bytes]:
         """How each image is packed."""

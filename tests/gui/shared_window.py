@@ -76,6 +76,11 @@ class SharedWindow:
             rest(window)
         return self._window
 
+    def pause(self) -> None:
+        """Leave nothing in the window that would be kept while other tests run."""
+        if self._window is not None and isValid(self._window):
+            self._window.document.mark_saved(self._window.document.path)
+
     def end(self) -> None:
         """Close the window."""
         window, self._window = self._window, None
@@ -123,23 +128,24 @@ def _close_pages(window: MainWindow) -> None:
 def _arrange(window: MainWindow) -> None:
     """Have words, docks and preferences as they are at first."""
     preferences = window.preferences
-    window.layout_of_docks.close()
-    moved = preferences.layout.size() or preferences.own_arrangements
-    moved = moved or preferences.arrangement != "design" or window.size() != QSize(*SIZE)
+    window.workspaces.close()
+    moved = (
+        preferences.own_arrangements
+        or preferences.arrangement != "design"
+        or window.size() != QSize(*SIZE)
+    )
     words = window.appearance.text_scale, preferences.theme_name
     preferences.settings.clear()
     if words != (1.0, "system"):
         window.appearance.fit_room(1.0)
         window.appearance.reset_text()
     if moved:
-        # Docks that are in sight are laid out and painted at each step.
-        window.hide()
-        window.layout_of_docks.leave_scene()
+        window.setUpdatesEnabled(False)
+        window.workspaces.leave_scene()
         window.showNormal()
-        window.hide()
         window.resize(*SIZE)
         preferences.settings.clear()
-        window.layout_of_docks.restore()
-        window.show()
+        window.workspaces.restore()
+        window.setUpdatesEnabled(True)
     preferences.settings.clear()
     preferences.arrangement = "design"

@@ -31,8 +31,8 @@ def press(page, name):
 
 def measure(page, qtbot):
     press(page, "measure")
-    assert page.run.runs
-    qtbot.waitUntil(lambda: not page.run.runs, timeout=20_000)
+    assert page.run.busy
+    qtbot.waitUntil(lambda: not page.run.busy, timeout=20_000)
 
 
 def never_ending(cases, *, repeats, progress, stop):
@@ -81,7 +81,7 @@ def test_measuring_ends_with_whoever_wanted_it(window, page, qtbot, monkeypatch,
         press(page, "close_page")
     else:
         window.close_unasked()
-    qtbot.waitUntil(lambda: not window.runner.unfinished and not page.run.runs, timeout=20_000)
+    qtbot.waitUntil(lambda: not window.runner.unfinished and not page.run.busy, timeout=20_000)
     assert page.rows == ()
     assert page.isVisible() == (how == "cancel")
     if how == "cancel":

@@ -7,12 +7,16 @@ import pytest
 from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
+from skinsource.design.panel_settings import with_settings
+from skinsource_gui.panels.analysis.settings import VIEWS
+from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.pictures import (
     ALL_VISIBLE,
     save_drawing,
 )
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.shell.panels import PANELS
+from tests.gui.analysis.analysis_bench import analysis
 from tests.gui.pages_of_paper import Paper
 
 #: Too fast, too high, and on a synthetic limb.
@@ -27,19 +31,18 @@ SAID = (
 )
 GUESSED = "of the energy lies above 300 Hz: between outputs the map is a guess."
 #: Panels that draw maps between outputs; all in sight do too.
-MAPS = ("skin", "compare", "windowed", "side_by_side", ALL_VISIBLE)
-EVERY = (*(spec.panel.name for spec in PANELS), ALL_VISIBLE)
+MAPS = ("skin", "compare", "analysis/windowed", ALL_VISIBLE)
+EVERY = (
+    *(spec.panel.name for spec in PANELS),
+    *(f"analysis/{view.name}" for view in VIEWS),
+    ALL_VISIBLE,
+)
 
 
 @pytest.fixture
-def open_window(make_window):
-    """Each test has a window of its own."""
-    return make_window
-
-
-@pytest.fixture
-def window(open_window):
-    return open_window(DESIGN)
+def window(make_window):
+    """A studio of each test's own."""
+    return make_window(DESIGN)
 
 
 def drawn(window, name, path, size=(900, 700)):
@@ -51,7 +54,7 @@ def drawn(window, name, path, size=(900, 700)):
 
 def test_below_each_panel_stands_once_each_condition_that_is_not_kept(window, tmp_path):
     for name in EVERY:
-        text = drawn(window, name, tmp_path / f"{name}.svg")
+        text = drawn(window, name, tmp_path / "a.svg")
         assert {phrase: text.count(phrase) for phrase in SAID} == dict.fromkeys(SAID, 1), name
         assert text.count(GUESSED) == (name in MAPS), name
         assert "Tone 400 Hz" in text, name
@@ -59,7 +62,7 @@ def test_below_each_panel_stands_once_each_condition_that_is_not_kept(window, tm
 
 
 def test_a_page_has_the_words_of_its_caption_too(window, tmp_path):
-    save_drawing(tmp_path / "a.pdf", window.pictures.picture_of("windowed").draw, 900, 700)
+    save_drawing(tmp_path / "a.pdf", window.pictures.picture_of("analysis/windowed").draw, 900, 700)
     text = Paper(tmp_path / "a.pdf").text().replace(" ", "")
     assert "betweenoutputsthemapisaguess" in text
     assert "Responsesarecomputedfromamodel" in text
@@ -68,7 +71,7 @@ def test_a_page_has_the_words_of_its_caption_too(window, tmp_path):
 def test_what_is_kept_is_not_said(open_window, tmp_path):
     quiet = replace(DESIGN, inputs=(ss.track(7, ss.waveforms.Tone(frequency_hz=100.0)),))
     window = open_window(quiet)
-    text = drawn(window, "windowed", tmp_path / "a.svg")
+    text = drawn(window, "analysis/windowed", tmp_path / "a.svg")
     assert "The probe moves" not in text
     assert "300 Hz" not in text
     assert "Responses are computed from a model" in text
@@ -84,11 +87,13 @@ def test_each_limb_of_a_comparison_is_named_with_what_there_is_to_note_of_it(win
             judge(label, given, present=present), note=notes.get(given["limb"], "")
         ),
     )
-    caption = window.pictures.picture_of("side_by_side").caption
+    of_limbs = with_settings(window.document.view, "compare", CompareSettings(of="limbs"))
+    window.document.look(of_limbs)
+    caption = window.pictures.picture_of("compare").caption
     assert "Limbs: Synthetic 1 (175 mm), Synthetic 2" in caption
     assert "Synthetic 2, Synthetic 3: Made anew." in caption
     assert caption.count("Responses are computed") == 1
-    assert "Limb: Synthetic 1 (175 mm);" in window.pictures.picture_of("windowed").caption
+    assert "Limb: Synthetic 1 (175 mm);" in window.pictures.picture_of("analysis/windowed").caption
 
 
 def test_snapshots_that_do_not_keep_a_condition_are_named_with_it(window, settle):
@@ -97,14 +102,13 @@ def test_snapshots_that_do_not_keep_a_condition_are_named_with_it(window, settle
     settle()
     caption = window.pictures.picture_of("compare").caption
     assert "Snapshot 1: The probe moves at up to" in caption
-    assert "The probe moves" not in window.pictures.picture_of("windowed").caption
+    assert "The probe moves" not in window.pictures.picture_of("analysis/windowed").caption
 
 
 def test_copied_numbers_are_followed_by_what_they_are_not_good_for(window, qtbot):
-    window.docks["statistics"].bring_forward()
-    panel = window.panel("statistics")
-    qtbot.waitUntil(lambda: len(panel.model.rows) > 0, timeout=30_000)
-    [button] = panel.findChildren(CopyButton)
+    panel = analysis(window, "statistics")
+    qtbot.waitUntil(lambda: len(panel.rows) > 0, timeout=30_000)
+    [button] = window.panel("analysis").findChildren(CopyButton)
     button.click()
     *_, last = lines = QApplication.clipboard().text().splitlines()
     assert lines[0].startswith("output\t")
@@ -123,13 +127,14 @@ def tones(open_window, settle):
     return window
 
 
-FOUR = "Snapshots 1, 2, 3, 4: Place 7, 1 m/s²: Tone 50/100/200/400 Hz, 200 ms."
+FOUR = ". ".join(
+    f"Snapshot {1 + k}: Place 7, 1 m/s²: Tone {50 * 2**k} Hz, 200 ms" for k in range(4)
+)
 
 
-@pytest.mark.parametrize("name", ["side_by_side", "compare"])
-def test_designs_side_by_side_are_told_with_what_differs(tones, name):
-    caption = tones.pictures.picture_of(name).caption
-    assert caption.startswith(f"Fig. 2B: Low frequencies reach farther. {FOUR} Limb: Synthetic 1")
+def test_compared_designs_are_told_with_what_differs(tones):
+    caption = tones.pictures.picture_of("compare").caption
+    assert caption.startswith(f"Fig. 2B: Low frequencies reach farther. {FOUR}. Limb: Synthetic 1")
     assert "Other panels" not in caption
 
 
@@ -148,8 +153,8 @@ def test_a_scene_that_was_changed_is_not_called_what_it_was(tones, settle):
     assert heading._phrases[0] == f"{title} · edited · Tone at place 7"
     assert tones.windowTitle().startswith(f"{title} · edited[*]")
     assert tones.pictures.picture_of("skin").caption.startswith(f"{title} · edited. Place 7")
-    assert tones.pictures.picture_of("side_by_side").caption.startswith(
-        f"{title}. Edited, Snapshots 1, 2, 3, 4: Place 7, 1 m/s²: Tone 300/50/100/200/400 Hz,"
+    assert tones.pictures.picture_of("compare").caption.startswith(
+        f"{title}. Edited: Place 7, 1 m/s²: Tone 300 Hz, 200 ms. {FOUR}"
     )
     tones.document.undo_stack.undo()
     settle()

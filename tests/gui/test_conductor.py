@@ -7,7 +7,6 @@ from PySide6.QtWidgets import QWidget
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.design import Design, track
 from skinsource.design.signal_path import UnplayableInput
-from skinsource.design.view import View
 from skinsource.engine.graph import Graph
 from skinsource_gui.state.conductor import Conductor, PanelController
 from skinsource_gui.state.document import Document
@@ -109,13 +108,6 @@ def stage(qtbot):
     engine.close()
 
 
-def test_a_panel_is_given_the_state_before_the_results(stage):
-    stage.amplitude(2.0)
-    assert stage.loud.states[-1].inputs[0].amplitude == 2.0
-    assert stage.loud.results[-1]["loudness"].tolist() == [2.0]
-    assert not stage.loud.stale
-
-
 def test_an_edit_is_painted_once_with_its_results_if_they_are_quick(qtbot, stage):
     qtbot.waitUntil(lambda: stage.loud.story[-1] == "painted")
     stage.loud.story.clear()
@@ -165,46 +157,6 @@ def test_what_cannot_be_computed_is_not_stale_and_what_replaces_it_is_awaited(qt
     qtbot.waitUntil(lambda: not stage.loud.stale)
 
 
-def test_only_panels_whose_results_may_change_are_marked_as_stale(qtbot, stage):
-    stage.loud.marks.clear()
-    stage.document.look(View(outputs=(3,)))
-    qtbot.waitUntil(lambda: not stage.engine.busy)
-    assert stage.loud.marks == [False, False]
-    stage.amplitude(2.0)
-    assert stage.loud.marks == [False, False, True, False]
-
-
-def test_results_that_came_late_are_not_stale_where_only_something_else_changed(qtbot, stage):
-    stage.loud.marks.clear()
-    stage.gate.clear()
-    stage.document.edit("louder", stage.document.design.with_input(0, amplitude=2.0))
-    stage.document.look(View(outputs=(3,)))
-    assert stage.loud.marks == [True, True]
-    stage.gate.set()
-    qtbot.waitUntil(lambda: not stage.engine.busy)
-    assert stage.loud.marks == [True, True, False, False]
-
-
-def test_a_panel_that_needs_something_else_than_before_is_stale(qtbot, stage):
-    stage.loud._needs = frozenset({"colours"})
-    stage.loud.marks.clear()
-    stage.document.look(View(outputs=(3,)))
-    qtbot.waitUntil(lambda: not stage.engine.busy)
-    assert stage.loud.marks == [True, False]
-
-
-def test_a_hidden_panel_costs_nothing_and_is_brought_up_to_date(qtbot, stage):
-    stage.loud.hide()
-    qtbot.waitUntil(lambda: not stage.engine.busy)
-    runs, drawn = stage.graph.runs["loudness"], len(stage.loud.results)
-    stage.amplitude(3.0)
-    assert stage.graph.runs["loudness"] == runs
-    assert len(stage.loud.results) == drawn
-    stage.loud.show()
-    qtbot.waitUntil(lambda: not stage.engine.busy)
-    assert stage.loud.results[-1]["loudness"].tolist() == [3.0]
-
-
 def test_an_impossible_request_shows_its_reason_and_the_next_one_recovers(qtbot, stage):
     with qtbot.waitSignal(stage.conductor.failed) as failed:
         stage.amplitude(13)
@@ -229,24 +181,6 @@ def test_a_fault_of_the_studio_is_told_as_one(qtbot, stage):
     with qtbot.waitSignal(stage.conductor.failed) as failed:
         stage.amplitude(14)
     assert failed.args[0].startswith("The studio made a mistake: ValueError")
-
-
-def test_a_look_elsewhere_reaches_the_panels(stage):
-    stage.loud.view_changed.emit(View(outputs=(5,)))
-    assert stage.document.view.outputs == (5,)
-
-
-def test_a_panel_begins_anew_once_before_the_results_of_an_undone_step(qtbot, stage):
-    begun = []
-    stage.loud.reset_range = lambda: begun.append(len(stage.loud.results))
-    stage.amplitude(2.0)
-    assert begun == []
-    drawn = len(stage.loud.results)
-    stage.document.undo_stack.undo()
-    qtbot.waitUntil(lambda: not stage.engine.busy)
-    assert begun == [drawn]
-    stage.amplitude(3.0)
-    assert begun == [drawn]
 
 
 def test_a_panel_that_makes_a_mistake_says_so_and_recovers_and_the_others_show_theirs(qtbot, stage):

@@ -2,9 +2,7 @@
 
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMenu
 
 from skinsource.design.effects.level import POINTS
 from skinsource_gui.fields.curve_field import CurveField
@@ -107,33 +105,3 @@ def test_keys_choose_move_continue_add_and_remove(field):
     n_edits = len(field.edits)
     QTest.keyClick(field, Qt.Key.Key_Delete)
     assert (len(field.value), len(field.edits)) == (1, n_edits)
-
-
-def lines_of_menu(field, at, reason=QContextMenuEvent.Reason.Mouse):
-    event = QContextMenuEvent(reason, at.toPoint(), field.mapToGlobal(at.toPoint()))
-    QApplication.sendEvent(field, event)
-    menu = field.findChildren(QMenu, "point_menu")[-1]
-    return menu, {action.text(): action for action in menu.actions() if action.text()}
-
-
-def test_the_menu_of_a_point_removes_it_or_bends_the_curve_and_beside_it_adds_one(field):
-    menu, lines = lines_of_menu(field, field.place_of(1))
-    assert list(lines)[-1] == "Remove point"
-    lines["After this point: held"].trigger()
-    assert field.value[1] == (0.1, 1.0, "held")
-    lines["Remove point"].trigger()
-    menu.close()
-    assert field.value == (START[0], START[2])
-    beside = QPointF(field.place_of(0).x() + 30, field.place_of(0).y() - 30)
-    menu, lines = lines_of_menu(field, beside)
-    assert list(lines) == ["Add point here"]
-    lines["Add point here"].trigger()
-    menu.close()
-    assert (field.place_of(1) - beside).manhattanLength() < 2.0
-
-
-def test_the_menu_key_is_about_the_chosen_point_and_the_only_one_stays(field):
-    field.set_value(START[:1])
-    menu, lines = lines_of_menu(field, QPointF(1, 1), QContextMenuEvent.Reason.Keyboard)
-    assert not lines["Remove point"].isEnabled()
-    menu.close()

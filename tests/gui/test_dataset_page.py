@@ -3,7 +3,7 @@
 from functools import partial
 
 import pytest
-from PySide6.QtWidgets import QFileDialog, QLabel, QPushButton
+from PySide6.QtWidgets import QFileDialog, QPushButton
 
 from skinsource.base.errors import Stopped
 from skinsource.base.job import Job
@@ -22,14 +22,14 @@ def page(window):
 
 
 def text_of(page: DatasetPage) -> str:
-    return page.findChild(QLabel, "dataset_words").text()
+    return page.message.text()
 
 
-def test_what_there_is_to_note_is_said_after_the_installation(
-    page, window, qtbot, synthetic_download
-):
+def test_what_there_is_to_note_is_said_after_the_installation(window, qtbot, synthetic_download):
     work = partial(install, synthetic_download, unpublished=True)
     window.runner.add(Job(INSTALLATIONS[0], work))
+    # Another page began it.
+    page = DatasetPage(window.runner, window.limbs, window)
     qtbot.waitUntil(lambda: "4 measured limbs are installed" in text_of(page), timeout=60_000)
     assert "Note: made from files that are not the published ones: " in text_of(page)
 

@@ -33,12 +33,6 @@ def test_one_drag_is_one_undo_step(document):
     assert document.design.inputs[0].clips[0].waveform.frequency_hz == 120.0
 
 
-def test_two_drags_are_two_steps(document):
-    document.edit("f", with_frequency(document, 101.0), gesture=1)
-    document.edit("f", with_frequency(document, 102.0), gesture=2)
-    assert document.undo_stack.count() == 2
-
-
 def test_edits_without_a_gesture_never_merge(document):
     document.edit("f", with_frequency(document, 101.0))
     document.edit("f", with_frequency(document, 102.0))

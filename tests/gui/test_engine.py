@@ -68,14 +68,6 @@ def test_an_error_is_an_outcome_and_the_engine_goes_on(qtbot, engine, gate):
     assert second.args[0].values == {"answer": 10}
 
 
-def test_a_closed_engine_takes_no_requests_and_leaves_no_thread(qtbot, engine, gate, evaluated):
-    gate.set()
-    engine.close()
-    engine.request(request(1))
-    assert not engine.busy
-    assert evaluated == []
-
-
 class Slow:
     """A rule that goes on until it is to stop; if nobody ever says so, for some seconds only."""
 
@@ -122,14 +114,6 @@ def test_a_long_evaluation_is_abandoned_for_a_newer_request(qtbot, slow, slow_en
     assert [outcome.values for outcome in outcomes] == [{"slow": 2}]
     assert slow.asked[-1]
     assert not slow.asked[0]
-
-
-def test_closing_ends_a_long_evaluation_that_asks(slow, slow_engine):
-    slow_engine.request(request(1, "slow"))
-    assert slow.started.wait(5)
-    slow_engine.close()
-    assert slow.asked[-1]
-    assert not slow.given_up.is_set()
 
 
 SECOND_SLOT, THIRD_SLOT = Slot("B"), Slot("C")
@@ -219,16 +203,6 @@ def test_nothing_is_computed_to_check_what_another_edit_has_replaced(
     engine.request(request(2))
     qtbot.waitUntil(lambda: not engine.busy)
     assert evaluated == [1, 2]
-
-
-def test_what_is_shown_is_not_put_off_for_a_check(qtbot, slow, slow_engine):
-    slow_engine.request(request(1, "slow"))
-    assert slow.started.wait(5)
-    slow_engine.request(Request(frozenset({"slow"}), {"x": 2}, purpose=Purpose.CHECK))
-    qtbot.waitUntil(lambda: len(slow.asked) > 700, timeout=10_000)
-    assert not any(slow.asked)
-    slow.given_up.set()
-    qtbot.waitUntil(lambda: not slow_engine.busy, timeout=10_000)
 
 
 def test_what_lands_after_closing_is_told_to_nobody_and_who_waited_goes_on(qapp, engine, gate):

@@ -1,6 +1,5 @@
 import os
 import threading
-from time import monotonic
 
 import numpy as np
 import pytest
@@ -15,22 +14,11 @@ from PySide6.QtWidgets import (
 )
 
 from skinsource.base.errors import Stopped
-from skinsource.design.design import Design, track
-from skinsource.design.waveforms.pulses import Noise
-from skinsource.design.waveforms.tones import Tone
+from skinsource.design.design import track
 from skinsource.engine import trace_rules
 from skinsource.engine.gains import TraceError
-from skinsource_gui.pages.files import exports
 
 YES, NO = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.Cancel
-#: Written in some seconds.
-LONG = Design(
-    limb="synthetic-1",
-    inputs=(
-        track(location=7, waveform=Tone(duration_s=300.0)),
-        track(location=3, waveform=Noise(duration_s=300.0), colour=1),
-    ),
-)
 
 
 @pytest.fixture
@@ -75,27 +63,6 @@ def gate(write_with):
 
     write_with("field", write)
     return gate
-
-
-@pytest.fixture
-def held_until_cancelled(write_with):
-    """Have an export go on from its first progress only once it is asked to stop."""
-
-    def hold(name):
-        real = next(export.write for export in exports.EXPORTS if export.name == name)
-
-        def write(path, design, view, *, progress, stop, largest_error):
-            def tell(done, total, text):
-                progress(done, total, text)
-                end_s = monotonic() + 60.0
-                while done and not stop() and monotonic() < end_s:
-                    threading.Event().wait(0.001)
-
-            real(path, design, view, progress=tell, stop=stop, largest_error=largest_error)
-
-        write_with(name, write)
-
-    return hold
 
 
 def part(window, kind, name):
@@ -155,38 +122,16 @@ def test_a_running_export_is_seen_and_cancelled_with_a_click(
     assert os.listdir(tmp_path) == []
 
 
-@pytest.mark.parametrize("by_shortcut", [True, False])
-def test_an_export_is_cancelled_from_the_keyboard(
-    qtbot, window, wait, gate, answers, tmp_path, by_shortcut
-):
+def test_an_export_is_cancelled_from_the_keyboard(qtbot, window, wait, gate, answers, tmp_path):
     answers["save"] = str(tmp_path / "field.npz")
     window.do("export_field")
     assert gate.started.wait(5)
     window.activateWindow()
     qtbot.waitUntil(window.isActiveWindow)
-    if by_shortcut:
-        QTest.keyClick(window, Qt.Key.Key_Period, Qt.KeyboardModifier.ControlModifier)
-    else:
-        button = part(window, QPushButton, "cancel_running_job")
-        button.setFocus(Qt.FocusReason.TabFocusReason)
-        QTest.keyClick(button, Qt.Key.Key_Space)
+    QTest.keyClick(window, Qt.Key.Key_Period, Qt.KeyboardModifier.ControlModifier)
     wait()
     assert os.listdir(tmp_path) == []
     assert "cancelled" in window.statusBar().currentMessage()
-
-
-@pytest.mark.parametrize("name", ["field.npz", "traces.csv"])
-def test_a_long_export_stops_at_once_and_leaves_nothing(
-    qtbot, window, wait, answers, tmp_path, name, held_until_cancelled
-):
-    held_until_cancelled(name.split(".")[0])
-    window.document.start_over(LONG, window.document.view, None)
-    answers["save"] = str(tmp_path / name)
-    window.actions_by_name[f"export_{name.split('.')[0]}"].trigger()
-    qtbot.waitUntil(lambda: "%" in part(window, QLabel, "job_percent").text(), timeout=20_000)
-    window.actions_by_name["cancel_job"].trigger()
-    wait()
-    assert os.listdir(tmp_path) == []
 
 
 def test_what_is_too_inaccurate_is_written_only_if_the_user_agrees(
@@ -206,13 +151,6 @@ def test_what_is_too_inaccurate_is_written_only_if_the_user_agrees(
     wait()
     assert len(answers["asked"]) == 2
     assert "about 0.002" in (tmp_path / "levels.csv").read_text(encoding="utf-8")
-
-
-def test_a_folder_that_cannot_be_written_is_one_clear_error(window, wait, answers, tmp_path):
-    answers["save"] = str(tmp_path / "nowhere" / "levels.csv")
-    window.do("export_levels")
-    wait()
-    assert "levels.csv: cannot be written" in window.notice.text
 
 
 def test_a_mistake_of_the_studio_is_told_and_the_studio_lives(

@@ -100,3 +100,29 @@ def test_a_long_formula_is_wrapped_and_pasted_lines_become_one(make_cell):
     cell.field.paste()
     assert cell.edits[-1] == ("one", "1 + 2*t")
     assert cell.field.height() == flat
+
+
+def test_why_a_value_was_refused_is_said_until_the_field_is_used_again(make_cell):
+    cell = make_cell(FREQUENCY, 610.0)
+    remark = cell.note
+    cell.show_reason("Too many.")
+    # As when something is selected.
+    cell.set_value(610.0)
+    assert cell.note == "Too many."
+    QTest.keyClick(cell.field, Qt.Key.Key_Up)
+    assert cell.note == remark
+    cell.show_reason("Too many.")
+    cell.set_value(615.0)
+    assert cell.note == remark
+
+
+def test_a_refused_text_that_still_stands_there_keeps_its_reason_and_escape_takes_both(make_cell):
+    cell = make_cell(FORMULA, "1")
+    cell.field.selectAll()
+    QTest.keyClicks(cell.field, "1/t")
+    reason = 'formula "1/t", column 2: / is infinite at 0 s, expected finite numbers'
+    cell.show_reason(reason)
+    cell.set_value("1")
+    assert (cell.field.text(), cell.note) == ("1/t", reason)
+    QTest.keyClick(cell.field, Qt.Key.Key_Escape)
+    assert (cell.field.text(), cell.note) == ("1", "")

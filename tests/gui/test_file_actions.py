@@ -1,5 +1,4 @@
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
@@ -11,7 +10,6 @@ from skinsource.design.design_file import open_design, save_design
 from skinsource_gui.pages.files import exports
 from skinsource_gui.plots import signal_view
 from skinsource_gui.plots.pictures import PictureOptions
-from skinsource_gui.plots.signal_view import SignalView
 from skinsource_gui.qt.theme import DARK
 
 NO_KEYS = Qt.KeyboardModifier.NoModifier
@@ -130,28 +128,6 @@ def test_the_picture_has_the_size_and_colours_asked_for_and_they_are_kept(
     window.do("export_picture")
     assert offered == [PictureOptions(width_px=500, height_px=400, colours="dark")]
     assert answers["asked"] == ["save"]
-
-
-def test_plots_suggest_the_folder_of_the_last_file(window, answers, tmp_path, monkeypatch):
-    answers["save"] = str(tmp_path / "a.skinsource")
-    window.do("save_design")
-    asked = []
-
-    def ask(*arguments):
-        asked.append(arguments)
-        return "", ""
-
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", ask)
-    for name in ("traces", "spectra"):
-        window.panel(name).findChild(SignalView).exports.save_picture()
-    assert [Path(text[2]).parent for text in asked] == [tmp_path, tmp_path]
-
-
-def test_a_name_with_a_point_keeps_it_and_gets_the_ending(window, answers, tmp_path):
-    place(window)
-    answers["save"] = str(tmp_path / "my.first")
-    window.do("save_design")
-    assert window.document.path == tmp_path / "my.first.skinsource"
 
 
 def test_an_existing_file_is_not_replaced_behind_the_dialog(window, answers, tmp_path):

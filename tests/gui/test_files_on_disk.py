@@ -4,24 +4,19 @@ import os
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QEvent, QMimeData, QPointF, Qt, QUrl
-from PySide6.QtGui import QDragEnterEvent, QDropEvent
-from PySide6.QtWidgets import QApplication, QMessageBox
+from PySide6.QtCore import QEvent
+from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
 from skinsource.base import files
 from skinsource.design import design_file
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import open_design, save_design
 from skinsource_gui.pages.files import file_actions
+from skinsource_gui.pages.files.file_actions import FileActions
+from skinsource_gui.state.document import Document
 
 YES, CANCEL = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.Cancel
 OTHER = Design(limb="synthetic-2", inputs=(track(location=13),))
-
-
-@pytest.fixture
-def open_window(make_window):
-    """Each test has a window of its own."""
-    return make_window
 
 
 @pytest.fixture
@@ -101,11 +96,13 @@ def test_a_file_that_was_only_touched_is_saved_unasked(window, opened, asked):
     assert window.notice.text == ""
 
 
-def test_two_windows_on_one_file_notice_each_other(window, open_window, opened, asked):
-    other = open_window()
-    other.files.open(opened)
-    place(other, 9)
-    assert other.files.save()
+def test_two_windows_on_one_file_notice_each_other(window, opened, asked, preferences, qtbot):
+    frame, document = QWidget(), Document(OTHER)
+    qtbot.addWidget(frame)
+    other = FileActions(document, preferences, frame, lambda: b"")
+    other.open(opened)
+    document.edit("Place", document.design.adding(track(location=9)))
+    assert other.save()
     activate(window)
     assert "was changed by another program, or in another window" in window.notice.text
     assert not window.files.save()
@@ -139,9 +136,7 @@ def test_closing_looks_once_more_whether_the_file_is_there(window, opened, asked
     assert not window.isVisible()
 
 
-def test_a_recent_file_that_is_missing_is_told_without_a_question(
-    window, opened, asked, preferences
-):
+def test_a_recent_file_that_is_missing_is_told_without_a_question(window, opened, asked):
     gone = opened.with_name("gone.skinsource")
     window.files.recent.remember(gone)
     window.files.open(gone)
@@ -150,25 +145,3 @@ def test_a_recent_file_that_is_missing_is_told_without_a_question(
     assert "moved or deleted" in window.notice.text
     assert gone not in window.files.recent.paths
     assert window.document.path == opened
-
-
-def test_what_was_said_about_a_file_does_not_outlive_it(window, opened, asked):
-    window.files.save()
-    assert "Saved" in window.statusBar().currentMessage()
-    window.files.new()
-    assert "Saved" not in window.statusBar().currentMessage()
-
-
-def test_a_dropped_file_is_copied_even_where_a_move_is_proposed(window, opened, asked):
-    window.files.save()
-    data = QMimeData()
-    data.setUrls([QUrl.fromLocalFile(str(opened))])
-    middle = window.rect().center()
-    both = Qt.DropAction.MoveAction | Qt.DropAction.CopyAction
-    arguments = (both, data, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier)
-    entering, dropped = QDragEnterEvent(middle, *arguments), QDropEvent(QPointF(middle), *arguments)
-    for event in (entering, dropped):
-        event.setDropAction(Qt.DropAction.MoveAction)
-        QApplication.sendEvent(window, event)
-        assert event.isAccepted()
-        assert event.dropAction() == Qt.DropAction.CopyAction

@@ -9,16 +9,11 @@ from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.fields.editors import FieldCell
+from skinsource_gui.panels.timeline.head_row import InputRow
 
 KEY = Qt.Key
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 PLAIN = Qt.KeyboardModifier.NoModifier
-
-
-@pytest.fixture
-def open_window(make_window):
-    """Each test has a window of its own."""
-    return make_window
 
 
 @pytest.fixture
@@ -64,8 +59,9 @@ def in_turn(names):
     return [region for k, region in enumerate(regions) if k == 0 or regions[k - 1] != region]
 
 
-def test_tab_goes_through_all_panels_in_the_order_of_the_work(at_work):
+def test_tab_goes_through_all_panels_in_the_order_of_the_work_and_shift_tab_back(at_work):
     names = walk(at_work)
+    assert walk(at_work, SHIFT)[:-1] == names[-2::-1]
     assert in_turn(names) == [
         "timeline",
         "inspector",
@@ -96,11 +92,6 @@ def test_tab_goes_through_all_panels_in_the_order_of_the_work(at_work):
     } <= set(names)
 
 
-def test_shift_tab_goes_the_same_way_back(at_work):
-    there, back = walk(at_work), walk(at_work, SHIFT)
-    assert back[:-1] == there[-2::-1]
-
-
 def test_what_is_disabled_or_hidden_is_left_out(at_work, settle):
     at_work.document.look(replace(at_work.document.view, axes="z"))
     at_work.docks["inspector"].close()
@@ -111,9 +102,8 @@ def test_what_is_disabled_or_hidden_is_left_out(at_work, settle):
     assert "inspector" not in in_turn(names)
 
 
-@pytest.mark.parametrize("arrangement", ["design", "analysis", "presentation"])
-def test_each_arrangement_has_its_own_round(at_work, arrangement):
-    at_work.do(f"arrange_{arrangement}")
+def test_each_workspace_has_its_own_round(at_work):
+    at_work.do("arrange_presentation")
     QApplication.processEvents()
     at_work.panel("skin").setFocus()
     visible = {panel.name for panel in at_work.panels if panel.isVisible()}
@@ -127,7 +117,7 @@ def test_the_row_that_is_selected_has_the_stops(open_window, qtbot):
     qtbot.waitUntil(window.isActiveWindow)
     window.panel("timeline").setFocus()
     amplitude = press(window, KEY.Key_Tab)
-    assert amplitude is window.panel("timeline")._list.rows.rows[1].amplitude
+    assert amplitude is window.panel("timeline").list.rows.rows[1].amplitude
 
 
 def test_tab_ends_typing_and_goes_on(at_work):
@@ -143,7 +133,7 @@ def test_tab_ends_typing_and_goes_on(at_work):
 
 
 def test_a_field_that_tab_reaches_scrolls_into_sight(at_work):
-    at_work.resize(1366, 500)
+    at_work.resize(1366, 620)
     QApplication.processEvents()
     at_work.panel("skin").toolbar.setFocus()
     while QApplication.focusWidget().objectName() != "location_field":
@@ -154,7 +144,7 @@ def test_a_field_that_tab_reaches_scrolls_into_sight(at_work):
 
 def test_the_way_to_the_measured_limbs_is_followed_with_enter(at_work):
     at_work.panel("spectra").setFocus()
-    assert press(at_work, KEY.Key_Tab).objectName() == "validity_lamps"
+    assert press(at_work, KEY.Key_Tab).objectName() == "conditions"
     assert press(at_work, KEY.Key_Tab).objectName() == "limb_note"
     press(at_work, KEY.Key_Return)
     page = next(dialog for dialog in at_work.findChildren(QDialog) if dialog.isVisible())
@@ -168,3 +158,22 @@ def test_f6_goes_from_panel_to_panel_in_the_same_order(at_work):
     assert went == ["timeline", "inspector", "skin", "traces", "spectra", "hand"]
     back = [region_of(at_work, press(at_work, KEY.Key_F6, SHIFT)) for _ in shown]
     assert back == ["spectra", "traces", "skin", "inspector", "timeline", "hand"]
+
+
+def test_all_is_the_text_of_a_number_and_not_all_tracks(open_window):
+    tone = Tone(frequency_hz=100.0, duration_s=0.2)
+    window = open_window(Design(limb="synthetic-1", inputs=(track(7, tone), track(13, tone))))
+    field = window.panel("timeline").findChild(InputRow).amplitude
+    window.activateWindow()
+    QTest.mouseClick(field, Qt.MouseButton.LeftButton)
+    assert window.focusWidget() is field
+    selected = window.document.view.selected_inputs
+    QTest.keyClick(field, Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
+    assert window.document.view.selected_inputs == selected
+    assert field.selectedText() == field.text() != ""
+    # Once more, while it is typed.
+    field.deselect()
+    QTest.keyClick(field, Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
+    assert field.selectedText() == field.text()
+    QTest.keyClick(field, Qt.Key.Key_Escape)
+    assert window.document.view.selected_inputs == selected

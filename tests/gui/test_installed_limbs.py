@@ -1,19 +1,11 @@
 from dataclasses import replace
 
-import pytest
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import QApplication, QComboBox
 
 from skinsource.limbs.dataset.install import install
 from skinsource.limbs.dataset.store import NOT_INSTALLED
 from skinsource_gui.shell.limb_note import LimbNote
-from tests.core.dataset_bench import rewrite
-
-
-@pytest.fixture
-def window(new_window):
-    """A studio of each test's own."""
-    return new_window
 
 
 def come_back_to(window):
@@ -52,16 +44,6 @@ def test_limbs_that_are_installed_while_the_studio_runs_can_be_used_at_once(
     assert "computed" in note.toolTip().lower()
 
 
-def test_of_a_limb_made_from_the_published_files_there_is_nothing_to_note(
-    window, settle, synthetic_installed
-):
-    rewrite(synthetic_installed, unpublished=[])
-    come_back_to(window)
-    window.document.edit("a", replace(window.document.design, limb="measured-1"))
-    settle()
-    assert window.findChild(LimbNote).isHidden()
-
-
 def test_a_design_whose_limb_was_missing_is_shown_once_it_is_installed(
     window, settle, synthetic_installed
 ):
@@ -82,9 +64,3 @@ def test_the_way_to_measured_limbs_is_told_until_they_are_there(window, syntheti
     come_back_to(window)
     assert "SYNTHETIC LIMB" in note.text()
     assert "not installed" not in note.text()
-
-
-def test_coming_back_to_the_window_without_news_computes_nothing(window, qtbot):
-    qtbot.waitUntil(lambda: not window.engine.busy)
-    come_back_to(window)
-    assert not window.engine.busy

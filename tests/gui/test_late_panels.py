@@ -2,17 +2,9 @@
 
 from dataclasses import replace
 
-import pytest
-
-from skinsource_gui.shell.arrangement_spec import Place
-from skinsource_gui.shell.panels import PANELS
+from skinsource_gui.shell.workspaces import WORKSPACES
 from skinsource_gui.state.panel import Panel, PanelRegistry
-
-
-@pytest.fixture
-def window(new_window):
-    """A studio of each test's own."""
-    return new_window
+from tests.gui.analysis.analysis_bench import analysis
 
 
 def made(window):
@@ -31,8 +23,8 @@ def states_shown(panel, monkeypatch):
     return states
 
 
-def test_a_window_makes_the_panels_of_its_arrangement_and_no_other(window):
-    placed = {spec.panel.name for spec in PANELS if isinstance(spec.places["design"], Place)}
+def test_a_window_makes_the_panels_of_its_workspace_and_no_other(window):
+    placed = set(WORKSPACES[0].split.panels())
     assert made(window) == placed
     assert all(dock.is_empty for name, dock in window.docks.items() if name not in placed)
 
@@ -41,8 +33,7 @@ def test_a_panel_is_made_with_the_first_look_and_shows_what_is_now(window, qtbot
     document = window.document
     document.edit("louder", document.design.with_input(0, amplitude=3.25))
     assert "statistics" not in made(window)
-    window.docks["statistics"].bring_forward()
-    panel = window.panel("statistics")
+    panel = analysis(window, "statistics")
     qtbot.waitUntil(lambda: panel.isVisible() and not window.engine.busy)
     late = panel.grab().toImage()
     # One that was there from the beginning shows the same after the same edits.

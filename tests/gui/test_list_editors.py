@@ -18,7 +18,6 @@ from skinsource_gui.fields.text_field import LiveText
 from skinsource_gui.fields.units import numbers_text, points_text, read_numbers, read_points
 
 FREQUENCIES = specs_of(WaveletTrain)["frequencies_hz"]
-GAINS = specs_of(WaveletTrain)["gains_db"]
 POINTS = specs_of(Glide)["points"]
 DELAYS = ListSpec(label="Delays", of=NumberSpec(label="Delay", unit="s", minimum=0, maximum=9))
 
@@ -100,14 +99,6 @@ def test_half_a_list_says_what_is_missing_and_esc_brings_it_back(make_cell):
     QTest.keyClick(cell.line, Qt.Key.Key_Escape)
     assert cell.line.text() == "50, 84.1"
     assert cell.note == ""
-
-
-def test_frequencies_outside_the_band_are_remarked_on(make_cell):
-    assert make_cell(FREQUENCIES, (50.0, 600.0)).note == ""
-    assert make_cell(FREQUENCIES, (20.0, 50.0, 610.0)).note.startswith(
-        "20, 610 Hz: outside the measured"
-    )
-    assert make_cell(GAINS, (-30.0,)).note == ""
 
 
 def test_a_sweep_replaces_the_list_once_it_is_accepted(qtbot, make_cell):

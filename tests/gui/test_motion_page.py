@@ -5,7 +5,6 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QPushButton
 
-from skinsource.design.design import MAX_INPUTS, Design, track
 from skinsource.design.motions import MOTIONS, ApparentMotion, TapSequence
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.pages.motion import MotionPage
@@ -64,17 +63,6 @@ def test_a_motion_on_clicked_places_is_added_in_one_step(desk, page):
     assert desk.document.undo_stack.count() == 1
     desk.document.undo_stack.undo()
     assert desk.document.design == before
-
-
-def test_a_place_may_come_again(page):
-    choose(page, "Alternation")
-    button(page, "clear_path").click()
-    click(page, 7, 9, 7)
-    assert page.draft.motion.path == (7, 9, 7)
-    button(page, "remove_last").click()
-    assert page.draft.motion.path == (7, 9)
-    button(page, "reverse_path").click()
-    assert page.draft.motion.path == (9, 7)
 
 
 def test_the_path_can_be_made_with_keys_alone(page):
@@ -164,11 +152,3 @@ def test_what_a_limb_cannot_play_is_said_before_it_is_added(page):
     page.draft.change_waveform_field("frequency_hz", 700.0)
     assert "frequency_hz is 700" in page.strip.message
     assert not button(page, "add_motion").isEnabled()
-
-
-def test_a_full_design_takes_no_motion(make_desk):
-    full = Design(limb="synthetic-1", inputs=(track(1, amplitude=0.0),) * (MAX_INPUTS - 1))
-    page = make_desk(full).show_motion()
-    assert "inputs more" in page.strip.message
-    assert not button(page, "add_motion").isEnabled()
-    page.reject()

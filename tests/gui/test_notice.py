@@ -1,8 +1,6 @@
-import pytest
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QCursor
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QLabel, QPushButton
 
 from skinsource.design.edits.edit import Refusal
 from skinsource_gui.shell import notices
@@ -19,10 +17,9 @@ def lies_over(window, part):
     return [dock.objectName() for dock in shown_docks(window) if dock.geometry().intersects(part)]
 
 
-@pytest.mark.parametrize("text", ["short", LONG])
-def test_a_notice_that_stays_gets_room_of_its_own(window, settle, text):
+def test_a_notice_that_stays_gets_room_of_its_own(window, settle):
     places = [dock.geometry() for dock in shown_docks(window)]
-    window.reports.complain(text)
+    window.reports.complain(LONG)
     settle()
     label = window.findChild(QLabel, "notice")
     assert label.isVisible()
@@ -45,9 +42,8 @@ def test_a_notice_that_passes_moves_nothing_and_lies_over_the_status_bar(window,
     assert label.geometry() == window.statusBar().geometry()
 
 
-@pytest.mark.parametrize("scale", [1.0, 2.0, 3.0])
-def test_a_notice_while_presenting_is_one_line_high_in_letters_of_any_size(window, settle, scale):
-    window.appearance._scale_text(scale)
+def test_a_notice_while_presenting_is_one_line_high_in_the_largest_letters(window, settle):
+    window.appearance._scale_text(3.0)
     try:
         window.do("present")
         window.showNormal()
@@ -121,21 +117,3 @@ def test_what_failed_stays_through_clicks_also_after_a_refusal(window, qtbot):
     QTest.mouseClick(window.panel("hand"), Qt.MouseButton.LeftButton, pos=QPoint(3, 3))
     assert window.notice.text == "The disk is full."
     assert not window.notice._passing.isActive()
-
-
-def test_a_click_where_a_button_was_reaches_nothing_until_the_pointer_has_moved(
-    window, settle, monkeypatch, qtbot
-):
-    monkeypatch.setattr(QApplication, "doubleClickInterval", lambda: 10)
-    window.notice.say("Done?", choices=(("Done", lambda: None),))
-    settle()
-    button = window.findChild(QPushButton, "notice_choice")
-    QCursor.setPos(button.mapToGlobal(button.rect().center()))
-    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
-    guard = window.findChild(QWidget, "click_guard")
-    rounds = []
-    window.notice._guard.interval.timeout.connect(lambda: rounds.append(guard.isVisible()))
-    qtbot.waitUntil(lambda: len(rounds) >= 2, timeout=2000)
-    assert rounds[:2] == [True, True]
-    QCursor.setPos(QCursor.pos() + QPoint(3, 0))
-    qtbot.waitUntil(guard.isHidden, timeout=2000)

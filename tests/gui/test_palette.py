@@ -2,7 +2,6 @@ from collections import defaultdict
 from functools import partial
 from unittest.mock import Mock
 
-import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QMenu, QTextBrowser, QWidget
@@ -11,26 +10,17 @@ from shiboken6 import isValid
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.qt.keys import MOUSE
-from skinsource_gui.qt.theme import current_theme
 from skinsource_gui.shell.actions import ACTIONS
-from skinsource_gui.shell.menus import ActionSet, Palette, matching, score
+from skinsource_gui.shell.menus import ActionSet, Palette, matching
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import start_design
 
 
-@pytest.mark.parametrize(
-    ("letters", "text", "matches"),
-    [("", "Undo", True), ("ud", "Undo", True), ("und o", "Undo", True), ("du", "Undo", False)],
-)
-def test_letters_are_found_in_their_order(letters, text, matches):
-    assert (score(letters, text) is not None) == matches
-
-
-def test_letters_in_one_piece_hide_those_that_are_scattered(qapp):
-    names = ("Dark theme", "Get the measured limbs…", "Light theme")
+def test_what_begins_with_the_letters_comes_before_what_holds_them(qapp):
+    names = ("Dark theme", "Get the measured limbs…", "Theme of the day")
     actions = [QAction(name) for name in names]
-    assert [action.text() for action in matching(actions, "theme")] == ["Dark theme", "Light theme"]
-    assert [action.text() for action in matching(actions, "gml")] == ["Get the measured limbs…"]
+    found = [action.text() for action in matching(actions, "theme")]
+    assert found == ["Theme of the day", "Dark theme"]
 
 
 def _note(ran, name, _checked=False):
@@ -81,36 +71,29 @@ def test_every_action_of_the_table_stands_in_its_menu_under_its_words(window):
         ]
 
 
-@pytest.fixture(scope="module")
-def table(qapp):
-    """Give the actions of the table, who would carry them out, a document and what is asked."""
+def test_every_action_of_the_table_does_what_its_line_says(qapp):
     parent, document = QWidget(), Document(start_design("synthetic-1"))
     capabilities, asked = defaultdict(Mock), []
     actions = ActionSet(ACTIONS, document, capabilities, parent)
     actions.edited.connect(asked.append)
-    yield actions, capabilities, document, asked
+    for spec in ACTIONS:
+        asked.clear()
+        for mock in capabilities.values():
+            mock.reset_mock()
+        actions[spec.name].setEnabled(True)
+        actions[spec.name].trigger()
+        called = [
+            (f"{owner}.{method}", arguments)
+            for owner, mock in capabilities.items()
+            for method, arguments, _ in mock.mock_calls
+        ]
+        if spec.edit is None:
+            assert called == [(spec.command, (spec.argument,) if spec.argument else ())]
+            assert asked == []
+        else:
+            assert called == []
+            assert asked == [spec.edit(document.design, document.view)]
     parent.deleteLater()
-
-
-@pytest.mark.parametrize("spec", ACTIONS, ids=[spec.name for spec in ACTIONS])
-def test_every_action_of_the_table_does_what_its_line_says(table, spec):
-    actions, capabilities, document, asked = table
-    asked.clear()
-    for mock in capabilities.values():
-        mock.reset_mock()
-    actions[spec.name].setEnabled(True)
-    actions[spec.name].trigger()
-    called = [
-        (f"{owner}.{method}", arguments)
-        for owner, mock in capabilities.items()
-        for method, arguments, _ in mock.mock_calls
-    ]
-    if spec.edit is None:
-        assert called == [(spec.command, (spec.argument,) if spec.argument else ())]
-        assert asked == []
-    else:
-        assert called == []
-        assert asked == [spec.edit(document.design, document.view)]
 
 
 def listed_for(window, qtbot, letters):
@@ -160,13 +143,6 @@ def test_where_nothing_is_found_the_palette_says_so_and_enter_does_nothing(windo
     qtbot.keyClicks(palette.line, "qqqq")
     qtbot.keyClick(palette.line, Qt.Key.Key_Return)
     assert palette.isVisible()
-
-
-@pytest.mark.parametrize("name", ["light", "dark"])
-def test_themes_are_remembered(window, name):
-    window.actions_by_name[f"use_{name}_theme"].trigger()
-    assert current_theme().name == name
-    assert window.preferences.theme_name == name
 
 
 def test_the_colours_in_use_are_checked_however_they_were_chosen(window):

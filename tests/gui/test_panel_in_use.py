@@ -12,12 +12,6 @@ LEFT = Qt.MouseButton.LeftButton
 
 
 @pytest.fixture
-def window(new_window):
-    """A studio of each test's own."""
-    return new_window
-
-
-@pytest.fixture
 def studio(window, qtbot):
     """A window whose keyboard is in the panel Hand."""
     window.activateWindow()
@@ -62,7 +56,7 @@ def empty_part(panel):
     raise AssertionError(panel.name)
 
 
-@pytest.mark.parametrize("name", ["skin", "traces", "spectra", "timeline"])
+@pytest.mark.parametrize("name", ["skin", "traces", "spectra"])
 def test_a_panel_whose_title_is_pressed_is_in_use_and_the_keyboard_stays(studio, name):
     focused = QApplication.focusWidget()
     press_title(studio.docks[name])

@@ -12,25 +12,16 @@ from PySide6.QtWidgets import (
     QToolButton,
 )
 
+from skinsource_gui.panels.analysis.settings import VIEWS
 from skinsource_gui.plots.figure import NoteLabel
 from skinsource_gui.plots.legend import LegendStrip
 from skinsource_gui.qt.labels import SHORT_NAME
+from tests.gui.analysis.analysis_bench import analysis
 
 WIDTHS = (300, 420, 680)
 OUTPUTS = (29, 30, 33, 35, 38, 52)
-PANELS = (
-    "statistics",
-    "spectrogram",
-    "transfer",
-    "main_axis",
-    "wave",
-    "linearity",
-    "windowed",
-    "regions",
-    "perception",
-    "actuator",
-    "frequency_and_amplitude",
-)
+ANALYSIS = tuple(view.name for view in VIEWS)
+PANELS = (*ANALYSIS, "actuator", "frequency_and_amplitude")
 
 
 def room_of(combo):
@@ -95,8 +86,11 @@ def test_no_result_is_cut_in_a_dock_of_any_width(window, settle, qtbot):
     window.document.look(replace(window.document.view, outputs=OUTPUTS))
     cut = {}
     for name in PANELS:
-        dock, panel = window.docks[name], window.panel(name)
-        dock.bring_forward()
+        if name in ANALYSIS:
+            panel, dock = analysis(window, name), window.docks["analysis"]
+        else:
+            panel, dock = window.panel(name), window.docks[name]
+            dock.bring_forward()
         dock.setFloating(True)
         settle()
         if name == "regions":

@@ -116,7 +116,7 @@ def test_pictures_are_on_light_ground_and_the_studio_stays_dark(open_window, qtb
     window.do("use_dark_theme")
     # Of the status bar, what was judged and how long it took come when there is time.
     above = window.rect().adjusted(0, 0, 0, -window.statusBar().height())
-    qtbot.waitUntil(lambda: bool(window.validity.lamps.findings), timeout=30_000)
+    qtbot.waitUntil(lambda: bool(window.conditions.chip.findings), timeout=30_000)
     for _ in range(3):  # what follows from other colours is laid out, and then painted
         QApplication.processEvents()
     before = window.grab(above).toImage()

@@ -115,7 +115,8 @@ def test_in_every_panel_and_on_every_page(window, qtbot):
             page.close()
 
 
-def test_in_every_tooltip_notice_and_question(window, qtbot):
+def test_in_every_tooltip_notice_and_question(unread, open_window, qtbot):
+    window = open_window()
     window.reports.complain(HOSTILE)
     question = QMessageBox(QMessageBox.Icon.Question, HOSTILE, HOSTILE, parent=window)
     qtbot.addWidget(question)

@@ -7,11 +7,11 @@ from skinsource_gui.plots.curves import Curves, output_names
 from skinsource_gui.plots.ranges import (
     SteadyRange,
     ValueScale,
+    columns_of,
     linear_ticks,
     log_ticks,
     number_text,
     value_unit,
-    visible_points,
     within,
     without_notches,
     zoomed,
@@ -101,13 +101,13 @@ def test_peaks_survive_when_a_long_signal_is_drawn_with_few_points():
     x = np.arange(80_000) / 1300
     y = np.zeros((2, x.size))
     y[0, 12_345], y[1, 70_001] = 3.0, -4.0
-    few = visible_points(x, y, (x[0], x[-1]), 500)
+    few = columns_of(x, (x[0], x[-1]), 500).points(y)
     assert few.strokes
     assert few.x.size <= 1004
     assert few.y[0].max() == 3.0
     assert few.y[1].min() == -4.0
     assert np.all(np.diff(few.x) >= 0)
-    close = visible_points(x, y, (x[12_300], x[12_400]), 500)
+    close = columns_of(x, (x[12_300], x[12_400]), 500).points(y)
     assert not close.strokes
     assert close.y[0].max() == 3.0
     assert close.x[0] <= x[12_300]
@@ -115,20 +115,10 @@ def test_peaks_survive_when_a_long_signal_is_drawn_with_few_points():
     assert close.x.size <= 103
 
 
-def test_strokes_of_a_dense_signal_stand_in_the_middle_of_their_columns():
-    x = np.linspace(0.0, 1.0, 5001)
-    few = visible_points(x, np.sin(900 * x)[np.newaxis], (0.0, 1.0), 100)
-    assert np.allclose(few.x[:200:2] * 100, np.arange(100) + 0.5)
-    assert np.array_equal(few.x[::2], few.x[1::2])
-    spans = np.abs(np.diff(few.y[0, :200]))
-    # One stroke for each column, and a short way to the next.
-    assert spans[1::2].max() < 0.1 * spans[::2].min()
-
-
 @pytest.mark.parametrize(("columns", "size"), [(64, 2600), (325, 13_000), (333, 78_000)])
 def test_every_column_has_its_stroke_even_where_samples_lie_on_its_edge(columns, size):
     samples = np.random.default_rng(size + columns).uniform(-1, 1, (1, size))
-    few = visible_points(np.arange(size) / size, samples, (0.0, 1.0), columns)
+    few = columns_of(np.arange(size) / size, (0.0, 1.0), columns).points(samples)
     # The last sample stands alone at the end.
     assert np.allclose(few.x[:-2:2] * columns, np.arange(columns) + 0.5)
     assert few.y[0, -1] == samples[0, -1]
@@ -146,7 +136,7 @@ def test_the_crosshair_snaps_to_the_nearest_sample(seed):
 
 
 def strokes_of(y, per_column):
-    points = visible_points(np.arange(y.size), y[None], (0, y.size), y.size // per_column)
+    points = columns_of(np.arange(y.size), (0, y.size), y.size // per_column).points(y[None])
     assert points.strokes
     return points.y
 

@@ -15,12 +15,6 @@ from skinsource_gui.shell.focus import tab_stops
 
 
 @pytest.fixture
-def open_window(make_window):
-    """Each test has a window of its own."""
-    return make_window
-
-
-@pytest.fixture
 def window(open_window, qtbot):
     tone = track(7, Tone(frequency_hz=100.0))
     window = open_window(Design(limb="synthetic-1", inputs=(tone,)), View(selected_inputs=(1,)))

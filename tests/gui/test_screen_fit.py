@@ -1,5 +1,3 @@
-from itertools import product
-
 import pytest
 from PySide6.QtCore import QMargins, QRect
 from PySide6.QtWidgets import QToolBar, QWidget
@@ -10,7 +8,8 @@ from skinsource_gui.qt.screen_fit import ScreenFit, fitted
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import start_design
 
-FRAMES = [QMargins(1, 24, 1, 5), QMargins(8, 31, 8, 8), QMargins(0, 37, 0, 0)]
+WIDEST = QMargins(8, 31, 8, 8)
+FRAMES = [QMargins(1, 24, 1, 5), WIDEST, QMargins(0, 37, 0, 0)]
 #: Screens in logical pixels: 1366x768, 1080p at scale 1, 1.5 and 2.
 SCREENS = [QRect(0, 0, 1366, 768), QRect(0, 0, 1920, 1080), QRect(0, 0, 1280, 720)]
 SMALLEST = QRect(0, 0, 960, 540)
@@ -40,34 +39,26 @@ def test_a_window_too_large_for_its_screen_is_fitted_onto_it_before_it_is_shown(
 
 @pytest.mark.parametrize("arrangement", ["design", "analysis", "presentation"])
 def test_the_studio_is_small_enough_for_1080p_at_scale_2(window, settle, arrangement):
-    large = window.size()
     window.do(f"arrange_{arrangement}")
-    for frame in FRAMES:
-        window.resize(large)
-        room = SMALLEST.marginsRemoved(frame).size()
-        window.resize(room)
-        settle()
-        assert window.size() == room
-        # Its status bar is seen, too.
-        assert window.statusBar().geometry().bottom() < room.height()
+    room = SMALLEST.marginsRemoved(WIDEST).size()
+    window.resize(room)
+    settle()
+    assert window.size() == room
+    # Its status bar is seen, too.
+    assert window.statusBar().geometry().bottom() < room.height()
 
 
-def test_a_window_that_was_presenting_starts_with_large_words(make_window, preferences, qapp):
-    usual = make_window()
+def test_a_window_that_was_presenting_starts_with_large_words(preferences, qapp):
     size = qapp.font().pointSizeF()
-    usual.do("arrange_presentation")
-    large = qapp.font().pointSizeF()
-    assert large > size
-    usual.close()
-    preferences.flush()
-    again = MainWindow(
+    preferences.arrangement = "presentation"
+    window = MainWindow(
         start_design("synthetic-1"), preferences=preferences, available_limbs=("synthetic-1",)
     )
-    assert qapp.font().pointSizeF() == large
-    assert again.docks["frequency_and_amplitude"].isHidden() is False
-    again.do("arrange_design")
+    assert qapp.font().pointSizeF() > size
+    assert window.docks["frequency_and_amplitude"].isHidden() is False
+    window.do("arrange_design")
     assert qapp.font().pointSizeF() == size
-    again.close_unasked()
+    window.close_unasked()
 
 
 def test_each_number_of_the_bar_is_shown_whole_in_letters_of_any_size(window, qtbot):
@@ -77,17 +68,15 @@ def test_each_number_of_the_bar_is_shown_whole_in_letters_of_any_size(window, qt
         return all(field.visibleRegion().boundingRect() == field.rect() for field in fields)
 
     assert fields
-    for arrangement in ("design", "presentation"):
-        window.do(f"arrange_{arrangement}")
-        for scale, width in product((1.0, 1.5, 2.0, 3.0), (800, 1366)):
-            window.preferences.text_scale = scale
-            window.appearance.apply()
-            window.resize(width, 600)
-            qtbot.waitUntil(in_sight, timeout=5000)
-            for field in fields:
-                low, high = field.spec.minimum, field.spec.maximum
-                for value in (low, low + 0.01, -0.01, high - 0.01, high):
-                    field.edited.emit(value, None)
-                    whole = minus(f"{value:.2f}".rstrip("0").rstrip("."))
-                    assert field.text() == whole, (arrangement, scale, width)
+    for scale, width in ((1.0, 800), (1.5, 1366), (3.0, 800)):
+        window.preferences.text_scale = scale
+        window.appearance.apply()
+        window.resize(width, 600)
+        qtbot.waitUntil(in_sight, timeout=5000)
+        for field in fields:
+            low, high = field.spec.minimum, field.spec.maximum
+            for value in (low, low + 0.01, -0.01, high - 0.01, high):
+                field.edited.emit(value, None)
+                whole = minus(f"{value:.2f}".rstrip("0").rstrip("."))
+                assert field.text() == whole, (scale, width)
     window.do("reset_text")

@@ -1,6 +1,5 @@
 """Benchmarks and examples keep up with the code: they are imported and run."""
 
-import json
 import os
 import subprocess
 import sys
@@ -42,10 +41,3 @@ def test_four_stimuli_are_composed_by_keyboard_alone(tmp_path):
     assert done.returncode == 0, done.stdout + done.stderr
     assert done.stdout.count("By keyboard: ") == 4
     assert "NOT SO" not in done.stdout
-
-
-def test_the_watch_on_the_start_of_the_studio_sees_it_painted():
-    done = run(ROOT / "benchmarks" / "start_watch.py", paths=(ROOT / "benchmarks",))
-    assert done.returncode == 0, done.stderr
-    noted = json.loads(done.stdout)
-    assert noted["painted"] < noted["complete"]

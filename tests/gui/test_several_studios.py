@@ -85,18 +85,6 @@ def test_the_second_studio_opens_it_read_only_and_says_who_has_it(
     assert read_owner(Lock(path).path) == OTHER
 
 
-def test_saving_under_the_name_that_another_studio_has_is_refused(
-    window, path, other_runs, answers
-):
-    Lock(path).path.write_bytes(to_bytes(OTHER))
-    place(window)
-    answers["save"] = str(path)
-    assert not window.files.ask_and_save()
-    assert "Save the design under another name" in window.notice.text
-    assert open_design(path).design == SAVED
-    assert window.document.modified
-
-
 def test_once_the_other_studio_has_ended_the_file_is_ours(window, path, other_runs, answers):
     Lock(path).path.write_bytes(to_bytes(OTHER))
     window.files.open(path)
@@ -106,17 +94,6 @@ def test_once_the_other_studio_has_ended_the_file_is_ours(window, path, other_ru
     assert answers["asked"] == []
     assert open_design(path).design == window.document.design
     assert not window.document.read_only
-
-
-def test_what_the_other_studio_saved_is_not_replaced_unasked(window, path, other_runs, answers):
-    Lock(path).path.write_bytes(to_bytes(OTHER))
-    window.files.open(path)
-    place(window)
-    save_design(path, replace(SAVED, title="theirs"))
-    other_runs["runs"] = False
-    assert not window.files.save()
-    assert "was changed by another program" in answers["asked"][0]
-    assert open_design(path).design.title == "theirs"
 
 
 def test_a_studio_elsewhere_may_have_ended_and_only_the_user_knows(

@@ -86,7 +86,7 @@ def test_closed_it_is_not_said_again_until_it_is_something_else(window, design, 
 
 
 def test_lamps_stay_lit_and_say_what_is_left_out(window, settle, qtbot):
-    lamps = window.validity.lamps
+    lamps = window.conditions.chip
     qtbot.waitUntil(lambda: bool(lamps.findings), timeout=30_000)
     states = {finding.name: finding.state for finding in lamps.findings}
     assert states["inputs"] == "left"

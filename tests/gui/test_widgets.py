@@ -173,13 +173,3 @@ def test_it_is_painted_once_until_what_it_depends_on_changes(qapp):
     assert dot.times == 1
     show(cached, dot, ("dark", 1.5))
     assert dot.times == 2
-
-
-@pytest.mark.parametrize("size", [(8, 0.2), (8, -3), (0, 6)])
-@pytest.mark.parametrize("ground", [None, QColor("blue")])
-def test_where_there_is_no_room_nothing_is_painted_and_next_time_all_of_it(qapp, size, ground):
-    cached, dot = CachedPicture(), Dot()
-    show(cached, dot)
-    assert show(cached, dot, ground=ground, room=QRectF(4, 4, *size)) == sheet()
-    assert dot.times == 1
-    assert show(cached, dot) != sheet()

@@ -24,7 +24,7 @@ from skinsource.actuators.equalising import (
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import BAND_HZ, MOST_LOCATIONS, Band
-from skinsource.base.quoting import quoted
+from skinsource.base.quoting import lowered, quoted
 from skinsource.specs import fields
 from skinsource.specs.numbers import ListSpec, ModelSpec, NumberSpec, OptionalSpec
 from skinsource.specs.spec import SwitchSpec, TextSpec
@@ -48,7 +48,7 @@ ON = SwitchSpec(label="Predict through the actuator")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ActuatorAt:
+class ActuatorAt(fields.CheckedModel):
     """An actuator at a place.
 
     Attributes
@@ -64,9 +64,6 @@ class ActuatorAt:
     place: int | None = fields.field(PLACE, None)
     actuator: str = fields.text("", NAME)
     model: Model = fields.field(MODEL)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -137,12 +134,8 @@ class Actuation:
     @property
     def words(self) -> str:
         """What it is, in a few words: "Example voice coil, regularised inverse"."""
-        how = "no equaliser" if self.equaliser is None else _lower(self.equaliser.title)
+        how = "no equaliser" if self.equaliser is None else lowered(self.equaliser.title)
         return f"{self.title}, {how}"
-
-
-def _lower(text: str) -> str:
-    return f"{text[:1].lower()}{text[1:]}"
 
 
 # Length of responses before they are trimmed: twelve seconds at the rate of the published limbs,

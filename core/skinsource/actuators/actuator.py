@@ -38,7 +38,7 @@ SKIN_DAMPING = not_negative("Skin damping", "N s/m", "Of the skin at the contact
 
 
 @dataclass(frozen=True, slots=True)
-class ResponseShape:
+class ResponseShape(fields.CheckedModel):
     """A resonance without a scale: it shows a shape, and cannot be simulated in m/s².
 
     Attributes
@@ -51,9 +51,6 @@ class ResponseShape:
 
     resonance_hz: float = fields.field(positive("Resonance", "Hz"))
     quality: float = fields.field(positive("Quality", ""))
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     def shape(self, frequency_hz: ArrayLike) -> Complexes:
         """Return the acceleration relative to that far above the resonance, at equal force.

@@ -34,7 +34,7 @@ THERMAL = OptionalSpec(label="Warming", of=ModelSpec(label="Warming", kinds=lamb
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ActuatorProfile:
+class ActuatorProfile(fields.CheckedModel):
     """An actuator as the library lists it.
 
     Attributes
@@ -60,9 +60,6 @@ class ActuatorProfile:
     model: Model | ResponseShape = fields.field(_ANY)
     limits: Limits = fields.field(LIMITS, Limits())
     thermal: Thermal | None = fields.field(THERMAL, None)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     @property
     def complete(self) -> bool:

@@ -375,7 +375,7 @@ NEW_QUALITY = NumberSpec(
 
 
 @dataclass(frozen=True, slots=True)
-class PolePairReplacement(Equaliser):
+class PolePairReplacement(fields.CheckedModel, Equaliser):
     """(s² + s w / Q + w²) / (s² + s w / Q' + w²): a resonance is taken out, a damped one put in.
 
     All else of the actuator stays as it is: below its resonance it still moves little.  One
@@ -394,9 +394,6 @@ class PolePairReplacement(Equaliser):
     resonance_hz: float = fields.number(170.0, RESONANCE)
     quality: float = fields.number(10.0, QUALITY)
     new_quality: float = fields.number(0.7, NEW_QUALITY)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     def filter(
         self, actuator: Actuator, frequency_hz: ArrayLike, band_hz: Band = BAND_HZ
@@ -477,7 +474,7 @@ _OF_BAND = 4.0
 
 
 @dataclass(frozen=True, slots=True)
-class RegularisedInverse(Equaliser):
+class RegularisedInverse(fields.CheckedModel, Equaliser):
     """W = T H* / (|H|² + beta max|H|²), beta such that |W| is at most the boost over 1 / max|H|.
 
     T is 1 in the band of the limb, 25 to 600 Hz of the published ones, H the response of the
@@ -503,9 +500,6 @@ class RegularisedInverse(Equaliser):
 
     boost_db: float = fields.number(20.0, BOOST)
     phase: str = fields.choice("linear", PHASE)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     def filter(
         self, actuator: Actuator, frequency_hz: ArrayLike, band_hz: Band = BAND_HZ
@@ -536,10 +530,23 @@ def _minimum_phase(
     length, rate_hz = higher * _LENGTH, higher * _RATE_HZ
     frequency_hz = np.arange(length // 2 + 1) * rate_hz / length
     gain = np.abs(equaliser._inverse(actuator, frequency_hz, band_hz))
-    cepstrum = scipy.fft.irfft(np.log(np.maximum(gain, _FLOOR * gain.max())), length)
+    logarithms = np.log(np.maximum(gain, _FLOOR * gain.max()))
+    return frequency_hz, minimum_phase_of(logarithms, length)
+
+
+def minimum_phase_of(logarithms: Floats, length: int) -> Floats:
+    """Return the phase, rad, of the minimum-phase system with these logarithms of its gain.
+
+    Parameters
+    ----------
+    logarithms : (length // 2 + 1,)
+        Natural logarithms at equal steps, from 0 to half the rate.
+    """
+    cepstrum = scipy.fft.irfft(logarithms, length)
     cepstrum[1 : length // 2] *= 2.0
     cepstrum[length // 2 + 1 :] = 0.0
-    return frequency_hz, scipy.fft.rfft(cepstrum).imag
+    phase: Floats = scipy.fft.rfft(cepstrum).imag
+    return phase
 
 
 #: Every kind, in the order in which a user meets them.

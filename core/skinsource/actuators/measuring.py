@@ -16,6 +16,7 @@ import numpy as np
 import scipy
 from numpy.typing import ArrayLike
 
+from skinsource.actuators.equalising import minimum_phase_of
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.base.arguments import checking, finite_array, positive_number, real_number
 from skinsource.base.arrays import Complexes, Floats, Indices
@@ -277,10 +278,7 @@ def minimum_phase(frequency_hz: Floats, gain: Floats) -> Floats:
     levels = np.interp(log_hz, place, level)
     levels += low * np.minimum(log_hz - place[0], 0.0)
     levels += high * np.maximum(log_hz - place[-1], 0.0)
-    cepstrum = scipy.fft.irfft(levels, _LENGTH)
-    cepstrum[1 : _LENGTH // 2] *= 2.0
-    cepstrum[_LENGTH // 2 + 1 :] = 0.0
-    phase: Floats = np.interp(frequency_hz, every_hz, scipy.fft.rfft(cepstrum).imag)
+    phase: Floats = np.interp(frequency_hz, every_hz, minimum_phase_of(levels, _LENGTH))
     return phase
 
 

@@ -13,7 +13,7 @@ from skinsource.specs import fields
 
 
 @dataclass(frozen=True, slots=True)
-class VoiceCoil(LinearActuator):
+class VoiceCoil(fields.CheckedModel, LinearActuator):
     """A voice coil, or a linear resonant actuator, whose moving mass touches the skin.
 
     u = R i + L di/dt + Bl v and Bl i = m a + (c + c_skin) v + (k + k_skin) x, driven by a voltage.
@@ -42,9 +42,6 @@ class VoiceCoil(LinearActuator):
     stiffness_n_per_m: float = fields.field(actuator.STIFFNESS)
     skin_stiffness_n_per_m: float = fields.number(0.0, actuator.SKIN_STIFFNESS)
     skin_damping_n_s_per_m: float = fields.number(0.0, actuator.SKIN_DAMPING)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     def equations(self) -> Equations:
         """Return the equations of the states current, velocity and displacement."""
@@ -86,7 +83,7 @@ CASING_MASS = actuator.positive("Casing mass", "kg", "What touches the skin, and
 
 
 @dataclass(frozen=True, slots=True)
-class RecoilVoiceCoil(LinearActuator):
+class RecoilVoiceCoil(fields.CheckedModel, LinearActuator):
     """An inertial actuator: a mass moves inside a casing, and the casing touches the skin.
 
     With the velocity v of the mass inside and w of the casing, r = v - w and its integral q:
@@ -116,9 +113,6 @@ class RecoilVoiceCoil(LinearActuator):
     casing_mass_kg: float = fields.field(CASING_MASS)
     skin_stiffness_n_per_m: float = fields.number(0.0, actuator.SKIN_STIFFNESS)
     skin_damping_n_s_per_m: float = fields.number(0.0, actuator.SKIN_DAMPING)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     def equations(self) -> Equations:
         """Return the equations of the current and of motions between and of both masses."""
@@ -177,7 +171,7 @@ SERIES = actuator.positive("Series resistance", "Ω", "Of amplifier and leads")
 
 
 @dataclass(frozen=True, slots=True)
-class Piezo(LinearActuator):
+class Piezo(fields.CheckedModel, LinearActuator):
     """A piezoelectric bender or stack behind the resistance of its amplifier.
 
     With the voltage e over the capacitance: u = R i + e, i = C de/dt + alpha v, and
@@ -205,9 +199,6 @@ class Piezo(LinearActuator):
     series_resistance_ohm: float = fields.number(100.0, SERIES)
     skin_stiffness_n_per_m: float = fields.number(0.0, actuator.SKIN_STIFFNESS)
     skin_damping_n_s_per_m: float = fields.number(0.0, actuator.SKIN_DAMPING)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     def equations(self) -> Equations:
         """Return the equations of the states capacitor voltage, velocity and displacement."""

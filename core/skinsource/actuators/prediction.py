@@ -16,6 +16,7 @@ from skinsource.base.arguments import checking, finite_array, integer
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import LARGEST_VELOCITY_M_PER_S
+from skinsource.base.quoting import lowered
 from skinsource.signals.loudest_window import loudest_energy
 from skinsource.signals.resampling import MAX_RATE_HZ, resample
 from skinsource.specs import fields
@@ -34,7 +35,7 @@ def _limit(label: str, unit: str, hint: str, most: float = float("inf")) -> Opti
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Limits:
+class Limits(fields.CheckedModel):
     """What must not be passed; None: nothing is known, and nothing is limited.
 
     Attributes
@@ -70,14 +71,11 @@ class Limits:
         _limit("Duty", "", "Largest share of the time in which it is driven", 1.0), None
     )
 
-    def __post_init__(self) -> None:
-        fields.check(self)
-
 
 def limit_text(name: str) -> str:
     """Return the name of a field of `Limits` for the middle of a sentence."""
     label = _spec_of(name).label
-    return label if label[1].isupper() else label[0].lower() + label[1:]
+    return label if label[1].isupper() else lowered(label)
 
 
 def with_unit(name: str, value: float) -> str:
@@ -93,7 +91,7 @@ def _spec_of(name: str) -> NumberSpec:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Thermal:
+class Thermal(fields.CheckedModel):
     """How the coil warms: one heat capacity behind one thermal resistance.
 
     Attributes
@@ -110,9 +108,6 @@ class Thermal:
     time_constant_s: float = fields.field(
         NumberSpec(label="Thermal time constant", unit="s", minimum=SMALLEST)
     )
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
 
 #: Motion is computed at this rate at least.

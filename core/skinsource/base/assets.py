@@ -16,27 +16,22 @@ def data_folder() -> Path:
 
 def user_folder() -> Path:
     """Return the folder of the user's data; the variable SKINSOURCE_DATA overrides it."""
-    override = os.environ.get("SKINSOURCE_DATA")
-    if override:
-        return Path(override).expanduser()
-    return Path(platformdirs.user_data_dir("skinsource", appauthor=False))
+    usual = platformdirs.user_data_dir("skinsource", appauthor=False)
+    return Path(os.environ.get("SKINSOURCE_DATA") or usual).expanduser()
 
 
 def cache_folder() -> Path:
     """Return the folder of the cache; SKINSOURCE_CACHE overrides it, and SKINSOURCE_DATA."""
-    override = os.environ.get("SKINSOURCE_CACHE")
-    if override:
-        return Path(override).expanduser()
-    if os.environ.get("SKINSOURCE_DATA"):
-        return user_folder() / "cache"
-    return Path(platformdirs.user_cache_dir("skinsource", appauthor=False))
+    return _folder("cache", platformdirs.user_cache_dir("skinsource", appauthor=False))
 
 
 def config_folder() -> Path:
     """Return the folder of the settings; SKINSOURCE_CONFIG overrides it, and SKINSOURCE_DATA."""
-    override = os.environ.get("SKINSOURCE_CONFIG")
+    return _folder("config", platformdirs.user_config_dir("skinsource", appauthor=False))
+
+
+def _folder(name: str, usual: str) -> Path:
+    override = os.environ.get(f"SKINSOURCE_{name.upper()}")
     if override:
         return Path(override).expanduser()
-    if os.environ.get("SKINSOURCE_DATA"):
-        return user_folder() / "config"
-    return Path(platformdirs.user_config_dir("skinsource", appauthor=False))
+    return user_folder() / name if os.environ.get("SKINSOURCE_DATA") else Path(usual)

@@ -18,13 +18,7 @@ from threading import RLock
 import psutil
 
 from skinsource.base.errors import FileFormatError, SkinSourceError, StorageError
-from skinsource.base.files import (
-    advice_on_writing,
-    path_text,
-    read_bytes,
-    reason_of,
-    temporary_path,
-)
+from skinsource.base.files import path_text, read_bytes, storage_errors_of, temporary_path
 from skinsource.base.json_text import dumped, loaded
 from skinsource.base.quoting import printable
 
@@ -230,17 +224,13 @@ class Lock:
 
     def _create(self) -> bool:
         """Write the lock unless there is one; return whether it was written."""
-        try:
-            handle = os.open(self.path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+        with storage_errors_of(self.path):
+            try:
+                handle = os.open(self.path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+            except FileExistsError:
+                return False
             with os.fdopen(handle, "wb") as file:
                 file.write(to_bytes(this_process()))
-        except FileExistsError:
-            return False
-        except (OSError, ValueError) as error:
-            raise StorageError(
-                f"{path_text(self.path)}: cannot be written ({reason_of(error)}). "
-                f"{advice_on_writing(error)}"
-            ) from error
         return True
 
     def _remove(self, ended: Owner) -> None:

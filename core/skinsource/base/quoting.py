@@ -4,7 +4,10 @@ Quoted values come from files, servers and scripts: they may be a megabyte of te
 commands for a terminal.  A message shows their beginning, in characters that can be printed.
 """
 
+import csv
+import io
 import reprlib
+from collections.abc import Iterable, Sequence
 
 #: Characters of a quotation; longer ones are cut.
 MOST_CHARACTERS = 80
@@ -52,6 +55,11 @@ def sentence(text: str) -> str:
     return f"{text.rstrip().rstrip('.')}."
 
 
+def lowered(text: str) -> str:
+    """Return ``text`` for the middle of a sentence, with a small first letter."""
+    return f"{text[:1].lower()}{text[1:]}"
+
+
 def first_sentence(text: str) -> str:
     """Return the first sentence of ``text``, with its full stop.
 
@@ -68,3 +76,12 @@ def cell_text(text: str) -> str:
     "'=1+1"
     """
     return f"'{text}" if text.startswith(("=", "+", "-", "@", "\t", "\r")) else text
+
+
+def csv_text(columns: Sequence[str], rows: Iterable[Iterable[object]]) -> str:
+    """Return a table as CSV, with a line of the names of its columns first."""
+    text = io.StringIO(newline="")
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(columns)
+    writer.writerows(rows)
+    return text.getvalue()

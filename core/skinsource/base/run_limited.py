@@ -24,7 +24,7 @@ from pathlib import Path
 from queue import Empty, Queue
 from threading import Thread
 from time import monotonic
-from typing import IO, Any
+from typing import IO, Any, Self
 
 import numpy as np
 import psutil
@@ -163,7 +163,7 @@ class LimitedProcess:
         self._listener: Thread | None = None
         self._busy = False
 
-    def __enter__(self) -> "LimitedProcess":
+    def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *_: object) -> None:

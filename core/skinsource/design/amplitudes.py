@@ -10,6 +10,7 @@ import numpy as np
 
 from skinsource.actuators.actuation import Actuation
 from skinsource.base.errors import InvalidInputError
+from skinsource.base.quoting import lowered
 from skinsource.design.clips import Clip
 from skinsource.design.signal_path import Curve, drive_of_clips
 from skinsource.design.waveform import Waveform
@@ -100,8 +101,7 @@ def amplitude_note(
     """Say what amplitudes mean where the scaling alone does not; empty where it does."""
     if actuated is not None or scaling == "upstream" or drive_unit_known(limb, digest):
         return ""
-    meaning = _MEANINGS_OF_DRIVES[scaling]
-    return f"{meaning[:1].lower()}{meaning[1:]}"
+    return lowered(_MEANINGS_OF_DRIVES[scaling])
 
 
 def drive_unit(design: "Design", limb: Limb | None = None) -> str:

@@ -23,7 +23,7 @@ from skinsource.base.errors import FileFormatError, InvalidInputError
 from skinsource.base.files import path_exists, path_text, read_bytes, write_bytes
 from skinsource.base.lock import Lock
 from skinsource.base.measurement_conditions import MOST_LOCATIONS
-from skinsource.base.quoting import printable, quoted, sentence
+from skinsource.base.quoting import csv_text, printable, quoted, sentence
 from skinsource.base.work import counted
 from skinsource.design.design import Design, Input, track
 from skinsource.design.waveforms.tones import Tone
@@ -325,7 +325,7 @@ def add_match(path: Path, new: Match) -> tuple[Match, ...]:
             )
         check_reference(path, before, new.reference)
         matches = (*before, new)
-        write_bytes(path, _text(matches).encode())
+        write_bytes(path, csv_text(_COLUMNS, map(astuple, matches)).encode())
     return matches
 
 
@@ -373,14 +373,6 @@ def _match(row: list[str]) -> Match:
         trial=whole("trial", 1, _MOST_SEED),
         seed=whole("seed", 0, _MOST_SEED),
     )
-
-
-def _text(matches: Iterable[Match]) -> str:
-    text = io.StringIO(newline="")
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(_COLUMNS)
-    writer.writerows(astuple(match) for match in matches)
-    return text.getvalue()
 
 
 class Presenter:

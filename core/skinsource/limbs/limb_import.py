@@ -23,7 +23,6 @@ from skinsource.limbs.limb_layout import (
     POINT_FIELDS,
     USUAL_ORDERS,
     hull_around,
-    limb_file_error,
 )
 from skinsource.limbs.own_limbs import OwnLimb, facts_of, install_limb, own_limb_path
 
@@ -132,7 +131,7 @@ def prepare_limb(
     shape, array, order = _array_to_read(source, about)
     values: dict[str, Any] = {
         "name": "",
-        **_layout_values(path, header),
+        **_layout_values(header),
         **{key: value for key, value in source.values.items() if value is not None},
     }
     down = False
@@ -214,40 +213,13 @@ def _array_to_read(
     return shape, array["name"], order
 
 
-def _layout_values(path: Path, header: dict[str, Any]) -> dict[str, Any]:
+def _layout_values(header: dict[str, Any]) -> dict[str, Any]:
     """Return the fields of `OwnLimb` in the header of a file."""
-    if not header:
-        return {}
-    return {
-        "name": header["name"],
-        "title": header["title"],
-        "note": " ".join(str(header["note"]).split()),
-        "axes": header["axes"],
-        "per_unit_drive": _is_first(path, header, "answers", "drive", "pulse"),
-        "left": _is_first(path, header, "hand", "left", "right"),
-        "synthetic": bool(header["synthetic"]),
-        "sample_rate_hz": header["sample_rate_hz"],
-        "pre_trigger_delay_s": header["pre_trigger_delay_s"],
-        "band_hz": header["band_hz"],
-        "hand_length_mm": header["hand_length_mm"],
-        "hand_length_px": header["hand_length"],
-        "input_names": tuple(header["input_names"]),
-        "output_names": tuple(header["output_names"]),
-        **{
-            name: np.array([(np.nan, np.nan) if row is None else row for row in header[name]])
-            for name in ("outline", "input_positions", "output_positions")
-        },
-    }
-
-
-def _is_first(path: Path, header: dict[str, Any], name: str, first: str, second: str) -> bool:
-    if header[name] not in (first, second):
-        raise limb_file_error(
-            path,
-            f"the attribute {quoted(name)} is {quoted(header[name])}",
-            f"{first} or {second}",
-        )
-    return bool(header[name] == first)
+    values = {name: value for name, value in header.items() if name != "shape"}
+    for name in POINT_FIELDS.values() if header else ():
+        rows = [(np.nan, np.nan) if row is None else row for row in header[name]]
+        values[name] = np.array(rows)
+    return values
 
 
 def _flip_vertically(values: dict[str, Any], source: LimbSource, *, down: bool) -> None:

@@ -47,7 +47,7 @@ def limb_file_error(path: Path, problem: str, expected: str) -> RecordingError:
 
 FORMAT, VERSION = "skinsource limb", 1
 #: Attributes, texts and numbers, with their defaults; those without one must be there.
-TEXTS = {"name": "", "title": "", "note": "", "axes": None, "answers": "drive", "hand": "right"}
+TEXTS = {"name": "", "title": "", "note": "", "axes": None}
 NUMBERS = {
     "sample_rate_hz": None,
     "pre_trigger_delay_s": 0.0,
@@ -97,7 +97,7 @@ def _is_limb_file(path: Path) -> bool:
 
 
 def _header_of(path: Path) -> dict[str, Any]:
-    """Return all but the responses of a file in the layout.
+    """Return all but the responses of a file in the layout: fields of `OwnLimb`, and ``shape``.
 
     Raises
     ------
@@ -109,7 +109,11 @@ def _header_of(path: Path) -> dict[str, Any]:
         if version != VERSION:
             raise limb_file_error(path, f"format_version is {version:g}", f"{VERSION}")
         header: dict[str, Any] = {name: _text(file, path, name, TEXTS[name]) for name in TEXTS}
+        header["note"] = " ".join(header["note"].split())
         header |= {name: _number(file, path, name, NUMBERS[name]) for name in NUMBERS}
+        header["synthetic"] = bool(header["synthetic"])
+        header["per_unit_drive"] = _is(file, path, "answers", "drive", other="pulse")
+        header["left"] = not _is(file, path, "hand", "right", other="left")
         header["band_hz"] = _band(file, path)
         responses = _responses(file, path)
         header["shape"] = [int(n) for n in responses.shape]
@@ -118,10 +122,10 @@ def _header_of(path: Path) -> dict[str, Any]:
             raise limb_file_error(
                 path, "it has no group 'map'", "one with outline, inputs and outputs"
             )
-        header["hand_length"] = _number(group, path, "hand_length", header["hand_length_mm"])
+        header["hand_length_px"] = _number(group, path, "hand_length", header["hand_length_mm"])
         for name, field in POINT_FIELDS.items():
             points = np.asarray(_dataset(group, path, name, 2, _MOST_ROWS)[()], np.float64)
-            header[field] = _json_points(points)
+            header[field] = [row.tolist() if np.isfinite(row).all() else None for row in points]
         names = files.own_member(file, "names", files.Group)
         for name, field in _NAMES.items():
             header[field] = [] if names is None else _names(names, path, name)
@@ -216,6 +220,16 @@ def _text(group: Any, path: Path, name: str, default: str | None) -> str:
     return value
 
 
+def _is(group: Any, path: Path, name: str, usual: str, *, other: str) -> bool:
+    """Return whether a text is the usual one, which it is where it is missing."""
+    text = _text(group, path, name, usual)
+    if text not in (usual, other):
+        raise limb_file_error(
+            path, f"the attribute {quoted(name)} is {quoted(text)}", f"{usual} or {other}"
+        )
+    return text == usual
+
+
 def _number(group: Any, path: Path, name: str, default: float | None) -> float:
     value = _attribute(group, path, name, default)
     array = np.asarray(value)
@@ -268,10 +282,6 @@ def _names(group: Any, path: Path, name: str) -> list[str]:
         value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
         for value in values
     ]
-
-
-def _json_points(points: Floats) -> list[list[float] | None]:
-    return [row.tolist() if np.isfinite(row).all() else None for row in points]
 
 
 _OPENERS = {

@@ -245,29 +245,27 @@ class SyntheticModel:
     def response_to(self, location: int) -> Floats:
         """Return the responses to one input place, (72 outputs, 3 axes, 522 taps), in m/s².
 
+        S(w) sqrt(r0 / (r0 + r)) exp(-i k r) 10^(-L/20) B(w), split over the axes.
+
         Raises
         ------
         InvalidInputError
             There is no such input place.
         """
         check_input_location(location)
-        return _response(self, location - 1)
-
-
-def _response(model: SyntheticModel, row: int) -> Floats:
-    """Return S(w) sqrt(r0 / (r0 + r)) exp(-i k r) 10^(-L/20) B(w), split over the axes."""
-    wave = np.exp(-1j * model.wavenumber_rad_m * model.path_m[row][:, None])
-    wave *= model.pulse
-    wave *= 1 + model.bending * model.bending_share[row][:, None]
-    wave *= model.amplitude[row][:, None]
-    normal = scipy.fft.irfft(wave, _N_FFT)[:, :N_TAPS]
-    # A quarter of a period between the motions: particles go round in ellipses.
-    tangential = model.tangential * scipy.fft.irfft(1j * wave, _N_FFT)[:, :N_TAPS]
-    response = np.empty((N_OUTPUTS, N_AXES, N_TAPS))
-    response[:, 0] = np.cos(model.direction_rad)[:, None] * tangential
-    response[:, 1] = np.sin(model.direction_rad)[:, None] * tangential
-    response[:, 2] = model.normal[row] * normal
-    return response
+        row = location - 1
+        wave = np.exp(-1j * self.wavenumber_rad_m * self.path_m[row][:, None])
+        wave *= self.pulse
+        wave *= 1 + self.bending * self.bending_share[row][:, None]
+        wave *= self.amplitude[row][:, None]
+        normal = scipy.fft.irfft(wave, _N_FFT)[:, :N_TAPS]
+        # A quarter of a period between the motions: particles go round in ellipses.
+        tangential = self.tangential * scipy.fft.irfft(1j * wave, _N_FFT)[:, :N_TAPS]
+        response = np.empty((N_OUTPUTS, N_AXES, N_TAPS))
+        response[:, 0] = np.cos(self.direction_rad)[:, None] * tangential
+        response[:, 1] = np.sin(self.direction_rad)[:, None] * tangential
+        response[:, 2] = self.normal[row] * normal
+        return response
 
 
 def synthetic_model(number: int) -> SyntheticModel:
@@ -350,7 +348,7 @@ def _prepare(shared: Mapping[str, Any], limb: Mapping[str, Any]) -> SyntheticMod
         tangential=polarisation["tangential"],
         direction_rad=random.uniform(0, 2 * np.pi, N_OUTPUTS),
     )
-    reference = _response(model, _REFERENCE_INPUT - 1)
+    reference = model.response_to(_REFERENCE_INPUT)
     scale = shared["peak_of_input_8_m_s2"] / np.abs(reference).max()
     return replace(model, pulse=model.pulse * scale)
 

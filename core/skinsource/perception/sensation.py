@@ -12,7 +12,7 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import LIMB_NAMES
 from skinsource.base.quoting import quoted
 from skinsource.limbs.limb import PUBLISHED
-from skinsource.limbs.locations import ARM_REGIONS, output_place
+from skinsource.limbs.locations import ARM_REGIONS, OUTPUTS
 from skinsource.perception.thresholds import CHANNELS, Channel, threshold_rms
 
 #: Text to show with every number of this module.
@@ -54,14 +54,12 @@ def site_offsets_db(limb: str = LIMB_NAMES[0]) -> dict[Channel, Floats]:
     >>> print(ss.perception.site_offsets_db()["P"][[0, 71]])
     [10. inf]
     """
-    facts = PUBLISHED.get(limb)
-    if facts is None:
+    if limb not in PUBLISHED:
         raise InvalidInputError(
             f"limb is {quoted(limb)}, expected one of {', '.join(LIMB_NAMES)}: where the outputs "
             "of others lie is not known. Hand over offsets_db."
         )
-    places = map(output_place, range(1, facts.n_outputs + 1))
-    on_arm = np.array([place.region in ARM_REGIONS for place in places])
+    on_arm = np.array([place.region in ARM_REGIONS for place in OUTPUTS])
     return {
         "P": np.where(on_arm, np.inf, HAIRY_HAND_DB),
         "NP I": np.where(on_arm, ARM_DB, HAIRY_HAND_DB),

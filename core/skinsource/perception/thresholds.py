@@ -186,7 +186,7 @@ SOURCE = TextSpec(label="File of own thresholds", longest=200, one_line=True)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class PerceptionSettings:
+class PerceptionSettings(fields.CheckedModel):
     """Thresholds that levels are compared with.
 
     Attributes
@@ -202,9 +202,6 @@ class PerceptionSettings:
     area_cm2: float = fields.number(REFERENCE_AREA_CM2, AREA)
     table: Any = fields.field(TABLE, ())
     source: str = fields.text("", SOURCE)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     @property
     def thresholds(self) -> ThresholdTable:

@@ -343,36 +343,27 @@ def setup_findings(*, synthetic: bool, scaling: Scaling, places: Sequence[int]) 
     places
         Input places that play.
     """
-    hides = scaling == "upstream" and bool(places)
-    several = "" if len(set(places)) < 2 else " between the places that play"
-    return (
-        Finding(
+    limb = Finding(name="limb", state="kept", sentence="Responses of this limb were measured.")
+    if synthetic:
+        limb = Finding(
             name="limb",
-            state="left" if synthetic else "kept",
-            in_short="Responses are computed from a model, not measured." if synthetic else "",
-            sentence=(
-                "Responses of this limb are computed from a model of waves, not measured."
-                if synthetic
-                else "Responses of this limb were measured."
-            ),
-        ),
-        Finding(
-            name="scaling",
-            state="left" if hides else "kept",
-            in_short=(
-                "That some places carry less than others is hidden by this scaling."
-                if hides
-                else ""
-            ),
-            sentence=(
-                "This scaling gives each input the same peak on the skin: that some places carry "
-                f"less than others is hidden{several}."
-                if hides
-                else "Places keep their differences in level."
-            ),
-            repair="probe_scaling" if hides else "",
-        ),
+            state="left",
+            in_short="Responses are computed from a model, not measured.",
+            sentence="Responses of this limb are computed from a model of waves, not measured.",
+        )
+    if scaling != "upstream" or not places:
+        sentence = "Places keep their differences in level."
+        return limb, Finding(name="scaling", state="kept", sentence=sentence)
+    several = "" if len(set(places)) < 2 else " between the places that play"
+    hidden = Finding(
+        name="scaling",
+        state="left",
+        in_short="That some places carry less than others is hidden by this scaling.",
+        sentence="This scaling gives each input the same peak on the skin: that some places carry "
+        f"less than others is hidden{several}.",
+        repair="probe_scaling",
     )
+    return limb, hidden
 
 
 def number_ranges(outputs: Sequence[int]) -> str:
@@ -411,15 +402,16 @@ def _band(played: Sequence[_Drive], rate: float, band_hz: Band | None) -> Findin
         return Finding(name="band", state="unknown", sentence=sentence)
     share = _share(played, rate, band_hz)
     band = f"{band_hz[0]:g} to {band_hz[1]:g} Hz"
-    left = share > MOST_SHARE
+    lies = f"{share:.0%} of the energy of what plays lies outside of the measured {band}"
+    if share <= MOST_SHARE:
+        return Finding(name="band", state="kept", sentence=f"{lies}.")
     return Finding(
         name="band",
-        state="left" if left else "kept",
-        in_short=f"{{:.0%}} of the energy lies outside of the measured {band}." if left else "",
-        number=share if left else None,
-        sentence=f"{share:.0%} of the energy of what plays lies outside of the measured {band}"
-        + ("; what the skin does there is not known." if left else "."),
-        repair="band_limit" if left else "",
+        state="left",
+        in_short=f"{{:.0%}} of the energy lies outside of the measured {band}.",
+        number=share,
+        sentence=f"{lies}; what the skin does there is not known.",
+        repair="band_limit",
     )
 
 
@@ -441,20 +433,20 @@ def _velocity(
         return Finding(name="drive", state="unknown", sentence=sentence)
     fastest = fastest_probe((drive.samples for drive in played), rate, band_hz)
     lowest_hz = lowest_hz_of(band_hz)
-    left = fastest > LARGEST_VELOCITY_M_PER_S
     moves, speed = "The probe moves at up to {:.3g} mm/s", fastest * _MM_PER_M
+    moved = f"{moves.format(speed)}, from {lowest_hz:g} Hz on"
+    if fastest <= LARGEST_VELOCITY_M_PER_S:
+        sentence = f"{moved}; up to {_LIMIT} the skin answers in proportion."
+        return Finding(name="drive", state="kept", sentence=sentence)
     beyond = f"above {_LIMIT} the skin no longer answers in proportion."
     return Finding(
         name="drive",
-        state="left" if left else "kept",
-        in_short=f"{moves}; {beyond}" if left else "",
-        number=speed if left else None,
-        sentence=(
-            f"{moves.format(speed)}, from {lowest_hz:g} Hz on; "
-            + (beyond if left else f"up to {_LIMIT} the skin answers in proportion.")
-        ),
-        repair="quieter" if left else "",
-        factor=LARGEST_VELOCITY_M_PER_S / fastest if left else 1.0,
+        state="left",
+        in_short=f"{moves}; {beyond}",
+        number=speed,
+        sentence=f"{moved}; {beyond}",
+        repair="quieter",
+        factor=LARGEST_VELOCITY_M_PER_S / fastest,
     )
 
 
@@ -466,18 +458,16 @@ def _spacing(played: Sequence[_Drive], rate: float, limit_hz: float | None) -> F
         )
         return Finding(name="spacing", state="unknown", sentence=sentence, of_maps=True)
     share = _share(played, rate, (0.0, limit_hz))
-    left = share > MOST_SHARE
+    lies = f"{share:.0%} of the energy of what plays lies above {limit_hz:g} Hz"
+    if share <= MOST_SHARE:
+        sentence = f"{lies}; up to there the outputs stand close enough."
+        return Finding(name="spacing", state="kept", sentence=sentence, of_maps=True)
     return Finding(
         name="spacing",
         of_maps=True,
-        state="left" if left else "kept",
-        in_short=f"{{:.0%}} of the energy {_MAP_GUESSED.format(limit_hz)}" if left else "",
-        number=share if left else None,
-        sentence=f"{share:.0%} of the energy of what plays lies above {limit_hz:g} Hz"
-        + (
-            ", where waves are too short for the spacing of the outputs: between them the map is a "
-            "guess."
-            if left
-            else "; up to there the outputs stand close enough."
-        ),
+        state="left",
+        in_short=f"{{:.0%}} of the energy {_MAP_GUESSED.format(limit_hz)}",
+        number=share,
+        sentence=f"{lies}, where waves are too short for the spacing of the outputs: between them "
+        "the map is a guess.",
     )

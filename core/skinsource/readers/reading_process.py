@@ -21,9 +21,6 @@ _ADVICE = "The file may be damaged; record or export it again."
 class ReadingProcess(LimitedProcess):
     """A process that reads recordings; see `skinsource.base.run_limited`."""
 
-    def __enter__(self) -> "ReadingProcess":
-        return self
-
     def look(self, path: Path, *, stop: Stop = never) -> Found:
         """Return what a file holds.
 

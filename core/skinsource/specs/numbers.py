@@ -1,7 +1,7 @@
 """Specifications of numbers, of ranges and curves, and of fields that hold several values."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Any
 
@@ -213,39 +213,25 @@ class PointsSpec(Spec):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class CurveSpec(Spec):
+class CurveSpec(PointsSpec):
     """Points of a curve: pairs of x and y, x never falling.
 
     Attributes
     ----------
     x, y
         Specifications of the numbers of a point.
-    fewest, most
-        Limits of the number of points.
     """
 
+    columns: tuple[NumberSpec, ...] = field(init=False)
     x: NumberSpec
     y: NumberSpec
-    fewest: int = 2
-    most: int = 10_000
 
-    @property
-    def points(self) -> PointsSpec:
-        """The same as a specification of points of two numbers."""
-        columns = (self.x, self.y)
-        return PointsSpec(label=self.label, columns=columns, fewest=self.fewest, most=self.most)
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "columns", (self.x, self.y))
 
-    def checked(self, value: Any) -> tuple[tuple[float, ...], ...]:
-        """Return a tuple of points of two plain numbers."""
-        return self.points.checked(value)
-
-    def encoded(self, value: tuple[tuple[float, ...], ...]) -> Tree:
-        """Return a list of lists of two numbers."""
-        return self.points.encoded(value)
-
-    def decoded(self, tree: Tree, at: Address) -> Any:
-        """Return a tuple of tuples."""
-        return self.points.decoded(tree, at)
+    def at_rate(self, sample_rate_hz: float, band_hz: Band | None = BAND_HZ) -> "CurveSpec":
+        """Return the specification itself: a curve holds no frequencies."""
+        return self
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

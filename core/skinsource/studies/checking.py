@@ -41,10 +41,9 @@ from skinsource.studies.validation import (
     Agreement,
     agreement,
     aligned,
-    linear_fit,
     open_recorded,
+    pearson,
     straight_lines,
-    superposition_correlation,
 )
 from skinsource.version import __version__
 
@@ -520,11 +519,13 @@ def _linearity_checks(
     """Return the smallest adjusted R² over levels, and r between the sum of inputs and all."""
     if not field.any():
         return math.nan, math.nan
-    at_levels = [
-        _evaluate(louder(design, k), view, stop, "axis_traces")["axis_traces"] for k in _LEVELS
-    ]
-    channels = np.stack(at_levels).reshape(len(_LEVELS), -1, field.shape[-1])
-    fit = linear_fit(_LEVELS, channels, rate, facts_of(design.limb).band_hz)[1]
+    in_bands = []
+    for level in _LEVELS:
+        traces = _evaluate(louder(design, level), view, stop, "axis_traces")["axis_traces"]
+        transforms = scipy.fft.rfft(traces)
+        band_hz = facts_of(design.limb).band_hz
+        in_bands.append(band_rms(transforms, traces.shape[-1], rate, band_hz))
+    fit = straightness(_LEVELS, in_bands).adjusted_r2
     audible = audible_inputs(design.inputs)
     if len(audible) < 2:
         return _smallest(fit), math.nan
@@ -721,16 +722,15 @@ def superposition(parts: Sequence[Floats], joint: Floats) -> Superposition:
 
     That one is the longest.
     """
-    responses = np.zeros((len(parts), *joint.shape))
-    for response, part in zip(responses, parts, strict=True):
+    separate = np.zeros(joint.shape)
+    for part in parts:
         # A response that ends sooner is silent after that.
-        response[:, : part.shape[-1]] = part
-    separate = responses.sum(axis=0)
+        separate[:, : part.shape[-1]] += part
     return Superposition(
         separate=separate,
         joint=joint,
         largest_difference=_largest_difference(np.stack((separate, joint))),
-        correlation=superposition_correlation(responses, joint),
+        correlation=pearson(separate, joint),
     )
 
 

@@ -17,19 +17,17 @@ import numpy as np
 import scipy
 from numpy.typing import ArrayLike
 
-from skinsource.base.arguments import finite_array, positive_number
+from skinsource.base.arguments import finite_array
 from skinsource.base.arrays import Booleans, Floats
 from skinsource.base.errors import InvalidInputError, RecordingError
 from skinsource.base.files import path_text
 from skinsource.base.job import Stop, never
-from skinsource.base.measurement_conditions import BAND_HZ, Band
 from skinsource.base.run_limited import run_limited
 from skinsource.base.work import counted
 from skinsource.readers import limits
 from skinsource.readers.reader import Found, Series
 from skinsource.readers.reading_process import ReadingProcess
 from skinsource.readers.timestamps import sample_clock
-from skinsource.signals.analysis.statistics import band_rms
 from skinsource.signals.resampling import resample
 
 _EXPECTED = "a table of numbers, NPY, NPZ, MATLAB or HDF5"
@@ -180,72 +178,6 @@ def _normalised(name: str, field: Floats) -> Floats:
     if mean == 0.0:
         raise InvalidInputError(f"{name} is silent throughout, so there is nothing to compare")
     return field / mean
-
-
-def linear_fit(
-    levels: ArrayLike,
-    responses: ArrayLike,
-    sample_rate_hz: float,
-    band_hz: Band | None = BAND_HZ,
-) -> tuple[Floats, Floats]:
-    """Return the adjusted R² of output over input, by frequency.
-
-    In each bin of 2 Hz within the measured band the RMS of the output, see `band_rms`, is fitted
-    with a straight line over the level of the input.
-
-    Parameters
-    ----------
-    levels : (n_levels,)
-        Levels of the input, three or more different ones.
-    responses : (n_levels, n_channels, n_times)
-        To the same stimulus at these levels.
-    sample_rate_hz
-        Sample rate of the responses.
-    band_hz
-        The measured band; None: it is not known, and all frequencies count.
-
-    Returns
-    -------
-    frequency_hz : (n_bins,)
-        Middles of the bins that hold a frequency.
-    adjusted_r2 : (n_channels, n_bins)
-        1 for a straight line; NaN where the bin is silent.
-
-    Raises
-    ------
-    InvalidInputError
-        Shapes that do not fit, or too few levels.
-    """
-    x = finite_array("levels", levels, "(n_levels,)")
-    data = finite_array("responses", responses, "(n_levels, n_channels, n_times)")
-    rate = positive_number("sample_rate_hz", sample_rate_hz)
-    if x.ndim != 1 or data.ndim != 3 or len(x) != len(data) or np.unique(x).size < 3:
-        raise InvalidInputError(
-            f"levels has shape {x.shape}, responses {data.shape}; expected three or more different "
-            "levels and (n_levels, n_channels, n_times)"
-        )
-    middles, y = band_rms(scipy.fft.rfft(data), data.shape[-1], rate, band_hz)
-    return middles, straight_lines(x[:, None, None], y)[2]
-
-
-def superposition_correlation(separate: ArrayLike, joint: ArrayLike) -> Floats:
-    """Return Pearson's r between the sum of separate responses and the joint one, (n_channels,).
-
-    Parameters
-    ----------
-    separate : (n_inputs, n_channels, n_times)
-        Responses to each input alone.
-    joint : (n_channels, n_times)
-        Response to all inputs.
-    """
-    parts = finite_array("separate", separate, "(n_inputs, n_channels, n_times)")
-    response = finite_array("joint", joint, "(n_channels, n_times)")
-    if parts.ndim != 3 or parts.shape[1:] != response.shape:
-        raise InvalidInputError(
-            f"separate has shape {parts.shape}, joint {response.shape}; expected (n_inputs, "
-            "n_channels, n_times) and (n_channels, n_times)"
-        )
-    return pearson(parts.sum(axis=0), response)
 
 
 def straight_lines(x: Floats, y: Floats) -> tuple[Floats, Floats, Floats]:

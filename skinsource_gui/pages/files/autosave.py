@@ -26,7 +26,7 @@ from skinsource_gui.plots.small_map import SmallMap, SmallMaps, paint_small_map
 from skinsource_gui.qt.theme import LIGHT
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import Engine
-from skinsource_gui.state.worker import Worker
+from skinsource_gui.state.worker import Worker, fault_text
 
 #: Width and height, px.
 SIZE = QSize(120, 180)
@@ -107,7 +107,6 @@ class Autosave(QObject):
 
     #: Why no copy can be written, as a sentence; once, until a copy is written again.
     failed = Signal(str)
-    _written = Signal(object)  # the reason or None, from the worker thread
 
     def __init__(
         self,
@@ -185,12 +184,8 @@ class Autosave(QObject):
         try:
             content = DesignFile(design=state.design, view=state.view, layout=layout)
             self._session.keep(content, state.path, png_of(picture))
-        except SkinSourceError as error:
-            self._worker.tell(self._report, str(error))
-            return False
         except Exception as error:  # noqa: BLE001  it would be lost in the thread
-            reason = f"The studio made a mistake: {type(error).__name__}: {error}."
-            self._worker.tell(self._report, reason)
+            self._worker.tell(self._report, fault_text(error))
             return False
         self._worker.tell(self._report, None)
         return True

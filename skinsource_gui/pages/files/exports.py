@@ -38,10 +38,8 @@ from skinsource_gui.plots.pictures import (
     PANEL_IN_USE,
     Picture,
     PictureOptions,
-    Remark,
     ask_picture_options,
     caption_px,
-    letters_remark,
     save_drawing,
 )
 from skinsource_gui.qt.error_label import VISIBLE
@@ -49,13 +47,12 @@ from skinsource_gui.qt.questions import ask_yes
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.services import Services
 
-#: Names of further arguments of functions that write: `PictureOptions`, the visible part of the
-#: skin map, and the path of this machine's rig, or None.
-SIZED, SEEN, WIRED = "options", "seen", "rig_path"
+#: The exports that are written with more than design and view.
+_FILM, _PACK = "animation", "pack"
+_PICTURES = (("PNG", ".png"), ("SVG", ".svg"), ("PDF", ".pdf"))
 
-
-#: Computes and writes a file, given path, design and view, and by name ``progress``, ``stop``,
-#: ``largest_error`` and the further arguments of the export.
+#: Computes and writes a file, given path, design and view, and by name ``progress``, ``stop`` and
+#: ``largest_error``.
 Write = Callable[..., Any]
 
 
@@ -79,18 +76,8 @@ class ExportSpec:
         What is written, as a sentence.
     write
         Computes and writes the file.
-    begun
-        Returns the options that are offered first, from the open design and the last options.
-    named
-        Returns another suggested name, from the open design and the chosen options.
-    wants
-        Further arguments of ``write``: the user is asked for `SIZED`, the others are known.
-    remark
-        Returns a remark on chosen options.
     panel, size_px
-        Panel whose picture is saved, and its width and height.
-    package
-        Names of the package that writes the file and of its extra; None: no extra is needed.
+        Panel whose picture is saved, or one of its views as ``"panel/view"``; width and height.
     enabled
         Whether there is anything to export; None: always.
     keys, keywords
@@ -100,16 +87,11 @@ class ExportSpec:
     name: str
     title: str
     file_name: str
-    kinds: tuple[tuple[str, str], ...]
     hint: str
+    kinds: tuple[tuple[str, str], ...] = _PICTURES
     write: Write | None = None
-    begun: Callable[[Design, View, PictureOptions], PictureOptions] | None = None
-    named: Callable[[Design, View, Any], str] | None = None
-    wants: frozenset[str] = frozenset()
-    remark: Callable[[Design, View, Any], Remark] | None = None
     panel: str = ""
     size_px: tuple[int, int] = (1200, 1800)
-    package: tuple[str, str] | None = None
     enabled: Callable[[Design, View], bool] | None = None
     keys: tuple[str, ...] = ()
     keywords: str = ""
@@ -136,9 +118,6 @@ class ExportSpec:
         return tuple(ending for _, ending in self.kinds)
 
 
-_PICTURES = (("PNG", ".png"), ("SVG", ".svg"), ("PDF", ".pdf"))
-
-
 def _has_outputs(design: Design, view: View) -> bool:
     return bool(view.outputs)
 
@@ -163,7 +142,6 @@ EXPORTS: tuple[ExportSpec, ...] = (
         name="picture",
         title="picture of the skin map…",
         file_name="skin-map.png",
-        kinds=_PICTURES,
         hint="Save the skin map as PNG, SVG or PDF, with its colour bar",
         panel="skin",
         keys=("Ctrl+Shift+E",),
@@ -173,7 +151,6 @@ EXPORTS: tuple[ExportSpec, ...] = (
         name="panel_picture",
         title="picture of the panel in use…",
         file_name="panel.png",
-        kinds=_PICTURES,
         hint="Save the panel that has the keyboard as PNG, SVG or PDF, for a paper or a slide",
         panel=PANEL_IN_USE,
         keywords="image figure screenshot vector pdf svg png plot paper",
@@ -182,24 +159,18 @@ EXPORTS: tuple[ExportSpec, ...] = (
         name="window_picture",
         title="picture of all panels…",
         file_name="studio.png",
-        kinds=_PICTURES,
         hint="Save all panels that are in sight, arranged as they are, as PNG, SVG or PDF",
         panel=ALL_VISIBLE,
         keywords="image figure screenshot vector pdf svg png arrangement window slide",
     ),
     ExportSpec(
-        name="animation",
+        name=_FILM,
         title="animation of the skin map…",
         file_name="skin-map.mp4",
-        named=film_name,
         kinds=KINDS,
         hint="Save the skin map in time, in slow motion, as MP4, WebM or GIF",
         write=export_animation,
-        wants=frozenset({SIZED, SEEN}),
-        begun=film_options,
-        remark=film_remark,
         size_px=SIZE_PX,
-        package=("imageio_ffmpeg", "video"),
         keywords="video film movie wave gif mp4 webm slow motion time",
     ),
     ExportSpec(
@@ -244,9 +215,8 @@ EXPORTS: tuple[ExportSpec, ...] = (
         name="windows_picture",
         title="picture of the windows…",
         file_name="windows.png",
-        kinds=_PICTURES,
         hint="Save the strip of windows as PNG, SVG or PDF, with its colour scale and the extent",
-        panel="windowed",
+        panel="analysis/windowed",
         size_px=(1600, 1100),
         keywords="image figure screenshot vector pdf svg png windowed rms strip",
     ),
@@ -260,13 +230,12 @@ EXPORTS: tuple[ExportSpec, ...] = (
         keywords="python numpy matlab data array",
     ),
     ExportSpec(
-        name="pack",
+        name=_PACK,
         title="all of it as ZIP…",
         file_name="design.zip",
         kinds=(("ZIP", ".zip"),),
         hint="Save design, stimulus, rig, figure, tables, versions and what to cite as one file",
         write=_pack,
-        wants=frozenset({WIRED}),
         keywords="zip archive pack share publish supplement reproduce citation",
     ),
 )
@@ -368,45 +337,46 @@ class ExportActions(QObject):
         spec = next(spec for spec in EXPORTS if spec.name == name)
         # The design as the user sees it now, even if it changes while the dialog is open.
         design, view = self._document.design, self._document.view
-        if spec.package is not None:
-            try:
-                package_of_extra(*spec.package)
-            except MissingExtraError as error:
-                self.failed.emit(str(error))
-                return
-        if spec.write is None:
+        write = spec.write
+        if write is None:
             self._export_picture(spec)
             return
         arguments: dict[str, Any] = {}
-        options: PictureOptions | None = None
-        if SIZED in spec.wants:
-            remark = None if spec.remark is None else partial(spec.remark, design, view)
-            options = self._ask_options(spec, spec.size_px, most_px=MOST_PX, remark=remark)
+        if name == _FILM:
+            options = self._ask_film(spec, design, view)
             if options is None:
                 return
-            arguments[SIZED] = options
-        if SEEN in spec.wants:
-            arguments[SEEN] = self._drawer_of("skin").visible
-        if WIRED in spec.wants:
+            spec = replace(spec, file_name=film_name(design, view, options))
+            arguments = {"options": options, "seen": self._drawer_of("skin").visible}
+        elif name == _PACK:
             rig = self._preferences.rig_path
-            arguments[WIRED] = Path(rig) if rig else None
-        path = self._ask_where(spec, options)
+            arguments = {"rig_path": Path(rig) if rig else None}
+        path = self._ask_where(spec)
         if path is not None:
             # Tables and films hold the design without the gain that matches its level to another's.
             matched = view.match_gain(design) != 1.0
             note = "amplitudes are as stored, levels are not matched" if matched else ""
-            self._add(path, partial(spec.write, path, design, view, **arguments), note)
+            self._add(path, partial(write, path, design, view, **arguments), note)
 
     def copy_citation(self) -> None:
         """Put what to cite for the open design on the clipboard."""
         QGuiApplication.clipboard().setText(packing.citation(self._document.design))
         self._files.done.emit("Copied what to cite")
 
-    def _ask_where(self, spec: ExportSpec, options: PictureOptions | None = None) -> Path | None:
-        document, name = self._document, spec.file_name
-        if spec.named is not None:
-            name = spec.named(document.design, document.view, options)
-        start = self._preferences.folder / name
+    def _ask_film(self, spec: ExportSpec, design: Design, view: View) -> Any:
+        """Ask for the options of a film; None where there is none to be written."""
+        try:
+            package_of_extra("imageio_ffmpeg", "video")
+        except MissingExtraError as error:
+            self.failed.emit(str(error))
+            return None
+        remark = partial(film_remark, design, view)
+        usual = film_options(design, view, self._usual_options(spec, spec.size_px))
+        about = {"kinds": "", "most_px": MOST_PX, "remark": remark}
+        return self._ask_options(spec, usual, spec.size_px, **about)
+
+    def _ask_where(self, spec: ExportSpec) -> Path | None:
+        start = self._preferences.folder / spec.file_name
         kinds = spec.filter_for(start.suffix)
         return self._files.ask_where(spec.window_title, start, kinds, spec.endings)
 
@@ -418,9 +388,10 @@ class ExportActions(QObject):
             spec = replace(
                 spec, title=f"picture of the panel {picture.title}…", file_name=f"{name}.png"
             )
-        size, remark = picture.size_px or spec.size_px, letters_remark(picture)
+        size = picture.size_px or spec.size_px
         below = partial(caption_px, picture.caption)
-        options = self._ask_options(spec, size, remark=remark, below=below)
+        usual = self._usual_options(spec, size)
+        options = self._ask_options(spec, usual, size, kinds=spec.kinds_text, below=below)
         path = None if options is None else self._ask_where(spec)
         if options is None or path is None:
             return
@@ -432,17 +403,16 @@ class ExportActions(QObject):
         else:
             self._files.note_written(path)
 
+    def _usual_options(self, spec: ExportSpec, size_px: tuple[int, int]) -> PictureOptions:
+        usual = PictureOptions(width_px=size_px[0], height_px=size_px[1])
+        return self._picture_options.get(spec.name, usual)
+
     def _ask_options(
-        self, spec: ExportSpec, size_px: tuple[int, int], **about: Any
+        self, spec: ExportSpec, usual: PictureOptions, shape: tuple[int, int], **about: Any
     ) -> PictureOptions | None:
         """Ask for size and colours, which are offered the next time too."""
-        usual = PictureOptions(width_px=size_px[0], height_px=size_px[1])
-        known = self._picture_options.get(spec.name, usual)
-        kinds = spec.kinds_text
-        if spec.begun is not None:
-            known, kinds = spec.begun(self._document.design, self._document.view, known), ""
-        about |= {"title": spec.window_title, "kinds": kinds, "shape": size_px}
-        options = ask_picture_options(self._window, known, **about)
+        about |= {"title": spec.window_title, "shape": shape}
+        options = ask_picture_options(self._window, usual, **about)
         if options is not None:
             self._picture_options[spec.name] = options
         return options

@@ -81,8 +81,8 @@ class ChoiceForm(QWidget):
         super().__init__(parent)
         self.setObjectName("import_form")
         self._contents = contents
-        self._series = contents.signals()[0]
-        self._choice = suggested(contents)
+        self.series = contents.signals()[0]
+        self.choice = suggested(contents)
         self._lasts_s: float | None = None
         self._part_chosen = False
         # Chosen length of the part, also where less is left after its start.
@@ -116,29 +116,19 @@ class ChoiceForm(QWidget):
         _fill(
             self._form, self._signal, [(signal.key, signal.name) for signal in contents.signals()]
         )
-        self._take_series(self._series)
-
-    @property
-    def choice(self) -> ImportChoice:
-        """The present choice."""
-        return self._choice
-
-    @property
-    def series(self) -> Series:
-        """The chosen signal."""
-        return self._series
+        self._take_series(self.series)
 
     @property
     def assumes_rate(self) -> bool:
         """Whether the rate is assumed: neither the file nor the user has stated it."""
-        stated = self._contents.rate_of(self._series) is not None
-        return self._choice.time is None and not stated and not self._rate_typed
+        stated = self._contents.rate_of(self.series) is not None
+        return self.choice.time is None and not stated and not self._rate_typed
 
     @property
     def lasts_s(self) -> float | None:
         """Length of the whole signal; None where it follows from time timestamps not read yet."""
-        rate_hz = self._choice.rate_hz
-        return self._lasts_s if rate_hz is None else self._series.n_samples / rate_hz
+        rate_hz = self.choice.rate_hz
+        return self._lasts_s if rate_hz is None else self.series.n_samples / rate_hz
 
     def take_part(self, start_s: float, duration_s: float) -> None:
         """Choose another part, as a user does."""
@@ -152,10 +142,10 @@ class ChoiceForm(QWidget):
         whole_s = max(lasts_s, _DURATION.minimum) if lasts_s <= _WHOLE_UP_TO_S else _BEGINNING_S
         if not self._part_chosen:
             self._part_s = whole_s
-        before = self._choice
+        before = self.choice
         self._fit()
-        if self._choice != before:
-            self.changed.emit(self._choice)
+        if self.choice != before:
+            self.changed.emit(self.choice)
 
     def show_missing(self, n_missing: int) -> None:
         """Offer to count missing numbers as 0, where there are some."""
@@ -166,19 +156,8 @@ class ChoiceForm(QWidget):
         self._form = QFormLayout(self)
         self._form.setContentsMargins(0, 0, 0, 0)
         self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        labels = {
-            "signal": "Signal",
-            "axes": "Axes",
-            "timing": "Times",
-            "time_unit": "Stamps in",
-            "rate": "Sample rate",
-            "unit": "Unit",
-            "scale": "Size",
-            "start": "Start",
-            "duration": "Length",
-        }
-        for name, widget in self._widgets.items():
-            self._form.addRow(labels.get(name, ""), widget)
+        for widget in self._widgets.values():
+            self._form.addRow(widget.accessibleName(), widget)
         self._form.setRowVisible(self._missing, False)
         self._signal.edited.connect(self._choose_signal)
         self._unit.edited.connect(lambda unit, *_: self._scale.set_value(usual_scale(unit)))
@@ -198,7 +177,7 @@ class ChoiceForm(QWidget):
 
     def _take_series(self, series: Series) -> None:
         """Show a signal with the likeliest choice for it."""
-        self._series = series
+        self.series = series
         first = suggested(self._contents, series)
         stated = self._contents.rate_of(series)
         self._rate_typed = self._part_chosen = False
@@ -246,24 +225,24 @@ class ChoiceForm(QWidget):
     def _fit(self) -> None:
         """Update the choice; the part is no longer than what is left after its start."""
         # The length of the whole signal depends on the chosen rate.
-        self._choice = self._choice_in_fields()
+        self.choice = self._choice_in_fields()
         most_s = MOST_PART_S
         if self.lasts_s is not None:
             left_s = self.lasts_s - self._start.value_si
             most_s = min(max(left_s, _DURATION.minimum), MOST_PART_S)
         self._duration.set_spec(replace(_DURATION, maximum=most_s))
         self._duration.set_value(min(self._part_s, most_s))
-        self._choice = self._choice_in_fields()
+        self.choice = self._choice_in_fields()
 
     def _take_over(self, *_: object, rate_typed: bool = False) -> None:
         self._rate_typed = self._rate_typed or rate_typed
         self._fit()
         self._show_rows()
-        self.changed.emit(self._choice)
+        self.changed.emit(self.choice)
 
     def _show_rows(self) -> None:
         steady = self._timing.value == _STEADY
-        stated = self._contents.rate_of(self._series) is not None
+        stated = self._contents.rate_of(self.series) is not None
         timestamps = self._contents.one(self._timing.value)
         self._form.setRowVisible(self._rate, steady and not stated)
         self._form.setRowVisible(self._time_unit, timestamps is not None and not timestamps.is_time)
@@ -276,9 +255,9 @@ class ChoiceForm(QWidget):
             if timestamps and timestamps.is_time
             else float(self._time_unit.value)
         )
-        stated = self._contents.rate_of(self._series)
+        stated = self._contents.rate_of(self.series)
         return ImportChoice(
-            series=self._series.key,
+            series=self.series.key,
             rate_hz=None if timestamps else (stated or self._rate.value_si),
             time=timestamps.key if timestamps else None,
             time_unit_s=unit_s,
@@ -506,7 +485,7 @@ class OverviewStrip(QWidget):
 
     def __init__(self, longest_s: float, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._extremes: Floats | None = None
+        self.extremes: Floats | None = None
         self._landmarks_s: Floats | None = None
         self._part = DraggedPart(longest_s, self.width)
         self.setObjectName("import_overview")
@@ -521,14 +500,9 @@ class OverviewStrip(QWidget):
     def sizeHint(self) -> QSize:
         return QSize(400, _HEIGHT_PX)
 
-    @property
-    def extremes(self) -> Floats | None:
-        """Least and largest values that are drawn, (2, columns)."""
-        return self._extremes
-
     def show_extremes(self, extremes: Floats | None) -> None:
         """Draw least and largest values, (2, columns); None: they are not known yet."""
-        self._extremes = extremes
+        self.extremes = extremes
         self.update()
 
     def show_landmarks(self, landmarks_s: Floats | None) -> None:
@@ -548,8 +522,8 @@ class OverviewStrip(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.fillRect(self.rect(), QColor(current_theme().base))
-        if self._extremes is not None:
-            self._paint_extremes(painter, self._extremes)
+        if self.extremes is not None:
+            self._paint_extremes(painter, self.extremes)
         start, end = self.x_of(self._part.start_s), self.x_of(self._part.end_s)
         part = QRectF(start, 0.0, max(end - start, _LEAST_PX), self.height())
         shade = QColor(current_theme().accent)

@@ -35,7 +35,7 @@ from skinsource_gui.pages.importing.form import (
     ImportPreview,
     OverviewStrip,
 )
-from skinsource_gui.pages.page import Page
+from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.worker import Worker, fault_text
@@ -167,7 +167,7 @@ _READING = "Reading…"
 _ASSUMED = f"The file does not say its sample rate; {ASSUMED_RATE_HZ:g} Hz is assumed."
 
 
-class ImportPage(Page):
+class ImportPage(ToolPage):
     """Shows what a file holds, asks what it leaves open, and shows what will be imported.
 
     Parameters
@@ -192,12 +192,12 @@ class ImportPage(Page):
     ) -> None:
         super().__init__(parent, "import_page", f"Import {path_text(Path(path.name))}", (820, 520))
         self._band_hz = limb.band_hz
-        self._form: ChoiceForm | None = None
+        self.form: ChoiceForm | None = None
         self._taken: Taken | None = None
         self._surveyed = ""
         self._about, self._warning = QLabel(_READING), QLabel(_ASSUMED)
         self._place = ChoiceField(ChoiceSpec(label="Goes to", options=places))
-        self._preview, self._strip = ImportPreview(), OverviewStrip(MOST_PART_S)
+        self.preview, self._strip = ImportPreview(), OverviewStrip(MOST_PART_S)
         self._strip.hide()
         self._bar = QProgressBar()
         self._buttons = QDialogButtonBox(
@@ -208,16 +208,6 @@ class ImportPage(Page):
         self._worker = ReadingWorker(path, limb.sample_rate_hz, self)
         self._connect()
         self._worker.look()
-
-    @property
-    def form(self) -> ChoiceForm | None:
-        """The fields, once it is known what the file holds."""
-        return self._form
-
-    @property
-    def preview(self) -> ImportPreview:
-        """The preview of the recording."""
-        return self._preview
 
     @property
     def busy(self) -> bool:
@@ -268,10 +258,10 @@ class ImportPage(Page):
         self._left.addStretch(1)
         self._left.addWidget(QLabel("Goes to"))
         self._left.addWidget(self._place)
-        right = in_column(self._strip, (self._preview, 1), gap_px=UNIT_PX)
+        right = in_column(self._strip, (self.preview, 1), gap_px=UNIT_PX)
         columns = in_row(left, (right, 1), gap_px=2 * UNIT_PX)
         in_column((columns, 1), self._bar, self._buttons, of=self)
-        self._preview.show_message(_READING)
+        self.preview.show_message(_READING)
 
     def _connect(self) -> None:
         worker = self._worker
@@ -286,24 +276,24 @@ class ImportPage(Page):
 
     def _show_contents(self, contents: Found) -> None:
         self._about.setText(about(contents))
-        self._form = ChoiceForm(contents, self)
-        self._form.changed.connect(self._import)
-        self._left.insertWidget(2, self._form)
-        self._strip.part_chosen.connect(self._form.take_part)
-        self._import(self._form.choice)
+        self.form = ChoiceForm(contents, self)
+        self.form.changed.connect(self._import)
+        self._left.insertWidget(2, self.form)
+        self._strip.part_chosen.connect(self.form.take_part)
+        self._import(self.form.choice)
 
     def _import(self, choice: ImportChoice) -> None:
         self._taken = None
         self._import_button.setEnabled(False)
-        self._warning.setVisible(self._form is not None and self._form.assumes_rate)
-        self._preview.set_pale(True)
+        self._warning.setVisible(self.form is not None and self.form.assumes_rate)
+        self.preview.set_pale(True)
         self._bar.show()
         self._bar.setRange(0, 0)
         self._worker.take(choice)
         self._show_part(choice)
 
     def _show_part(self, choice: ImportChoice) -> None:
-        form = self._form
+        form = self.form
         lasts_s = form.lasts_s if form is not None else None
         self._strip.setVisible(lasts_s is not None)
         if form is None or lasts_s is None:
@@ -315,32 +305,32 @@ class ImportPage(Page):
             self._worker.survey(form.series)
 
     def _show_overview(self, key: str, extremes: Floats) -> None:
-        if self._form is not None and key == self._form.choice.series:
+        if self.form is not None and key == self.form.choice.series:
             self._strip.show_extremes(extremes)
 
     def _show_read(self, raw: RawPart) -> None:
-        if self._form is not None:
-            self._form.show_missing(raw.n_missing)
+        if self.form is not None:
+            self.form.show_missing(raw.n_missing)
             self._strip.show_landmarks(raw.landmarks_s)
-            self._form.show_length(raw.lasts_s)
-            self._show_part(self._form.choice)
+            self.form.show_length(raw.lasts_s)
+            self._show_part(self.form.choice)
 
     def _show_taken(self, choice: ImportChoice, taken: Taken) -> None:
-        if self._form is None or choice != self._form.choice:
+        if self.form is None or choice != self.form.choice:
             return
         self._taken = taken
         self._bar.hide()
-        self._preview.show_part(taken, choice, self._band_hz)
+        self.preview.show_part(taken, choice, self._band_hz)
         self._import_button.setEnabled(True)
         self._import_button.setDefault(True)
 
     def _show_failed(self, choice: ImportChoice | None, reason: str) -> None:
         if choice is None:
             self._about.setText("This file cannot be imported.")
-        elif self._form is None or choice != self._form.choice:
+        elif self.form is None or choice != self.form.choice:
             return
         self._bar.hide()
-        self._preview.show_message(reason)
+        self.preview.show_message(reason)
 
     def _show_progress(self, done: int, total: int) -> None:
         self._bar.setRange(0, 1000)

@@ -410,7 +410,7 @@ class LimbForm(QObject):
         values = {**header, **dict(zip(_BAND, header["band_hz"] or (0.0, 0.0), strict=True))}
         for name, field in self.numbers.items():
             field.set_value(float(values[name]) * (_METRES if name == "hand_length_mm" else 1.0))
-        self.left.setChecked(header["hand"] == "left")
+        self.left.setChecked(header["left"])
         self.synthetic.setChecked(bool(header["synthetic"]))
         self._from_file = {field: _value_of(field) for field in self._filled()}
 
@@ -487,21 +487,13 @@ class LimbForm(QObject):
         for name, field in self.numbers.items():
             field.setObjectName(f"limb_{name}")
             field.set_value(_STARTS.get(name, 0.0))
-            field.edited.connect(self._take_number(field))
+            field.edited.connect(self.changed)
             self._rows.addRow(_NUMBERS[name].label, field)
         for box in (self.left, self.mirrored):
             box.toggled.connect(self.changed)
         self._rows.addRow("Hand", in_row(self.left, self.mirrored, None))
         for what in ("outline", "inputs", "outputs", "photograph"):
             self._add_file(what)
-
-    def _take_number(self, field: NumberField) -> Any:
-        def take(value: float, gesture: object) -> None:
-            del gesture
-            field.set_value(value)
-            self.changed.emit()
-
-        return take
 
     def _add_file(self, what: str) -> None:
         label, hint = _FILES[what]

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import Signal
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import (
     QFileDialog,
@@ -22,7 +22,6 @@ from PySide6.QtWidgets import (
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.job import Job
-from skinsource.base.quoting import sentence
 from skinsource.limbs.limb import LimbFacts
 from skinsource.limbs.limb_import import Points, import_limb
 from skinsource.limbs.limb_layout import export_limb
@@ -30,12 +29,12 @@ from skinsource.limbs.own_limbs import facts_of, mirror_limb, own_limb_names, re
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.limbs.form import Draft, LimbForm, LimbReader, PlacesCanvas
-from skinsource_gui.pages.page import Page
+from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.qt.buttons import page_button, page_label
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import ask_yes
-from skinsource_gui.qt.theme import UNIT_PX, set_tone
-from skinsource_gui.state.job_runner import JobProgress, JobRunner
+from skinsource_gui.qt.theme import UNIT_PX
+from skinsource_gui.state.job_runner import JobProgress, JobRunner, PageJobs
 from skinsource_gui.state.preferences import InstalledLimbs
 
 _NO = QMessageBox.StandardButton.No
@@ -161,74 +160,6 @@ TITLE = "Own limbs"
 IMPORTING = "Importing a limb"
 
 
-class PageJobs(QObject):
-    """Adds jobs of the page to the runner, and emits what becomes of them.
-
-    The page covers the bar where other jobs are cancelled.  An import that an earlier page began is
-    one of its jobs too.
-    """
-
-    #: Progress of the present job, as a text.
-    progressed = Signal(str)
-    #: A job was added, or has ended.
-    changed = Signal()
-    #: The job, and its result.
-    done = Signal(object, object)
-    #: A sentence: it failed.
-    failed = Signal(str)
-    cancelled = Signal()
-
-    def __init__(self, runner: JobRunner, parent: QObject) -> None:
-        super().__init__(parent)
-        self._runner = runner
-        self._jobs = [job for job in runner.unfinished if job.title == IMPORTING]
-        runner.progressed.connect(self._note_progress)
-        runner.done.connect(self._note_done)
-        runner.failed.connect(self._note_failed)
-        runner.cancelled.connect(self._note_cancelled)
-
-    @property
-    def busy(self) -> bool:
-        """Whether a job is not finished."""
-        return bool(self._jobs)
-
-    def add(self, job: Job[Any]) -> None:
-        """Run a job."""
-        self._jobs.append(job)
-        self.progressed.emit(f"{job.title}…")
-        self.changed.emit()
-        self._runner.add(job)
-
-    def cancel(self) -> None:
-        """Cancel all jobs of the page."""
-        for job in tuple(self._jobs):
-            self._runner.cancel(job)
-
-    def _note_progress(self, job: Job[Any], progress: JobProgress) -> None:
-        if job in self._jobs and progress.total:
-            share = 100 * progress.done // progress.total
-            self.progressed.emit(f"{job.title}: {share} %")
-
-    def _note_done(self, job: Job[Any], result: object) -> None:
-        if self._ended(job):
-            self.done.emit(job, result)
-
-    def _note_failed(self, job: Job[Any], error: Exception) -> None:
-        if self._ended(job):
-            self.failed.emit(str(error))
-
-    def _note_cancelled(self, job: Job[Any]) -> None:
-        if self._ended(job):
-            self.cancelled.emit()
-
-    def _ended(self, job: Job[Any]) -> bool:
-        if job not in self._jobs:
-            return False
-        self._jobs.remove(job)
-        self.changed.emit()
-        return True
-
-
 _CLICKS = ChoiceSpec(
     label="A click places",
     options=(
@@ -248,7 +179,7 @@ _KINDS = {
 }
 
 
-class LimbPage(Page):
+class LimbPage(ToolPage):
     """Puts a limb together and imports it; lists the limbs that were imported."""
 
     def __init__(
@@ -258,18 +189,26 @@ class LimbPage(Page):
         parent: QWidget,
     ) -> None:
         super().__init__(parent, "limb_page", TITLE, (940, 640))
-        self._limbs, self._jobs = limbs, PageJobs(runner, self)
+        self._limbs, self._jobs = limbs, PageJobs(runner, self, (IMPORTING,))
         self.draft = Draft()
         self.reader = LimbReader(self)
         self.form, self.canvas, self.own = LimbForm(self), PlacesCanvas(), OwnList()
         self.click = ChoiceField(_CLICKS)
         self.click.setObjectName("click_places")
         self.click.set_value("inputs")
-        self._back = page_button("remove_last", "Take back", "Remove the point clicked last")
-        self._message = page_label("limb_words")
-        self._import = page_button("import_limb", "Import", "Check all of it, and keep it")
-        self._cancel = page_button("cancel_import", "Cancel", "Stop it; nothing is kept of it")
-        self._close = page_button("close_page", "Close", "Close; an import goes on")
+        self._back = self.add_button(
+            "remove_last",
+            "Take back",
+            "Remove the point clicked last",
+            lambda: self._take(self.draft.without_last(self.click.value)),
+        )
+        self._import = self.add_button(
+            "import_limb", "Import", "Check all of it, and keep it", self._start
+        )
+        self._cancel = self.add_button(
+            "cancel_import", "Cancel", "Stop it; nothing is kept of it", self._jobs.cancel
+        )
+        self._close = self.add_button("close_page", "Close", "Close; an import goes on", self.close)
         self._lay_out()
         self._connect()
         self._show()
@@ -277,13 +216,9 @@ class LimbPage(Page):
     def _lay_out(self) -> None:
         left = in_column(self.form.widget, None, self.own)
         clicks = in_row(QLabel(_CLICKS.label), (self.click, 1), self._back)
-        ends = QHBoxLayout()
-        ends.addStretch(1)
         # Cancel is left of Import, so that a double click on Import does not cancel the import.
-        ends.addWidget(self._cancel)
-        ends.addWidget(self._import)
-        ends.addWidget(self._close)
-        right = in_column(clicks, (self.canvas, 1), self._message, ends)
+        ends = in_row(None, self._cancel, self._import, self._close)
+        right = in_column(clicks, (self.canvas, 1), self.message, ends)
         in_row((left, 5), (right, 6), of=self, gap_px=2 * UNIT_PX)
 
     def _connect(self) -> None:
@@ -292,39 +227,35 @@ class LimbPage(Page):
         self.reader.inspected.connect(self._take_responses)
         self.reader.read.connect(self._take_points)
         self.reader.pictured.connect(self._take_photograph)
-        self.reader.failed.connect(self._complain)
+        self.reader.failed.connect(self.complain)
         self.canvas.clicked.connect(
             lambda x, y: self._take(self.draft.with_point(self.click.value, (x, y)))
         )
-        self._back.clicked.connect(lambda: self._take(self.draft.without_last(self.click.value)))
-        self._import.clicked.connect(self._start)
-        self._close.clicked.connect(self.close)
         self.own.changed.connect(self._limbs.look)
-        self.own.failed.connect(self._complain)
-        self.own.job_requested.connect(self._jobs.add)
-        self._cancel.clicked.connect(self._jobs.cancel)
+        self.own.failed.connect(self.complain)
+        self.own.job_requested.connect(self._add_job)
         self._jobs.changed.connect(self._show)
-        self._jobs.progressed.connect(self._say)
+        self._jobs.progressed.connect(self._show_progress)
         self._jobs.done.connect(self._note_done)
-        self._jobs.failed.connect(self._complain)
-        self._jobs.cancelled.connect(lambda: self._say("Cancelled. Nothing was changed."))
+        self._jobs.failed.connect(self.complain)
+        self._jobs.cancelled.connect(lambda: self.say("Cancelled. Nothing was changed."))
         self.finished.connect(lambda _: self.reader.end())
 
     def open_file(self, path: Path, what: str) -> None:
         """Read a file for ``what``."""
         if what == "photograph":
-            self._message.setText(f"Reading {path.name}…")
+            self.say(f"Reading {path.name}…")
             self.reader.read_photograph(path)
         elif what == "responses":
-            self._message.setText(f"Reading {path.name}…")
+            self.say(f"Reading {path.name}…")
             self.reader.look(path)
         else:
             self.reader.read_points(path, what)
 
     def _ask(self, what: str) -> None:
-        name, _ = QFileDialog.getOpenFileName(self, f"Choose {what}", "", _KINDS[what])
-        if name:
-            self.open_file(Path(name), what)
+        path = self.ask_open(f"Choose {what}", _KINDS[what])
+        if path is not None:
+            self.open_file(path, what)
 
     def _take_responses(self, path: Path, about: dict[str, Any]) -> None:
         header, in_layout = about["header"], about["header"] is not None
@@ -391,29 +322,30 @@ class LimbPage(Page):
         self._import.setEnabled(not missing and not self._jobs.busy)
         self._cancel.setVisible(self._jobs.busy)
         if not self._jobs.busy:
-            self._say(missing or "Ready to import.")
+            self.say(missing or "Ready to import.")
 
-    def _say(self, text: str, tone: str = "") -> None:
-        set_tone(self._message, tone)
-        self._message.setText(text)
+    def _add_job(self, job: Job[Any]) -> None:
+        self._jobs.add(job)
+        self.say(f"{job.title}…")
 
-    def _complain(self, reason: str) -> None:
-        self._say(sentence(reason), "error")
+    def _show_progress(self, job: Job[Any], progress: JobProgress) -> None:
+        if progress.total:
+            self.say(f"{job.title}: {100 * progress.done // progress.total} %")
 
     def _start(self) -> None:
         name = self.draft.values["name"]
         exists = name in own_limb_names()
         if not exists or ask_to_replace(self, name):
             work = partial(import_limb, self.draft.source(), replace=exists)
-            self._jobs.add(Job(IMPORTING, work))
+            self._add_job(Job(IMPORTING, work))
 
     def _note_done(self, job: Job[Any], result: object) -> None:
         self._limbs.look()
         self.own.show_limbs(result.name if isinstance(result, LimbFacts) else self.own.chosen)
         if isinstance(result, LimbFacts):
-            self._say(f"Imported as {result.name}. Choose it at the left of the bar.")
+            self.say(f"Imported as {result.name}. Choose it at the left of the bar.")
         else:
-            self._say(f"{job.title}: done.")
+            self.say(f"{job.title}: done.")
 
 
 def _points_of(rows: list[Any]) -> np.ndarray:

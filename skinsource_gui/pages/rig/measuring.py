@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QLabel, QProgressBar, QWidget
+from PySide6.QtWidgets import QProgressBar, QWidget
 
 from skinsource.actuators.actuator import Actuator
 from skinsource.actuators.catalog import names, profile
@@ -36,11 +36,11 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.fields.units import minus
-from skinsource_gui.pages.page import Page
+from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.plots.curves import CurveName, Curves
 from skinsource_gui.plots.ranges import XAxis
 from skinsource_gui.plots.signal_view import SignalView
-from skinsource_gui.qt.buttons import page_button, page_label
+from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.playing import SoundSettings, end_sound, sound_worker
@@ -233,7 +233,7 @@ _START = "Play the sweeps, and record them"
 _READY = "Start plays on output {output}, at the level above."
 
 
-class MeasurePage(Page):
+class MeasurePage(ToolPage):
     """Asks for the sensor, measures a channel, and emits the measurement where it is accepted.
 
     Parameters
@@ -267,12 +267,15 @@ class MeasurePage(Page):
         self.measurement: ChannelMeasurement | None = None
         self.fields = MeasureFields(setup_of(settings.sensor_text), self)
         self.plot = MeasuredView()
-        self.message, self._bar = page_label("measure_words"), QProgressBar()
-        self.message.setTextFormat(Qt.TextFormat.PlainText)
-        self.start = page_button("measure_start", "Start", _START)
-        self.stop = page_button("measure_stop", "Stop", "Silence at once; nothing is kept")
-        self.keep = page_button("measure_keep", "Keep", "Put it into the channel, with the date")
-        self._close = page_button("measure_close", "Close", "Without keeping it")
+        self._bar = QProgressBar()
+        self.start = self.add_button("measure_start", "Start", _START, self._start)
+        self.stop = self.add_button(
+            "measure_stop", "Stop", "Silence at once; nothing is kept", self._stop.set
+        )
+        self.keep = self.add_button(
+            "measure_keep", "Keep", "Put it into the channel, with the date", self._keep
+        )
+        self._close = self.add_button("measure_close", "Close", "Without keeping it", self.reject)
         self._lay_out()
         self._connect()
         self._look()
@@ -293,8 +296,7 @@ class MeasurePage(Page):
             super().keyPressEvent(event)
 
     def _lay_out(self) -> None:
-        about = QLabel(_INTRODUCTION)
-        about.setWordWrap(True)
+        about = page_label("measure_about", _INTRODUCTION)
         self._bar.setTextVisible(False)
         policy = self._bar.sizePolicy()
         policy.setRetainSizeWhenHidden(True)
@@ -306,21 +308,17 @@ class MeasurePage(Page):
         )
 
     def _connect(self) -> None:
-        self.start.clicked.connect(self._start)
-        self.stop.clicked.connect(self._stop.set)
-        self.keep.clicked.connect(self._keep)
-        self._close.clicked.connect(self.reject)
-        self.fields.refused.connect(self._say)
+        self.fields.refused.connect(self.say)
         self.fields.changed.connect(self._say_readiness)
-        self.plot.exports.failed.connect(self._say)
-        self.plot.exports.written.connect(self._say)
+        self.plot.exports.failed.connect(self.say)
+        self.plot.exports.written.connect(self.say)
         self._progressed.connect(self._show_progress, Qt.ConnectionType.QueuedConnection)
         self._settings.changed.connect(self._list_inputs)
 
     def _look(self) -> None:
         """Look for devices, which ends playback and frees the sound card."""
         self._looking = True
-        self._say(self._missing or _LOOKING)
+        self.say(self._missing or _LOOKING)
         self._settings.look()
         self._show_state()
 
@@ -335,7 +333,7 @@ class MeasurePage(Page):
         self.fields.show_inputs(devices or ())
         self._say_readiness()
         if error is not None and not self._missing:
-            self._say(str(error))
+            self.say(str(error))
 
     def _start(self) -> None:
         setup, channel = self.fields.setup, self._channel
@@ -343,7 +341,7 @@ class MeasurePage(Page):
         self._stop.clear()
         self._running, self.measurement = True, None
         self.plot.show_measured(None, None, "Measuring…")
-        self._say("Two seconds of silence first.")
+        self.say("Two seconds of silence first.")
         self._show_state()
         work = partial(
             measure,
@@ -360,11 +358,11 @@ class MeasurePage(Page):
         self._running, self.measurement = False, measurement
         self.plot.show_measured(measurement, self._channel)
         if measurement is not None:
-            self._say(
+            self.say(
                 " ".join((*measurement.lines, *model_difference_text(measurement, self._channel)))
             )
         else:
-            self._say("Stopped." if isinstance(error, Stopped) else str(error))
+            self.say("Stopped." if isinstance(error, Stopped) else str(error))
         self._show_state()
 
     def _keep(self) -> None:
@@ -384,14 +382,14 @@ class MeasurePage(Page):
     def _say_readiness(self) -> None:
         """Say that the measurement can start, or why not; a text on a result stays."""
         if not self._looking and (self._missing or self.measurement is None):
-            self._say(self._missing or _READY.format(output=self._channel.output))
+            self.say(self._missing or _READY.format(output=self._channel.output))
         self._show_state()
 
     def _show_progress(self, done: int, total: int, text: str) -> None:
         if self._running:
             self._bar.setRange(0, total)
             self._bar.setValue(done)
-            self._say(f"{text}…")
+            self.say(f"{text}…")
 
     def _show_state(self) -> None:
         self.fields.grid.setEnabled(not self._running)
@@ -401,5 +399,5 @@ class MeasurePage(Page):
         self.keep.setEnabled(self.measurement is not None)
         self._bar.setVisible(self._running)
 
-    def _say(self, text: str) -> None:
-        self.message.setText(text if text.endswith(("…", ".")) else sentence(text))
+    def say(self, text: str) -> None:
+        super().say(text if text.endswith(("…", ".")) else sentence(text))

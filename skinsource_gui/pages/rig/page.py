@@ -9,12 +9,9 @@ from typing import Any
 from PySide6.QtCore import QObject, QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
-    QFileDialog,
-    QHBoxLayout,
     QLabel,
     QLineEdit,
     QListWidget,
-    QPushButton,
     QWidget,
 )
 
@@ -39,7 +36,7 @@ from skinsource.specs.spec import ChoiceSpec, Spec
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.fields.rig_field import RESPONSE_FILES
-from skinsource_gui.pages.page import Page
+from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.pages.rig.measuring import MeasurePage
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled
 from skinsource_gui.qt.layouts import in_column, in_row
@@ -289,11 +286,10 @@ class RigDraft(QObject):
 
 
 _KINDS = f"Rigs (*{SUFFIX});;All files (*)"
-_ENDS = (("open", "Open…"), ("save", "Save…"), ("close", "Close"))
 _NOTHING = "No channel yet: add one for each actuator."
 
 
-class RigPage(Page):
+class RigPage(ToolPage):
     """Opens, edits and saves a rig file, channel by channel.
 
     Parameters
@@ -323,7 +319,6 @@ class RigPage(Page):
         self.channels.setObjectName("rig_channels")
         self.channels.setAccessibleName("Channels")
         self.fields = ChannelFields(self)
-        self.message = page_label("rig_words")
         self._use = QCheckBox("Play for it on this machine")
         self._use.setObjectName("rig_use")
         self._use.setChecked(True)
@@ -338,42 +333,36 @@ class RigPage(Page):
         end_sound(self._thread)
         super().done(result)
 
-    def button(self, name: str) -> QPushButton:
-        """Return the button ``rig_{name}``."""
-        return self.findChildren(QPushButton, f"rig_{name}")[0]
-
     def _lay_out(self) -> None:
-        buttons = _row(("add", "Add channel"), ("remove", "Remove channel"))
+        add = self.add_button("rig_add", "Add channel", "", self._add)
+        self._remove_button = self.add_button("rig_remove", "Remove channel", "", self._remove)
+        buttons = in_row(add, self._remove_button)
         left = in_column(self._title, (self.channels, 1), buttons)
         scroll = scrolled(self.fields.widget, "rig_fields")
         scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         both = in_row((left, 2), (scroll, 3), gap_px=2 * UNIT_PX)
-        ends = _row(("predict", "Predict through it"), *_ENDS)
-        ends.insertWidget(0, self._use)
-        ends.insertStretch(1, 1)
+        ends = in_row(
+            self._use,
+            None,
+            self.add_button("rig_predict", "Predict through it", "", self._predict),
+            self.add_button("rig_open", "Open…", "", self._open),
+            self.add_button("rig_save", "Save…", "", self._save),
+            self.add_button("rig_close", "Close", "", self.reject),
+        )
         in_column((both, 1), self.message, ends, of=self)
 
     def _connect(self) -> None:
         self.draft.changed.connect(self._show)
-        self.draft.noted.connect(self._say)
+        self.draft.noted.connect(self.say)
         self._title.textEdited.connect(self.draft.entitle)
         self.channels.currentRowChanged.connect(self._show_channel)
         self.fields.edited.connect(
             lambda channel: self.draft.take_channel(self.channels.currentRow(), channel)
         )
-        self.fields.refused.connect(self._say)
+        self.fields.refused.connect(self.say)
         self.fields.from_file.clicked.connect(self._ask_response)
         self.fields.measure.clicked.connect(self._measure)
         self.fields.forget.clicked.connect(partial(self._take_response, None))
-        for name, method in (
-            ("add", self._add),
-            ("remove", self._remove),
-            ("open", self._open),
-            ("save", self._save),
-            ("predict", self._predict),
-            ("close", self.reject),
-        ):
-            self.button(name).clicked.connect(method)
 
     def _show(self, row: int) -> None:
         """Show the rig, and one of its channels."""
@@ -386,16 +375,16 @@ class RigPage(Page):
             self.channels.addItems([title_of(channel, limb) for channel in channels])
             self.channels.setCurrentRow(min(row, len(channels) - 1))
         self._show_channel(self.channels.currentRow())
-        self.button("remove").setEnabled(bool(channels))
+        self._remove_button.setEnabled(bool(channels))
         changed = " (changed)" if draft.unsaved else ""
         where = path_text(Path(draft.path.name)) if draft.path is not None else "not saved yet"
-        self._say(f"The rig is {where}{changed}" if channels else _NOTHING)
+        self.say(f"The rig is {where}{changed}" if channels else _NOTHING)
 
     def _show_channel(self, row: int) -> None:
         self.fields.show_channel(self.draft.rig.channels[row] if row >= 0 else None)
 
-    def _say(self, text: str) -> None:
-        self.message.setText(sentence(text))
+    def say(self, text: str) -> None:
+        super().say(sentence(text))
 
     def _add(self) -> None:
         self.draft.add(self.channels.currentRow())
@@ -404,10 +393,10 @@ class RigPage(Page):
         self.draft.remove(self.channels.currentRow())
 
     def _ask_response(self) -> None:
-        name, _ = QFileDialog.getOpenFileName(self, "Response of the actuator", "", RESPONSE_FILES)
-        if name:
-            self._say("Reading…")
-            self._thread.run(partial(open_response, Path(name)), self._take_response)
+        path = self.ask_open("Response of the actuator", RESPONSE_FILES)
+        if path is not None:
+            self.say("Reading…")
+            self._thread.run(partial(open_response, path), self._take_response)
 
     def _measure(self) -> None:
         """Open the page that measures this channel."""
@@ -421,27 +410,28 @@ class RigPage(Page):
         self, response: MeasuredResponse | None, error: Exception | None = None
     ) -> None:
         if error is not None:
-            self._say(str(error))
+            self.say(str(error))
         else:
             self.draft.take_response(self.channels.currentRow(), response)
 
     def _open(self) -> None:
         if self.draft.unsaved and not self._may_lose_changes():
             return
-        name, _ = QFileDialog.getOpenFileName(self, "Open a rig", "", _KINDS)
-        if name:
-            self.draft.open(Path(name))
+        path = self.ask_open("Open a rig", _KINDS)
+        if path is not None:
+            self.draft.open(path)
 
     def _save(self) -> None:
         draft = self.draft
-        start = str(draft.path or f"{draft.rig.title or 'rig'}{SUFFIX}")
-        name, _ = QFileDialog.getSaveFileName(self, "Save the rig", start, _KINDS)
-        path = Path(name if Path(name).suffix else f"{name}{SUFFIX}")
-        if name and draft.save(path):
+        start = draft.path or Path(f"{draft.rig.title or 'rig'}{SUFFIX}")
+        path = self.ask_save("Save the rig", _KINDS, start)
+        if path is not None and not path.suffix:
+            path = path.with_name(f"{path.name}{SUFFIX}")
+        if path is not None and draft.save(path):
             if self._use.isChecked():
                 self._settings.choose_rig(path)
             self._show(self.channels.currentRow())
-            self._say(f"Saved {path_text(Path(path.name))}")
+            self.say(f"Saved {path_text(Path(path.name))}")
 
     def _predict(self) -> None:
         """Predict the design through these actuators, with the equaliser that it has."""
@@ -451,14 +441,14 @@ class RigPage(Page):
         try:
             through = actuation_of_rig(self.draft.rig, equaliser)
         except InvalidInputError as error:
-            self._say(str(error))
+            self.say(str(error))
             return
         outcome = edits.predict_through(design, view, through)
         if isinstance(outcome, Refusal):
-            self._say(outcome.sentence)
+            self.say(outcome.sentence)
         else:
             self._document.apply(outcome)
-            self._say(f"Predicted through {through.words}")
+            self.say(f"Predicted through {through.words}")
 
     def _may_lose_changes(self) -> bool:
         """Return whether changes may go: they are saved now, or the user gives them up."""
@@ -469,7 +459,3 @@ class RigPage(Page):
 
         question = "The changes of the rig are not saved. Save them?"
         return ask_to_save(self, "Changes of the rig", question, save)
-
-
-def _row(*buttons: tuple[str, str]) -> QHBoxLayout:
-    return in_row(*(page_button(f"rig_{name}", text) for name, text in buttons))

@@ -284,29 +284,14 @@ _BOX_HINTS = {
     "sync": "A last channel with a pulse at full scale where the design begins",
     "dither": "Noise of one step before rounding, so that the error does not follow the signal",
 }
-#: Labels of the rows, by the names of their fields; choices of a format follow what it is about.
-_ROWS = {
-    "format": "Format",
-    "about": "",
-    "rate": "Rate",
-    "other_rate": "",
-    "plays": "Plays",
-    "channels": "Channels",
-    "map": "Map",
-    "time": "Time",
-    "from": "From",
-    "to": "To",
-    "fade_in": "Fade in",
-    "fade_out": "Fade out",
-    "lead_in": "Lead-in",
-    "rig": "Rig",
-    "actuator": "Actuator",
-    "equaliser": "Equaliser",
-    "scale": "Full scale",
-    "full_scale": "",
-    "sync": "",
-    "dither": "",
-}
+#: Names of the rows; choices of a format follow what it is about.
+_ROWS = (
+    "format", "about", "rate", "other_rate", "plays", "channels", "map", "time", "from", "to",
+    "fade_in", "fade_out", "lead_in", "rig", "actuator", "equaliser", "scale", "full_scale",
+    "sync", "dither",
+)  # fmt: skip
+#: Rows that go on with the one before.
+_CONTINUED = ("other_rate", "full_scale")
 
 
 class StimulusForm(QWidget):
@@ -359,11 +344,11 @@ class StimulusForm(QWidget):
         self._form = QFormLayout(self)
         self._form.setContentsMargins(0, 0, 0, 0)
         self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        for name, label in _ROWS.items():
+        for name in _ROWS:
             widget = self._about if name == "about" else self.field(name)
             if widget is not self._about:
                 widget.setObjectName(f"stimulus_{name}")
-            self._form.addRow(label, widget)
+            self._form.addRow("" if name in _CONTINUED else widget.accessibleName(), widget)
         self._connect()
         self.show_format()
 

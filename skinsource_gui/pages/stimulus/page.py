@@ -32,7 +32,7 @@ from skinsource.design.motions import ms_text
 from skinsource.design.view import View
 from skinsource.export.formats.format import ChannelOverview
 from skinsource.export.stimulus_export.preparing import PreparedStimulus, prepare_stimulus
-from skinsource_gui.pages.page import Page
+from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.pages.stimulus.form import Order, StimulusForm, recall, remembered
 from skinsource_gui.qt.buttons import scrolled
 from skinsource_gui.qt.layouts import in_column, in_row
@@ -217,7 +217,7 @@ _LEFT_PX = 300
 _ORDER = "order"
 
 
-class StimulusPage(Page):
+class StimulusPage(ToolPage):
     """Shows the channels as they will be written, and asks for format and options.
 
     Parameters

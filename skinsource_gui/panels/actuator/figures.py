@@ -201,13 +201,19 @@ def _value_text(value: float, unit: str) -> str:
 
 
 class FiguresTable(QWidget):
-    """A table of label, value and limit; what exceeds its limit is red."""
+    """A table of label, value and limit; what exceeds its limit is red.
+
+    Attributes
+    ----------
+    figures
+        What it shows.
+    """
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("actuator_figures")
         self.setAccessibleName("Predicted figures")
-        self._figures: tuple[Figure, ...] = ()
+        self.figures: tuple[Figure, ...] = ()
         self._rows: list[tuple[QLabel, QLabel, QLabel]] = []
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(0, 0, 0, 0)
@@ -215,14 +221,9 @@ class FiguresTable(QWidget):
         self._grid.setVerticalSpacing(0)
         self._grid.setColumnStretch(3, 1)
 
-    @property
-    def figures(self) -> tuple[Figure, ...]:
-        """What it shows."""
-        return self._figures
-
     def show_figures(self, figures: tuple[Figure, ...]) -> None:
         """Show these rows."""
-        self._figures = figures
+        self.figures = figures
         while len(self._rows) < len(figures):
             self._add_row()
         for row, labels in enumerate(self._rows):

@@ -38,7 +38,7 @@ from skinsource_gui.fields.inputs import clip_text, duration_text, figure_text, 
 from skinsource_gui.panels.clip_editor.tools import EnvelopeTool, GlideTool, Pen, ViewTool
 from skinsource_gui.panels.clip_editor.view import EditorView, SpectrumStrip, Tool
 from skinsource_gui.qt.keys import key_text, meaning_of
-from skinsource_gui.qt.labels import FittingLabel, how_to_select_clip
+from skinsource_gui.qt.labels import HOW_TO_SELECT_CLIP, FittingLabel, how_to_add
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import set_tone
 from skinsource_gui.qt.tooltips import show_tooltip
@@ -430,11 +430,6 @@ class ClipEditorPanel(Panel):
         self.design, self.view = design, view
         self._show()
 
-    def show_in_sight(self, names: frozenset[str]) -> None:
-        super().show_in_sight(names)
-        if self.clip is None:
-            self._show()
-
     def show_results(self, results: Mapping[str, Any]) -> None:
         self.rate_hz = results["sample_rate_hz"]
         self._waveforms = waveforms_of(results)
@@ -488,8 +483,8 @@ class ClipEditorPanel(Panel):
             self._glide.forget()
         self._stack.setCurrentIndex(0 if clip is None else 1)
         if clip is None:
-            inputs = bool(self.design and self.design.inputs)
-            self._empty.setText(how_to_select_clip(self.in_sight, inputs=inputs))
+            has_inputs = bool(self.design and self.design.inputs)
+            self._empty.setText(HOW_TO_SELECT_CLIP if has_inputs else how_to_add())
             self._canvas.show_clip(None, None, None, self.rate_hz)
             return
         lost_glide = self._canvas.tool is self._glide.tool and not self._glide.can_edit(clip)

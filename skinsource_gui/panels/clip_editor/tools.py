@@ -249,8 +249,6 @@ class Drag:
     box: QPointF | None = None
     handle: Handle | None = None
     moved: bool = False
-    # The points before the press added one.
-    before: Points = ()
 
 
 class ViewTool(Tool):
@@ -461,7 +459,7 @@ class EnvelopeTool(Tool):
             else:
                 added = algebra.with_point(points, max(start[0], 0.0))
                 index = 0 if segment < 0 else len(added) - 1
-                self._drag = Drag(added, (index,), start, number, added=True, before=points)
+                self._drag = Drag(added, (index,), start, number, added=True)
 
     def move(self, content: EditorContent, at: QPointF, held: Modifier) -> None:
         self._pointer = at

@@ -1,1 +1,1 @@
-"""Panel of snapshots side by side."""
+"""Panel of snapshots, limbs or axes, compared as maps."""

@@ -1,68 +1,244 @@
-"""The panel of snapshots as cards, and of how two of them differ."""
+"""The Compare panel: choices, cards of snapshots, and the maps below them."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import ClassVar
+from functools import partial
+from typing import Any, ClassVar
 
-import numpy as np
-from PySide6.QtCore import QSize
-from PySide6.QtWidgets import (
-    QBoxLayout,
-    QLabel,
-    QSizePolicy,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QPainter, QResizeEvent
+from PySide6.QtWidgets import QMenu, QToolButton, QWidget
 
 from skinsource.design import edits
 from skinsource.design.comparing import (
     EDITED,
+    MOST_SIDE_BY_SIDE,
     NUMBERS,
-    difference_db,
     other_snapshot,
-    same_outputs,
     shown_snapshot,
-    why_no_comparison,
 )
 from skinsource.design.design import Design
+from skinsource.design.labels import limb_label
+from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
-from skinsource_gui.panels.compare.card import (
-    LEAST_DB,
-    Card,
-    Difference,
-    DifferenceMap,
-    difference_captions,
-    equal_captions,
-    matching_text,
-    played_db,
+from skinsource.limbs.catalog import available_limbs
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.panels.compare.card import Card
+from skinsource_gui.panels.compare.content import (
+    LEAST_COMPARED,
+    Cell,
+    Cells,
+    CompareContent,
+    Kind,
+    OfAxes,
+    OfLimbs,
+    OfSnapshots,
+    tab_separated,
 )
-from skinsource_gui.plots.small_map import (
-    ColourScale,
-    SmallMap,
-    SmallMaps,
-    level_style,
-    scale_of_levels,
-)
+from skinsource_gui.panels.compare.settings import OF, OWN_MAXIMUM, SHOWN, CompareSettings
+from skinsource_gui.panels.compare.view import MapsView, paint_page
+from skinsource_gui.plots.figure import NoteLabel
 from skinsource_gui.qt.buttons import tool_button
-from skinsource_gui.qt.fitting import ButtonRow, FoldingRow, LayoutWatcher
-from skinsource_gui.qt.theme import UNIT_PX, set_tone
-from skinsource_gui.state.compared import (
-    ELSEWHERE,
-    SILENCE,
-    Compared,
-    gain_db,
-    have_matching_level,
-    is_silent,
-)
-from skinsource_gui.state.panel import COMPUTING, Panel
+from skinsource_gui.qt.fitting import ButtonRow, FoldingRow, VisibleHeight, shrinking_fonts
+from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.questions import CopyButton
+from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, on_paper, tabular
+from skinsource_gui.state.compared import Compared
+from skinsource_gui.state.panel import Panel
 
-_NEEDS = frozenset({"limb_map", "limb_data", "output_levels_db", "surface", "surface_levels_db"})
-# From this width on the map is beside the cards, in px and in lines of text.
-_WIDE_PX, _WIDE_LINES = 620, 36
+KINDS: dict[str, Kind] = {"snapshots": OfSnapshots(), "limbs": OfLimbs(), "axes": OfAxes()}
+
+
+class LimbsButton(QToolButton):
+    """Opens a list of all limbs, of which two to four are ticked.
+
+    Attributes
+    ----------
+    menu_of_limbs
+        The menu that it opens.
+    """
+
+    #: Names of the limbs that are chosen; none: those that are related to the design's.
+    limbs_chosen = Signal(object)
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._chosen: tuple[str, ...] = ()
+        self._usual = True
+        self.setObjectName("compare_limbs")
+        self.setText("Limbs…")
+        # The dots in the text show that a menu opens.
+        self.setStyleSheet("QToolButton::menu-indicator { image: none; }")
+        self.setToolTip("Which limbs are shown, two to four")
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.menu_of_limbs = QMenu(self)
+        self.menu_of_limbs.aboutToShow.connect(self.fill)
+        self.setMenu(self.menu_of_limbs)
+
+    def show_chosen(self, chosen: Sequence[str], *, usual: bool) -> None:
+        """Take over which limbs are shown, and whether these are the usual ones."""
+        self._chosen, self._usual = tuple(chosen), usual
+
+    def fill(self) -> None:
+        """Offer the limbs that there are now."""
+        menu = self.menu_of_limbs
+        menu.clear()
+        usual = menu.addAction("Those that belong together")
+        usual.setToolTip("The four of one kind, or own limbs with the same outputs")
+        usual.setCheckable(True)
+        usual.setChecked(self._usual)
+        usual.triggered.connect(partial(self.limbs_chosen.emit, ()))
+        menu.addSeparator()
+        known = available_limbs()
+        # A limb that no longer exists can be removed from the choice.
+        for name in (*known, *(limb for limb in self._chosen if limb not in known)):
+            action = menu.addAction(limb_label(name).title)
+            action.setCheckable(True)
+            ticked = name in self._chosen
+            action.setChecked(ticked)
+            full = len(self._chosen) >= MOST_SIDE_BY_SIDE
+            action.setEnabled(len(self._chosen) > LEAST_COMPARED if ticked else not full)
+            action.triggered.connect(partial(self._toggle, name))
+
+    def _toggle(self, name: str) -> None:
+        without = tuple(limb for limb in self._chosen if limb != name)
+        self.limbs_chosen.emit(without if name in self._chosen else (*self._chosen, name))
+
+
+# Where fewer lines of text fit, so many choices share a row, and rows are few.
+_LINES_WITH_ROOM, _CHOICES_IN_ROW = 14, 2
+
+
+class ChoicesBar(QWidget):
+    """The choices above the maps; a choice emits another view.
+
+    Where the maps below need the room, the text is smaller, so that two choices share a row.
+
+    Attributes
+    ----------
+    has_room
+        Whether there is room for more than the maps need.
+    settings
+        Settings of the present view.
+    of, shown, own_maximum, limbs, match, toggle, file
+        The choices; all but the first are shown only where they apply.
+    """
+
+    #: The new `View`.
+    view_changed = Signal(object)
+    #: The name of an action of the window.
+    action_requested = Signal(str)
+    room_changed = Signal()
+
+    def __init__(self, panel_name: str, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._panel_name = panel_name
+        self._view, self.settings = View(), CompareSettings()
+        self.has_room = True
+        self.of, self.shown = ChoiceField(OF, self), ChoiceField(SHOWN, self)
+        self.of.setObjectName("compare_of")
+        self.shown.setObjectName("compare_shown")
+        self.of.edited.connect(lambda of, _: self._change(of=of))
+        self.shown.edited.connect(lambda what, _: self._change(shown=what))
+        own = OWN_MAXIMUM
+        self.own_maximum = tool_button(
+            self, "compare_own_maximum", own.label, own.hint, checkable=True
+        )
+        self.own_maximum.clicked.connect(lambda on: self._change(own_maximum=on))
+        self.limbs = LimbsButton(self)
+        self.limbs.limbs_chosen.connect(lambda limbs: self._change(limbs=" ".join(limbs)))
+        hint = "Show snapshots as loud as each other at their loudest output"
+        self.match = tool_button(self, "compare_match", "Match levels", hint, checkable=True)
+        self.match.clicked.connect(partial(self._request, "match_levels"))
+        hint = "Show the other one of the last two that were shown"
+        self.toggle = tool_button(self, "compare_toggle", "A/B (X)", hint)
+        self.toggle.clicked.connect(partial(self._request, "toggle_snapshots"))
+        hint = "Keep the design of a file as a snapshot, and show it here"
+        self.file = tool_button(self, "compare_file", "From file…", hint)
+        self.file.clicked.connect(partial(self._request, "take_snapshot"))
+        self._parts = self.of, self.shown, self.own_maximum, self.limbs
+        self._of_snapshots = ButtonRow((self.match, self.toggle, self.file))
+        self._row = FoldingRow(self._parts, UNIT_PX // 2)
+        self._in_sight = VisibleHeight(parent)
+        self._in_sight.changed.connect(self._check_room)
+        margins = UNIT_PX // 2, 1, UNIT_PX // 2, 1
+        in_column(self._row, self._of_snapshots, of=self, margins=margins, gap_px=2)
+
+    def show_state(self, design: Design, view: View) -> None:
+        """Take over the present design and view."""
+        self._view = view
+        self.settings = settings = settings_of(view, self._panel_name, CompareSettings)
+        self.of.set_value(settings.of)
+        self.shown.set_value(settings.shown)
+        self.own_maximum.setChecked(settings.own_maximum)
+        kind = KINDS[settings.of]
+        fields = kind.fields
+        # Differences have no maximum to be relative to, and a mean is one map.
+        self.own_maximum.setVisible(kind.shown(settings) == "levels")
+        self.shown.setVisible("shown" in fields)
+        self.limbs.setVisible("limbs" in fields)
+        self.match.setChecked(view.levels_matched)
+        self.toggle.setEnabled(other_snapshot(view.snapshots, design) is not None)
+        if "limbs" in fields:
+            usual = not settings.limbs.strip()
+            self.limbs.show_chosen(settings.chosen(design.limb), usual=usual)
+        self._fit()
+
+    def _check_room(self) -> None:
+        has_room = self._in_sight.px >= _LINES_WITH_ROOM * self.fontMetrics().lineSpacing()
+        if has_room != self.has_room:
+            self.has_room = has_room
+            self._fit()
+            self.room_changed.emit()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if event.size().width() != event.oldSize().width():
+            self._fit()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._fit()
+
+    def _fit(self) -> None:
+        """Write as large as leaves few rows, where there shall be no more; else as usual.
+
+        Without room, what menus and keys do for snapshots is left to them.
+        """
+        of_snapshots = self.has_room and "snapshots" in KINDS[self.settings.of].fields
+        self._of_snapshots.setVisible(of_snapshots)
+        around = self.contentsMargins().left() + self.contentsMargins().right() + UNIT_PX
+        for font in shrinking_fonts(self.font()) if not self.has_room else (self.font(),):
+            for part in self._parts:
+                part.setFont(font)
+            self._row.fold()
+            if self._row.px_of(_CHOICES_IN_ROW) <= self.width() - around:
+                return
+
+    def _request(self, action: str) -> None:
+        self.action_requested.emit(action)
+
+    def _change(self, **changes: Any) -> None:
+        settings = replace(self.settings, **changes)
+        self.view_changed.emit(with_settings(self._view, self._panel_name, settings))
+
+
+# In letters of any size, px.
+_LEAST = QSize(240, 230)
 
 
 class ComparePanel(Panel):
-    """A card for each snapshot, and the difference between the last two that were shown."""
+    """Maps of snapshots, of two to four limbs or of axes, with one pointer and one selection.
+
+    Attributes
+    ----------
+    kind
+        What is compared.
+    cards
+        A card for each snapshot; in sight while snapshots are compared.
+    """
 
     title: ClassVar[str] = "Compare"
     name: ClassVar[str] = "compare"
@@ -72,163 +248,118 @@ class ComparePanel(Panel):
         super().__init__(parent)
         self._design: Design | None = None
         self._view = View()
-        self._maps = SmallMaps()
-        self.match = tool_button(
-            self,
-            "match_levels_button",
-            "Match levels",
-            "Show snapshots as loud as each other at their loudest output",
-            checkable=True,
-        )
-        self.match.clicked.connect(self._match)
-        self.toggle = tool_button(
-            self,
-            "toggle_snapshots_button",
-            "Compare (X)",
-            "Show the other one of the last two that were shown",
-        )
-        self.toggle.clicked.connect(self._toggle)
-        self.file = tool_button(
-            self,
-            "take_snapshot_button",
-            "File…",
-            "Keep the design of a file as a snapshot, to compare this one with it",
-        )
-        self.file.clicked.connect(lambda: self.action_requested.emit("take_snapshot"))
-        self.text_label = QLabel()
-        self.text_label.setObjectName("matching_words")
-        set_tone(self.text_label, "dim")
-        # Wrapped, it would make the panel higher; where it is cut off, its tooltip is whole.
-        self.text_label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self._compared: Sequence[Compared] = ()
+        # Of the design in the window: results, whether they are older than it, why there are none.
+        self._results: Mapping[str, Any] = {}
+        self._stale, self._problem = False, ""
+        self._cells = Cells()
+        self.bar = ChoicesBar(self.name, self)
+        self.kind = KINDS[self.bar.settings.of]
+        self.bar.view_changed.connect(self.view_changed)
+        self.bar.action_requested.connect(self.action_requested)
+        self.bar.room_changed.connect(self._show_cards)
         self.cards = [Card(number, self) for number in (EDITED, *NUMBERS)]
-        self._row = FoldingRow(self.cards, UNIT_PX // 4, left=True, parent=self)
-        self.map = DifferenceMap(self)
-        self._lay_out()
-        LayoutWatcher(self).changed.connect(self._fold)
         for card in self.cards:
             card.requested.connect(self._act)
-        self.setFocusProxy(self.cards[1])
-        self.guessed = self._row, self.text_label, self.map
-        self.show_snapshots(())
+        self._row = FoldingRow(self.cards, UNIT_PX // 4, left=True, parent=self)
+        self.maps = MapsView(self)
+        self.maps.outputs_chosen.connect(self._choose_outputs)
+        self.maps.pointed_at.connect(self._read)
+        self._staleness.changed.connect(self.maps.show_stale)
+        self.text_label = NoteLabel("compare_words", self)
+        self.copy = CopyButton(self.name, lambda: tab_separated(self.maps.content), self)
+        foot = in_row(self.text_label, self.copy, margins=(UNIT_PX, 1, UNIT_PX // 2, 1))
+        cards = in_row((self._row, 1), margins=(UNIT_PX // 2, 0, UNIT_PX // 2, 0))
+        in_column(self.bar, cards, (self.maps, 1), foot, of=self, margins=0, gap_px=0)
+        self.setFocusProxy(self.maps)
+        self.guessed = self._row, self.maps, self.text_label
+        self._show_cards()
 
     @property
     def needs(self) -> frozenset[str]:
-        return _NEEDS
+        return self.kind.needs
 
     @property
     def needs_of_snapshots(self) -> frozenset[str]:
-        return _NEEDS
+        return self.kind.needs_of_snapshots
+
+    @property
+    def needs_on_limbs(self) -> Mapping[str, frozenset[str]]:
+        if self._design is None:
+            return {}
+        return self.kind.needs_on_limbs(self.bar.settings, self._design.limb)
 
     def sizeHint(self) -> QSize:
-        return QSize(420, 480)
+        return QSize(560, 520)
+
+    def minimumSizeHint(self) -> QSize:
+        return super().minimumSizeHint().expandedTo(_LEAST)
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
-        self.match.setChecked(view.levels_matched)
-        self.toggle.setEnabled(other_snapshot(view.snapshots, design) is not None)
+        self.bar.show_state(design, view)
+        before, self.kind = self.kind, KINDS[self.bar.settings.of]
+        if self.kind is not before:
+            # The engine sends the results for the new kind.
+            self._compared = ()
+            self._show_cards()
+        if self.kind.own:
+            self._show_own()
 
-    def show_snapshots(self, compared: Sequence[Compared]) -> None:
-        matched = self._view.levels_matched
-        self.text_label.setText(matching_text(compared, matched=matched))
-        self.text_label.setToolTip(self.text_label.text())
-        present = self._present(compared)
-        levels = [played_db(side) for side in compared]
-        loudest = max((level for level in levels if level is not None), default=0.0)
-        for card in self.cards:
-            side = next((side for side in compared if side.snapshot.number == card.number), None)
-            card.setVisible(card.number != EDITED or side is not None)
-            small, scale = self._map_of(side, loudest)
-            card.show_snapshot(side, small, scale, present=side is not None and side is present)
-        self._row.fold()
-        self.map.show_difference(self._difference(compared, present))
+    def show_results(self, results: Mapping[str, Any]) -> None:
+        self._results, self._problem = results, ""
+        if self.kind.own:
+            self._compared = ()
+            self._show_own()
+
+    def show_stale(self, stale: bool) -> None:
+        self._stale = stale
+        if self.kind.own:
+            super().show_stale(stale)
 
     def show_problem(self, reason: str) -> None:
-        self.map.show_difference(Difference(text=reason))
+        self._problem = reason
+        if self.kind.own:
+            self._show_own()
 
-    def _fold(self) -> None:
-        needed = max(_WIDE_PX, _WIDE_LINES * self.fontMetrics().height())
-        side_by_side = self.width() >= needed
-        direction = (
-            QBoxLayout.Direction.LeftToRight if side_by_side else QBoxLayout.Direction.TopToBottom
-        )
-        self._halves.setDirection(direction)
+    def show_snapshots(self, compared: Sequence[Compared]) -> None:
+        self._compared = compared
+        self._show_cards()
+        self._show()
 
-    def _lay_out(self) -> None:
-        upper = QVBoxLayout()
-        upper.setSpacing(UNIT_PX // 2)
-        upper.addWidget(ButtonRow((self.match, self.toggle, self.file), self))
-        upper.addWidget(self._row, 1)
-        upper.addWidget(self.text_label)
-        upper.addStretch(0)
-        # The map is beside the cards where the panel is wide enough, else below them.
-        self._halves = QBoxLayout(QBoxLayout.Direction.TopToBottom, self)
-        self._halves.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX // 2)
-        self._halves.setSpacing(UNIT_PX // 2)
-        self._halves.addLayout(upper)
-        self._halves.addWidget(self.map, 1)
+    def show_on_limbs(self, compared: Sequence[Compared]) -> None:
+        self._compared = compared
+        self._show()
 
-    def _present(self, compared: Sequence[Compared]) -> Compared | None:
-        """Return the snapshot that is in the window."""
-        if self._design is None:
-            return None
-        snapshot = shown_snapshot(self._view.snapshots, self._design)
-        number = EDITED if snapshot is None else snapshot.number
-        return next((side for side in compared if side.snapshot.number == number), None)
+    def draw_picture(
+        self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
+    ) -> None:
+        """Draw the maps and their scale for a page or a slide; size in px."""
+        painter.fillRect(QRectF(0, 0, width, height), QColor(theme.base))
+        # Words grow with the picture, and are no smaller than on the screen.
+        scale = min(width / max(self.width(), 1), height / max(self.height(), 1))
+        scale = max(scale, 1.0)
+        painter.save()
+        painter.scale(scale, scale)
+        with on_paper():
+            painter.setFont(tabular(self.font()))
+            room = QRectF(0, 0, width / scale, height / scale)
+            paint_page(painter, self.maps.content, room, theme)
+        painter.restore()
 
-    def _map_of(
-        self, side: Compared | None, loudest_db: float
-    ) -> tuple[SmallMap | None, ColourScale | None]:
-        """Return the map of a card, in colours that mean the same on all cards."""
-        if side is None or side.values is None:
-            return None, None
-        scale, gain = scale_of_levels(np.array(loudest_db), level_style(self._view)), gain_db(side)
-        low, high = scale.range_db
-        return self._maps.map_of(side.values), replace(scale, range_db=(low - gain, high - gain))
-
-    def _difference(self, compared: Sequence[Compared], present: Compared | None) -> Difference:
-        snapshot = (
-            None if self._design is None else other_snapshot(self._view.snapshots, self._design)
-        )
-        if snapshot is None or present is None:
-            return Difference(text=why_no_comparison(self._view.snapshots))
-        other = next((side for side in compared if side.snapshot.number == snapshot.number), None)
-        if other is None or other.values is None or present.values is None:
-            problem = "" if other is None else other.problem or present.problem or COMPUTING
-            return Difference(text=problem)
-        if not same_outputs(other.snapshot.design.limb, present.snapshot.design.limb):
-            return Difference(text=ELSEWHERE)
-        if is_silent(other) != is_silent(present):
-            return Difference(text=SILENCE)
-        minus = self._minus(present, other)
-        matched = have_matching_level(compared, matched=self._view.levels_matched)
-        heading, caption = difference_captions(present, other, matched=matched)
-        if minus.levels_db is not None and np.abs(minus.levels_db).max() < LEAST_DB:
-            heading, caption = equal_captions(present, other)
-        if present.values["limb_data"].synthetic or other.values["limb_data"].synthetic:
-            caption = f"{caption}, synthetic limb"
-        limb, outputs = present.snapshot.design.limb, self._view.outputs
-        return Difference(shown=minus, heading=heading, text=caption, limb=limb, outputs=outputs)
-
-    def _minus(self, present: Compared, other: Compared) -> SmallMap:
-        small = self._maps.map_of(present.values or {})
-        loudest = [level for level in (played_db(present), played_db(other)) if level is not None]
-        # Both are played: the first one's gain is taken off the other.
-        gain, top = other.gain / present.gain, max(loudest) - gain_db(present)
-        values, other_values = present.values or {}, other.values or {}
-        levels = difference_db(
-            values["output_levels_db"], other_values["output_levels_db"], gain=gain, loudest_db=top
-        )
-        if present.snapshot.design.limb == other.snapshot.design.limb:
-            field = difference_db(
-                values["surface_levels_db"],
-                other_values["surface_levels_db"],
-                gain=gain,
-                loudest_db=top,
-            )
-        else:
-            # Outputs correspond by their numbers; places between them do not.
-            field = values["surface"].interpolate(levels)
-        return replace(small, levels_db=levels, field_levels_db=field)
+    def _show_cards(self) -> None:
+        """Show a card for each snapshot, and for what is edited where it is none of them."""
+        self._row.setVisible(self.bar.has_room and bool(self.kind.needs_of_snapshots))
+        present = None
+        if self._design is not None:
+            present = shown_snapshot(self._view.snapshots, self._design)
+        in_window = EDITED if present is None else present.number
+        sides = {side.snapshot.number: side for side in self._compared}
+        for card in self.cards:
+            side = sides.get(card.number)
+            card.setVisible(card.number != EDITED or side is not None)
+            card.show_snapshot(side, present=side is not None and card.number == in_window)
+        self._row.fold()
 
     def _act(self, number: int, what: str) -> None:
         if what == "store":
@@ -238,8 +369,37 @@ class ComparePanel(Panel):
         elif self._design is not None:
             self.edited.emit(edits.forget_snapshot(self._design, self._view, number), None)
 
-    def _match(self) -> None:
-        self.action_requested.emit("match_levels")
+    def _show_own(self) -> None:
+        """Draw what is known of the design in the window."""
+        if self._design is not None and not self._compared and self.needs <= self._results.keys():
+            self._compared = self.kind.sides(self._design, self._results)
+        self._show()
 
-    def _toggle(self) -> None:
-        self.action_requested.emit("toggle_snapshots")
+    def _show(self) -> None:
+        """Draw what is known of the designs."""
+        kind, compared, design, view = self.kind, self._compared, self._design, self._view
+        problem = self._problem if kind.own else ""
+        message = problem or kind.hindrance(compared, view)
+        cells: tuple[Cell, ...] = ()
+        if compared and design is not None and not message:
+            cells = kind.drawn(self._cells, compared, design, view, self.bar.settings)
+        content = CompareContent(
+            cells=cells,
+            outputs=view.outputs,
+            message=message,
+            about=kind.about(compared, design, view),
+        )
+        super().show_stale(self._stale if kind.own else content.stale)
+        # A table would lack the columns that are still computed.
+        drawn = [cell.small is not None for cell in content.cells]
+        computing = any(not (cell.small or cell.text) for cell in content.cells)
+        self.copy.offer(any(drawn) and not computing)
+        self.maps.show_content(content)
+
+    def _read(self, output: int | None) -> None:
+        # Maps that move under the pointer cannot be pointed at.
+        self.text_label.say(self.maps.content.readout(output), holding=True)
+
+    def _choose_outputs(self, outputs: tuple[int, ...]) -> None:
+        if self._design is not None:
+            self.edited.emit(edits.select_outputs(self._design, self._view, outputs), None)

@@ -27,7 +27,7 @@ from skinsource_gui.panels.frequency_and_amplitude.settings import (
     ControlSettings,
 )
 from skinsource_gui.qt.fitting import FoldingRow, LayoutWatcher
-from skinsource_gui.qt.labels import how_to_add, how_to_select_input
+from skinsource_gui.qt.labels import HOW_TO_SELECT_INPUT, how_to_add
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.panel import Panel
@@ -101,7 +101,7 @@ class FrequencyAndAmplitudePanel(Panel):
         super().__init__(parent)
         self._design: Design | None = None
         self._view = View()
-        self._heading = Heading(how_to_add(self.in_sight))
+        self._heading = Heading(how_to_add())
         self._heading.setObjectName("frequency_and_amplitude_words")
         set_tone(self._heading, "dim")
         self._control = ChoiceField(CONTROL, self)
@@ -134,8 +134,7 @@ class FrequencyAndAmplitudePanel(Panel):
         if track is not None:
             self._show_input(design, view, track, control)
         else:
-            how_to = how_to_select_input if design.inputs else how_to_add
-            self._heading.show_phrases(how_to(self.in_sight))
+            self._heading.show_phrases(HOW_TO_SELECT_INPUT if design.inputs else how_to_add())
             self._show_frequency(None)
         self._row.fold()
 
@@ -156,11 +155,6 @@ class FrequencyAndAmplitudePanel(Panel):
         self._amplitude.set_spec(AMPLITUDE_GAIN if factor else amplitude_spec(design))
         self._amplitude.set_value(track.amplitude)
         self._show_frequency(clip if control in (ALL, FREQUENCY) else None)
-
-    def show_in_sight(self, names: frozenset[str]) -> None:
-        super().show_in_sight(names)
-        if self._design is not None:
-            self.show_state(self._design, self._view)
 
     def _show_frequency(self, clip: Clip | None) -> None:
         spec = None if clip is None else specs_of(clip.waveform).get(_FREQUENCY)

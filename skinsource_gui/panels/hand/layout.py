@@ -519,8 +519,6 @@ class HandState:
         Site under the mouse; site of the keyboard's cursor where it is shown.
     moving, ghost, target
         Number of the input that is being moved, where it floats, and the site that takes it.
-    note
-        A line that replaces the caption.
     """
 
     marks: tuple[Mark, ...] = ()
@@ -530,7 +528,6 @@ class HandState:
     moving: int | None = None
     ghost: QPointF | None = None
     target: int | None = None
-    note: str = ""
 
     @property
     def selected_site(self) -> int | None:

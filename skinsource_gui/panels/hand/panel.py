@@ -395,12 +395,8 @@ class HandDiagram(QWidget):
         """
         before = self.state
         self._mouse.check(marks)
-        self.stage.change(marks=marks, selected=selected, note="")
+        self.stage.change(marks=marks, selected=selected)
         self.site_cursor.keep_up(before, anew=anew, focused=self.hasFocus())
-
-    def show_note(self, text: str) -> None:
-        """Show a note below the hand until the design or the selection changes."""
-        self.stage.change(note=text)
 
     def minimumSizeHint(self) -> QSize:
         return QSize(200, 258)

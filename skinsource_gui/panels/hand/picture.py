@@ -43,34 +43,17 @@ HINT = "Click a place on the hand"
 
 
 def caption_of(state: HandState, limb: str, fits: Callable[[str], bool]) -> str:
-    """Return the text below the hand: a note, the place pointed at, or what can be done.
+    """Return the text below the hand: the place pointed at or ringed, or what can be done.
 
-    Where the pointer and the ring are at different places, both are named. The longest text that
-    fits is returned, else the shortest.
+    The whole name of a place is returned where it fits, else the short one.
     """
-    if state.note:
-        return state.note
     ringed = state.selected_site if state.cursor is None else state.cursor
-    pointed = state.target or state.hovered
-    if pointed is None and ringed is None:
+    site = state.target or state.hovered or ringed
+    if site is None:
         return HINT if not state.marks else ""
-    if state.target is None and pointed and ringed and pointed != ringed:
-        phrases = _pointer_and_ring(pointed, ringed, "Keys" if state.cursor else "Selected", limb)
-    else:
-        site = pointed or ringed or 0
-        place = input_name(site, limb)
-        phrases = (f"{site} · {place.name}", f"{site} · {place.short_name}")
-    return next((phrase for phrase in phrases if fits(phrase)), phrases[-1])
-
-
-def _pointer_and_ring(pointed: int, ringed: int, ring: str, limb: str) -> tuple[str, ...]:
-    at, rung = input_name(pointed, limb), input_name(ringed, limb)
-    return (
-        f"Pointer: {pointed} · {at.name}  |  {ring}: {ringed} · {rung.name}",
-        f"Pointer: {pointed} · {at.short_name}  |  {ring}: {ringed} · {rung.short_name}",
-        f"Pointer: {pointed} · {at.short_name}  |  {ring}: {ringed}",
-        f"Pointer: {pointed}  |  {ring}: {ringed}",
-    )
+    place = input_name(site, limb)
+    whole = f"{site} · {place.name}"
+    return whole if fits(whole) else f"{site} · {place.short_name}"
 
 
 # Outline pixels in one hand length, as in the project's own hand.
@@ -176,9 +159,8 @@ _SIDE_ALIGNMENT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
 _ROOMY_PX = 300
 # With large letters the text on the side takes at most this share of the width.
 _MOST_SIDE = 0.35
-# Text that is this much larger than usual is meant for an audience. Then numbers of empty sites
-# with a smaller radius, in lines of text, are left out: they would only hide the fingers.
-_ENLARGED, _FROM_AFAR = 1.1, 1.2
+# Text that is this much larger than usual is meant for an audience.
+_ENLARGED = 1.1
 # Pixels of the hand in a px on paper, for 600 dots per inch.
 _PAPER_RATIO = 6.25
 _LEGEND = (("perpendicular", None), ("in-axis", QPointF(0.0, 1.0)))
@@ -224,8 +206,6 @@ class HandStage(QObject):
         self._size = QSize()
         self._line_px = 0.0
         self._lines = 2
-        # Smallest radius at which empty sites have numbers.
-        self._readable_px = 0.0
         self.pan_zoom = PanZoom(widget)
         self.pan_zoom.changed.connect(self._lay_out)
 
@@ -252,7 +232,6 @@ class HandStage(QObject):
         self._line_px = metrics.height() + 2.0
         general = QFontDatabase.systemFont(QFontDatabase.SystemFont.GeneralFont)
         enlarged = metrics.height() > _ENLARGED * QFontMetricsF(general).height()
-        self._readable_px = _FROM_AFAR * metrics.height() if enlarged else 0.0
         # Where there is little room, the hand needs it more than the legend.
         width, height = self._size.width(), self._size.height()
         legend = sum(_widths(metrics)) + 2 * UNIT_PX
@@ -343,10 +322,9 @@ class HandStage(QObject):
         front, chosen = state.front_at(site), site in (state.hovered, state.target)
         place = self._place(site, in_use=front is not None or chosen or site == state.cursor)
         if front is None:
-            small = place.radius_px < self._readable_px and site != state.cursor
             if chosen:
                 paint_hovered(painter, place, current_theme())
-            elif not has_room(place) or (small and state.moving is None):
+            elif not has_room(place):
                 paint_dot(painter, place, current_theme())
             else:
                 paint_empty(painter, place, current_theme(), inviting=state.moving is not None)
@@ -382,8 +360,8 @@ class HandStage(QObject):
         metrics = QFontMetricsF(painter.font())
         lines = self.drawing.side.split("\n")
         width = 1.0 + max(metrics.horizontalAdvance(line) for line in lines)
-        if self._readable_px and width > _MOST_SIDE * self._size.width():
-            return  # large letters would cover the fingers
+        if width > _MOST_SIDE * self._size.width():
+            return  # it would cover the fingers
         area = QRectF(bottom - QPointF(width, 4 * self._line_px), bottom)
         painter.setPen(QColor(current_theme().dim))
         painter.drawText(area, _SIDE_ALIGNMENT, self.drawing.side)

@@ -46,8 +46,6 @@ class StepsModel(QAbstractListModel):
 
     def show_history(self, history: History) -> None:
         """Take over what was done."""
-        if history == self.history:
-            return
         if len(self.history.steps) != len(history.steps):
             self.beginResetModel()
             self.history = history

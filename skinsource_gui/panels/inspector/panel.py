@@ -56,7 +56,7 @@ from skinsource_gui.panels.inspector.effects import EffectChain
 from skinsource_gui.plots.preview import WaveformPreview
 from skinsource_gui.qt.buttons import Swatch, mute_button, page_label, solo_button
 from skinsource_gui.qt.fitting import SteadyArea
-from skinsource_gui.qt.labels import FittingLabel, how_to_add, how_to_select_input
+from skinsource_gui.qt.labels import HOW_TO_SELECT_INPUT, FittingLabel, how_to_add
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.tooltips import show_tooltip, tooltip
@@ -389,13 +389,8 @@ class InspectorPanel(Panel):
         )
         self._stack.setCurrentWidget(self._editor)
 
-    def show_in_sight(self, names: frozenset[str]) -> None:
-        super().show_in_sight(names)
-        self._show_empty()
-
     def _show_empty(self) -> None:
-        hint = how_to_select_input if self._design.inputs else how_to_add
-        self._empty.setText(hint(self.in_sight))
+        self._empty.setText(HOW_TO_SELECT_INPUT if self._design.inputs else how_to_add())
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._results = {name: results[name] for name in _NEEDS}

@@ -95,9 +95,6 @@ class PresetsModel(QStandardItemModel):
         self.rename_requested.emit(entry, str(value))
         return False
 
-    def supportedDragActions(self) -> Qt.DropAction:
-        return Qt.DropAction.CopyAction
-
     def mimeData(self, indexes: Any) -> QMimeData:
         """Return the files: the window accepts them, and so do other programs."""
         data = QMimeData()
@@ -226,7 +223,6 @@ class PresetList(QListView):
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setDragEnabled(True)
         self.setDragDropMode(QAbstractItemView.DragDropMode.DragOnly)
-        self.setDefaultDropAction(Qt.DropAction.CopyAction)
         self.doubleClicked.connect(self._place)
 
     @property
@@ -261,7 +257,7 @@ class PresetList(QListView):
             drag.setPixmap(self._tag(str(chosen[0].data())))
             # It lies beside the pointer, so that the target below stays visible.
             drag.setHotSpot(QPoint(-_ASIDE_PX, -_ASIDE_PX))
-            drag.exec(actions, Qt.DropAction.CopyAction)
+            drag.exec(Qt.DropAction.CopyAction)
 
     def _tag(self, name: str) -> QPixmap:
         """Return a small label with a name on it."""
@@ -328,11 +324,17 @@ _MOST_STRIP_PX, _MOST_SPECTRUM_PX, _MOST_TEXT_PX = 84, 96, 92
 
 
 class PresetPreview(QWidget):
-    """Clips of a preset on their tracks, the spectrum of their sum, and a description."""
+    """Clips of a preset on their tracks, the spectrum of their sum, and a description.
+
+    Attributes
+    ----------
+    preset
+        The preset that is shown.
+    """
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._preset: Preset | None = None
+        self.preset: Preset | None = None
         self._limb = ""
         self.strip, self.spectrum, self.text = ClipStrip(), SpectrumPreview(), QLabel()
         self.strip.setAccessibleName("Clips of the preset")
@@ -353,23 +355,18 @@ class PresetPreview(QWidget):
         self.text.setAlignment(Qt.AlignmentFlag.AlignTop)
         in_column((self.strip, 3), (self.spectrum, 4), (scroll, 3), of=self, margins=0, gap_px=2)
 
-    @property
-    def preset(self) -> Preset | None:
-        """The preset that is shown."""
-        return self._preset
-
     def show_limb(self, limb: str) -> None:
         """Take over the limb on which the preset would be placed."""
         if limb != self._limb:
-            self._limb, preset = limb, self._preset
-            self._preset = None
+            self._limb, preset = limb, self.preset
+            self.preset = None
             self.show_preset(preset)
 
     def show_preset(self, preset: Preset | None) -> None:
         """Show another preset, or nothing."""
-        if preset == self._preset:
+        if preset == self.preset:
             return
-        self._preset = preset
+        self.preset = preset
         self.setVisible(preset is not None)
         if preset is None:
             return
@@ -386,8 +383,8 @@ class PresetPreview(QWidget):
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and self._preset is not None:
-            self._show_text(self._preset)
+        if event.type() == QEvent.Type.PaletteChange and self.preset is not None:
+            self._show_text(self.preset)
 
     def _show_text(self, preset: Preset) -> None:
         parts = [f"<b>{escape(preset.name)}</b> · {escape(_facts(preset, self._limb))}"]

@@ -80,8 +80,7 @@ class SearchRow(QWidget):
     """A line to type in, and a choice of tags."""
 
     changed = Signal()
-    #: Enter was pressed; Down was pressed.
-    accepted = Signal()
+    #: Down was pressed.
     left_downwards = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -96,7 +95,6 @@ class SearchRow(QWidget):
         )
         self.line.setClearButtonEnabled(True)
         self.line.textChanged.connect(self.changed)
-        self.line.returnPressed.connect(self.accepted)
         self.line.installEventFilter(self)
         self.tags.setObjectName("preset_tags")
         self.tags.setAccessibleName("Tag")
@@ -304,7 +302,7 @@ class LibraryPanel(Panel):
         self.folders.changed.connect(self._show_presets)
         self.folders.failed.connect(self.failed)
         self.search.changed.connect(self._show_presets)
-        self.search.accepted.connect(self._place_current)
+        self.search.line.returnPressed.connect(self._place_current)
         self.search.left_downwards.connect(self.rows.setFocus)
         self.rows.place_requested.connect(self.place)
         self.rows.delete_requested.connect(self._delete)

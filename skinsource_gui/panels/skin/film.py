@@ -25,7 +25,7 @@ from skinsource.perception.validity import Findings, Judged, in_short
 from skinsource.specs import fields
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.panels.skin.layout import ALL, HAND, VisiblePart
-from skinsource_gui.panels.skin.painting import MapContent, marks_of, px_per_mm_of
+from skinsource_gui.panels.skin.painting import MapContent, marks_of
 from skinsource_gui.panels.skin.picture import Heading, heading_of, paint_picture
 from skinsource_gui.panels.skin.settings import (
     MAGNITUDE,
@@ -37,9 +37,8 @@ from skinsource_gui.panels.skin.settings import (
     Z,
 )
 from skinsource_gui.panels.skin.time import NEEDS, PACES, Frames, slow_down_factor
-from skinsource_gui.plots.colour_maps import DIVERGING
 from skinsource_gui.plots.pictures import PER_INCH, PictureOptions, Remark, caption_of, with_caption
-from skinsource_gui.plots.small_map import field_image
+from skinsource_gui.plots.small_map import field_image, px_per_mm_of
 from skinsource_gui.qt.theme import Theme
 from skinsource_gui.qt.wheel import WHOLE
 
@@ -420,17 +419,10 @@ class _Camera:
         view = replace(self._exported.view, playhead_s=film.time_s(number))
         if self._frames.runs_out(view) or not self._frames.has(view):
             self._read_signals(view)
-        shown = self._frames.frame(view, self._settings)
-        signed = shown.quantity.signed
-        content = replace(
-            self._content,
-            values=shown.values,
-            field_values=None if self._surface is None else self._surface.interpolate(shown.values),
-            quantity=shown.quantity,
-            value_range=self._frames.value_range(self._settings),
-            colours=DIVERGING if signed else self._settings.colours,
-        )
-        heading = heading_of(self._exported.design, view, shown.quantity)
+        content = self._frames.content(self._content, view, self._settings, self._surface)
+        # A film has one range from its begin to its end, whoever chose it.
+        content = replace(content, fixed=False)
+        heading = heading_of(self._exported.design, view, content.quantity)
         pace = f"1/{film.slow_motion:g} of real time"
         heading = replace(heading, details=f"{heading.details} · {pace}")
         self._draw(content, heading)

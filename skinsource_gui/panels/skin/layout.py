@@ -1,9 +1,7 @@
 """Where the parts of the skin map lie on the screen, and the drawing of the sensors' axes."""
 
 from dataclasses import dataclass
-from functools import lru_cache
 
-import numpy as np
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
@@ -11,6 +9,7 @@ from skinsource.base.arrays import Floats
 from skinsource.base.measurement_conditions import VOLAR_OUTPUTS
 from skinsource.design.labels import PALM_SIDE, TRIAD
 from skinsource.limbs.limb import LimbMap
+from skinsource_gui.plots.small_map import bounds_of, smallest_spacing
 from skinsource_gui.qt.frames import Frame, fitted
 from skinsource_gui.qt.theme import Theme
 from skinsource_gui.qt.wheel import FREE, WHOLE, PanZoom
@@ -94,16 +93,11 @@ TEXT_LINES = 2.0
 _USUAL_LINE_PX = 14.0
 
 
-def outline_bounds(limb_map: LimbMap) -> QRectF:
-    """Return the box around the whole outline, in outline pixels; its top is the lowest y."""
-    return _box(limb_map.outline)
-
-
 def hand_bounds(limb_map: LimbMap) -> QRectF:
     """Return box around the outline from the fingertips to just past the wrist."""
     outline = limb_map.outline
     wrist = outline[:, 1].max() - 1.06 * limb_map.hand_length_px
-    box = _box(outline[outline[:, 1] >= wrist])
+    box = bounds_of(outline[outline[:, 1] >= wrist])
     box.setTop(max(wrist, outline[:, 1].min()))
     return box
 
@@ -194,7 +188,7 @@ def _cards(
     palm, triad = _sizes(limb_map, metrics)
     corner = QPointF(room.right() - palm.width() - edge, room.bottom() - palm.height() - edge)
     palm_card = QRectF(corner, palm)
-    beside, above = _fits(limb_map, outline_bounds(limb_map), room, metrics)
+    beside, above = _fits(limb_map, bounds_of(limb_map.outline), room, metrics)
     if beside.scale >= above.scale:
         at = QPointF(room.right() - triad.width() - edge, corner.y() - triad.height() - edge)
     else:
@@ -241,20 +235,6 @@ def map_layout(limb_map: LimbMap, frame: Frame, room: QRectF, metrics: QFontMetr
     )
 
 
-@lru_cache(maxsize=8)
-def smallest_spacing(limb_map: LimbMap) -> float:
-    """Return the smallest distance between outputs, in outline pixels; 0 for a single one."""
-    positions = limb_map.output_positions
-    dorsal = positions[np.isfinite(positions[:, 0])]
-    distances = np.linalg.norm(dorsal[:, None] - dorsal[None], axis=-1)
-    return float(distances[distances > 0].min(initial=np.inf)) if distances.any() else 0.0
-
-
-def _box(points: Floats) -> QRectF:
-    (x0, y0), (x1, y1) = points.min(axis=0), points.max(axis=0)
-    return QRectF(float(x0), float(y0), float(x1 - x0), float(y1 - y0))
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VisiblePart:
     """A fit, or a part that was zoomed to.
@@ -274,8 +254,9 @@ class VisiblePart:
     def frame_in(self, limb_map: LimbMap, room: QRectF, metrics: QFontMetricsF) -> Frame:
         """Return the frame that shows the part in ``room``, and what is around it."""
         if self.fit != FREE or 0.0 in self.size:
-            bounds = hand_bounds if self.fit == HAND else outline_bounds
-            return fitted_beside_cards(limb_map, bounds(limb_map), room, metrics)
+            hand = self.fit == HAND
+            bounds = hand_bounds(limb_map) if hand else bounds_of(limb_map.outline)
+            return fitted_beside_cards(limb_map, bounds, room, metrics)
         (x, y), (width, height) = self.middle, self.size
         scale = min(room.width() / width, room.height() / height)
         return Frame(

@@ -31,7 +31,6 @@ from skinsource_gui.panels.skin.layout import (
     fitted_beside_cards,
     hand_bounds,
     map_layout,
-    outline_bounds,
     visible_part,
 )
 from skinsource_gui.panels.skin.painting import (
@@ -40,13 +39,12 @@ from skinsource_gui.panels.skin.painting import (
     MapPainter,
     letters_for,
     marks_at,
-    paint_band,
     paint_mark,
     small_font,
 )
 from skinsource_gui.panels.skin.settings import LEVELS, time_text
 from skinsource_gui.plots.outputs import ADDS, OutputPicker, output_at
-from skinsource_gui.plots.small_map import FIXED_MARK
+from skinsource_gui.plots.small_map import FIXED_MARK, bounds_of, paint_band
 from skinsource_gui.qt.frames import paint_focus_frame
 from skinsource_gui.qt.keys import KEYS, claims_shortcut, meaning_of
 from skinsource_gui.qt.theme import Theme, current_theme, tabular
@@ -55,23 +53,6 @@ from skinsource_gui.qt.wheel import FREE, WHOLE, PanZoom
 
 #: Number of inputs on top of each other that are named.
 _NAMED = 3
-
-
-class InputPointer(QObject):
-    """Emits which input is pointed at, once for each."""
-
-    #: Its id, or None.
-    pointed_at = Signal(object)
-
-    def __init__(self, parent: QObject) -> None:
-        super().__init__(parent)
-        self._now: int | None = None
-
-    def follow(self, input_id: int | None) -> None:
-        """Take over the input under the pointer."""
-        if input_id != self._now:
-            self._now = input_id
-            self.pointed_at.emit(input_id)
 
 
 def input_at(content: MapContent, layout: MapLayout | None, at: QPointF) -> int | None:
@@ -198,17 +179,13 @@ def paint_map_texts(
         _paint_message(painter, inner, content.message, layout, theme)
 
 
-def message_place(preferred: QRectF, room: QRectF, layout: MapLayout) -> QRectF | None:
-    """Return ``preferred``, moved as little as needed to hide no output and no card in ``room``.
-
-    None: there is no such place.
-    """
-    return _nearest(preferred, room, layout, free_of_outputs=True)
-
-
 def _nearest(
     preferred: QRectF, room: QRectF, layout: MapLayout, *, free_of_outputs: bool
 ) -> QRectF | None:
+    """Return ``preferred``, moved as little as needed to hide no card, and no output, in ``room``.
+
+    None: there is no such place.
+    """
     radius = layout.disc_radius
     outputs = [QPointF(x, y) for x, y in layout.points] if free_of_outputs else []
 
@@ -285,7 +262,7 @@ def message_card(
         narrow.setWidth(max(inside.width() if lines == 1 else wide.width() / lines, widest_word))
         narrow.moveCenter(inside.center())
         needed = metrics.boundingRect(narrow, flags, text).adjusted(-10, -7, 10, 7)
-        place = message_place(needed, area, layout)
+        place = _nearest(needed, area, layout, free_of_outputs=True)
         if place is not None:
             return place
     return _nearest(wide, area, layout, free_of_outputs=False) or wide
@@ -373,7 +350,7 @@ class MapStage(QObject):
             self.pan_zoom.arrange({}, np.zeros((0, 2)), room)
             return
         fits = {
-            WHOLE: fitted_beside_cards(limb_map, outline_bounds(limb_map), room, self._metrics),
+            WHOLE: fitted_beside_cards(limb_map, bounds_of(limb_map.outline), room, self._metrics),
             HAND: fitted_beside_cards(limb_map, hand_bounds(limb_map), room, self._metrics),
         }
         self.pan_zoom.arrange(fits, limb_map.outline, room)
@@ -422,8 +399,7 @@ class SkinMap(QWidget):
         super().__init__(parent)
         self.content = MapContent()
         self._painter: MapPainter | None = None
-        self._pointer = InputPointer(self)
-        self._pointer.pointed_at.connect(self.input_pointed_at)
+        self._input_under_pointer: int | None = None
         # What was selected here last, "input" or "outputs": keys act on that.
         self._last = ""
         # Outputs that were selected here last.
@@ -522,7 +498,7 @@ class SkinMap(QWidget):
         self.stage.pan_zoom.move(event)
         if self.stage.layout is not None:
             self.picker.move(event.position(), self.stage.layout.points)
-            self._pointer.follow(input_at(self.content, self.stage.layout, event.position()))
+            self._point_at(input_at(self.content, self.stage.layout, event.position()))
             self.readout_changed.emit(self.readout())
             self.update()
 
@@ -554,7 +530,7 @@ class SkinMap(QWidget):
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
         self.picker.leave()
-        self._pointer.follow(None)
+        self._point_at(None)
         self.readout_changed.emit(self.readout())
         self.update()
 
@@ -585,6 +561,11 @@ class SkinMap(QWidget):
         else:
             super().keyPressEvent(event)
 
+    def _point_at(self, input_id: int | None) -> None:
+        if input_id != self._input_under_pointer:
+            self._input_under_pointer = input_id
+            self.input_pointed_at.emit(input_id)
+
     def _choose_inputs(self, ids: tuple[int, ...]) -> None:
         self._last = "input"
         self.inputs_chosen.emit(ids)
@@ -600,11 +581,40 @@ class SkinMap(QWidget):
         self.update()
 
 
-_NOTE_LINES, _LOST_AT_ENDS = 2, 0.3
+_LOST_AT_ENDS = 0.3
 _WRAPPED = Qt.AlignmentFlag.AlignLeft | Qt.TextFlag.TextWordWrap
 
 
-class NoteLine(QWidget):
+class _Lines(QWidget):
+    """Text of up to two lines that takes any width."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._text, self._most_lines = "", 2
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+
+    def text(self) -> str:
+        """Return the whole text."""
+        return self._text
+
+    def show_lines(self, count: int) -> None:
+        """Set the largest number of lines."""
+        if count != self._most_lines:
+            self._most_lines = count
+            self.updateGeometry()
+            self.update()
+
+    def sizeHint(self) -> QSize:
+        return QSize(100, self.fontMetrics().lineSpacing() * self._n_lines())
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(0, self.sizeHint().height())
+
+    def _n_lines(self) -> int:
+        return self._most_lines
+
+
+class NoteLine(_Lines):
     """A warning of some lines, cut short where it is longer; its tooltip has all of it.
 
     It takes no room while it is empty.
@@ -612,15 +622,9 @@ class NoteLine(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._text = self._short = ""
-        self._most_lines = _NOTE_LINES
+        self._short = ""
         self.setAccessibleName("Note on the map")
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.hide()
-
-    def text(self) -> str:
-        """Return the whole text."""
-        return self._text
 
     @property
     def shown(self) -> str:
@@ -638,29 +642,14 @@ class NoteLine(QWidget):
             self.updateGeometry()
             self.update()
 
-    def show_lines(self, count: int) -> None:
-        """Set the largest number of lines."""
-        if count != self._most_lines:
-            self._most_lines = count
-            self.updateGeometry()
-            self.update()
-
-    def sizeHint(self) -> QSize:
-        return QSize(100, self.fontMetrics().lineSpacing() * self._n_lines())
-
-    def minimumSizeHint(self) -> QSize:
-        return QSize(0, self.sizeHint().height())
-
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setPen(QColor(current_theme().warning))
-        metrics = self.fontMetrics()
-        if self._n_lines() > 1:
-            text = metrics.elidedText(self.shown, Qt.TextElideMode.ElideRight, self._room_px)
-            painter.drawText(self.rect(), _WRAPPED, text)
-        else:
-            text = metrics.elidedText(self.shown, Qt.TextElideMode.ElideRight, self.width())
-            painter.drawText(self.rect(), Qt.AlignmentFlag.AlignLeft, text)
+        several = self._n_lines() > 1
+        text = self.fontMetrics().elidedText(
+            self.shown, Qt.TextElideMode.ElideRight, self._room_px if several else self.width()
+        )
+        painter.drawText(self.rect(), _WRAPPED if several else Qt.AlignmentFlag.AlignLeft, text)
         painter.end()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -679,22 +668,12 @@ class NoteLine(QWidget):
         return self._most_lines if wide else 1
 
 
-_READOUT_LINES = 2
-
-
-class ReadoutLines(QWidget):
-    """Text of up to two lines that follows the pointer, always of the same height."""
+class ReadoutLines(_Lines):
+    """What follows the pointer, always of the same height; a single line begins with the value."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._text = ""
-        self._lines = _READOUT_LINES
         self.setFont(tabular(self.font()))
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-
-    def text(self) -> str:
-        """Return the whole text."""
-        return self._text
 
     def show_text(self, text: str) -> None:
         """Show other text."""
@@ -704,27 +683,14 @@ class ReadoutLines(QWidget):
             self.setToolTip(text)
             self.update()
 
-    def show_lines(self, count: int) -> None:
-        """Set the number of lines; a single line begins with the value."""
-        if count != self._lines:
-            self._lines = count
-            self.updateGeometry()
-            self.update()
-
     @property
     def shown(self) -> tuple[str, ...]:
         """The text in each line."""
-        lines = self._text.split("\n")[:_READOUT_LINES]
-        if self._lines > 1 or len(lines) < _READOUT_LINES:
-            return tuple(lines[: self._lines])
+        lines = self._text.split("\n")[:2]
+        if self._most_lines > 1 or len(lines) < 2:
+            return tuple(lines[: self._most_lines])
         first, second = lines
         return (f"{second} · {first}" if any(map(str.isdigit, second)) else first,)
-
-    def sizeHint(self) -> QSize:
-        return QSize(100, self._lines * self.fontMetrics().lineSpacing())
-
-    def minimumSizeHint(self) -> QSize:
-        return QSize(0, self.sizeHint().height())
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)

@@ -18,11 +18,9 @@ from PySide6.QtGui import (
 )
 
 from skinsource.base.arrays import Floats
-from skinsource.base.quoting import sentence
 from skinsource.design.design import Design, audible_indices
 from skinsource.design.view import View
-from skinsource.limbs.limb import Limb, LimbMap
-from skinsource.limbs.surface.operator import SurfaceOperator
+from skinsource.limbs.limb import LimbMap
 from skinsource_gui.panels.skin.layout import TEXT_LINES, MapLayout, paint_triad
 from skinsource_gui.panels.skin.settings import LEVELS, SILENT_RANGE, LevelRange, MapQuantity
 from skinsource_gui.plots.colour_maps import VIRIDIS, colour_table, is_light, level_colours
@@ -31,6 +29,7 @@ from skinsource_gui.plots.small_map import (
     FieldImage,
     bar_length_mm,
     paint_dark_strokes,
+    paint_ring,
     paint_strokes,
 )
 from skinsource_gui.qt.frames import CachedPicture, UncachedPicture
@@ -137,49 +136,15 @@ def _centre(mark: InputMark, limb_map: LimbMap, layout: MapLayout) -> QPointF | 
     return QPointF(float(x), float(y)) if np.isfinite((x, y)).all() else None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class LengthBar:
-    """Place, text and length of the bar that shows some millimetres, px."""
-
-    card: QRectF
-    text: str
-    length_px: float
-    line_px: float
-    unit: float
-
-
-def length_bar(
-    layout: MapLayout, px_per_mm: float, skin: QPainterPath, metrics: QFontMetrics
-) -> LengthBar:
-    """Return the length bar in a corner, the lower left one unless skin lies there.
-
-    Parameters
-    ----------
-    layout
-        Where the map lies.
-    px_per_mm
-        Outline pixels in a millimetre; 0: that is not known, and the bar is empty.
-    skin
-        The outline on the screen.
-    metrics
-        Of the font of labels.
-    """
-    on_screen = px_per_mm * layout.frame.scale
-    if on_screen <= 0.0:
-        return LengthBar(card=QRectF(), text="", length_px=0.0, line_px=0.0, unit=0.0)
-    length_mm = bar_length_mm(on_screen, layout.room.width())
-    line, unit = metrics.height(), layout.unit
-    text = f"{length_mm} mm"
-    width = max(length_mm * on_screen, metrics.horizontalAdvance(text))
-    card = bar_card(layout, QSizeF(width + 8 * unit, 1.5 * line + 3 * unit), line, skin)
-    return LengthBar(card=card, text=text, length_px=length_mm * on_screen, line_px=line, unit=unit)
-
-
-def paint_length_bar(painter: QPainter, bar: LengthBar, theme: Theme) -> None:
-    """Draw the bar in the font of labels, which the painter has."""
-    card, line, unit = bar.card, bar.line_px, bar.unit
+def paint_length_bar(
+    painter: QPainter, layout: MapLayout, px_per_mm: float, card: QRectF, theme: Theme
+) -> None:
+    """Draw the bar into its card, in the font of labels, which the painter has."""
     if card.isEmpty():
         return
+    line, unit = painter.fontMetrics().height(), layout.unit
+    on_screen = px_per_mm * layout.frame.scale
+    length_mm = bar_length_mm(on_screen, layout.room.width())
     left, bottom = card.left() + 4 * unit, card.bottom() - 3 * unit
     ground = QColor(theme.base)
     ground.setAlphaF(0.88)
@@ -187,17 +152,37 @@ def paint_length_bar(painter: QPainter, bar: LengthBar, theme: Theme) -> None:
     pen = QPen(QColor(theme.text), 2 * unit)
     pen.setCapStyle(Qt.PenCapStyle.FlatCap)
     painter.setPen(pen)
-    painter.drawLine(QLineF(left, bottom, left + bar.length_px, bottom))
+    painter.drawLine(QLineF(left, bottom, left + length_mm * on_screen, bottom))
     painter.setPen(QColor(theme.text))
     above = QRectF(left, bottom - 1.4 * line, card.width() - 8 * unit, 1.2 * line)
-    painter.drawText(above, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, bar.text)
+    left_middle = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+    painter.drawText(above, left_middle, f"{length_mm} mm")
 
 
-def bar_card(layout: MapLayout, size: QSizeF, line: float, skin: QPainterPath) -> QRectF:
+def bar_card(
+    layout: MapLayout, px_per_mm: float, skin: QPainterPath, metrics: QFontMetrics
+) -> QRectF:
     """Return the first corner in which the bar hides neither skin nor a card.
 
     Where there is none, as on a magnified hand, return the lower left one.
+
+    Parameters
+    ----------
+    layout
+        Where the map lies.
+    px_per_mm
+        Outline pixels in a millimetre; 0: that is not known, and the card is empty.
+    skin
+        The outline on the screen.
+    metrics
+        Of the font of labels.
     """
+    on_screen = px_per_mm * layout.frame.scale
+    if on_screen <= 0.0:
+        return QRectF()
+    length_mm, line = bar_length_mm(on_screen, layout.room.width()), metrics.height()
+    width = max(length_mm * on_screen, metrics.horizontalAdvance(f"{length_mm} mm"))
+    size = QSizeF(width + 8 * layout.unit, 1.5 * line + 3 * layout.unit)
     room, unit = layout.room, layout.unit
     cards = [card for card in (layout.palmar_card, layout.triad_card) if not card.isEmpty()]
     left, top = room.left() + 4 * unit, room.top() + TEXT_LINES * line
@@ -285,9 +270,6 @@ def output_labels(
     occupied: QRectF,
 ) -> tuple[OutputLabel, ...]:
     """Return labels of dorsal outputs beside their rings, or farther off where there is no room.
-
-    A label that would cover another one or a ring is left out: a pile of numbers tells less than
-    the output that is pointed at.
 
     One that would cover another label or a ring is left out: a pile of numbers says less than the
     output that is pointed at.
@@ -472,22 +454,6 @@ class MapContent:
         return None if self.message or self.field_values is None else self.field
 
 
-def px_per_mm_of(limb: Limb) -> float:
-    """Return the number of outline pixels in a millimetre."""
-    return limb.map.hand_length_px / limb.hand_length_mm
-
-
-def note_of(surface: SurfaceOperator | None, limb: Limb) -> str:
-    """Return the notes on the map and on the source of its numbers."""
-    last = sentence(f"{limb.note[:1].upper()}{limb.note[1:]}") if limb.note else ""
-    return " ".join(part for part in (drawn_note_of(surface), last) if part)
-
-
-def drawn_note_of(surface: SurfaceOperator | None) -> str:
-    """Return the notes on the map itself."""
-    return "" if surface is None else " ".join(surface.warnings)
-
-
 _OUTPUT_RING_PX, _THIN_PX = 2.2, 1.2
 # A map is at least this many lines of text high, and wide, if a line is larger than the last, px.
 _MAP_LINES, _MAP_WIDTH_LINES, _USUAL_PX = 12.0, 9.0, 18.0
@@ -538,14 +504,20 @@ class MapPainter:
             _paint_cards(painter, layout, theme)
         self._paint_palmar(painter, content, layout, theme)
         if content.hatched:
-            self._paint_hatch(painter, content, layout)
+            hatched = content.noisy, layout, self._screen_outline
+            self._hatch.paint(
+                painter,
+                layout.room,
+                (content.noisy,),
+                lambda on_image: paint_hatch(on_image, *hatched),
+            )
         if content.inputs:
             self._paint_inputs(painter, content, layout, theme)
-        metrics = painter.fontMetrics()
-        bar = length_bar(layout, content.px_per_mm, self._screen_outline, metrics)
-        self._bar_card = bar.card
+        self._bar_card = bar_card(
+            layout, content.px_per_mm, self._screen_outline, painter.fontMetrics()
+        )
         self._paint_selection(painter, content, layout, theme)
-        paint_length_bar(painter, bar, theme)
+        paint_length_bar(painter, layout, content.px_per_mm, self._bar_card, theme)
 
     def _paint_ground(
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
@@ -581,14 +553,6 @@ class MapPainter:
                 _paint_cards(on_image, layout, theme)
 
         self._still.paint(painter, layout.room, (theme.name, dots, on_field), paint)
-
-    def _paint_hatch(self, painter: QPainter, content: MapContent, layout: MapLayout) -> None:
-        """Hatch what is mostly noise."""
-
-        def paint(on_image: QPainter) -> None:
-            paint_hatch(on_image, content.noisy, layout, self._screen_outline)
-
-        self._hatch.paint(painter, layout.room, (content.noisy,), paint)
 
     def _paint_inputs(
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
@@ -656,17 +620,6 @@ def ring_radius(number: int, content: MapContent, layout: MapLayout) -> float:
     return max(layout.dot_radius + 2.5 * layout.unit, 4.5 * layout.unit)
 
 
-def paint_ring(
-    painter: QPainter, centre: QPointF, radius: float, pen: QPen, ground: QColor
-) -> None:
-    """Draw a ring that stands out from any colour under it."""
-    painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.setPen(QPen(ground, 2 * pen.widthF()))
-    painter.drawEllipse(centre, radius, radius)
-    painter.setPen(pen)
-    painter.drawEllipse(centre, radius, radius)
-
-
 def paint_mark(
     painter: QPainter,
     number: int,
@@ -679,16 +632,7 @@ def paint_mark(
     radius = ring_radius(number, content, layout) + 3.5 * layout.unit
     centre = QPointF(*layout.points[number - 1])
     pen = QPen(QColor(colour), 0.8 * _OUTPUT_RING_PX * layout.unit)
-    paint_ring(painter, centre, radius, pen, QColor(theme.base))
-
-
-def paint_band(painter: QPainter, band: QRectF, theme: Theme) -> None:
-    """Draw a rubber band."""
-    fill = QColor(theme.accent)
-    painter.setPen(QPen(fill, 1))
-    fill.setAlphaF(0.15)
-    painter.setBrush(fill)
-    painter.drawRect(band)
+    paint_ring(painter, centre, radius, pen, theme)
 
 
 def letters_for(font: QFont, room: QRectF) -> QFont:
@@ -743,7 +687,7 @@ def _paint_dots(painter: QPainter, layout: MapLayout) -> None:
 
 def _paint_rings(painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme) -> None:
     """Paint rings in the colours of the curves around the selected outputs."""
-    ground, crowded = QColor(theme.base), is_crowded(len(content.outputs), layout)
+    crowded = is_crowded(len(content.outputs), layout)
     for rank, number in enumerate(content.outputs):
         if number > len(layout.points) or is_on_card(number, layout):
             continue  # not on this limb, or hidden
@@ -751,4 +695,4 @@ def _paint_rings(painter: QPainter, content: MapContent, layout: MapLayout, them
         radius = ring_radius(number, content, layout)
         width = (_THIN_PX if crowded else _OUTPUT_RING_PX) * layout.unit
         pen = theme.output_pen(rank, width, layout.unit)
-        paint_ring(painter, centre, radius, pen, ground)
+        paint_ring(painter, centre, radius, pen, theme)

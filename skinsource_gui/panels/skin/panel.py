@@ -1,11 +1,12 @@
 """The skin panel: the map of levels or of motion, its toolbar, its choices and its results."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
+from itertools import pairwise
 from typing import Any, ClassVar
 
-from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRectF, QSize, QSizeF, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, QSizeF, Qt
 from PySide6.QtGui import (
     QActionGroup,
     QGuiApplication,
@@ -17,25 +18,22 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QButtonGroup, QGridLayout, QHBoxLayout, QMenu, QToolButton, QWidget
 
+from skinsource.base.arrays import Floats
 from skinsource.design import edits
 from skinsource.design.comparing import match_text
 from skinsource.design.design import Design
 from skinsource.design.edits.edit import Refusal
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
+from skinsource.engine.time_rules import block_of
 from skinsource.limbs.own_limbs import facts_of, own_map
 from skinsource.limbs.surface.operator import SurfaceOperator
+from skinsource.perception.sensation import LIMITS, LIMITS_IN_SHORT
 from skinsource_gui.panels.skin import picture
 from skinsource_gui.panels.skin.layout import HAND
 from skinsource_gui.panels.skin.map import NoteLine, ReadoutLines, SkinMap, selection_readout
-from skinsource_gui.panels.skin.painting import (
-    MapContent,
-    drawn_note_of,
-    marks_of,
-    note_of,
-    px_per_mm_of,
-)
-from skinsource_gui.panels.skin.picture import heading_of, paint_picture, short_note
+from skinsource_gui.panels.skin.painting import MapContent, marks_of
+from skinsource_gui.panels.skin.picture import heading_of, paint_picture
 from skinsource_gui.panels.skin.scale import ColourBar
 from skinsource_gui.panels.skin.settings import (
     LEVELS,
@@ -46,168 +44,20 @@ from skinsource_gui.panels.skin.settings import (
     SkinSettings,
     Z,
 )
-from skinsource_gui.panels.skin.time import TimeView
+from skinsource_gui.panels.skin.time import NEEDS, Frames, QuantityRow, ScrubBar, SignedBar
 from skinsource_gui.plots.pictures import with_caption
 from skinsource_gui.plots.small_map import COLOURS, field_image
 from skinsource_gui.qt.buttons import passing_menu, tool_button
 from skinsource_gui.qt.keys import key_text
-from skinsource_gui.qt.overlays import Staleness
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, current_theme, drawn_icon
 from skinsource_gui.qt.wheel import WHOLE
+from skinsource_gui.state.compared import SILENT
 from skinsource_gui.state.panel import Panel
 
 #: Refusal where Delete is pressed after outputs were selected.
 NO_OUTPUTS = Refusal(
     sentence="Outputs cannot be removed; click an input, a dashed ring on the map, to remove it."
 )
-
-
-class MapChoices(QObject):
-    """Translates what map, toolbar and colour bar emit into edits, or into other settings."""
-
-    #: `Edit` or `Refusal`, None: no gesture.
-    edited = Signal(object, object)
-    #: The new `View`.
-    view_changed = Signal(object)
-
-    def __init__(self, panel_name: str, parent: QObject) -> None:
-        super().__init__(parent)
-        self._panel_name = panel_name
-        self._design: Design | None = None
-        self._view = View()
-        self.settings = SkinSettings()
-
-    def show_playhead(self, view: View) -> None:
-        """Take over a view in which the playhead alone has moved."""
-        self._view = view
-
-    def show_state(self, design: Design, view: View) -> None:
-        """Take over the present design and view."""
-        self._design, self._view = design, view
-        self.settings = settings_of(view, self._panel_name, SkinSettings)
-
-    def choose_outputs(self, outputs: tuple[int, ...]) -> None:
-        """Select these outputs."""
-        if self._design is not None:
-            self.edited.emit(edits.select_outputs(self._design, self._view, outputs), None)
-
-    def choose_inputs(self, ids: tuple[int, ...]) -> None:
-        """Select these inputs."""
-        if self._design is not None:
-            self.edited.emit(edits.select_inputs(self._design, self._view, ids), None)
-
-    def remove_inputs(self, outputs_selected: bool) -> None:
-        """Remove those that are selected; where none is, or outputs are meant, say so."""
-        if self._design is not None:
-            removed = edits.remove_inputs(self._design, self._view, self._view.selected_inputs)
-            self.edited.emit(NO_OUTPUTS if outputs_selected else removed, None)
-
-    @property
-    def chosen_range(self) -> tuple[float, float] | None:
-        """The chosen range of the colours; None: they follow what is shown."""
-        settings = self.settings
-        if settings.quantity not in STILL:
-            return settings.moving_range_db
-        is_sensation = settings.quantity == SENSATION
-        return settings.sensation_range_db if is_sensation else settings.map_range_db
-
-    def choose_range(self, range_db: tuple[float, float] | None) -> None:
-        """Let colours span these levels, or follow the loudest output."""
-        if self.settings.quantity == LEVELS:
-            self._change(map_range_db=range_db)
-        elif self.settings.quantity == SENSATION:
-            self._change(sensation_range_db=range_db)
-        else:
-            self._change(moving_range_db=range_db)
-
-    def choose_limits(self, limits: tuple[float, float] | None) -> None:
-        """Let colours span these accelerations along z, or follow the design."""
-        self._change(z_limits=limits)
-
-    def choose_quantity(self, name: str) -> None:
-        """Show levels, or the skin in time."""
-        self._change(quantity=name)
-
-    def choose_window(self, window_s: float) -> None:
-        """Set the duration of the sliding RMS."""
-        self._change(rms_window_s=window_s)
-
-    def choose_colours(self, name: str) -> None:
-        """Show levels in other colours."""
-        self._change(colours=name)
-
-    def choose_pace(self, slow_motion: float) -> None:
-        """Play this many times slower than real time."""
-        if self._design is not None:
-            self.edited.emit(edits.play_slower(self._design, self._view, slow_motion), None)
-
-    def choose_style(self, style: str) -> None:
-        """Colour the skin, or the sensors alone."""
-        self._change(map_style=style)
-
-    def switch_sensors(self, shown: bool) -> None:
-        """Show or hide the sensors on the interpolated map."""
-        self._change(sensors_shown=shown)
-
-    def _change(self, **changes: Any) -> None:
-        settings = replace(self.settings, **changes)
-        self.view_changed.emit(with_settings(self._view, self._panel_name, settings))
-
-
-def open_map_menu(
-    shown: SkinMap,
-    at: QPoint,
-    picture: Callable[[], QImage],
-    save: Callable[[], None],
-    export: Callable[[], None],
-    colours: tuple[str, Callable[[str], None]],
-) -> None:
-    """Open the menu of the map at a point of the screen: fits, colours, picture and data.
-
-    Parameters
-    ----------
-    shown
-        The map.
-    at
-        Point of the screen.
-    picture, save, export
-        Make a picture; ask for a file and save a picture; ask for a file and save the numbers.
-    colours
-        Name of the colour map of levels, and what is called with another one.
-    """
-    menu = passing_menu(shown, "skin_menu")
-    for title, fit, key in (("Fit hand", HAND, "hand"), ("Fit hand and arm", WHOLE, "whole")):
-        menu.addAction(f"{title}\t{key_text('skin', key)}", partial(shown.stage.pan_zoom.show, fit))
-    menu.addSeparator()
-    _add_colours(menu.addMenu("Colours"), *colours)
-    menu.addSeparator()
-    # A file waits for new results; the clipboard gets what is drawn now.
-    menu.addAction("Copy picture", partial(_copy, picture)).setEnabled(not shown.content.outdated)
-    menu.addAction("Save picture as…", save)
-    menu.addAction("Export data…", export)
-    menu.popup(at)
-
-
-def open_colours_menu(
-    over: QWidget, at: QPoint, chosen: str, choose: Callable[[str], None]
-) -> None:
-    """Open the menu of colour maps over a widget, at a point of the screen."""
-    menu = passing_menu(over, "colours_menu")
-    _add_colours(menu, chosen, choose)
-    menu.popup(at)
-
-
-def _add_colours(menu: QMenu, chosen: str, choose: Callable[[str], None]) -> None:
-    group = QActionGroup(menu)
-    for name, title in COLOURS.options:
-        action = menu.addAction(title, partial(choose, name))
-        action.setCheckable(True)
-        action.setChecked(name == chosen)
-        group.addAction(action)
-
-
-def _copy(picture: Callable[[], QImage]) -> None:
-    QGuiApplication.clipboard().setImage(picture())
 
 
 def sensors_icon() -> QIcon:
@@ -261,12 +111,6 @@ _ICON_BUTTON_PX = 33
 class MapToolbar(QWidget):
     """Buttons for the style of the map, its sensors, and its visible part."""
 
-    #: ``"interpolated"`` or ``"sensors"``.
-    style_chosen = Signal(str)
-    sensors_switched = Signal(bool)
-    #: `WHOLE` or `HAND`.
-    fit_chosen = Signal(str)
-
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.interpolated = self._button(
@@ -299,11 +143,6 @@ class MapToolbar(QWidget):
         row.addStretch(1)
         row.addWidget(self.all)
         row.addWidget(self.hand)
-        self.interpolated.clicked.connect(self._choose_interpolated)
-        self.sensors_only.clicked.connect(self._choose_sensors)
-        self.sensors.clicked.connect(self.sensors_switched)
-        self.all.clicked.connect(self._choose_all)
-        self.hand.clicked.connect(self._choose_hand)
 
     def show_settings(self, settings: SkinSettings) -> None:
         """Show the present choice."""
@@ -344,270 +183,14 @@ class MapToolbar(QWidget):
         button.setIconSize(QSize(16, 16))
         return button
 
-    def _choose_interpolated(self) -> None:
-        self.style_chosen.emit("interpolated")
 
-    def _choose_sensors(self) -> None:
-        self.style_chosen.emit("sensors")
-
-    def _choose_all(self) -> None:
-        self.fit_chosen.emit(WHOLE)
-
-    def _choose_hand(self) -> None:
-        self.fit_chosen.emit(HAND)
-
-
-class MapControls:
-    """Connects the controls around the map to the choices, and shows the settings in them."""
-
-    def __init__(
-        self, choices: MapChoices, toolbar: MapToolbar, time: TimeView, colour_bar: ColourBar
-    ) -> None:
-        self._choices = choices
-        self._toolbar, self._time, self._colour_bar = toolbar, time, colour_bar
-        toolbar.style_chosen.connect(choices.choose_style)
-        toolbar.sensors_switched.connect(choices.switch_sensors)
-        colour_bar.range_chosen.connect(choices.choose_range)
-        colour_bar.strip.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
-        colour_bar.strip.customContextMenuRequested.connect(self._open_colours)
-        time.bar.limits_chosen.connect(choices.choose_limits)
-        time.row.quantity_chosen.connect(choices.choose_quantity)
-        time.row.window_chosen.connect(choices.choose_window)
-        time.row.pace_chosen.connect(choices.choose_pace)
-
-    def show_settings(self, view: View) -> None:
-        """Show the settings, and of the two colour bars the one that they need."""
-        settings = self._choices.settings
-        signed = settings.quantity == Z
-        self._toolbar.show_settings(settings)
-        self._time.show_state(settings, view)
-        self._time.bar.setVisible(signed)
-        self._colour_bar.setVisible(not signed)
-        self._colour_bar.choose(self._choices.chosen_range)
-
-    def _open_colours(self, at: QPoint) -> None:
-        strip, choices = self._colour_bar.strip, self._choices
-        over = strip.mapToGlobal(at)
-        open_colours_menu(strip, over, choices.settings.colours, choices.choose_colours)
-
-
-class MapDisplay(QObject):
-    """Holds `MapContent`, and shows it on the map, in colour bar, note and readout.
-
-    Parameters
-    ----------
-    parent, staleness
-        The panel that it is in, and whether the content belongs to an older design.
-
-    Attributes
-    ----------
-    content
-        What is shown, also while it is covered.
-    map, colour_bar, note, readout
-        The widgets that show it.
-    """
-
-    def __init__(self, parent: QWidget, staleness: Staleness) -> None:
-        super().__init__(parent)
-        self.content = MapContent()
-        self._covered = False
-        self._staleness = staleness
-        self._staleness.changed.connect(self._mark_outdated)
-        self.map, self.colour_bar = SkinMap(parent), ColourBar(parent)
-        self.note, self.readout = NoteLine(parent), ReadoutLines(parent)
-        self.map.setObjectName("skin_map")
-        self.colour_bar.setObjectName("skin_colour_bar")
-        self.note.setObjectName("skin_note")
-        self.readout.setObjectName("skin_readout")
-        self.readout.setAccessibleName("Under the pointer")
-        self.map.readout_changed.connect(self._show_readout)
-        self._show_readout("")
-
-    def change(self, **changes: Any) -> None:
-        """Replace fields of the content; `show` makes them visible."""
-        self.content = replace(self.content, **changes)
-
-    def show(self) -> None:
-        """Show the content."""
-        self.colour_bar.strip.show_quantity(self.content.quantity, self.content.colours)
-        self._show_marks()
-        self.show_map()
-        self.note.show_text(self.content.note, short_note(self.content.note))
-        self._show_readout(self.map.readout())
-
-    def show_map(self) -> None:
-        """Show the content on the map alone."""
-        self.map.show_content(self.content.covered if self._covered else self.content)
-
-    def cover(self, covered: bool) -> None:
-        """Hide what was computed, or reveal it."""
-        self._covered = covered
-        self.show()
-
-    def set_stale(self, stale: bool) -> None:
-        """Say whether the content belongs to an older design."""
-        self._staleness.set_stale(stale)
-
-    def _mark_outdated(self, stale: bool) -> None:
-        self.change(outdated=stale)
-        self.show_map()
-
-    def _show_marks(self) -> None:
-        """Mark the levels of the selected outputs in the colour bar."""
-        levels = None if self._covered else self.content.coloured_values
-        if levels is None:
-            self.colour_bar.show_marks(())
-            return
-        self.colour_bar.show_marks(
-            tuple(
-                (float(levels[number - 1]), rank)
-                for rank, number in enumerate(self.content.outputs)
-                if number <= levels.size
-            )
-        )
-
-    def _show_readout(self, text: str) -> None:
-        self.readout.show_text(text or selection_readout(self.content.outputs))
-
-
-class MapResults:
-    """Turns results into the content of the map: levels, or the skin at the playhead.
-
-    Parameters
-    ----------
-    choices
-        The settings.
-    time
-        Makes frames.
-    display
-        Shows the content.
-    """
-
-    def __init__(self, choices: MapChoices, time: TimeView, display: MapDisplay) -> None:
-        self._choices, self._time, self._display = choices, time, display
-        self._surface: SurfaceOperator | None = None
-        self._matched = ""
-
-    @property
-    def needs(self) -> frozenset[str]:
-        """Names of the results that `update` reads."""
-        settings = self._choices.settings
-        moving, shown = self._time.needs(settings), settings.quantity
-        always = frozenset({"limb_map", "limb_data", "match_gain"}) | (
-            moving or picture.needs_of(shown)
-        )
-        if settings.map_style == "sensors":
-            return always
-        on_surface = always | {"surface"}
-        return on_surface if moving else on_surface | {picture.surface_name(shown)}
-
-    @property
-    def moves(self) -> bool:
-        """Whether the map changes with the playhead."""
-        return self._choices.settings.quantity not in STILL
-
-    def update(self, results: Mapping[str, Any], design: Design | None, view: View) -> None:
-        """Take over what was computed for a design and view."""
-        settings = self._choices.settings
-        surface = results.get("surface") if "surface" in self.needs else None
-        self._matched = match_text(results["match_gain"])
-        self._time.bar.strip.show_matched(self._matched)
-        self._update_limb(results, surface, design)
-        self._time.update(results, settings, view)
-        if self.moves:
-            frames = self._time.frames
-            self._display.colour_bar.follow(frames.largest_db)
-            self._display.change(message="" if frames.largest > 0.0 else picture.SILENT)
-            self._time.show_state(settings, view)
-        else:
-            on_skin = surface is not None
-            still = picture.changes_of(settings.quantity, results, interpolated=on_skin)
-            self._display.change(**still)
-        self.follow(view)
-
-    def follow(self, view: View) -> None:
-        """Show the skin at the playhead, or let the range of colours follow the levels."""
-        settings, values = self._choices.settings, self._display.content.values
-        if self.moves:
-            self._update_frame(view)
-        elif values is not None:
-            self._display.colour_bar.follow(values)
-        if settings.map_style == "sensors":
-            # When the map is interpolated again, this field would belong to an older design.
-            self._display.change(field_values=None)
-
-    def show_choice(self, design: Design | None, view: View) -> None:
-        """Show the results as design, view and settings ask for."""
-        settings, display = self._choices.settings, self._display
-        limbs = (display.content.limb, "" if design is None else design.limb)
-        still: dict[str, Any] = {}
-        if not self.moves:
-            still = {
-                "quantity": MapQuantity(
-                    name=settings.quantity, span=view.span, matched=self._matched
-                ),
-                "value_range": display.colour_bar.range_db,
-                "fixed": self._choices.chosen_range is not None,
-                "colours": settings.colours,
-            }
-        display.change(
-            outputs=view.outputs,
-            inputs=() if design is None else marks_of(design, view),
-            sensors_shown=settings.sensors_shown,
-            synthetic=any(facts_of(limb).synthetic for limb in limbs),
-            **still,
-        )
-        display.show()
-
-    def forget(self, message: str = "") -> None:
-        """Drop all results; ``message`` says why."""
-        self._time.frames.forget()
-        nothing = {"values": None, "field_values": None}
-        self._display.change(**nothing, message=message)
-
-    def show_bare(self, design: Design | None) -> None:
-        """Show the places of an own limb for which nothing is computed.
-
-        A limb that is missing has no places to show.
-        """
-        limb = "" if design is None else design.limb
-        own, missing = own_map(limb), facts_of(limb).missing
-        if not missing and (own is None or limb == self._display.content.limb):
-            return
-        self._surface = None
-        self._display.change(
-            limb_map=own,
-            limb=limb,
-            px_per_mm=own.hand_length_px / facts_of(limb).hand_length_mm if own else 0.0,
-            field=None,
-            noisy=(),
-        )
-
-    def _update_limb(
-        self, results: Mapping[str, Any], surface: SurfaceOperator | None, design: Design | None
-    ) -> None:
-        limb, shown = results["limb_data"], self._choices.settings.quantity
-        if surface is not None and surface is not self._surface:
-            self._surface = surface
-            self._display.change(field=field_image(surface, limb))
-        self._display.change(
-            limb_map=results["limb_map"],
-            limb="" if design is None else design.limb,
-            px_per_mm=px_per_mm_of(limb),
-            note=picture.with_limits(note_of(surface, limb), shown),
-            drawn_note=picture.with_limits(drawn_note_of(surface), shown),
-        )
-
-    def _update_frame(self, view: View) -> None:
-        """Show the skin at the playhead; mark the map as stale where it is not known yet."""
-        settings = self._choices.settings
-        surface = self._surface if settings.map_style == "interpolated" else None
-        changes = self._time.changes(settings, view, surface)
-        if changes is not None:
-            quantity = replace(changes["quantity"], matched=self._matched)
-            self._display.change(**{**changes, "quantity": quantity})
-        elif self._time.frames.known:
-            self._display.set_stale(True)
+def marks_of_levels(levels: Floats, outputs: tuple[int, ...]) -> tuple[tuple[float, int], ...]:
+    """Return the levels of the selected outputs, each with its rank, for the colour bar."""
+    return tuple(
+        (float(levels[number - 1]), rank)
+        for rank, number in enumerate(outputs)
+        if number <= levels.size
+    )
 
 
 #: Usual width and height of a picture, px.
@@ -621,7 +204,13 @@ class SkinPanel(Panel):
 
     Attributes
     ----------
-    toolbar, time, map, colour_bar, note, readout
+    settings
+        Those of the panel.
+    content
+        What is shown, also while it is covered.
+    frames
+        Makes the content at an instant, where the map moves.
+    toolbar, quantity_row, map, colour_bar, signed_bar, scrub, note, readout
         What is seen, from top to bottom.
     """
 
@@ -631,63 +220,116 @@ class SkinPanel(Panel):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._design: Design | None = None
-        self._view = View()
+        self._view, self.settings = View(), SkinSettings()
         # The parts of design and view that were shown last.
         self._visible: tuple[object, ...] = ()
+        self.content, self.frames = MapContent(), Frames()
+        # The part of the response for which signals were requested last.
+        self._requested_block = -1
+        self._covered = False
+        self._surface: SurfaceOperator | None = None
+        self._matched = ""
         # The Tab key goes through them in this order.
-        self.toolbar, self.time = MapToolbar(self), TimeView(self)
-        self._display = MapDisplay(self, self._staleness)
-        self.map, self.colour_bar = self._display.map, self._display.colour_bar
-        self.note, self.readout = self._display.note, self._display.readout
-        self.time.put_behind(self.colour_bar.auto_button)
-        self._choices = MapChoices(self.name, self)
-        self._controls = MapControls(self._choices, self.toolbar, self.time, self.colour_bar)
-        self._results = MapResults(self._choices, self.time, self._display)
+        self.toolbar, self.quantity_row = MapToolbar(self), QuantityRow(self)
+        self.scrub, self.signed_bar = ScrubBar(self), SignedBar(self)
+        self.map, self.colour_bar = SkinMap(self), ColourBar(self)
+        self.note, self.readout = NoteLine(self), ReadoutLines(self)
+        self.map.setObjectName("skin_map")
+        self.colour_bar.setObjectName("skin_colour_bar")
+        self.note.setObjectName("skin_note")
+        self.readout.setObjectName("skin_readout")
+        self.readout.setAccessibleName("Under the pointer")
+        tab_order = (
+            self.colour_bar.auto_button,
+            self.signed_bar.limit,
+            self.signed_bar.auto_button,
+            self.scrub.play,
+            self.scrub.slider,
+        )
+        for before, after in pairwise(tab_order):
+            self.setTabOrder(before, after)
         self._lay_out()
         self._connect()
-        self._controls.show_settings(self._view)
-        self._display.show()
-        self._results.show_choice(self._design, self._view)
+        self._show_settings()
+        self._show_choice()
 
     @property
     def needs(self) -> frozenset[str]:
-        return self._results.needs
+        shown, always = self.settings.quantity, frozenset({"limb_map", "limb_data", "match_gain"})
+        needed = always | ({NEEDS[shown]} if self.moves else picture.needs_of(shown))
+        if self.settings.map_style == "sensors":
+            return needed
+        return needed | {"surface"} | (set() if self.moves else {picture.surface_name(shown)})
+
+    @property
+    def moves(self) -> bool:
+        """Whether the map changes with the playhead."""
+        return self.settings.quantity not in STILL
+
+    @property
+    def chosen_range(self) -> tuple[float, float] | None:
+        """The chosen range of the colours; None: they follow what is shown."""
+        if self.moves:
+            return self.settings.moving_range_db
+        is_sensation = self.settings.quantity == SENSATION
+        return self.settings.sensation_range_db if is_sensation else self.settings.map_range_db
 
     def sizeHint(self) -> QSize:
         return QSize(420, 640)
 
     def show_state(self, design: Design, view: View) -> None:
+        before = self.settings.quantity
         self._design, self._view = design, view
-        before = self._choices.settings.quantity
-        self._choices.show_state(design, view)
+        self.settings = settings_of(view, self.name, SkinSettings)
         visible = (view, facts_of(design.limb), marks_of(design, view))
-        if visible == self._visible and not self._results.moves:
+        if visible == self._visible and not self.moves:
             return  # another waveform changes the map only when that is computed
         self._visible = visible
-        self._controls.show_settings(view)
-        if self._choices.settings.quantity == before:
-            self._results.follow(view)
+        self._show_settings()
+        if self.settings.quantity == before:
+            self._follow()
         else:
             # The results are those of another quantity.
-            self._results.forget()
-        self._results.show_choice(design, view)
+            self._forget()
+        self._show_choice()
 
     def show_playhead(self, view: View) -> None:
         self._view = view
-        self._choices.show_playhead(view)
-        if self._results.moves and self.isVisible():
-            self._results.follow(view)
-            self._results.show_choice(self._design, view)
+        if self.moves and self.isVisible():
+            self._follow()
+            self._show_choice()
 
     def show_results(self, results: Mapping[str, Any]) -> None:
-        self._results.update(results, self._design, self._view)
-        self._results.show_choice(self._design, self._view)
+        surface = results.get("surface") if "surface" in self.needs else None
+        self._matched = match_text(results["match_gain"])
+        field = self.content.field
+        if surface is not None and surface is not self._surface:
+            self._surface, field = surface, field_image(surface, results["limb_data"])
+        limb = "" if self._design is None else self._design.limb
+        self.content = picture.content_of(
+            self.content, results, self.settings, limb=limb, surface=surface, field=field
+        )
+        if self.moves:
+            self.frames.update(results, self.settings.quantity, self._view)
+            self._requested_block = -1
+            self.colour_bar.follow(self.frames.largest_db)
+            message = "" if self.frames.largest > 0.0 else SILENT
+            self.content = replace(self.content, message=message)
+            self._show_time()
+        else:
+            self.frames.forget()
+        self._follow()
+        self._show_choice()
 
     def show_problem(self, reason: str) -> None:
-        self._results.forget(reason)
-        self._results.show_bare(self._design)
-        self._display.change(note="", drawn_note="")
-        self._results.show_choice(self._design, self._view)
+        self._forget(reason)
+        self._show_bare()
+        self.content = replace(self.content, note="", drawn_note="")
+        self._show_choice()
+
+    def show_staleness(self, stale: bool) -> None:
+        self.content = replace(self.content, outdated=stale)
+        self._show_map()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -697,23 +339,24 @@ class SkinPanel(Panel):
             part.show_lines(1 if few else 2)
 
     def show_pointed_input(self, input_id: int | None) -> None:
-        self._display.change(pointed_at=input_id)
-        self._display.show_map()
+        self.content = replace(self.content, pointed_at=input_id)
+        self._show_map()
 
     def show_noisy(self, outputs: tuple[int, ...]) -> None:
         """Hatch outputs that are mostly noise."""
-        self._display.change(noisy=outputs)
-        self._display.show_map()
+        self.content = replace(self.content, noisy=outputs)
+        self._show_map()
 
     def show_covered(self, covered: bool) -> None:
         """Hide what was computed; limb and inputs stay, so that they can be pointed at."""
-        self._display.cover(covered)
+        self._covered = covered
+        self._show()
 
     def draw_picture(
         self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
     ) -> None:
         """Draw the map for a page or a slide, with all that is needed to read it; size in px."""
-        content = replace(self._display.content, outdated=False)
+        content = replace(self.content, outdated=False)
         heading = heading_of(self._design, self._view, content.quantity)
         heading = replace(heading, note=content.drawn_note)
         family, visible = self.font().family(), self.map.stage.visible
@@ -729,16 +372,122 @@ class SkinPanel(Panel):
             painter.end()
         return image
 
+    def _show_settings(self) -> None:
+        """Show the settings, and of the two colour bars the one that they need."""
+        signed = self.settings.quantity == Z
+        self.toolbar.show_settings(self.settings)
+        self.quantity_row.show_settings(self.settings, self._view.slow_motion)
+        self.scrub.setVisible(self.moves)
+        self._show_time()
+        self.signed_bar.setVisible(signed)
+        self.colour_bar.setVisible(not signed)
+        self.colour_bar.choose(self.chosen_range)
+
+    def _show_time(self) -> None:
+        """Show the playhead, and the limits of what moves."""
+        if self.moves:
+            settings, limits = self.settings, self.frames.value_range(self.settings)
+            automatic = settings.z_limits is None
+            self.signed_bar.show_limits(limits, automatic=automatic, matched=self._matched)
+            self.scrub.show_time(self._view.playhead_s, self.frames.end_s(self._view))
+
+    def _follow(self) -> None:
+        """Show the skin at the playhead, or let the range of colours follow the levels."""
+        if self.moves:
+            self._show_frame()
+        elif self.content.values is not None:
+            self.colour_bar.follow(self.content.values)
+        if self.settings.map_style == "sensors":
+            # When the map is interpolated again, this field would belong to an older design.
+            self.content = replace(self.content, field_values=None)
+
+    def _show_frame(self) -> None:
+        """Take over the skin at the playhead; where it is not known yet the map is stale."""
+        self.scrub.show_time(self._view.playhead_s, self.frames.end_s(self._view))
+        block = block_of(self._view.playhead_s)
+        if self.frames.runs_out(self._view) and block != self._requested_block:
+            self._requested_block = block
+            self.visibility_changed.emit()
+        if self.frames.has(self._view):
+            surface = self._surface if self.settings.map_style == "interpolated" else None
+            self.content = self.frames.content(
+                self.content, self._view, self.settings, surface, self._matched
+            )
+        elif self.frames.known:
+            self._staleness.set_stale(True)
+
+    def _show_choice(self) -> None:
+        """Show what is known as design, view and settings ask for."""
+        design, view, settings = self._design, self._view, self.settings
+        limbs = (self.content.limb, "" if design is None else design.limb)
+        self.content = replace(
+            self.content,
+            outputs=view.outputs,
+            inputs=() if design is None else marks_of(design, view),
+            sensors_shown=settings.sensors_shown,
+            synthetic=any(facts_of(limb).synthetic for limb in limbs),
+        )
+        if not self.moves:
+            self.content = replace(
+                self.content,
+                quantity=MapQuantity(name=settings.quantity, span=view.span, matched=self._matched),
+                value_range=self.colour_bar.range_db,
+                fixed=self.chosen_range is not None,
+                colours=settings.colours,
+            )
+        self._show()
+
+    def _forget(self, message: str = "") -> None:
+        """Drop all results; ``message`` says why."""
+        self.frames.forget()
+        self.content = replace(self.content, values=None, field_values=None, message=message)
+
+    def _show_bare(self) -> None:
+        """Show the places of an own limb for which nothing is computed.
+
+        A limb that is missing has no places to show.
+        """
+        limb = "" if self._design is None else self._design.limb
+        own, missing = own_map(limb), facts_of(limb).missing
+        if not missing and (own is None or limb == self.content.limb):
+            return
+        self._surface = None
+        self.content = replace(
+            self.content,
+            limb_map=own,
+            limb=limb,
+            px_per_mm=own.hand_length_px / facts_of(limb).hand_length_mm if own else 0.0,
+            field=None,
+            noisy=(),
+        )
+
+    def _show(self) -> None:
+        """Show the content on the map, in colour bar, note and readout."""
+        content = self.content
+        self.colour_bar.strip.show_quantity(content.quantity, content.colours)
+        levels = None if self._covered else content.coloured_values
+        marks = () if levels is None else marks_of_levels(levels, content.outputs)
+        self.colour_bar.strip.show_marks(marks)
+        self._show_map()
+        self.note.show_text(content.note, content.note.replace(LIMITS, LIMITS_IN_SHORT))
+        self._show_readout(self.map.readout())
+
+    def _show_map(self) -> None:
+        self.map.show_content(self.content.covered if self._covered else self.content)
+
+    def _show_readout(self, text: str) -> None:
+        self.readout.show_text(text or selection_readout(self.content.outputs))
+
     def _lay_out(self) -> None:
         grid = QGridLayout(self)
         grid.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX // 2)
         grid.setSpacing(UNIT_PX // 2)
         grid.addWidget(self.toolbar, 0, 0, 1, 2)
-        grid.addWidget(self.time.row, 1, 0, 1, 2)
+        grid.addWidget(self.quantity_row, 1, 0, 1, 2)
         grid.addWidget(self.map, 2, 0)
         grid.addWidget(self.colour_bar, 2, 1)
-        grid.addWidget(self.time.bar, 2, 1)
-        grid.addWidget(self.time.scrub, 3, 0, 1, 2)
+        grid.addWidget(self.signed_bar, 2, 1)
+        grid.addWidget(self.scrub, 3, 0, 1, 2)
         grid.addWidget(self.note, 4, 0, 1, 2)
         grid.addWidget(self.readout, 5, 0, 1, 2)
         grid.setRowStretch(2, 1)
@@ -746,20 +495,88 @@ class SkinPanel(Panel):
         self.setFocusProxy(self.map)
 
     def _connect(self) -> None:
-        self._choices.edited.connect(self.edited)
-        self._choices.view_changed.connect(self.view_changed)
-        self.toolbar.fit_chosen.connect(self.map.stage.pan_zoom.show)
+        toolbar, row, pan_zoom = self.toolbar, self.quantity_row, self.map.stage.pan_zoom
+        toolbar.interpolated.clicked.connect(lambda: self._change(map_style="interpolated"))
+        toolbar.sensors_only.clicked.connect(lambda: self._change(map_style="sensors"))
+        toolbar.sensors.clicked.connect(lambda shown: self._change(sensors_shown=shown))
+        toolbar.all.clicked.connect(lambda: pan_zoom.show(WHOLE))
+        toolbar.hand.clicked.connect(lambda: pan_zoom.show(HAND))
+        self.colour_bar.range_chosen.connect(self._choose_range)
+        self.colour_bar.strip.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        self.colour_bar.strip.customContextMenuRequested.connect(self._open_colours)
+        self.map.readout_changed.connect(self._show_readout)
         self.map.input_pointed_at.connect(self.input_pointed_at)
-        self.map.inputs_chosen.connect(self._choices.choose_inputs)
-        self.map.removal_requested.connect(self._choices.remove_inputs)
-        self.map.outputs_chosen.connect(self._choices.choose_outputs)
+        self.map.inputs_chosen.connect(self._choose_inputs)
+        self.map.removal_requested.connect(self._remove_inputs)
+        self.map.outputs_chosen.connect(self._choose_outputs)
         self.map.menu_requested.connect(self._open_menu)
-        self.time.scrub.time_requested.connect(self.playhead_requested)
-        self.time.scrub.play_requested.connect(partial(self.action_requested.emit, "play"))
-        self.time.part_requested.connect(self.visibility_changed)
+        self.signed_bar.limits_chosen.connect(lambda limits: self._change(z_limits=limits))
+        row.rms_window.edited.connect(lambda window_s, _: self._change(rms_window_s=window_s))
+        row.quantity.edited.connect(lambda name, _: self._change(quantity=name))
+        row.pace.edited.connect(lambda pace, _: self._choose_pace(float(pace)))
+        # Otherwise Space, which plays, would open the list again.
+        for choice in (row.quantity, row.pace):
+            choice.edited.connect(lambda *_: self.setFocus(Qt.FocusReason.OtherFocusReason))
+        self.scrub.time_requested.connect(self.playhead_requested)
+        self.scrub.play.clicked.connect(lambda: self.action_requested.emit("play"))
+
+    def _change(self, _checked: bool = False, **changes: Any) -> None:
+        settings = replace(self.settings, **changes)
+        self.view_changed.emit(with_settings(self._view, self.name, settings))
+
+    def _choose_range(self, range_db: tuple[float, float] | None) -> None:
+        """Let colours span these levels, or follow the loudest output."""
+        own = {LEVELS: "map_range_db", SENSATION: "sensation_range_db"}
+        changes: dict[str, Any] = {own.get(self.settings.quantity, "moving_range_db"): range_db}
+        self._change(**changes)
+
+    def _choose_outputs(self, outputs: tuple[int, ...]) -> None:
+        if self._design is not None:
+            self.edited.emit(edits.select_outputs(self._design, self._view, outputs), None)
+
+    def _choose_inputs(self, ids: tuple[int, ...]) -> None:
+        if self._design is not None:
+            self.edited.emit(edits.select_inputs(self._design, self._view, ids), None)
+
+    def _remove_inputs(self, outputs_selected: bool) -> None:
+        """Remove those that are selected; where none is, or outputs are meant, say so."""
+        if self._design is not None:
+            removed = edits.remove_inputs(self._design, self._view, self._view.selected_inputs)
+            self.edited.emit(NO_OUTPUTS if outputs_selected else removed, None)
+
+    def _choose_pace(self, slow_motion: float) -> None:
+        """Play this many times slower than real time."""
+        if self._design is not None:
+            self.edited.emit(edits.play_slower(self._design, self._view, slow_motion), None)
 
     def _open_menu(self, at: QPoint) -> None:
-        save = partial(self.action_requested.emit, "export_picture")
-        export = partial(self.action_requested.emit, "export_levels")
-        colours = self._choices.settings.colours, self._choices.choose_colours
-        open_map_menu(self.map, at, partial(self.picture, *PICTURE_PX), save, export, colours)
+        """Open the menu of the map at a point of the screen: fits, colours, picture and data."""
+        menu, show = passing_menu(self.map, "skin_menu"), self.map.stage.pan_zoom.show
+        for title, fit, key in (("Fit hand", HAND, "hand"), ("Fit hand and arm", WHOLE, "whole")):
+            menu.addAction(f"{title}\t{key_text('skin', key)}", partial(show, fit))
+        menu.addSeparator()
+        self._offer_colours(menu.addMenu("Colours"))
+        menu.addSeparator()
+        # A file waits for new results; the clipboard gets what is drawn now.
+        copy = menu.addAction("Copy picture", self._copy_picture)
+        copy.setEnabled(not self.content.outdated)
+        menu.addAction("Save picture as…", partial(self.action_requested.emit, "export_picture"))
+        menu.addAction("Export data…", partial(self.action_requested.emit, "export_levels"))
+        menu.popup(at)
+
+    def _open_colours(self, at: QPoint) -> None:
+        strip = self.colour_bar.strip
+        menu = passing_menu(strip, "colours_menu")
+        self._offer_colours(menu)
+        menu.popup(strip.mapToGlobal(at))
+
+    def _offer_colours(self, menu: QMenu) -> None:
+        group = QActionGroup(menu)
+        for name, title in COLOURS.options:
+            action = menu.addAction(title, partial(self._change, colours=name))
+            action.setCheckable(True)
+            action.setChecked(name == self.settings.colours)
+            group.addAction(action)
+
+    def _copy_picture(self) -> None:
+        QGuiApplication.clipboard().setImage(self.picture(*PICTURE_PX))

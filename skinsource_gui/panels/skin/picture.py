@@ -9,21 +9,25 @@ from PySide6.QtCore import QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
 from skinsource.base.decibels import FLOOR_DB
+from skinsource.base.quoting import sentence
 from skinsource.design.design import Design
 from skinsource.design.labels import limb_label, signal_label
 from skinsource.design.view import View
 from skinsource.limbs.limb import LimbMap
 from skinsource.limbs.own_limbs import facts_of
-from skinsource.perception.sensation import LIMITS, LIMITS_IN_SHORT
+from skinsource.limbs.surface.operator import SurfaceOperator
+from skinsource.perception.sensation import LIMITS
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource_gui.panels.skin.layout import ALL, MapLayout, VisiblePart, map_layout
 from skinsource_gui.panels.skin.map import paint_map_texts
 from skinsource_gui.panels.skin.painting import MapContent, MapPainter, small_font
 from skinsource_gui.panels.skin.scale import paint_colour_scale
-from skinsource_gui.panels.skin.settings import LEVELS, SENSATION, MapQuantity
+from skinsource_gui.panels.skin.settings import LEVELS, SENSATION, STILL, MapQuantity, SkinSettings
 from skinsource_gui.plots.colour_maps import colour_table
+from skinsource_gui.plots.small_map import FieldImage, px_per_mm_of
 from skinsource_gui.qt.frames import UncachedPicture
 from skinsource_gui.qt.theme import Theme, tabular
+from skinsource_gui.state.compared import SILENT
 
 #: What strokes over a map mean.
 HATCHED = f"hatched: less than {LEAST_ABOVE_NOISE_DB:g} dB above the noise"
@@ -44,11 +48,6 @@ class Heading:
     title: str
     details: str
     note: str = ""
-
-    @property
-    def with_hatching(self) -> "Heading":
-        """The heading with an explanation of the hatching."""
-        return replace(self, details=f"{self.details} · {HATCHED}")
 
 
 def heading_of(design: Design | None, view: View, quantity: MapQuantity | None = None) -> Heading:
@@ -89,7 +88,7 @@ def paint_picture(
         What part of the map; all of it unless given.
     """
     if content.hatched:
-        heading = heading.with_hatching
+        heading = replace(heading, details=f"{heading.details} · {HATCHED}")
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     page = QRectF(0, 0, size.width(), size.height())
     painter.fillRect(page, QColor(theme.base))
@@ -170,7 +169,6 @@ def _paint_map(
     return layout
 
 
-SILENT = "Silent: nothing is driven"
 #: By quantity: names of the results at the outputs and over the skin.
 _NAMES = {
     LEVELS: ("output_levels_db", "surface_levels_db"),
@@ -189,23 +187,51 @@ def surface_name(quantity: str) -> str:
     return _NAMES[quantity][1]
 
 
-def changes_of(quantity: str, results: Mapping[str, Any], *, interpolated: bool) -> dict[str, Any]:
-    """Return the fields of the map's content that follow from ``results``."""
-    values = results[_NAMES[quantity][0]]
+def content_of(
+    before: MapContent,
+    results: Mapping[str, Any],
+    settings: SkinSettings,
+    *,
+    limb: str,
+    surface: SurfaceOperator | None,
+    field: FieldImage | None,
+) -> MapContent:
+    """Return the content of the map with results, before design, view and playhead are known.
+
+    Parameters
+    ----------
+    before
+        What the map showed; what does not follow from results is taken over.
+    results, settings
+        Quantities by name, computed for these settings.
+    limb
+        Name of the limb.
+    surface, field
+        The interpolated map and its image; None: sensors carry the colours.
+    """
+    limb_data, shown = results["limb_data"], settings.quantity
+    limits = LIMITS if shown == SENSATION else ""
+    drawn_note = " ".join(filter(None, (limits, *(() if surface is None else surface.warnings))))
+    source = sentence(f"{limb_data.note[:1].upper()}{limb_data.note[1:]}") if limb_data.note else ""
+    content = replace(
+        before,
+        limb_map=results["limb_map"],
+        limb=limb,
+        px_per_mm=px_per_mm_of(limb_data),
+        field=field,
+        note=" ".join(filter(None, (drawn_note, source))),
+        drawn_note=drawn_note,
+    )
+    if shown not in STILL:
+        return content
+    at_outputs, over_skin = _NAMES[shown]
+    values = results[at_outputs]
     if not values.size:
-        return {"values": None, "field_values": None, "message": results["sensation"].problem}
-    return {
-        "values": values,
-        "field_values": results[_NAMES[quantity][1]] if interpolated else None,
-        "message": SILENT if float(np.max(values)) <= FLOOR_DB else "",
-    }
-
-
-def with_limits(note: str, quantity: str) -> str:
-    """Return the note below the map; of sensations, their limits come first."""
-    return f"{LIMITS} {note}".strip() if quantity == SENSATION else note
-
-
-def short_note(note: str) -> str:
-    """Return the note where there is little room for it."""
-    return note.replace(LIMITS, LIMITS_IN_SHORT)
+        problem = results["sensation"].problem
+        return replace(content, values=None, field_values=None, message=problem)
+    return replace(
+        content,
+        values=values,
+        field_values=None if surface is None else results[over_skin],
+        message=SILENT if float(np.max(values)) <= FLOOR_DB else "",
+    )

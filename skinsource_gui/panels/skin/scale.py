@@ -7,7 +7,7 @@ from math import floor, log10
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QColor,
     QFontMetrics,
@@ -42,28 +42,18 @@ from skinsource_gui.panels.skin.settings import (
     with_low,
 )
 from skinsource_gui.plots.colour_maps import VIRIDIS, colour_table
+from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.frames import CachedPicture
 from skinsource_gui.qt.keys import meaning_of
 from skinsource_gui.qt.theme import UNIT_PX, Theme, current_theme, letter_scale, tabular
 
 
-class AutoButton(QToolButton):
-    """A button that is down while the range follows the design.
-
-    Parameters
-    ----------
-    name, title, hint
-        Its `objectName`, its accessible name, and its tooltip.
-    """
-
-    def __init__(self, name: str, title: str, hint: str, parent: QWidget) -> None:
-        super().__init__(parent)
-        self.setObjectName(name)
-        self.setText("Auto")
-        self.setAccessibleName(title)
-        self.setToolTip(hint)
-        self.setCheckable(True)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+def auto_button(parent: QWidget, name: str, title: str, hint: str) -> QToolButton:
+    """Return a button that is down while the range follows the design."""
+    button = tool_button(parent, name, "Auto", hint, checkable=True)
+    button.setAccessibleName(title)
+    button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+    return button
 
 
 # Distance of the numbers from the colours, in lines of text: farther than handles reach.
@@ -167,60 +157,19 @@ Change = Callable[[LevelRange, float], LevelRange]
 _BEYOND, _LEAST_BEYOND_DB = 0.12, 2.0
 
 
-class PulledRange:
-    """A range that is dragged; the ends of its scale stay where they are meanwhile.
-
-    Attributes
-    ----------
-    range_db
-        The range.
-    axis_db
-        Levels of the ends of the scale.
-    """
-
-    def __init__(self, range_db: LevelRange) -> None:
-        self.range_db, self.axis_db = range_db, _axis_of(range_db)
-        self._held: LevelRange | None = None
-
-    def show(self, range_db: LevelRange) -> None:
-        """Take over another range."""
-        self.range_db = range_db
-        if self._held is None:
-            self.axis_db = _axis_of(range_db)
-
-    def hold(self) -> None:
-        """Begin to drag."""
-        self._held = self.range_db
-
-    def pulled(self, change: Change, part: float) -> LevelRange | None:
-        """Return the dragged range, in steps of 0.1 dB; None: it is not held, or stays.
-
-        Parameters
-        ----------
-        change
-            Returns the dragged range.
-        part
-            How far up it was dragged since it is held, as a share of the scale.
-        """
-        if self._held is None:
-            return None
-        low, high = self.axis_db
-        by_db = round(part * (high - low), 1)
-        if not by_db and self.range_db == self._held:
-            return None
-        low, high = change(self._held, by_db)
-        return round(low, 1), round(high, 1)
-
-    def release(self) -> None:
-        """End the drag, and fit the ends of the scale to the range."""
-        self._held = None
-        self.axis_db = _axis_of(self.range_db)
-
-
 def _axis_of(range_db: LevelRange) -> LevelRange:
+    """Return the ends of the scale on which a range is shown."""
     low, high = range_db
     beyond = max(_BEYOND * (high - low), _LEAST_BEYOND_DB)
     return low - beyond, high + beyond
+
+
+def _low_moved(range_db: LevelRange, by_db: float) -> LevelRange:
+    return with_low(range_db, range_db[0] + by_db)
+
+
+def _high_moved(range_db: LevelRange, by_db: float) -> LevelRange:
+    return with_high(range_db, range_db[1] + by_db)
 
 
 HANDLE_WIDTH, HANDLE_HEIGHT = 26, 12
@@ -235,18 +184,17 @@ _KEY_STEPS_DB = {
 
 
 class RangeHandle(QWidget):
-    """One end of the range: dragged, or moved with the arrow keys."""
+    """One end of the range of a strip: dragged, or moved with the arrow keys.
 
-    #: Distance upwards since the press, px.
-    pulled = Signal(float)
-    pressed = Signal()
-    released = Signal()
-    #: A step by a key, dB.
-    stepped = Signal(float)
+    Parameters
+    ----------
+    change
+        Moves this end.
+    """
 
-    def __init__(self, name: str, title: str, parent: QWidget) -> None:
-        super().__init__(parent)
-        self._grip: QPoint | None = None
+    def __init__(self, name: str, title: str, change: Change, strip: "ColourStrip") -> None:
+        super().__init__(strip)
+        self._change, self._strip = change, strip
         self.setObjectName(name)
         self.setAccessibleName(title)
         self.setToolTip(f"{title}: drag, or arrow keys (Ctrl: 0.1 dB)")
@@ -266,23 +214,16 @@ class RangeHandle(QWidget):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
-            self._grip = event.globalPosition().toPoint()
-            self.pressed.emit()
+            self._strip.hold(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        if self._grip is not None:
-            self.pulled.emit(float(self._grip.y() - event.globalPosition().toPoint().y()))
+        self._strip.pull(event, self._change)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        if self._grip is not None:
-            self._grip = None
-            self.released.emit()
+        self._strip.release()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        step = key_step_db(event)
-        if step:
-            self.stepped.emit(step)
-        else:
+        if not self._strip.step(event, self._change):
             super().keyPressEvent(event)
 
 
@@ -314,10 +255,11 @@ class ColourStrip(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._colours = VIRIDIS
-        self._pulled = PulledRange(SILENT_RANGE)
+        self.range_db, self._axis_db = SILENT_RANGE, _axis_of(SILENT_RANGE)
+        # The range at the press, and where that was on the screen, while it is dragged.
+        self._held: tuple[LevelRange, float] | None = None
         self._marks: tuple[tuple[float, int], ...] = ()
         self._quantity = MapQuantity()
-        self._grip_y: float | None = None
         self._scale = CachedPicture()
         self.setObjectName("colour_strip")
         self.setAccessibleName("Range of the colours")
@@ -326,8 +268,8 @@ class ColourStrip(QWidget):
         self.setMinimumHeight(70)
         # It paints all of its area, so that nothing behind it has to be painted.
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
-        self.high = self._new_handle("range_high", "Level of the highest colour", with_high)
-        self.low = self._new_handle("range_low", "Level of the lowest colour", with_low)
+        self.high = RangeHandle("range_high", "Level of the highest colour", _high_moved, self)
+        self.low = RangeHandle("range_low", "Level of the lowest colour", _low_moved, self)
 
     def sizeHint(self) -> QSize:
         line = self.fontMetrics().height()
@@ -338,8 +280,10 @@ class ColourStrip(QWidget):
 
     def show_range(self, range_db: LevelRange) -> None:
         """Show a range; the scale stays where it is while a handle is dragged."""
-        if range_db != self._pulled.range_db:
-            self._pulled.show(range_db)
+        if range_db != self.range_db:
+            self.range_db = range_db
+            if self._held is None:
+                self._axis_db = _axis_of(range_db)
             self._place_handles()
 
     def show_marks(self, marks: tuple[tuple[float, int], ...]) -> None:
@@ -364,8 +308,7 @@ class ColourStrip(QWidget):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setFont(tabular(small_font(self.font())))
         ramp = self._ramp()
-        pulled = self._pulled
-        scale = (pulled.axis_db, pulled.range_db, theme, self._quantity, self._colours)
+        scale = (self._axis_db, self.range_db, theme, self._quantity, self._colours)
         ground = self.palette().window().color()
         self._scale.paint(painter, QRectF(self.rect()), scale, self._paint_scale, ground)
         painter.setPen(QPen(QColor(theme.base), 0.5))
@@ -384,58 +327,59 @@ class ColourStrip(QWidget):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
-            self._grip_y = event.position().y()
-            self._pulled.hold()
+            self.hold(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        if self._grip_y is not None:
-            self._pull(moved, self._grip_y - event.position().y())
+        self.pull(event, moved)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        self._grip_y = None
-        self._let_go()
+        self.release()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         self.range_chosen.emit(None)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        step = key_step_db(event)
-        if step:
-            self.range_chosen.emit(moved(self._pulled.range_db, step))
-        else:
+        if not self.step(event, moved):
             super().keyPressEvent(event)
 
-    def _paint_scale(self, painter: QPainter) -> None:
-        axis, levels, theme = self._pulled.axis_db, self._pulled.range_db, current_theme()
-        table = colour_table(self._colours)
-        paint_colour_scale(painter, self._ramp(), axis, levels, table, theme, self._quantity)
+    def hold(self, event: QMouseEvent) -> None:
+        """Begin to drag."""
+        self._held = self.range_db, event.globalPosition().y()
 
-    def _new_handle(self, name: str, title: str, change_end: Change) -> RangeHandle:
-        handle = RangeHandle(name, title, self)
-        end = 1 if change_end is with_high else 0
+    def pull(self, event: QMouseEvent, change: Change) -> None:
+        """Drag the range that is held, in steps of 0.1 dB."""
+        if self._held is None:
+            return
+        held, pressed_y = self._held
+        low, high = self._axis_db
+        part = (pressed_y - event.globalPosition().y()) / self._ramp().height()
+        by_db = round(part * (high - low), 1)
+        if by_db or self.range_db != held:
+            low, high = change(held, by_db)
+            self.range_chosen.emit((round(low, 1), round(high, 1)))
 
-        def pull(by_db: LevelRange, pulled_db: float) -> LevelRange:
-            return change_end(by_db, by_db[end] + pulled_db)
-
-        handle.pressed.connect(self._pulled.hold)
-        handle.released.connect(self._let_go)
-        handle.pulled.connect(lambda px: self._pull(pull, px))
-        handle.stepped.connect(lambda db: self.range_chosen.emit(pull(self._pulled.range_db, db)))
-        return handle
-
-    def _pull(self, change: Change, up_px: float) -> None:
-        dragged_to = self._pulled.pulled(change, up_px / self._ramp().height())
-        if dragged_to is not None:
-            self.range_chosen.emit(dragged_to)
-
-    def _let_go(self) -> None:
-        self._pulled.release()
+    def release(self) -> None:
+        """End the drag, and fit the ends of the scale to the range."""
+        self._held, self._axis_db = None, _axis_of(self.range_db)
         self._place_handles()
+
+    def step(self, event: QKeyEvent, change: Change) -> bool:
+        """Change the range by the step of a key; return whether the key has one."""
+        step_db = key_step_db(event)
+        if step_db:
+            self.range_chosen.emit(change(self.range_db, step_db))
+        return bool(step_db)
+
+    def _paint_scale(self, painter: QPainter) -> None:
+        axis, table = self._axis_db, colour_table(self._colours)
+        paint_colour_scale(
+            painter, self._ramp(), axis, self.range_db, table, current_theme(), self._quantity
+        )
 
     def _mark_at(self, level_db: float) -> QPolygonF:
         """Return a triangle beside the ramp."""
         ramp = self._ramp()
-        y = min(max(level_y(level_db, self._pulled.axis_db, ramp), ramp.top()), ramp.bottom())
+        y = min(max(level_y(level_db, self._axis_db, ramp), ramp.top()), ramp.bottom())
         tip, back = ramp.left() - 1, ramp.left() - 8
         return QPolygonF([QPointF(tip, y), QPointF(back, y - 4), QPointF(back, y + 4)])
 
@@ -446,8 +390,8 @@ class ColourStrip(QWidget):
     def _place_handles(self) -> None:
         ramp = self._ramp()
         left = round(ramp.center().x() - HANDLE_WIDTH / 2)
-        for handle, level in zip((self.low, self.high), self._pulled.range_db, strict=True):
-            y = level_y(level, self._pulled.axis_db, ramp)
+        for handle, level in zip((self.low, self.high), self.range_db, strict=True):
+            y = level_y(level, self._axis_db, ramp)
             y = min(max(y, ramp.top()), ramp.bottom())
             handle.move(left, round(y - HANDLE_HEIGHT / 2))
         self.update()
@@ -473,8 +417,6 @@ class ColourBar(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._chosen: LevelRange | None = None
-        self.range_db: LevelRange = SILENT_RANGE
         self.strip = ColourStrip(self)
         high_db = LOWEST_DB + SMALLEST_SPAN_DB, HIGHEST_DB
         low_db = LOWEST_DB, HIGHEST_DB - SMALLEST_SPAN_DB
@@ -482,14 +424,13 @@ class ColourBar(QWidget):
             "range_high_field", "Level of the highest colour", high_db, self
         )
         self.low_field = _level_field("range_low_field", "Level of the lowest colour", low_db, self)
-        self.auto_button = AutoButton(
+        self.auto_button = auto_button(
+            self,
             "range_auto",
             "Automatic range",
             f"The range follows the loudest output: {MAP_RANGE_DB:g} dB, "
             f"up to the next {MAP_ROUND_TO_DB:g} dB",
-            self,
         )
-        self.auto_button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(UNIT_PX // 2)
@@ -516,6 +457,11 @@ class ColourBar(QWidget):
         self.auto_button.clicked.connect(self._switch)
         self.choose(None)
 
+    @property
+    def range_db(self) -> LevelRange:
+        """Levels of the lowest and the highest colour."""
+        return self.strip.range_db
+
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         # Where there is little room, the numbers matter more than the switch.
@@ -540,21 +486,15 @@ class ColourBar(QWidget):
 
     def choose(self, range_db: LevelRange | None) -> None:
         """Show a range, or the automatic one."""
-        self._chosen = range_db
         self.auto_button.setChecked(range_db is None)
         self._show(self.range_db if range_db is None else range_db)
 
     def follow(self, levels_db: NDArray[np.float64]) -> None:
         """Let the automatic range follow the levels of all outputs."""
-        if self._chosen is None:
+        if self.auto_button.isChecked():
             self._show(map_range_db(levels_db))
 
-    def show_marks(self, marks: tuple[tuple[float, int], ...]) -> None:
-        """Show levels of selected outputs, each in its colour."""
-        self.strip.show_marks(marks)
-
     def _show(self, range_db: LevelRange) -> None:
-        self.range_db = range_db
         self.strip.show_range(range_db)
         self.low_field.set_value(round(range_db[0], 1))
         self.high_field.set_value(round(range_db[1], 1))

@@ -1,13 +1,12 @@
 """The skin map in time: its frames, and the controls for quantity, speed, playhead and limits."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import replace
 from itertools import count as counted
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QEvent, QObject, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QRectF, QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QLabel,
@@ -23,13 +22,14 @@ from skinsource.design.labels import signal_label
 from skinsource.design.view import View
 from skinsource.engine.time_rules import Moving, SlidingEnergy, block_of
 from skinsource.limbs.limb import LimbFacts
+from skinsource.limbs.surface.operator import SurfaceOperator
 from skinsource.signals.map_range import map_range_db
 from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
-from skinsource_gui.panels.skin.painting import small_font
-from skinsource_gui.panels.skin.scale import AutoButton, paint_colour_scale
+from skinsource_gui.panels.skin.painting import MapContent, small_font
+from skinsource_gui.panels.skin.scale import auto_button, paint_colour_scale
 from skinsource_gui.panels.skin.settings import (
     MAGNITUDE,
     QUANTITY,
@@ -54,22 +54,6 @@ NEEDS = {Z: "moving_z", MAGNITUDE: "moving_vector", RMS: "moving_energy"}
 # Along z colours reach their ends at this share of the largest acceleration, which under the
 # actuator is far larger than elsewhere.
 _SHARE_OF_LARGEST = 0.25
-
-
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Frame:
-    """The skin at an instant.
-
-    Attributes
-    ----------
-    quantity
-        What the values are.
-    values : (n_outputs,)
-        m/s² along z, else dB.
-    """
-
-    quantity: MapQuantity
-    values: Floats
 
 
 class Frames:
@@ -134,26 +118,54 @@ class Frames:
             return False
         return block_of(view.playhead_s) != self._block
 
-    def frame(self, view: View, settings: SkinSettings) -> Frame:
-        """Return the skin at the playhead of ``view``."""
+    def content(
+        self,
+        before: MapContent,
+        view: View,
+        settings: SkinSettings,
+        surface: SurfaceOperator | None,
+        matched: str = "",
+    ) -> MapContent:
+        """Return the content of the map at the playhead of ``view``.
+
+        Parameters
+        ----------
+        before
+            The content without values.
+        surface
+            Interpolates between outputs; None: sensors carry the colours.
+        matched
+            By how much it is louder or softer than it was stored, or "".
+        """
         signals = self._signals
         if signals is None:
             raise LookupError("there are no signals to make a frame of")
-        at_s = response_time_s(view, signals.delay_s)
         self.made += 1
+        at_s = response_time_s(view, signals.delay_s)
+        if isinstance(signals, SlidingEnergy):
+            values = decibels(signals.rms(at_s, settings.rms_window_s))
+        elif self._name == Z:
+            values = signals.acceleration(at_s)[:, 0]
+        else:
+            values = decibels(signals.magnitude(at_s))
         quantity = MapQuantity(
             name=self._name,
             span=view.span,
             signal=signal_label(view.axes, view.method),
             window_s=settings.rms_window_s,
             time_s=view.playhead_s,
+            matched=matched,
         )
-        if isinstance(signals, SlidingEnergy):
-            values = decibels(signals.rms(at_s, settings.rms_window_s))
-        else:
-            is_z = self._name == Z
-            values = signals.acceleration(at_s)[:, 0] if is_z else decibels(signals.magnitude(at_s))
-        return Frame(quantity=quantity, values=values)
+        chosen = settings.z_limits if quantity.signed else settings.moving_range_db
+        return replace(
+            before,
+            values=values,
+            field_values=None if surface is None else surface.interpolate(values),
+            quantity=quantity,
+            value_range=self.value_range(settings),
+            fixed=chosen is not None,
+            colours=DIVERGING if quantity.signed else settings.colours,
+        )
 
     def value_range(self, settings: SkinSettings) -> LevelRange:
         """Return values of the lowest and the highest colour: the same at each instant."""
@@ -214,13 +226,6 @@ _ARROW_PX = 40
 class QuantityRow(QWidget):
     """Fields for the quantity of the map, its window, and the speed of playing."""
 
-    #: Name of the chosen quantity.
-    quantity_chosen = Signal(str)
-    #: How many times slower than real time it shall be played.
-    pace_chosen = Signal(float)
-    #: Length of the sliding window, s.
-    window_chosen = Signal(float)
-
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.quantity = ChoiceField(QUANTITY, self)
@@ -236,9 +241,6 @@ class QuantityRow(QWidget):
             (self.quantity, 1), self.rms_window, self.pace, of=self, margins=0, gap_px=UNIT_PX // 2
         )
         self._fit()
-        self.quantity.edited.connect(self._choose_quantity)
-        self.pace.edited.connect(self._choose_pace)
-        self.rms_window.edited.connect(self._choose_window)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
@@ -260,15 +262,6 @@ class QuantityRow(QWidget):
         self.pace.setFixedWidth(max(_PACE_PX, pace))
         self.rms_window.setFixedWidth(max(_WINDOW_PX, window))
 
-    def _choose_quantity(self, name: str, _gesture: object) -> None:
-        self.quantity_chosen.emit(name)
-
-    def _choose_pace(self, pace: str, _gesture: object) -> None:
-        self.pace_chosen.emit(float(pace))
-
-    def _choose_window(self, window_s: float, _gesture: object) -> None:
-        self.window_chosen.emit(window_s)
-
 
 # The slider counts tenths of a millisecond.
 _PER_S = 10_000
@@ -281,11 +274,9 @@ class ScrubBar(QWidget):
 
     #: New time of the playhead, s.
     time_requested = Signal(float)
-    play_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._emitting = True
         self.play = QToolButton(self)
         self.play.setObjectName("skin_play")
         self.play.setIconSize(QSize(14, 14))
@@ -296,14 +287,13 @@ class ScrubBar(QWidget):
                 f"{shortcut_text('pause')} stops where the playhead is, and goes on.",
             )
         )
-        self.play.clicked.connect(self.play_requested)
         self.slider = QSlider(Qt.Orientation.Horizontal, self)
         self.slider.setObjectName("skin_time")
         self.slider.setAccessibleName("Time")
         self.slider.setToolTip("Drag through time; arrow keys step by a millisecond")
         self.slider.setSingleStep(_STEP)
         self.slider.setPageStep(_PAGE)
-        self.slider.valueChanged.connect(self._emit_time)
+        self.slider.valueChanged.connect(lambda tenths: self.time_requested.emit(tenths / _PER_S))
         self.time = QLabel(self)
         self.time.setFont(tabular(self.time.font()))
         self.time.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
@@ -312,10 +302,9 @@ class ScrubBar(QWidget):
 
     def show_time(self, time_s: float, end_s: float) -> None:
         """Show the playhead in a response that ends at ``end_s``, without emitting it."""
-        self._emitting = False
-        self.slider.setMaximum(max(round(end_s * _PER_S), 1))
-        self.slider.setValue(round(time_s * _PER_S))
-        self._emitting = True
+        with QSignalBlocker(self.slider):
+            self.slider.setMaximum(max(round(end_s * _PER_S), 1))
+            self.slider.setValue(round(time_s * _PER_S))
         self.time.setText(time_text(time_s))
         # As wide as its widest text, so that the slider keeps its width.
         widest = self.time.fontMetrics().horizontalAdvance(time_text(max(end_s, time_s)) + "0")
@@ -326,10 +315,6 @@ class ScrubBar(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange:
             self.play.setIcon(play_icon())
-
-    def _emit_time(self, tenths_ms: int) -> None:
-        if self._emitting:
-            self.time_requested.emit(tenths_ms / _PER_S)
 
 
 _LIMIT = NumberSpec(
@@ -347,29 +332,23 @@ class SignedStrip(QWidget):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
-        self._range: LevelRange = (-1.0, 1.0)
+        self.limits: LevelRange = (-1.0, 1.0)
         self._matched = ""
         self._scale = CachedPicture()
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setMinimumHeight(70)
 
-    def show_range(self, limits: LevelRange) -> None:
-        """Show other limits."""
-        if limits != self._range:
-            self._range = limits
-            self.update()
-
-    def show_matched(self, matched: str) -> None:
-        """Show by how much the response is louder or softer than it was stored."""
-        if matched != self._matched:
-            self._matched = matched
+    def show_scale(self, limits: LevelRange, matched: str) -> None:
+        """Show limits, and by how much the response is louder or softer than it was stored."""
+        if (limits, matched) != (self.limits, self._matched):
+            self.limits, self._matched = limits, matched
             self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setFont(tabular(small_font(self.font())))
         ground = self.palette().window().color()
-        key = (self._range, current_theme(), self._matched)
+        key = (self.limits, current_theme(), self._matched)
         self._scale.paint(painter, QRectF(self.rect()), key, self._paint, ground)
         painter.end()
 
@@ -377,7 +356,7 @@ class SignedStrip(QWidget):
         # The numbers reach beyond the ends by half of their height.
         end = max(_END_PX, painter.fontMetrics().height() / 2)
         ramp = QRectF(_RAMP_LEFT, end, _RAMP_WIDTH, self.height() - 2 * end)
-        limits, table = self._range, colour_table(DIVERGING)
+        limits, table = self.limits, colour_table(DIVERGING)
         quantity = MapQuantity(name=Z, matched=self._matched)
         paint_colour_scale(painter, ramp, limits, limits, table, current_theme(), quantity)
 
@@ -390,18 +369,17 @@ class SignedBar(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._limits: LevelRange = (-1.0, 1.0)
         self.limit = NumberField(_LIMIT, self)
         self.limit.setObjectName("z_limit")
         self.limit.setAccessibleName(_LIMIT.label)
         self.limit.setToolTip(tooltip(_LIMIT.label, _LIMIT.hint))
         self.limit.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.strip = SignedStrip(self)
-        self.auto_button = AutoButton(
+        self.auto_button = auto_button(
+            self,
             "z_auto",
             "Automatic limit",
             "The limit follows the design: a quarter of the largest acceleration along z anywhere",
-            self,
         )
         in_column(
             self.limit, (self.strip, 1), self.auto_button, of=self, margins=0, gap_px=UNIT_PX // 2
@@ -415,102 +393,17 @@ class SignedBar(QWidget):
         if event.type() == QEvent.Type.FontChange:
             self.setFixedWidth(self._width())
 
-    def show_limits(self, limits: LevelRange, *, automatic: bool) -> None:
-        """Show limits, and whether they follow the design."""
-        self._limits = limits
+    def show_limits(self, limits: LevelRange, *, automatic: bool, matched: str) -> None:
+        """Show limits, whether they follow the design, and the gain of what is shown."""
         self.limit.set_value(limits[1])
-        self.strip.show_range(limits)
+        self.strip.show_scale(limits, matched)
         self.auto_button.setChecked(automatic)
 
     def _choose(self, limit: float, _gesture: object) -> None:
         self.limits_chosen.emit((-limit, limit))
 
     def _switch(self, automatic: bool) -> None:
-        self.limits_chosen.emit(None if automatic else self._limits)
+        self.limits_chosen.emit(None if automatic else self.strip.limits)
 
     def _width(self) -> int:
         return self.fontMetrics().horizontalAdvance("0.0005 m/s²") + 2 * UNIT_PX
-
-
-class TimeView(QObject):
-    """Turns cached signals into what the map shows at the playhead, and holds the controls.
-
-    Attributes
-    ----------
-    frames
-        Makes frames.
-    row, scrub, bar
-        Quantity and speed; play and scrub; the colour bar of signed values.
-    """
-
-    #: Signals of another part of the response are needed.
-    part_requested = Signal()
-
-    def __init__(self, parent: QWidget) -> None:
-        super().__init__(parent)
-        self._parent = parent
-        self.frames = Frames()
-        self.row, self.scrub, self.bar = QuantityRow(parent), ScrubBar(parent), SignedBar(parent)
-        self._requested_block = -1
-        # Otherwise Space, which plays, would open the list again.
-        self.row.quantity.edited.connect(self._leave_lists)
-        self.row.pace.edited.connect(self._leave_lists)
-
-    def put_behind(self, widget: QWidget) -> None:
-        """Put the controls below the map behind ``widget`` in the order of the Tab key."""
-        order = (
-            widget,
-            self.bar.limit,
-            self.bar.auto_button,
-            self.scrub.play,
-            self.scrub.slider,
-        )
-        for before, after in pairwise(order):
-            QWidget.setTabOrder(before, after)
-
-    def needs(self, settings: SkinSettings) -> frozenset[str]:
-        """Return the results from which frames are made; none while levels are shown."""
-        name = NEEDS.get(settings.quantity)
-        return frozenset() if name is None else frozenset({name})
-
-    def update(self, results: Mapping[str, Any], settings: SkinSettings, view: View) -> None:
-        """Take over signals, where ``results`` have any."""
-        if settings.quantity not in STILL and NEEDS[settings.quantity] in results:
-            self.frames.update(results, settings.quantity, view)
-            self._requested_block = -1
-        else:
-            self.frames.forget()
-
-    def show_state(self, settings: SkinSettings, view: View) -> None:
-        """Show the settings."""
-        moves = settings.quantity not in STILL
-        self.row.show_settings(settings, view.slow_motion)
-        self.scrub.setVisible(moves)
-        if moves:
-            limits = self.frames.value_range(settings)
-            self.bar.show_limits(limits, automatic=settings.z_limits is None)
-            self.scrub.show_time(view.playhead_s, self.frames.end_s(view))
-
-    def changes(self, settings: SkinSettings, view: View, surface: Any) -> dict[str, Any] | None:
-        """Return the content of the map at the playhead; None: it is unknown and was requested."""
-        self.scrub.show_time(view.playhead_s, self.frames.end_s(view))
-        block = block_of(view.playhead_s)
-        if self.frames.runs_out(view) and block != self._requested_block:
-            self._requested_block = block
-            self.part_requested.emit()
-        if not self.frames.has(view):
-            return None
-        frame = self.frames.frame(view, settings)
-        signed = frame.quantity.signed
-        chosen = settings.z_limits if signed else settings.moving_range_db
-        return {
-            "values": frame.values,
-            "field_values": None if surface is None else surface.interpolate(frame.values),
-            "quantity": frame.quantity,
-            "value_range": self.frames.value_range(settings),
-            "fixed": chosen is not None,
-            "colours": DIVERGING if signed else settings.colours,
-        }
-
-    def _leave_lists(self) -> None:
-        self._parent.setFocus(Qt.FocusReason.OtherFocusReason)

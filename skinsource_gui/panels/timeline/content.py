@@ -22,7 +22,6 @@ from skinsource.specs import fields
 from skinsource.specs.numbers import ListSpec, NumberSpec
 from skinsource_gui.fields.units import value_text
 from skinsource_gui.plots.ranges import number_text
-from skinsource_gui.plots.time_scale import REACH_PX as SNAPPING_REACH_PX
 from skinsource_gui.plots.time_scale import Range, TimeScale, grid_step_s
 from skinsource_gui.qt.keys import MOUSE, key_text
 from skinsource_gui.qt.tooltips import tooltip
@@ -283,11 +282,6 @@ class TimelineContent:
     gain_tops: Mapping[int, float] = field(default_factory=dict)
     chosen_point: tuple[int, int] | None = None
 
-    @property
-    def durations_s(self) -> Mapping[int, float]:
-        """Length of each clip, by its id."""
-        return self.lengths.durations_s
-
     @cached_property
     def selected(self) -> frozenset[int]:
         """Ids of the selected clips."""
@@ -334,7 +328,7 @@ class TimelineContent:
         top, height = lane.top_px + MARGIN_PX, lane.height_px - 2 * MARGIN_PX
         for clip in lane.track.clips:
             left = scale.x(clip.onset_s)
-            width = max(self.durations_s[clip.id] * scale.px_per_s, NARROWEST_PX)
+            width = max(self.lengths.durations_s[clip.id] * scale.px_per_s, NARROWEST_PX)
             if left < scale.right_px and left + width > scale.left_px:
                 rect = QRectF(left, top, width, height)
                 in_s, out_s = fades_of(clip) if clip.effects else (0.0, 0.0)
@@ -348,12 +342,7 @@ class TimelineContent:
         return overlaps_of((clip.onset_s, self._end_s(clip)) for clip in clips)
 
     def _end_s(self, clip: Clip) -> float:
-        return clip.onset_s + self.durations_s[clip.id]
-
-    @property
-    def whole_s(self) -> Range:
-        """The longest part of the time that can be shown."""
-        return self.lengths.whole_s
+        return clip.onset_s + self.lengths.durations_s[clip.id]
 
     @cached_property
     def chosen(self) -> tuple[int, ...]:
@@ -382,11 +371,6 @@ class TimelineContent:
         lane = next((lane for lane in self.lanes if lane.selected), None)
         y = self.ruler_px / 2 if lane is None else lane.top_px + lane.height_px / 2
         return QPointF(self.scale.x(self.view.playhead_s), y)
-
-    @property
-    def reach_s(self) -> float:
-        """Distance from which an edge snaps, s."""
-        return SNAPPING_REACH_PX / self.scale.px_per_s
 
     @property
     def grid_s(self) -> float:

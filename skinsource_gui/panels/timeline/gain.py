@@ -134,11 +134,6 @@ class GainPoints:
         self._lanes = lanes
         self._burst = Burst(lanes)
 
-    @property
-    def chosen(self) -> tuple[int, int] | None:
-        """Id of a track and number of the point on its curve that keys change."""
-        return self._lanes.content.chosen_point
-
     def strip_at(self, at: QPointF) -> GainStrip | None:
         """Return the edited curve that passes here."""
         content = self._lanes.content
@@ -210,7 +205,7 @@ class GainPoints:
 
     def choose(self, chosen: tuple[int, int] | None) -> None:
         """Choose another point for the keys, or none."""
-        if chosen != self.chosen:
+        if chosen != self._lanes.content.chosen_point:
             self._lanes.change(chosen_point=chosen)
 
     def description(self) -> str:
@@ -246,7 +241,8 @@ class GainPoints:
         if strip is None or not strip.points:
             return
         track, last = strip.lane.track.id, len(strip.points) - 1
-        chosen = self.chosen if self.chosen and self.chosen[0] == track else None
+        before = self._lanes.content.chosen_point
+        chosen = before if before and before[0] == track else None
         number = (0 if step > 0 else last) if chosen is None else chosen[1] + step
         self._burst.end()
         self.choose((track, min(max(number, 0), last)))
@@ -278,7 +274,7 @@ class GainPoints:
         )
 
     def _chosen_strip(self) -> tuple[GainStrip | None, int]:
-        track, number = self.chosen or (0, 0)
+        track, number = self._lanes.content.chosen_point or (0, 0)
         for strip in self._lanes.content.strips:
             if strip.lane.track.id == track and strip.shown and number < len(strip.points):
                 return strip, number

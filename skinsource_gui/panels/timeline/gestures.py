@@ -23,7 +23,7 @@ from skinsource_gui.panels.timeline.content import (
     curve_of,
     gain_point_text,
 )
-from skinsource_gui.plots.time_scale import Snap, panned, snap_of
+from skinsource_gui.plots.time_scale import REACH_PX, Snap, panned, snap_of
 from skinsource_gui.qt.frames import DropPlace
 
 Modifier = Qt.KeyboardModifier
@@ -96,7 +96,7 @@ class GestureContext:
         content = self.now
         if not content.snaps:
             return Snap(by_s=by_s)
-        grid_s, reach_s = content.grid_s, content.reach_s
+        grid_s, reach_s = content.grid_s, REACH_PX / content.scale.px_per_s
         return snap_of(edges_s, by_s, neighbours_s=neighbours_s, grid_s=grid_s, reach_s=reach_s)
 
     def undo(self) -> None:
@@ -138,7 +138,7 @@ class _EndDrag(Gesture):
         super().__init__(context)
         self._clip, self._at, self._part = box.clip, at, part
         self._start_s = box.clip.onset_s
-        self._end_s = self._start_s + context.before.durations_s[box.clip.id]
+        self._end_s = self._start_s + context.before.lengths.durations_s[box.clip.id]
         self._neighbours = context.before.neighbours_s(frozenset({box.clip.id}))
 
     def _rest(self, at: QPointF, edge_s: float) -> Snap:
@@ -242,7 +242,7 @@ class MoveClips(Gesture):
         clips = [clip for lane in content.lanes for clip in lane.track.clips if clip.id in ids]
         self._first_s = min(clip.onset_s for clip in clips)
         own = box.clip
-        self._edges = (own.onset_s, own.onset_s + content.durations_s[own.id])
+        self._edges = (own.onset_s, own.onset_s + content.lengths.durations_s[own.id])
         self._snap_times_s = {
             copies: content.neighbours_s(frozenset() if copies else ids) for copies in (False, True)
         }
@@ -426,7 +426,7 @@ class Pan(Gesture):
     def move(self, at: QPointF, held: Modifier) -> GesturePreview:
         before = self._context.before
         by_s = (self._at.x() - at.x()) / before.scale.px_per_s
-        shown = panned(before.scale.shown_s, by_s, before.whole_s)
+        shown = panned(before.scale.shown_s, by_s, before.lengths.whole_s)
         self._context.lanes.view_changed.emit(replace(self._context.view, time_range_s=shown))
         return GesturePreview()
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 from PySide6.QtCore import QEvent, QPoint, Qt, Signal
 from PySide6.QtGui import (
@@ -119,7 +120,7 @@ class InputRows(QWidget):
             self._remove(row)
 
     def event(self, event: QEvent) -> bool:
-        return claims_shortcut(event, self._claims) or super().event(event)
+        return claims_shortcut(event, partial(meaning_of, _PLACE)) or super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == _Key.Key_Escape and self._cancel_drag():
@@ -197,10 +198,6 @@ class InputRows(QWidget):
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
         self._show_focus()
-
-    def _claims(self, event: QKeyEvent) -> bool:
-        """Return whether the list takes this key before any shortcut of the window."""
-        return bool(meaning_of(_PLACE, event))
 
     def _edit(self, edit: Callable[..., Edit | Refusal], *more: object) -> None:
         self.edited.emit(edit(self._design, self._view, *more), None)

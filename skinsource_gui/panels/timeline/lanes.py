@@ -136,7 +136,7 @@ class LaneKeys:
         if not low <= time_s <= high:
             # Pan to the nearest edge, so that the playhead is visible.
             by_s = time_s - (low if time_s < low else high)
-            shown_s = panned((low, high), by_s, content.whole_s)
+            shown_s = panned((low, high), by_s, content.lengths.whole_s)
             self._lanes.view_changed.emit(replace(self._lanes.content.view, time_range_s=shown_s))
 
     def _go(self, step: int) -> None:
@@ -440,11 +440,11 @@ class LanesView(LanesCanvas):
         content = self.content
         (low, high), at_s = content.scale.shown_s, content.view.playhead_s
         anchor_s = at_s if low <= at_s <= high else (low + high) / 2
-        self._show_range(zoomed((low, high), anchor_s, factor, content.whole_s))
+        self._show_range(zoomed((low, high), anchor_s, factor, content.lengths.whole_s))
 
     def show_range(self, part_s: Range) -> None:
         """See this part."""
-        self._show_range(within(part_s, self.content.whole_s))
+        self._show_range(within(part_s, self.content.lengths.whole_s))
 
     def show_everything(self) -> None:
         """See all of it."""
@@ -488,9 +488,9 @@ class LanesView(LanesCanvas):
         self.menu.open(self.mapToGlobal(place).toPoint(), place)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        turns, held = event.angleDelta(), event.modifiers()
+        turns, held, content = event.angleDelta(), event.modifiers(), self.content
         if turns.x() or held & (_CTRL | Qt.KeyboardModifier.ShiftModifier):
-            self._show_range(range_by_wheel(event, self.content.scale, self.content.whole_s))
+            self._show_range(range_by_wheel(event, content.scale, content.lengths.whole_s))
         else:
             self.scroll_requested.emit(turns.y() / NOTCH)
         event.accept()

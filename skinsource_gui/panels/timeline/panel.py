@@ -211,8 +211,8 @@ class TimelinePanel(Panel):
         grid.addWidget(self._time_bar, 2, 1)
         grid.setColumnStretch(1, 1)
         grid.setRowStretch(1, 1)
-        how_to = how_to_add(self.in_sight, "a track")
-        self._empty = page_label("inputs_empty", how_to, tone="dim", centred=True)
+        hint = how_to_add("a track")
+        self._empty = page_label("inputs_empty", hint, tone="dim", centred=True)
         self._foot = page_label("inputs_problem", tone="error")
         self._foot.setMargin(UNIT_PX)
         self._foot.hide()
@@ -243,10 +243,6 @@ class TimelinePanel(Panel):
         self._place_lanes()
         if self.is_stale:
             self.show_staleness(True)
-
-    def show_in_sight(self, names: frozenset[str]) -> None:
-        super().show_in_sight(names)
-        self._empty.setText(how_to_add(names, "a track"))
 
     def show_playhead(self, view: View) -> None:
         self._view = view
@@ -341,7 +337,7 @@ class TimelinePanel(Panel):
         lanes = lanes_of(self._design, self._view, row_px, top, self._problems)
         self.lanes.show_state(self._design, self._view, lanes)
         content = self.lanes.content
-        self._time_bar.show_range(content.scale.shown_s, content.whole_s)
+        self._time_bar.show_range(content.scale.shown_s, content.lengths.whole_s)
 
     def _scroll(self, notches: float) -> None:
         bar = self.list.verticalScrollBar()

@@ -3,6 +3,8 @@
 Each menu has a module here, whose table holds its entries in their order.
 """
 
+from dataclasses import replace
+
 from skinsource_gui.qt.keys import SHORTCUTS
 from skinsource_gui.shell.actions.edit_menu import EDIT
 from skinsource_gui.shell.actions.file_menu import FILE
@@ -11,6 +13,8 @@ from skinsource_gui.shell.actions.play_menu import PLAY
 from skinsource_gui.shell.actions.spec import ActionSpec
 from skinsource_gui.shell.actions.view_menu import VIEW
 
-MENUS = ("File", "Edit", "View", "Play", "Help")
-ACTIONS: tuple[ActionSpec, ...] = (*FILE, *EDIT, *VIEW, *PLAY, *HELP)
+MENUS = {"File": FILE, "Edit": EDIT, "View": VIEW, "Play": PLAY, "Help": HELP}
+ACTIONS: tuple[ActionSpec, ...] = tuple(
+    replace(spec, menu=title) for title, specs in MENUS.items() for spec in specs
+)
 SHORTCUTS.update({spec.name: spec.keys for spec in ACTIONS})

@@ -90,11 +90,10 @@ def _key(name: str) -> str:
 
 
 EDIT: tuple[ActionSpec, ...] = (
-    action("undo", "Edit", "Undo", "Take the last edit back", "Ctrl+Z", command="steps.undo"),
-    action("redo", "Edit", "Redo", "Do it again", "Ctrl+Shift+Z", "Ctrl+Y", command="steps.redo"),
+    action("undo", "Undo", "Take the last edit back", "Ctrl+Z", command="steps.undo"),
+    action("redo", "Redo", "Do it again", "Ctrl+Shift+Z", "Ctrl+Y", command="steps.redo"),
     action(
         "cut_clips",
-        "Edit",
         "Cut clips",
         _hint("Move the selected clips to the clipboard", "cut"),
         command="clips.cut",
@@ -105,7 +104,6 @@ EDIT: tuple[ActionSpec, ...] = (
     ),
     action(
         "copy_clips",
-        "Edit",
         "Copy clips",
         _hint("Put the selected clips on the clipboard", "copy"),
         command="clips.copy",
@@ -115,7 +113,6 @@ EDIT: tuple[ActionSpec, ...] = (
     ),
     action(
         "paste_clips",
-        "Edit",
         "Paste clips at playhead",
         _hint("Put the clips of the clipboard at the playhead", "paste"),
         command="clips.paste",
@@ -124,7 +121,6 @@ EDIT: tuple[ActionSpec, ...] = (
     ),
     action(
         "make_motion",
-        "Edit",
         "Motion…",
         "Sweeps, apparent motion, taps, … along a path of places",
         command="pages.show_motion",
@@ -133,7 +129,6 @@ EDIT: tuple[ActionSpec, ...] = (
     ),
     action(
         "save_to_library",
-        "Edit",
         "Save to library…",
         "Keep the selected clips, a track or the whole design as a preset",
         command="library.ask_and_save",
@@ -142,7 +137,6 @@ EDIT: tuple[ActionSpec, ...] = (
     ),
     action(
         "add_input",
-        "Edit",
         "Add input",
         "Add an input at the next place without one, as the selected one is",
         "Ctrl+Shift+N",
@@ -152,7 +146,6 @@ EDIT: tuple[ActionSpec, ...] = (
     ),
     action(
         "duplicate_input",
-        "Edit",
         "Duplicate input",
         "Add a copy of the selected input",
         "Ctrl+D",
@@ -162,7 +155,6 @@ EDIT: tuple[ActionSpec, ...] = (
     ),
     action(
         "remove_input",
-        "Edit",
         "Remove input",
         f"Remove the selected input ({_key('remove')}, on the hand and in the list)",
         "Ctrl+Backspace",
@@ -172,7 +164,6 @@ EDIT: tuple[ActionSpec, ...] = (
     ),
     action(
         "mute_input",
-        "Edit",
         "Mute input",
         "Silence the selected input",
         "Ctrl+M",
@@ -183,7 +174,6 @@ EDIT: tuple[ActionSpec, ...] = (
     ),
     action(
         "solo_input",
-        "Edit",
         "Solo input",
         "Only solo inputs are felt, all others rest",
         "Ctrl+Shift+M",
@@ -194,7 +184,6 @@ EDIT: tuple[ActionSpec, ...] = (
     ),
     action(
         "equalise_on_skin",
-        "Edit",
         "Equal on the skin",
         "Give the wavelets of the selected train gains with which the loudest 100 ms of each, "
         "anywhere on the skin, are predicted alike",
@@ -205,7 +194,6 @@ EDIT: tuple[ActionSpec, ...] = (
     ),
     action(
         "shift_input_up",
-        "Edit",
         "Move input up in the list",
         f"List the selected inputs one place further up ({_key('shift_up')}, in the list)",
         edit=_of_selected(partial(edits.shift_inputs, down=False)),
@@ -215,7 +203,6 @@ EDIT: tuple[ActionSpec, ...] = (
     ),
     action(
         "shift_input_down",
-        "Edit",
         "Move input down in the list",
         f"List the selected inputs one place further down ({_key('shift_down')}, in the list)",
         edit=_of_selected(partial(edits.shift_inputs, down=True)),
@@ -224,7 +211,6 @@ EDIT: tuple[ActionSpec, ...] = (
     ),
     action(
         "select_all_inputs",
-        "Edit",
         "Select all inputs",
         "Edit, mute, move or remove them together "
         f"({_key('select_all')}, on the hand and in the list)",
@@ -235,7 +221,6 @@ EDIT: tuple[ActionSpec, ...] = (
     ),
     action(
         "clear_inputs",
-        "Edit",
         "Remove all inputs",
         "Empty the hand",
         edit=edits.clear_inputs,
@@ -244,7 +229,6 @@ EDIT: tuple[ActionSpec, ...] = (
     ),
     action(
         "select_no_outputs",
-        "Edit",
         "Select no outputs",
         "Empty the selection of outputs",
         "Ctrl+Shift+A",
@@ -256,7 +240,6 @@ EDIT: tuple[ActionSpec, ...] = (
     *(
         ActionSpec(
             name=f"store_snapshot_{number}",
-            menu="Edit",
             text=f"Store snapshot {number}",
             hint="Keep the design as it is now, to compare others with it",
             keys=(f"Ctrl+{number}",),
@@ -269,7 +252,6 @@ EDIT: tuple[ActionSpec, ...] = (
     ),
     action(
         "take_snapshot",
-        "Edit",
         "Snapshot from a file…",
         "Keep the design of a file as a snapshot, to compare this one with it",
         command="files.take_snapshot",
@@ -277,7 +259,6 @@ EDIT: tuple[ActionSpec, ...] = (
     ),
     action(
         "toggle_snapshots",
-        "Edit",
         "Compare with the one before",
         "Show the other one of the last two snapshots that were shown",
         "X",
@@ -287,7 +268,6 @@ EDIT: tuple[ActionSpec, ...] = (
     ),
     action(
         "match_levels",
-        "Edit",
         "Match levels of snapshots",
         "Show snapshots as loud as each other at their loudest output",
         edit=_toggle_match,
@@ -296,7 +276,6 @@ EDIT: tuple[ActionSpec, ...] = (
     ),
     action(
         "keep_match_gain",
-        "Edit",
         "Keep the match gain",
         "Give the design the amplitudes that it is shown with to match another snapshot",
         edit=edits.keep_match_gain,

@@ -13,7 +13,6 @@ def _has_audible_inputs(design: Design, view: View) -> bool:
 FILE: tuple[ActionSpec, ...] = (
     action(
         "new_design",
-        "File",
         "New",
         "Start over with an empty design",
         "Ctrl+N",
@@ -22,7 +21,6 @@ FILE: tuple[ActionSpec, ...] = (
     ),
     action(
         "open_design",
-        "File",
         "Open…",
         "Open a design file",
         "Ctrl+O",
@@ -31,7 +29,6 @@ FILE: tuple[ActionSpec, ...] = (
     ),
     action(
         "show_scenes",
-        "File",
         "Scenes…",
         "Open a panel of the paper's figures: what it shows, its source and its design",
         command="scenes.show",
@@ -39,7 +36,6 @@ FILE: tuple[ActionSpec, ...] = (
     ),
     action(
         "show_left_over",
-        "File",
         "Unsaved work of earlier sessions…",
         "What a studio kept that was ended before its work was saved",
         command="keeping.show",
@@ -47,7 +43,6 @@ FILE: tuple[ActionSpec, ...] = (
     ),
     action(
         "import_recording",
-        "File",
         "Import recording…",
         "Place a signal from a WAV, FLAC, CSV, NPY, MATLAB, HDF5 or other file",
         "Ctrl+I",
@@ -56,7 +51,6 @@ FILE: tuple[ActionSpec, ...] = (
     ),
     action(
         "own_limbs",
-        "File",
         "Own limbs…",
         "Import impulse responses that you measured yourself, with outline and places",
         command="pages.show_limbs",
@@ -64,7 +58,6 @@ FILE: tuple[ActionSpec, ...] = (
     ),
     action(
         "check_recording",
-        "File",
         "Check against a recording…",
         "Hold the prediction against responses that were recorded, and write a report",
         command="pages.show_check",
@@ -72,7 +65,6 @@ FILE: tuple[ActionSpec, ...] = (
     ),
     action(
         "save_design",
-        "File",
         "Save",
         "Save the design",
         "Ctrl+S",
@@ -82,7 +74,6 @@ FILE: tuple[ActionSpec, ...] = (
     ),
     action(
         "save_design_as",
-        "File",
         "Save as…",
         "Save under another name",
         "Ctrl+Shift+S",
@@ -91,7 +82,6 @@ FILE: tuple[ActionSpec, ...] = (
     ),
     action(
         "export_stimulus",
-        "File",
         "Export stimulus…",
         "Write what the actuators get: WAV, FLAC, CSV, MATLAB, C and others",
         "Ctrl+Alt+E",
@@ -103,7 +93,6 @@ FILE: tuple[ActionSpec, ...] = (
     *(
         ActionSpec(
             name=f"export_{export.name}",
-            menu="File",
             text=f"Export {export.title}",
             hint=export.hint,
             keys=export.keys,
@@ -116,7 +105,6 @@ FILE: tuple[ActionSpec, ...] = (
     ),
     action(
         "cancel_job",
-        "File",
         "Cancel what is running",
         "Stop the export, installation or benchmark that runs; nothing half done is left",
         "Ctrl+.",
@@ -125,7 +113,6 @@ FILE: tuple[ActionSpec, ...] = (
     ),
     action(
         "quit_studio",
-        "File",
         "Quit",
         "Close the studio",
         "Ctrl+Q",

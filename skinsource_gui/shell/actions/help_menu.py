@@ -6,7 +6,6 @@ from skinsource_gui.shell.actions.spec import ActionSpec, action
 HELP: tuple[ActionSpec, ...] = (
     action(
         "find_action",
-        "Help",
         "Search actions…",
         "Type a few letters of anything the studio can do",
         "Ctrl+K",
@@ -16,7 +15,6 @@ HELP: tuple[ActionSpec, ...] = (
     ),
     action(
         "show_accuracy",
-        "Help",
         "Accuracy and speed…",
         "What is promised about errors and times, what is measured now, and a benchmark",
         command="pages.show_accuracy",
@@ -24,7 +22,6 @@ HELP: tuple[ActionSpec, ...] = (
     ),
     action(
         "show_keys",
-        "Help",
         "Keys and mouse",
         "Every shortcut on one page",
         "F1",
@@ -33,7 +30,6 @@ HELP: tuple[ActionSpec, ...] = (
     ),
     action(
         "show_first_steps",
-        "Help",
         "First steps",
         "Three hints to begin with, as on the first start",
         command="hints.show",
@@ -41,7 +37,6 @@ HELP: tuple[ActionSpec, ...] = (
     ),
     action(
         "show_dataset",
-        "Help",
         f"{TITLE}…",
         "Install the measured impulse responses, from a folder or by download",
         command="pages.show_dataset",
@@ -49,7 +44,6 @@ HELP: tuple[ActionSpec, ...] = (
     ),
     action(
         "copy_citation",
-        "Help",
         "Copy citation",
         "Copy what to cite: the paper, the dataset, this version, and the limb of the design",
         command="exports.copy_citation",
@@ -57,7 +51,6 @@ HELP: tuple[ActionSpec, ...] = (
     ),
     action(
         "show_about",
-        "Help",
         "About SkinSource studio",
         "Version, licence, and what to cite",
         command="pages.show_about",

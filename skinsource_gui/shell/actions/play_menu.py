@@ -6,7 +6,6 @@ from skinsource_gui.shell.actions.spec import ActionSpec, action
 PLAY: tuple[ActionSpec, ...] = (
     action(
         "play",
-        "Play",
         "Play or stop",
         "Play from the playhead on; without a device the playhead runs in silence",
         "Space",
@@ -15,7 +14,6 @@ PLAY: tuple[ActionSpec, ...] = (
     ),
     action(
         "pause",
-        "Play",
         "Pause or go on",
         "Stop where the playhead is, and go on from there",
         "Shift+Space",
@@ -24,7 +22,6 @@ PLAY: tuple[ActionSpec, ...] = (
     ),
     action(
         "stop_at_once",
-        "Play",
         "Stop at once",
         "Silence within a millisecond, and the gain back at where it starts "
         f"({KEYS['window'].gestures['stop'].shown})",
@@ -33,7 +30,6 @@ PLAY: tuple[ActionSpec, ...] = (
     ),
     action(
         "repeat",
-        "Play",
         "Repeat or not",
         "Play the whole design again and again; a loop on the ruler is repeated in any case",
         "Ctrl+L",
@@ -43,7 +39,6 @@ PLAY: tuple[ActionSpec, ...] = (
     ),
     action(
         "play_slower",
-        "Play",
         "Slower",
         "Slow motion, up to 200 times slower than it happens: seen, not heard",
         "Ctrl+Shift+Left",
@@ -53,7 +48,6 @@ PLAY: tuple[ActionSpec, ...] = (
     ),
     action(
         "play_faster",
-        "Play",
         "Faster",
         "Less slow motion, up to as fast as it happens",
         "Ctrl+Shift+Right",
@@ -62,7 +56,6 @@ PLAY: tuple[ActionSpec, ...] = (
     ),
     action(
         "play_louder",
-        "Play",
         "Louder",
         "Turn the gain up by 1 dB",
         "Ctrl+Shift+Up",
@@ -72,7 +65,6 @@ PLAY: tuple[ActionSpec, ...] = (
     ),
     action(
         "play_softer",
-        "Play",
         "Softer",
         "Turn the gain down by 1 dB",
         "Ctrl+Shift+Down",
@@ -81,7 +73,6 @@ PLAY: tuple[ActionSpec, ...] = (
     ),
     action(
         "show_playback",
-        "Play",
         "Playback",
         "Device, channel map, test tones, levels and delay",
         "F5",
@@ -92,7 +83,6 @@ PLAY: tuple[ActionSpec, ...] = (
     ),
     action(
         "match_strength",
-        "Play",
         "Matching…",
         "Make vibrations equally strong by feel: reference and test in turn, stored in a table",
         command="matching.show",
@@ -100,7 +90,6 @@ PLAY: tuple[ActionSpec, ...] = (
     ),
     action(
         "edit_rig",
-        "Play",
         "Rig…",
         "What is wired to what: places, outputs, volts, measured responses, delays, limits",
         command="rigs.show",
@@ -108,7 +97,6 @@ PLAY: tuple[ActionSpec, ...] = (
     ),
     action(
         "open_response",
-        "Play",
         "Measured response…",
         "Look at an actuator that was measured: a table, or a sweep with an accelerometer",
         command="rigs.open_response",

@@ -22,8 +22,10 @@ class ActionSpec:
     ----------
     name
         Name of the action, the same for ever.
-    menu, text
-        Menu it stands in; what the menu says.
+    text
+        What the menu says.
+    menu
+        Menu it stands in, which the table of menus says.
     submenu
         The one in that menu it stands in; in the menu itself where there is none.
     short
@@ -53,11 +55,11 @@ class ActionSpec:
     """
 
     name: str
-    menu: str
     text: str
     hint: str
     keys: tuple[str, ...] = ()
     key_elsewhere: str = ""
+    menu: str = ""
     submenu: str = ""
     short: str = ""
     keywords: str = ""
@@ -74,6 +76,6 @@ class ActionSpec:
             raise ValueError(f"action {self.name}: expected either a command or an edit")
 
 
-def action(name: str, menu: str, text: str, hint: str, *keys: str, **more: Any) -> ActionSpec:
+def action(name: str, text: str, hint: str, *keys: str, **more: Any) -> ActionSpec:
     """Return an entry of the table; what all have needs no names."""
-    return ActionSpec(name=name, menu=menu, text=text, hint=hint, keys=keys, **more)
+    return ActionSpec(name=name, text=text, hint=hint, keys=keys, **more)

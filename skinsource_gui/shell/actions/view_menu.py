@@ -11,7 +11,7 @@ from skinsource_gui.plots.small_map import COLOURS
 from skinsource_gui.qt.keys import KEYS, key_text
 from skinsource_gui.qt.theme import theme_label
 from skinsource_gui.shell.actions.spec import ActionSpec, action
-from skinsource_gui.shell.arrangement_spec import ARRANGEMENTS
+from skinsource_gui.shell.workspaces import WORKSPACES
 
 
 def _presenting(name: str) -> str:
@@ -33,7 +33,6 @@ def _has_clip(design: Design, view: View) -> bool:
 VIEW: tuple[ActionSpec, ...] = (
     action(
         "remove_delay",
-        "View",
         "Remove pre-trigger delay",
         "Shift time axes so that the response starts with the stimulus",
         "Ctrl+T",
@@ -43,21 +42,28 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     *(
         ActionSpec(
-            name=f"arrange_{arrangement.name}",
-            menu="View",
-            text=f"Arrange for {arrangement.text}",
-            hint=arrangement.hint,
-            keys=arrangement.keys,
-            keywords="layout panels docks lecture",
-            command="layout_of_docks.choose",
-            argument=arrangement.name,
-            separated=arrangement is ARRANGEMENTS[0],
+            name=f"arrange_{workspace.name}",
+            text=f"{workspace.text} workspace",
+            short=workspace.text,
+            hint=workspace.hint,
+            keys=(workspace.key,),
+            keywords="arrange layout panels docks lecture",
+            command="workspaces.choose",
+            argument=workspace.name,
+            group="workspace",
+            separated=workspace is WORKSPACES[0],
         )
-        for arrangement in ARRANGEMENTS
+        for workspace in WORKSPACES
+    ),
+    action(
+        "reset_workspace",
+        "Reset workspace",
+        "Put the panels of this workspace back where they were at first",
+        command="workspaces.reset",
+        keywords="arrange layout panels docks default",
     ),
     action(
         "show_clip_editor",
-        "View",
         "Edit clip",
         "Show the selected clip large, to draw and to shape it; again: go back",
         "F4",
@@ -68,7 +74,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "draw_clip",
-        "View",
         "Draw clip",
         "Show the selected clip large, and take the pen",
         command="clip_drawing.begin",
@@ -77,7 +82,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "next_panel",
-        "View",
         "Go to next panel",
         "Give the keyboard to it",
         "F6",
@@ -86,7 +90,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "previous_panel",
-        "View",
         "Go to previous panel",
         "Give the keyboard to it",
         "Shift+F6",
@@ -95,7 +98,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "next_tab",
-        "View",
         "Show next tab",
         "Bring the next of the panels that share a place to the front",
         "Ctrl+Tab",
@@ -105,7 +107,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "previous_tab",
-        "View",
         "Show previous tab",
         "Bring the one before of the panels that share a place to the front",
         "Ctrl+Shift+Tab",
@@ -115,7 +116,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "list_tabs",
-        "View",
         "List tabs",
         "List the panels that share a place, to bring one of them to the front",
         "Ctrl+F6",
@@ -125,7 +125,6 @@ VIEW: tuple[ActionSpec, ...] = (
     *(
         action(
             f"use_{name}_theme",
-            "View",
             f"{theme_label(name)} theme",
             hint,
             command="appearance.use_theme",
@@ -147,7 +146,6 @@ VIEW: tuple[ActionSpec, ...] = (
     *(
         ActionSpec(
             name=f"use_{colours.lower().replace('-', '_')}_colours",
-            menu="View",
             submenu="Colours of levels",
             text=f"Colours: {title}",
             hint=COLOURS.hint,
@@ -160,7 +158,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "enlarge_text",
-        "View",
         "Larger text",
         "Make all words larger, for a lecture hall or tired eyes",
         "Ctrl++",
@@ -171,7 +168,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "shrink_text",
-        "View",
         "Smaller text",
         "Make all words smaller",
         "Ctrl+-",
@@ -180,7 +176,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "reset_text",
-        "View",
         "Normal text",
         "Make words as large as the desktop has them",
         "Ctrl+0",
@@ -189,7 +184,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "present",
-        "View",
         "Present, or end it",
         "The panels alone over the whole screen, in large words; "
         f"{_presenting('previous')} and {_presenting('next')}, or a clicker, step through the "
@@ -201,7 +195,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "next_scene",
-        "View",
         "Next scene",
         "Open the next design of this folder, or the next scene of the paper",
         "Ctrl+Alt+PgDown",
@@ -210,7 +203,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "previous_scene",
-        "View",
         "Previous scene",
         "Open the design before this one in its folder, or the scene before",
         "Ctrl+Alt+PgUp",
@@ -219,7 +211,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "cover_map",
-        "View",
         "Cover the map, or reveal it",
         "Hide what was computed, so that people guess first",
         "Ctrl+Shift+B",
@@ -228,7 +219,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "show_notes",
-        "View",
         "Notes of the scene",
         "Notes and the next scene in a window of their own, for another screen",
         command="presenter.show_notes",
@@ -236,7 +226,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "toggle_full_screen",
-        "View",
         "Full screen",
         "The window over the whole screen",
         "F11",

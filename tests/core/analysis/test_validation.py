@@ -4,14 +4,10 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import InvalidInputError, RecordingError
+from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.signals.resampling import resample
-from skinsource.studies.validation import (
-    agreement,
-    aligned,
-    linear_fit,
-    open_recorded,
-    superposition_correlation,
-)
+from skinsource.studies.checking import proportion, superposition
+from skinsource.studies.validation import agreement, aligned, open_recorded
 
 RNG = np.random.default_rng(21)
 FIELD = RNG.normal(size=(6, 3, 400)) * RNG.uniform(0.5, 2.0, (6, 3, 1))
@@ -59,21 +55,22 @@ def test_a_shifted_measurement_is_brought_back(lag):
     assert field == pytest.approx(pulse, abs=1e-12)
 
 
+def fitted(levels, responses):
+    """Frequencies, and the adjusted R² of lines over levels, (n_channels, n_bins)."""
+    fit = proportion(levels, responses, 1300.0, BAND_HZ)
+    return fit.frequency_hz, fit.adjusted_r2
+
+
 def test_outputs_in_proportion_are_a_straight_line_and_a_limiter_is_not():
     time = np.arange(2600) / 1300.0
     sweep = np.sin(2 * np.pi * (25 * time + 140 * time**2))
     levels = np.array([0.25, 0.5, 1.0, 2.0])
     straight = levels[:, None, None] * np.stack([sweep, 0.3 * sweep])
-    frequency_hz, fit = linear_fit(levels, straight, 1300.0)
+    frequency_hz, fit = fitted(levels, straight)
     assert fit == pytest.approx(np.ones(fit.shape), abs=1e-9)
     assert frequency_hz[0] == 26.0
     assert frequency_hz[-1] == 598.0
-    of_lab, _ = linear_fit(levels, straight, 1300.0, (40.0, 90.0))
-    assert (of_lab[0], of_lab[-1]) == (41.0, 89.0)
-    everywhere, _ = linear_fit(levels, straight, 1300.0, None)
-    assert (everywhere[0], everywhere[-1]) == (1.0, 649.0)
-    bent = np.tanh(2.0 * straight)
-    _, fit = linear_fit(levels, bent, 1300.0)
+    _, fit = fitted(levels, np.tanh(2.0 * straight))
     assert np.median(fit[0]) < 0.97
 
 
@@ -81,7 +78,7 @@ def test_the_adjusted_share_is_that_of_its_formula():
     levels = np.array([1.0, 2.0, 3.0, 4.0])
     heights = np.array([1.0, 2.2, 2.7, 4.1])
     tone = np.sin(2 * np.pi * 100.0 * np.arange(1300) / 1300.0)
-    frequency_hz, fit = linear_fit(levels, heights[:, None, None] * tone, 1300.0)
+    frequency_hz, fit = fitted(levels, heights[:, None, None] * tone)
     k = int(np.argmin(np.abs(frequency_hz - 100.0)))
     r2 = np.corrcoef(levels, heights)[0, 1] ** 2
     assert fit[0, k] == pytest.approx(1 - (1 - r2) * 3 / 2)
@@ -89,9 +86,9 @@ def test_the_adjusted_share_is_that_of_its_formula():
 
 def test_a_sum_of_inputs_correlates_with_the_joint_response():
     parts = RNG.normal(size=(3, 5, 300))
-    assert superposition_correlation(parts, parts.sum(axis=0)) == pytest.approx(np.ones(5))
-    other = superposition_correlation(parts, parts[0])
-    assert (other < 0.8).all()
+    together = superposition(parts, parts.sum(axis=0))
+    assert together.correlation == pytest.approx(np.ones(5))
+    assert (superposition(parts, parts[0]).correlation < 0.8).all()
 
 
 @pytest.mark.parametrize("suffix", [".csv", ".npz"])
@@ -169,5 +166,3 @@ def test_rates_that_are_no_whole_number_and_shapes_that_differ_are_refused(tmp_p
         agreement(FIELD, FIELD[:, :2], 0.0)
     with pytest.raises(InvalidInputError, match="silent"):
         agreement(FIELD, 0.0 * FIELD, 0.0)
-    with pytest.raises(InvalidInputError, match="three or more"):
-        linear_fit([1.0, 2.0], np.ones((2, 1, 9)), 1300.0)

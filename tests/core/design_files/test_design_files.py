@@ -1,11 +1,8 @@
 """Design files: everything comes back; damage, newer studios and failing disks are refused."""
 
 import dataclasses
-from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
-import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 
@@ -18,10 +15,8 @@ from skinsource.design.view import View
 from skinsource.design.waveforms import KINDS
 from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.tones import Tone
-from skinsource.specs import fields, image, models
+from skinsource.specs import image, models
 from skinsource.specs.models import specs_of
-from skinsource.specs.numbers import NumberSpec, SamplesSpec
-from skinsource.specs.samples import Samples
 from tests.core.design_files.any_recipe import recipes
 
 DESIGN = Design(
@@ -49,7 +44,7 @@ def saved(tmp_path) -> Path:
 
 
 @settings(
-    max_examples=120,
+    max_examples=40,
     deadline=None,
     derandomize=True,
     suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
@@ -103,27 +98,6 @@ def test_a_waveform_that_nothing_could_read_is_computed_but_not_saved(tmp_path):
     with pytest.raises(InvalidInputError, match="OfItsOwn cannot be written"):
         save_design(path, design)
     assert not path.exists()
-
-
-def test_any_damage_is_refused(tmp_path):
-    random = np.random.default_rng(4)
-    inputs = tuple(track(location=1 + k % 20, waveform=KINDS[k % 4]()) for k in range(100))
-    path = tmp_path / "large"
-    save_design(path, Design(limb="synthetic-1", inputs=inputs), layout=random.bytes(5000))
-    stored = path.read_bytes()
-    for attempt in range(200):
-        place, length = int(random.integers(len(stored))), int(random.integers(1, 64))
-        other = random.bytes(length) if attempt % 2 else bytes(length)
-        damaged = [
-            stored[:place] + other + stored[place + length :],
-            stored[:place] + other + stored[place:],
-            stored[:place] + stored[place + length :],
-            stored[:place],
-        ][attempt % 4]
-        path.write_bytes(damaged)
-        if damaged != stored:
-            with pytest.raises(DesignFileError):
-                open_design(path)
 
 
 @pytest.mark.parametrize("stored", [b"", b"\x89HDF\r\n\x1a\n", bytes(10_000), b"PK\x03\x04" * 500])
@@ -229,30 +203,3 @@ def test_an_upgrade_is_all_it_takes_to_read_the_version_before(saved, monkeypatc
     save_design(saved, older.design, older.view)
     assert saved.read_bytes().startswith(b"SkinSource design, version 4\n")
     assert open_design(saved) == older
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class RicherInput(Input):
-    recorded: Samples | None = fields.field(
-        fields.OptionalSpec(label="Recorded", of=SamplesSpec(label="Recorded")), default=None
-    )
-    speed: float = fields.number(0.5, NumberSpec(label="Speed", minimum=0.0))
-
-
-def test_a_new_field_needs_no_other_file_touched(saved, monkeypatch):
-    kind = dataclasses.make_dataclass("Input", [], bases=(RicherInput,), frozen=True, kw_only=True)
-    monkeypatch.setattr("skinsource.design.design.Input", kind)
-    older = open_design(saved)
-    assert [track.speed for track in older.design.inputs] == [0.5, 0.5, 0.5]
-    assert older.design.inputs[0].amplitude == -0.1
-    sound = Samples(values=np.arange(9.0), sample_rate_hz=1300.0)
-    richer: list[Any] = [
-        replace(track, speed=2.25, recorded=sound) for track in older.design.inputs
-    ]
-    design = replace(older.design, inputs=tuple(richer))
-    save_design(saved, design)
-    assert open_design(saved).design == design
-    # The studio of today refuses it.
-    monkeypatch.undo()
-    with pytest.raises(DesignFileError, match=r"holds .*newer SkinSource studio"):
-        open_design(saved)

@@ -27,7 +27,7 @@ def write_until_killed(told):
         os.write(told, b"%04d" % number)
 
 chance, writers = random.Random(20261122), {}
-for _ in range(25):
+for _ in range(8):
     read, told = os.pipe()
     pid = os.fork()
     if pid == 0:
@@ -53,7 +53,7 @@ def test_of_killed_writers_every_copy_that_was_kept_is_found(tmp_path):
     kept = {int(pid): number for pid, number in json.loads(done.stdout).items()}
     search = recovery.find(tmp_path)
     assert search.set_aside == ()
-    assert len(search.left) == len(kept) == 25
+    assert len(search.left) == len(kept) == 8
     for work in search.left:
         pid = int(work.copies[0].parent.name.split("-")[2])
         assert len(work.copies) <= 6  # the sixth was being written

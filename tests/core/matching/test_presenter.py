@@ -6,9 +6,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.base.errors import NothingToPlayOnError
 from skinsource.lab.matching import MatchingRun, Presenter, Procedure
-from skinsource.lab.playing import session as session_module
 from skinsource.lab.playing.devices import Output
 from tests.core.playing.synthetic_sound import SyntheticSoundLibrary, use
 
@@ -88,16 +86,3 @@ def test_stopped_at_once_it_is_silent_and_can_be_played_again(sound, presenter):
     presenter.stop_at_once()
     wait_for(lambda: playing.stream.queue.ending is not None)
     assert playing.stream.queue.ending.reason == "panic"
-
-
-def test_without_a_device_it_is_a_rehearsal_that_says_why(monkeypatch, presenter):
-    def none():
-        raise NothingToPlayOnError("No device to play on was found.")
-
-    monkeypatch.setattr(session_module, "devices", none)
-    run = MatchingRun(PROCEDURE, None)
-    playing = presenter.present(run.design, 0.0)
-    assert playing.stream is None
-    assert "No device" in presenter.reason
-    run.step(1.0)
-    assert presenter.present(run.design, 0.0).silent is playing.silent

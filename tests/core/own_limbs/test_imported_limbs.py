@@ -10,9 +10,10 @@ import scipy.io
 from skinsource.base.errors import SkinSourceError
 from skinsource.cli.command_line import main
 from skinsource.limbs.catalog import load_limb
-from skinsource.limbs.limb_import import LimbSource, import_limb
+from skinsource.limbs.limb_import import LimbSource, import_limb, prepare_limb
 from skinsource.limbs.limb_layout import export_limb
 from skinsource.limbs.own_limbs import facts_of, own_limb_names
+from skinsource.readers.reading_process import ReadingProcess
 from tests.core.own_limbs.lab_bench import N_INPUTS, N_OUTPUTS, RATE_HZ, response
 
 OUTLINE = [[0, 0], [60, 0], [60, 100], [0, 100]]
@@ -153,6 +154,12 @@ def test_y_of_svg_points_down_and_so_does_that_of_the_places_beside_it(user_data
     np.testing.assert_array_equal(limb.map.input_positions, INPUTS * (1, -1))
 
 
+@pytest.fixture(scope="module")
+def process():
+    with ReadingProcess() as reading:
+        yield reading
+
+
 def refused(user_data, source: LimbSource) -> str:
     with pytest.raises(SkinSourceError) as caught:
         import_limb(source)
@@ -160,7 +167,7 @@ def refused(user_data, source: LimbSource) -> str:
     return str(caught.value)
 
 
-def test_what_does_not_fit_together_is_refused_in_one_sentence(user_data, tmp_path):
+def test_what_does_not_fit_together_is_refused_in_one_sentence(tmp_path, process):
     np.save(tmp_path / "a.npy", ALL)
     whole = {"responses": tmp_path / "a.npy", "inputs": INPUTS, "outputs": OUTPUTS}
     for changes, message_part in (
@@ -178,9 +185,10 @@ def test_what_does_not_fit_together_is_refused_in_one_sentence(user_data, tmp_pa
         ({"inputs": tmp_path / "nothing.csv"}, "nothing.csv"),
     ):
         source = LimbSource(**{**whole, "values": VALUES, **changes})
-        message = refused(user_data, source)
-        assert message_part in message, message
-        assert "\n" not in message
+        with pytest.raises(SkinSourceError) as caught:
+            prepare_limb(source, process)
+        assert message_part in str(caught.value)
+        assert "\n" not in str(caught.value)
 
 
 def test_a_file_of_another_kind_or_with_holes_is_refused_by_name(user_data, tmp_path):

@@ -2,13 +2,12 @@
 
 import importlib
 import re
-import subprocess
 import sys
 from types import SimpleNamespace
 
 import pytest
 
-from skinsource.base.errors import NothingToPlayOnError, PlaybackError, SkinSourceError
+from skinsource.base.errors import NothingToPlayOnError, PlaybackError
 from skinsource.base.extras import extra_line
 from skinsource.lab.playing import devices, stream
 from skinsource.lab.playing import devices as portaudio
@@ -134,12 +133,3 @@ def test_without_portaudio_the_package_of_the_system_is_said(monkeypatch):
     monkeypatch.setattr(importlib, "import_module", fail)
     with pytest.raises(NothingToPlayOnError, match=r"apt install libportaudio2.*library not found"):
         portaudio.sound_library()
-
-
-def test_nothing_of_sound_is_imported_before_somebody_asks():
-    program = "import sys, skinsource.lab.playing.session; print(*sys.modules)"
-    completed = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
-    assert completed.returncode == 0, completed.stderr
-    assert "skinsource.lab.playing.stream" in completed.stdout
-    assert "sounddevice" not in completed.stdout.split()
-    assert issubclass(PlaybackError, SkinSourceError)

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from skinsource.lab.playing.mix import Delay, DeviceClock, HeardPosition
+from skinsource.lab.playing.mix import DeviceClock, HeardPosition
 from tests.core.playing.playing_bench import mix
 
 RATE_HZ = 8000
@@ -51,12 +51,3 @@ def test_the_clock_of_a_device_is_that_of_the_block_that_waited_least():
     for now_s, waited_s in ((10.0, 0.004), (10.005, 0.001), (10.010, 0.006)):
         clock.note(now_s + 500.0, now_s + waited_s)
     assert clock.at(10.021) == pytest.approx(510.020)
-
-
-def test_a_delay_names_its_parts():
-    delay = Delay(render_s=0.011, wait_s=0.003, device_s=0.02)
-    assert delay.total_s == pytest.approx(0.034)
-    assert delay.text == (
-        "34 ms from an edit to the output: computing 11 ms, waiting for the device 3 ms, "
-        "inside the device 20 ms"
-    )

@@ -33,7 +33,7 @@ def plan_of(design, name, values, **changes):
 @pytest.mark.parametrize("scaling", ["probe", "relative", "upstream"])
 def test_metrics_are_those_of_each_stimulus_alone(name, scaling):
     values = FREQUENCIES if "freq" in name else (0.05, 0.11, 0.3, 0.2, 0.01)
-    for axes, method in (("xyz", "pca"), ("xyz", "mag"), ("xz", "pca"), ("y", "rms")):
+    for axes, method in (("xyz", "mag"), ("xz", "pca")):
         changes = {"axes": axes, "method": method, "level_db": -6.0}
         plan = plan_of(four_inputs(scaling=scaling), name, values, **changes)
         together = Measurer(plan)

@@ -66,7 +66,7 @@ def test_a_file_says_all_that_a_sweep_does(folder):
         ('designs = ["two.skinsource"]\n[trials]\norder = "odd"', "order"),
         ('designs = ["two.skinsource"]\n[trials]\nspeed = 1', "'speed' is not known in"),
         ('designs = ["two.skinsource"]\n[vary]\nfrequency_hz = 50', "a list of values"),
-        ('designs = ["two.skinsource"]\noutputs = [0]', "an output"),
+        ('designs = ["two.skinsource"]\noutputs = [0]', "outputs"),
         ('designs = ["two.skinsource"]\nparquet = 1', "true or false"),
         ('designs = ["two.skinsource"]\naxes = "w"', "axes"),
         ('designs = ["two.skinsource"]\n[stimuli]\nrate_hz = 0', "rate_hz"),

@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QTableWidget, QTableWidgetItem
 
 from skinsource.base.decibels import decibels
@@ -12,10 +11,11 @@ from skinsource.design.comparing import Snapshot, region_levels_db
 from skinsource.design.design import Design, track
 from skinsource.design.edits.edit import Edit
 from skinsource.engine.evaluation import evaluate
-from skinsource_gui.panels.regions.panel import columns_of_people, tab_separated
-from skinsource_gui.qt.labels import SHORT_NAME, fit_name_column, set_table_look
+from skinsource_gui.panels.analysis.regions import columns_of_people, tab_separated
+from skinsource_gui.qt.labels import fit_name_column, set_table_look
 from skinsource_gui.state.compared import Compared
 from skinsource_gui.state.engine import Slot
+from tests.gui.analysis.analysis_bench import analysis, copied
 
 
 def test_people_and_snapshots_stand_side_by_side_and_cost_nothing_while_hidden(
@@ -24,8 +24,7 @@ def test_people_and_snapshots_stand_side_by_side_and_cost_nothing_while_hidden(
     document, graphs = window.document, window.engine._graphs
     settle()
     assert not any("limb" in slot.name for slot in graphs)
-    window.docks["regions"].bring_forward()
-    panel = window.panel("regions")
+    panel = analysis(window, "regions")
     qtbot.waitUntil(lambda: len(panel.columns) == 6, timeout=60_000)
     titles = [column.title for column in panel.columns]
     assert titles == [*(f"Synthetic {number}" for number in range(1, 5)), "Mean", "± dB"]
@@ -51,7 +50,7 @@ def test_people_and_snapshots_stand_side_by_side_and_cost_nothing_while_hidden(
     quiet, second = panel.columns[0].numbers, panel.columns[1].numbers
     assert np.subtract(second, quiet) == pytest.approx(np.full(len(quiet), 6.0206), abs=1e-3)
     assert (panel.stored.columnCount(), panel.table.columnCount()) == (2, 6)
-    dock = window.docks["regions"]
+    dock = window.docks["analysis"]
     dock.setFloating(True)
     tables = (panel.stored, panel.table)
     for width, beside in ((300, False), (900, True)):
@@ -66,12 +65,11 @@ def test_people_and_snapshots_stand_side_by_side_and_cost_nothing_while_hidden(
     dock.setFloating(False)
     dock.bring_forward()
     # What comes into sight anew is computed anew, and cannot be copied until it is there.
-    qtbot.waitUntil(panel.copy.isEnabled, timeout=60_000)
-    panel.copy.click()
-    assert QGuiApplication.clipboard().text().splitlines()[1].startswith("Digit I\t")
+    qtbot.waitUntil(window.panel("analysis").copy.isEnabled, timeout=60_000)
+    assert copied(window).splitlines()[1].startswith("Digit I\t")
     assert "RMS in dB re 1 m/s²" in panel.about.text
     panel.grab()
-    window.docks["regions"].toggleViewAction().trigger()
+    window.docks["analysis"].toggleViewAction().trigger()
     settle()
     qtbot.waitUntil(lambda: Slot("limb synthetic-3") not in graphs)
     quieter = document.design.with_input(0, amplitude=0.1)
@@ -84,8 +82,7 @@ def test_matched_levels_of_snapshots_are_said_above_the_table_and_never_copied(
     window, qtbot, settle
 ):
     document = window.document
-    window.docks["regions"].bring_forward()
-    panel = window.panel("regions")
+    panel = analysis(window, "regions")
     document.look(replace(document.view, levels_matched=True))
     settle()
     assert "levels matched" not in panel.about.text
@@ -94,15 +91,11 @@ def test_matched_levels_of_snapshots_are_said_above_the_table_and_never_copied(
     document.apply(Edit(label="Louder", design=louder, view=document.view))
     window.do("store_snapshot_2")
 
-    def copied():
-        panel.copy.click()
-        return QGuiApplication.clipboard().text()
-
-    qtbot.waitUntil(panel.copy.isEnabled, timeout=12_000)
+    qtbot.waitUntil(window.panel("analysis").copy.isEnabled, timeout=12_000)
     qtbot.waitUntil(lambda: "−6.0 dB" in panel.columns[1].hint, timeout=12_000)
     assert "snapshots: 2: −6.0 dB, matched" in panel.about.text
     assert panel.columns[0].numbers == pytest.approx(panel.columns[1].numbers)
-    text = copied()
+    text = copied(window)
     assert text.splitlines()[0].split("\t")[1:4] == ["1, synthetic", "2, synthetic", "Synthetic 1"]
     quiet, second = np.array([row.split("\t")[1:3] for row in text.splitlines()[1:3]], float).T
     assert second - quiet == pytest.approx(20.0 * np.log10(2.0))
@@ -111,27 +104,7 @@ def test_matched_levels_of_snapshots_are_said_above_the_table_and_never_copied(
     window.do("match_levels")
     settle()
     assert "matched" not in panel.about.text
-    assert copied() == text
-
-
-def test_a_limb_that_is_missing_is_said_to_be_so_and_has_no_level_that_is_matched(
-    window, qtbot, settle
-):
-    document = window.document
-    document.look(replace(document.view, levels_matched=True))
-    window.docks["regions"].bring_forward()
-    panel = window.panel("regions")
-    window.do("store_snapshot_1")
-    document.edit("Limb", Design(limb="lab-nowhere", inputs=(track(7),)))
-    window.do("store_snapshot_2")
-    qtbot.waitUntil(lambda: len(panel.columns) == 2 and "limb" in panel.columns[1].hint)
-    settle()
-    assert "'lab-nowhere' of this design is not here" in panel.about.text
-    assert "own limb it is not known" not in panel.about.text
-    here, missing = panel.columns
-    assert here.hint.endswith(", levels matched (+0.0 dB)")
-    assert "not available" in missing.hint
-    assert "matched" not in missing.hint
+    assert copied(window) == text
 
 
 def test_silence_has_no_spread():
@@ -163,18 +136,6 @@ def test_what_is_copied_says_whether_limbs_were_measured_and_what_is_a_deviation
         "Mean over 3 people",
         "Standard deviation over 3 people, dB",
     ]
-
-
-@pytest.fixture
-def table(qtbot):
-    table = QTableWidget(2, 1)
-    qtbot.addWidget(table)
-    set_table_look(table)
-    for row, name in enumerate(("8  hand V", "12  IV middle ulnar")):
-        item = QTableWidgetItem(name)
-        item.setData(SHORT_NAME, name.split()[0])
-        table.setItem(row, 0, item)
-    return table
 
 
 @pytest.fixture

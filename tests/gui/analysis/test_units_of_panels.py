@@ -5,11 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from PySide6.QtCore import QPointF
-from PySide6.QtGui import QGuiApplication
 
 from skinsource.engine.evaluation import evaluate
-from skinsource_gui.panels.spectrogram.panel import scale_text
-from skinsource_gui.panels.statistics.panel import StatisticsRow
+from skinsource_gui.panels.analysis.statistics import StatisticsRow
+from tests.gui.analysis.analysis_bench import analysis, copied
 
 LINE = (29, 31, 33, 35)
 
@@ -20,9 +19,8 @@ def show(window, settle):
 
     def bring(name, **changes):
         window.document.look(replace(window.document.view, outputs=LINE, **changes))
-        window.docks[name].bring_forward()
+        panel = analysis(window, name)
         settle()
-        panel = window.panel(name)
         panel.grab()
         return panel
 
@@ -44,25 +42,19 @@ def test_the_spectrogram_reads_its_times_with_the_delay_and_without_it(show, rem
     assert (picture.axes.x.title, picture.axes.x.factor) == ("Time (ms)", 1e3)
 
 
-def test_the_scale_of_the_spectrogram_says_once_what_levels_are_relative_to():
-    assert scale_text(-20.0, top=True) == ("\N{MINUS SIGN}20 dB", "re 1 m/s²")
-    assert scale_text(-50.0, top=False) == ("\N{MINUS SIGN}50 dB",)
-
-
 def test_the_wave_is_copied_in_millimetres_and_milliseconds(show, window):
     panel = show("wave")
-    panel.copy.click()
-    header, *below = QGuiApplication.clipboard().text().splitlines()
+    header, *below = copied(window).splitlines()
     lines = [line for line in below if not line.startswith("# ")]
     columns = np.array([line.split("\t") for line in lines]).T
-    copied = dict(zip(header.split("\t"), columns, strict=True))
+    numbers = dict(zip(header.split("\t"), columns, strict=True))
     document = window.document
     wave = evaluate(document.design, "line_wave", view=document.view)["line_wave"].wave
-    assert copied["way_mm"].astype(float) == pytest.approx(1e3 * wave.distance_m)
-    assert copied["delay_ms"].astype(float) == pytest.approx(1e3 * wave.delay_s)
-    assert copied["level_z_db"].astype(float) == pytest.approx(wave.level_db)
+    assert numbers["way_mm"].astype(float) == pytest.approx(1e3 * wave.distance_m)
+    assert numbers["delay_ms"].astype(float) == pytest.approx(1e3 * wave.delay_s)
+    assert numbers["level_z_db"].astype(float) == pytest.approx(wave.level_db)
     # About 95 mm along the finger and the hand.
-    assert 50.0 < copied["way_mm"].astype(float)[-1] < 200.0
+    assert 50.0 < numbers["way_mm"].astype(float)[-1] < 200.0
     for diagram, title in ((0, "Delay (ms)"), (1, "Level z (dB)")):
         axes = panel.picture._diagrams[diagram][0]
         assert (axes.x.factor, axes.y.title) == (1e3, title)
@@ -84,8 +76,8 @@ def test_a_spectrogram_is_in_seconds_from_where_traces_are(show):
 
 def test_a_number_of_the_statistics_has_three_digits_whatever_they_are():
     row = StatisticsRow(number=1, name="", values=(0.12, 0.03456, 3.0, 100.0, 0.05), noisy=False)
-    assert row.texts()[1:] == ("0.120", "0.0346", "3.00", "100.0", "50.0")
-    assert StatisticsRow(number=1, name="", values=(123.4,) * 5, noisy=False).texts()[1] == "123"
+    assert row.texts[1:] == ("0.120", "0.0346", "3.00", "100.0", "50.0")
+    assert StatisticsRow(number=1, name="", values=(123.4,) * 5, noisy=False).texts[1] == "123"
 
 
 def test_what_is_dotted_is_said_where_something_is_dotted(show, settle, window):

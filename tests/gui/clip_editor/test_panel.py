@@ -68,17 +68,6 @@ def turn(bench, notches, held=NONE):
     turn_wheel(viewport, viewport.rect().center(), (0, NOTCH * notches), held)
 
 
-def test_keys_show_the_middle_larger_and_all_of_it_again(tone):
-    whole_s = shown_s(tone)
-    tone.key(Qt.Key.Key_Plus)
-    assert length_of(shown_s(tone)) < length_of(whole_s)
-    assert sum(shown_s(tone)) == pytest.approx(sum(whole_s))
-    tone.key(Qt.Key.Key_Plus)
-    tone.key(Qt.Key.Key_Minus)
-    tone.key(Qt.Key.Key_0)
-    assert shown_s(tone) == whole_s
-
-
 def test_a_drag_moves_what_is_seen_as_far_as_the_pointer_goes(near):
     first_s, last_s = shown_s(near)
     px_per_s = near.canvas.content.scale.px_per_s
@@ -98,15 +87,6 @@ def test_a_drag_moves_what_is_seen_as_far_as_the_pointer_goes(near):
     turn(near, -1, SHIFT)
     assert shown_s(near)[0] > closer[0]
     assert length_of(shown_s(near)) == pytest.approx(length_of(closer))
-
-
-def test_nothing_moves_under_the_pen(flat):
-    flat.key(Qt.Key.Key_Plus)
-    before, reach = shown_s(flat), flat.canvas.content.high
-    middle_s = sum(before) / 2
-    flat.drag((middle_s, 0.0), (middle_s + 0.001, 1.05), release=False)
-    turn(flat, 1)
-    assert (shown_s(flat), flat.canvas.content.high) == (before, reach)
 
 
 POINTS = ((0.0, 100.0, 0.5), (0.2, 300.0, 0.5), (0.4, 300.0, 0.9))

@@ -88,15 +88,6 @@ def test_bounding_leaves_what_lies_within_the_band(flat, qtbot):
     assert len(bench.steps) == 1
 
 
-def test_escape_takes_back_the_envelope_that_a_drag_began(tone):
-    before = tone.design
-    tone.drag((0.1, 1.0), (0.1, 0.5), release=False)
-    assert len(tone.clip.effects) == 1
-    tone.key(Qt.Key.Key_Escape)
-    assert tone.design == before
-    assert len(set(tone.steps)) == 1
-
-
 @pytest.fixture
 def questions(monkeypatch):
     asked = []

@@ -1,9 +1,15 @@
-"""What tests of snapshots share."""
+"""What tests of compared designs share."""
 
-from PySide6.QtCore import Qt
+from dataclasses import replace
+
+from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtGui import QMouseEvent
+from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
 from skinsource.design.design import track
+from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource_gui.panels.compare.settings import CompareSettings
 
 KEY, CTRL, ALT = Qt.Key, Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.AltModifier
 
@@ -40,3 +46,36 @@ def show_matched(window, settle):
 
 def cards(panel):
     return {card.number: card for card in panel.cards if not card.isHidden()}
+
+
+def choose(window, **changes):
+    view = window.document.view
+    settings = replace(settings_of(view, "compare", CompareSettings), **changes)
+    window.document.look(with_settings(view, "compare", settings))
+
+
+def shown(panel, qtbot, n):
+    """The maps, once there are ``n`` of the present design."""
+
+    def complete():
+        cells = panel.maps.content.cells
+        drawn = [cell for cell in cells if cell.small is not None]
+        return len(drawn) == n and not panel.maps.content.stale
+
+    qtbot.waitUntil(complete, timeout=60_000)
+    return panel.maps.content.cells
+
+
+def point_at(maps, index, output):
+    at = QPointF(*maps.points_of(index)[output - 1])
+    no = Qt.MouseButton.NoButton
+    event = QMouseEvent(
+        QEvent.Type.MouseMove,
+        at,
+        QPointF(maps.mapToGlobal(at.toPoint())),
+        no,
+        no,
+        Qt.KeyboardModifier.NoModifier,
+    )
+    QApplication.sendEvent(maps, event)
+    return at.toPoint()

@@ -1,4 +1,4 @@
-"""A window whose panel of snapshots is in front."""
+"""A window whose Compare panel is in front."""
 
 import pytest
 
@@ -12,10 +12,10 @@ def panel(window, settle):
 
 @pytest.fixture
 def requests(window, monkeypatch):
-    """Slots of what is asked of the engine from now on."""
+    """What is asked of the engine from now on."""
     asked = []
     ask = window.engine.request
     monkeypatch.setattr(
-        window.engine, "request", lambda request: (asked.append(request.slot.name), ask(request))
+        window.engine, "request", lambda request: (asked.append(request), ask(request))
     )
     return asked

@@ -4,9 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint
 from PySide6.QtGui import QFontMetricsF
-from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMenu
 
 from skinsource.design.panel_settings import settings_of, with_settings
@@ -102,23 +101,6 @@ def test_the_measured_band_is_told_from_what_lies_outside(show):
     assert axis.shaded() == []
 
 
-def test_shading_is_spoken_of_where_some_is_in_view(show):
-    panel = show(with_spectrum_settings(LINEAR, log_frequency=True))
-    titles = lambda: plot_of(panel).stack.x_axis.titles  # noqa: E731
-    for zoom, shaded in {
-        None: True,
-        (25.0, 600.0): False,
-        (20.0, 300.0): True,
-        (50.0, 610.0): True,
-    }.items():
-        panel.show_state(
-            start_design("synthetic-1"),
-            with_spectrum_settings(LINEAR, log_frequency=True, frequency_range_hz=zoom),
-        )
-        assert any("shaded" in title for title in titles()) == shaded, zoom
-        assert any("band 25 to 600 Hz" in title for title in titles()), zoom
-
-
 @pytest.mark.parametrize(
     ("axes", "method", "noted"),
     [("xy", "mag", True), ("z", "mag", False), ("xyz", "pca", False)],
@@ -129,27 +111,6 @@ def test_the_spectrum_of_a_magnitude_says_that_it_is_rectified(show, axes, metho
     assert bool(notes) == noted
     if noted:
         assert notes[0] == "spectrum of a magnitude: rectified, shows doubled frequencies"
-
-
-def test_a_zoom_is_kept_in_the_view_and_survives_new_data(show):
-    panel = show()
-    plot = plot_of(panel)
-    QTest.keyClick(plot, Qt.Key.Key_Plus)
-    zoom = settings(panel.views[-1]).frequency_range_hz
-    assert zoom == pytest.approx((325 - 650 / 3, 325 + 650 / 3))
-    panel.show_results(spectra_for(panel.views[-1], n_times=901, amplitude=2.0))
-    assert plot.x_window.shown == pytest.approx(zoom)
-    QTest.keyClick(plot, Qt.Key.Key_0)
-    assert settings(panel.views[-1]).frequency_range_hz is None
-
-
-def test_a_problem_is_not_undone_by_a_switch(show):
-    panel = show()
-    panel.show_problem("the limb is not installed")
-    click(panel, "log-magnitude")
-    click(panel, "log-frequency")
-    assert plot_of(panel).message == "the limb is not installed"
-    assert plot_of(panel).curves is None
 
 
 def average(panel):

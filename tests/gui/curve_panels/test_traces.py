@@ -15,7 +15,7 @@ from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.evaluation import evaluate
 from skinsource.signals.resampling import finer
 from skinsource_gui.panels.traces.panel import TracesPanel, TracesSettings
-from skinsource_gui.plots.signal_view import SignalView, _legend_lines, copy_of, save_table
+from skinsource_gui.plots.signal_view import SignalView, _legend_lines, copy_of
 from skinsource_gui.state.preferences import start_design
 from tests.gui.curve_panels.bench import SIGNED, click, header_of, opener, plot_of, traces_for
 
@@ -188,31 +188,15 @@ def test_zoomed_in_values_fit_what_is_seen_if_that_is_chosen(show):
     assert plot.value_scale.values == whole
 
 
-def test_a_table_of_curves_relative_to_their_peaks_says_so_and_which_these_are(show, tmp_path):
-    panel = show()
-    peak = float(np.abs(plot_of(panel).curves.y[0]).max())
-    click(panel, "relative")
-    save_table(tmp_path / "traces.csv", plot_of(panel), "Traces")
-    table = (tmp_path / "traces.csv").read_text("utf-8")
-    assert "output_29_of_its_peak" in table
-    (line,) = [line for line in table.splitlines() if line.startswith("# peaks in m/s²: ")]
-    assert f"29: {peak!r}" in line
-
-
 def test_the_peaks_to_which_curves_are_relative_are_said_with_their_unit(show):
     panel = show()
     plot, legend = plot_of(panel), panel.findChild(SignalView).legend
-    numbers = [name.number for name in plot.curves.names]
     peaks = np.abs(plot.curves.y).max(axis=-1)
     assert legend.text.readings == ()
     click(panel, "relative")
     assert (legend.text.where, legend.text.unit) == ("peak", "m/s²")
     read = [float(reading.replace("\N{THIN SPACE}", "")) for reading in legend.text.readings]
     assert read == pytest.approx(peaks, rel=5e-3)
-    first, second, *_ = legend.text.lines().splitlines()
-    assert first == "peak"
-    assert second.startswith(f"{numbers[0]}  ")
-    assert second.endswith(f": {legend.text.readings[0]} m/s²")
     # In a picture too, where nothing is read.
     texts = [text for line in _legend_lines(plot, plot.width()) for _, _, text in line]
     assert texts[0].endswith(f", peak {legend.text.readings[0]} m/s²")

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QApplication, QMenu
 from skinsource.design.design import Design, Input
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.view import View
-from skinsource.limbs.locations import input_place
+from skinsource.limbs.locations import INPUTS
 from skinsource_gui.panels.hand.panel import HandPanel
 
 KEY, LEFT = Qt.Key, Qt.MouseButton.LeftButton
@@ -93,7 +93,7 @@ class Studio:
 
 
 def short(site: int) -> str:
-    return input_place(site).short_name
+    return INPUTS[site - 1].short_name
 
 
 def contrast(colour, other):

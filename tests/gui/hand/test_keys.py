@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QApplication, QLineEdit, QVBoxLayout, QWidget
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource_gui.panels.hand.panel import HandPanel
-from tests.gui.hand.bench import CONTROL, KEY, NONE, SHIFT
+from tests.gui.hand.bench import KEY, NONE, SHIFT
 
 
 def test_tab_reaches_the_diagram_and_shows_the_cursor_on_the_selected_input(qtbot):
@@ -125,14 +125,6 @@ def test_shift_and_arrows_move_the_selected_input_in_one_gesture_per_hold(studio
     assert studio.sites == [18, 13]
     first, second, third = (gesture for _, _, gesture in studio.edits)
     assert first == second != third
-
-
-def test_keys_with_control_are_left_to_the_window(studio):
-    for key in (KEY.Key_1, KEY.Key_Delete, KEY.Key_Left, KEY.Key_Plus):
-        event = QKeyEvent(QEvent.Type.KeyPress, key, CONTROL)
-        QApplication.sendEvent(studio.diagram, event)
-        assert not event.isAccepted()
-    assert studio.edits == []
 
 
 def test_space_is_left_to_the_window_until_keys_are_used_here(studio, qtbot):

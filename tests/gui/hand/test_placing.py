@@ -5,12 +5,11 @@ from itertools import combinations
 import pytest
 from PySide6.QtCore import QPoint, QPointF
 from PySide6.QtGui import QContextMenuEvent
-from PySide6.QtTest import QTest
 
 from skinsource.design.design import track
 from skinsource.design.waveforms.pulses import Noise
 from skinsource.design.waveforms.tones import Tone
-from tests.gui.hand.bench import CONTROL, KEY, LEFT, NONE, SHIFT, short
+from tests.gui.hand.bench import CONTROL, KEY, SHIFT, short
 
 
 def test_each_site_is_hit_at_the_smallest_size_and_a_click_places_an_input_there(studio):
@@ -29,11 +28,6 @@ def test_each_site_is_hit_at_the_smallest_size_and_a_click_places_an_input_there
         assert studio.view.selected_input == 1
         assert studio.order == ["design"]
         assert studio.edits[-1][0].startswith(f"Place input at {site} (")
-
-
-def test_a_click_beside_the_sites_does_nothing(studio):
-    QTest.mouseClick(studio.diagram, LEFT, NONE, QPoint(2, 2))
-    assert studio.edits == []
 
 
 def test_a_new_input_copies_waveform_and_amplitude_of_the_selected_one(studio):

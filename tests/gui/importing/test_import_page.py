@@ -10,7 +10,6 @@ from skinsource.design import edits
 from skinsource.design.recordings import take
 from skinsource.readers.reader import dft321
 from skinsource_gui.pages import actions
-from skinsource_gui.pages.importing.form import DraggedPart
 from skinsource_gui.qt.frames import DropPlace
 
 
@@ -79,23 +78,6 @@ def test_choices_change_what_is_shown_and_placed(desk, page_at, qtbot, sound):
     assert np.abs(waveform.samples.values).max() == pytest.approx(0.4 * 9.80665, rel=0.02)
 
 
-def test_an_acceleration_in_g_keeps_its_size_and_is_said_in_both_units(
-    desk, page_at, qtbot, tmp_path
-):
-    time_s = np.arange(1280) / 3200.0
-    accel_g = 0.4976 * np.sin(2.0 * np.pi * 25.0 * time_s)
-    rows = "\n".join(f"{t:.9f},{x:.9f}" for t, x in zip(time_s, accel_g, strict=True))
-    (tmp_path / "accel_g.csv").write_text(f"time (s),acceleration (g)\n{rows}\n")
-    page = page_at(tmp_path / "accel_g.csv")
-    assert "peak 4.88 m/s² (0.50 g)" in page.preview.text
-    page.accept()
-    samples = desk.document.design.inputs[-1].clips[-1].waveform.samples
-    assert (samples.unit, samples.peak) == ("m/s²", pytest.approx(4.88, abs=0.01))
-    page = page_at(tmp_path / "accel_g.csv")
-    choose(page, qtbot, "scale", "peak")
-    assert "peak 1 ·" in page.preview.text
-
-
 def test_missing_numbers_are_a_choice(page_at, qtbot, tmp_path):
     values = np.sin(np.arange(2600) * 0.3)
     values[7] = np.nan
@@ -155,25 +137,6 @@ def drag(qtbot, strip, *times_s):
     qtbot.mouseRelease(strip, Qt.MouseButton.LeftButton, pos=places[-1])
 
 
-def test_where_all_is_taken_a_drag_chooses_a_part_and_a_double_click_takes_all_again(
-    page_at, qtbot, sound
-):
-    page = page_at(sound)
-    strip, form = page.findChild(object, "import_overview"), page.form
-    assert (form.choice.start_s, form.choice.duration_s) == (0.0, 0.5)
-    drag(qtbot, strip, 0.1)  # a press alone chooses nothing
-    assert (form.choice.start_s, form.choice.duration_s) == (0.0, 0.5)
-    drag(qtbot, strip, 0.4, 0.3, 0.1)
-    assert form.choice.start_s == pytest.approx(0.1, abs=0.002)
-    assert form.choice.duration_s == pytest.approx(0.3, abs=0.002)
-    drag(qtbot, strip, 0.2, 0.25)
-    assert form.choice.start_s == pytest.approx(0.15, abs=0.003)
-    assert form.choice.duration_s == pytest.approx(0.3, abs=0.002)
-    qtbot.mouseDClick(strip, Qt.MouseButton.LeftButton, pos=QPoint(3, 20))
-    assert (form.choice.start_s, form.choice.duration_s) == (0.0, 0.5)
-    qtbot.waitUntil(lambda: page.ready, timeout=60_000)
-
-
 def test_time_stamps_say_how_long_a_table_is(page_at, qtbot, tmp_path):
     times_s = np.concatenate((np.arange(1000) / 1000, 4.0 + np.arange(1000) / 1000))
     values = np.where(times_s < 1.0, 0.2, 1.0) * np.sin(times_s * 500.0)
@@ -204,15 +167,6 @@ def test_time_stamps_say_how_long_a_table_is(page_at, qtbot, tmp_path):
     # A part that was chosen stays.
     choose(page, qtbot, "scale", "keep")
     assert page.form.choice.duration_s == pytest.approx(0.6, abs=0.02)
-
-
-def test_a_track_that_has_gone_meanwhile_is_said_to_be_gone(window, page_on, sound):
-    page = page_on(sound)
-    window.do("clear_inputs")
-    before = window.document.design
-    page.accept()
-    assert window.document.design is before
-    assert "no longer there" in window.notice.text
 
 
 def test_a_page_that_is_closed_while_it_reads_leaves_nothing(desk, sound):
@@ -261,84 +215,6 @@ def test_three_axes_are_offered_as_one(desk, page_at, qtbot, tmp_path):
     assert waveform.name == "a.csv, acc_x, acc_y, acc_z"
     expected = dft321((axes - axes.mean(axis=0)).T)
     np.testing.assert_allclose(waveform.samples.values, 9.80665 * expected, rtol=0, atol=1e-6)
-
-
-@pytest.fixture
-def form(page_on, qtbot, tmp_path):
-    """Fields of a recording of 2 s."""
-    soundfile.write(tmp_path / "two.wav", 0.5 * np.sin(np.arange(16_000) * 0.1), 8000)
-    page = page_on(tmp_path / "two.wav")
-    qtbot.waitUntil(lambda: page.ready, timeout=60_000)
-    return page.form
-
-
-def type_in(field, seconds):
-    field.set_value(seconds)
-    field.edited.emit(seconds, None)
-
-
-def test_a_later_start_leaves_what_is_left_and_comes_back(form):
-    assert form.choice.duration_s == 2.0
-    type_in(form._start, 0.4)
-    assert form._duration.value_si == pytest.approx(1.6)
-    assert form.choice.start_s == 0.4
-    assert form.choice.duration_s == pytest.approx(1.6)
-    # A drag that goes on to an earlier start takes as much again.
-    type_in(form._start, 0.1)
-    assert form.choice.duration_s == pytest.approx(1.9)
-    type_in(form._start, 0.0)
-    assert form.choice.duration_s == 2.0
-
-
-def test_a_length_that_was_chosen_stays_where_there_is_room_for_it(form):
-    type_in(form._duration, 0.5)
-    type_in(form._start, 1.8)
-    assert form.choice.duration_s == pytest.approx(0.2)
-    type_in(form._start, 1.0)
-    assert form.choice.duration_s == 0.5
-
-
-@pytest.fixture
-def part():
-    """From 2 to 4 s."""
-    made = DraggedPart(5.0, lambda: 800)
-    made.show(8.0, 2.0, 2.0)
-    return made
-
-
-def dragged(part, *places_px):
-    """Where it goes, s."""
-    part.hold(places_px[0])
-    for x_px in places_px[1:]:
-        part.drag(x_px)
-    part.release()
-    return part.start_s, part.end_s
-
-
-def test_a_press_beside_it_brings_its_middle_there(part):
-    assert part.hold(600.0)
-    assert (part.start_s, part.end_s) == (5.0, 7.0)
-
-
-def test_it_keeps_its_length_and_stays_in_the_recording(part):
-    assert dragged(part, 300.0, 350.0) == (2.5, 4.5)
-    assert dragged(part, 350.0, 900.0) == (6.0, 8.0)
-    assert dragged(part, 700.0, -50.0) == (0.0, 2.0)
-
-
-def test_where_all_is_taken_a_drag_chooses_a_part_and_a_press_alone_does_not(part):
-    part.show(4.0, 0.0, 4.0)
-    assert not part.hold(400.0)
-    assert not part.drag(401.0)
-    assert dragged(part, 400.0, 300.0) == (1.5, 2.0)
-
-
-def test_all_is_as_much_as_may_be_taken(part):
-    part.take_all()
-    assert (part.start_s, part.end_s) == (0.0, 5.0)
-    part.show(3.0, 1.0, 1.0)
-    part.take_all()
-    assert (part.start_s, part.end_s) == (0.0, 3.0)
 
 
 def test_a_rate_that_is_assumed_is_said_so_until_it_is_typed(page_at, qtbot, tmp_path):

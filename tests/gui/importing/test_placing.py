@@ -90,26 +90,6 @@ def test_a_file_that_is_dropped_goes_where_it_was_dropped(window, qtbot, sound, 
         assert isinstance(inputs[0].clips[-1].waveform, Recording)
 
 
-def test_a_file_that_is_dropped_on_a_lane_starts_there(window, qtbot, sound):
-    lanes = window.panel("timeline").findChild(QWidget, "lanes")
-    lanes.set_snaps(False)
-    content = lanes.content
-    track = content.lanes[0]
-    at = lanes.mapTo(window, QPoint(round(content.scale.x(0.125)), round(track.top_px) + 4))
-    drop(window, sound, at, QDragEnterEvent)
-    drop(window, sound, at, QDragMoveEvent)
-    assert lanes.overlay.preview.label == "A clip here"
-    drop(window, sound, at)
-    assert lanes.overlay.preview.label == ""
-    (page,) = window.imports.pages
-    qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
-    QApplication.processEvents()
-    page.accept()
-    (dropped,) = window.document.design.inputs
-    assert dropped.clips[-1].onset_s == pytest.approx(0.125, abs=0.01)
-    assert dropped.clips[-1].waveform.name.startswith("tap.wav")
-
-
 def test_a_site_lights_up_while_a_recording_is_held_over_it(window, sound, tmp_path):
     stage = window.panel("hand").diagram.stage
     at = site(window, 13)

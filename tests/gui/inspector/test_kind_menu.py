@@ -9,9 +9,7 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from skinsource.design.edits.edit import kind_spec
 from skinsource.design.waveforms import COMMON, KINDS, MORE
-from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.fields.kinds import PICTURE_PX, KindField, fill_kind_menu, waveform_icon
-from skinsource_gui.qt.theme import THEMES
 
 
 @pytest.fixture
@@ -59,23 +57,6 @@ def test_every_kind_has_a_picture_of_its_own(qapp):
         assert (picture.max(axis=0) > 0).sum() >= PICTURE_PX.width() - 8
         assert picture[0].max() < 128 > picture[-1].max()
     assert len({picture.tobytes() for picture in pictures.values()}) == len(KINDS)
-
-
-@pytest.mark.parametrize("theme", THEMES.values(), ids=THEMES)
-def test_a_picture_has_the_colour_of_the_words_beside_it(theme, use_theme):
-    use_theme(theme)
-    icon = waveform_icon(Tone)
-    for mode, colour in ((QIcon.Mode.Normal, theme.text), (QIcon.Mode.Active, theme.on_accent)):
-        image = icon.pixmap(PICTURE_PX, 1.0, mode).toImage()
-        drawn = [image.pixelColor(x, y) for x in range(30) for y in range(18)]
-        darkest = max(drawn, key=lambda colour: colour.alpha())
-        assert darkest.alpha() > 128
-        assert all(
-            abs(channel - expected) <= 2
-            for channel, expected in zip(
-                darkest.getRgb()[:3], bytes.fromhex(colour.removeprefix("#")), strict=True
-            )
-        )
 
 
 def test_eight_kinds_are_seen_at_once_and_the_rest_under_more(menu):

@@ -5,11 +5,11 @@ from dataclasses import replace
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLineEdit, QMenu, QToolButton
+from PySide6.QtWidgets import QLineEdit, QMenu, QToolButton
 
 from skinsource.design.clips import Clip
 from skinsource.design.waveforms.pulses import Noise
-from skinsource.design.waveforms.samples import MAX_PARTS, Formula, Layers
+from skinsource.design.waveforms.samples import Formula, Layers
 from skinsource.design.waveforms.tones import Chirp, Tone
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.parts import PartsEditor
@@ -153,13 +153,6 @@ def test_the_last_part_stays_and_that_is_said(bench):
     assert bench.cell.note == ""
 
 
-def test_a_full_list_takes_no_more_and_says_so(qtbot):
-    bench = PartsBench(qtbot, design_of(Layers((A,) * MAX_PARTS)))
-    add = bench.editor.findChild(QToolButton, "add_part")
-    assert not add.isEnabled()
-    assert add.toolTip() == f"There are at most {MAX_PARTS}; remove one first"
-
-
 def test_a_refused_value_is_shown_again_with_the_reason_at_its_field(bench):
     cells = bench.opened(2)
     low, high = (cells[name] for name in ("start_hz", "end_hz"))
@@ -171,12 +164,3 @@ def test_a_refused_value_is_shown_again_with_the_reason_at_its_field(bench):
     assert noise["low_hz"].field.value_si == B.waveform.low_hz
     assert "low_hz" in noise["low_hz"].note
     assert (low.note, high.note) == ("", "")
-
-
-def test_the_tab_key_goes_along_the_rows(bench):
-    bench.editor.findChild(QToolButton, "add_part").setFocus()
-    visited = []
-    for _ in range(4):
-        QTest.keyClick(QApplication.focusWidget(), _Key.Key_Tab)
-        visited.append(QApplication.focusWidget().accessibleName())
-    assert visited == ["1 · Tone", "Remove clip 1", "2 · Noise", "Remove clip 2"]

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.plots.preview import WaveformPreview
 
 
@@ -15,20 +14,6 @@ def preview(qtbot):
     widget.set_look(0)
     widget.show()
     return widget
-
-
-@pytest.mark.parametrize("width", [333, 420])
-@pytest.mark.parametrize("duration_s", [10.0, 60.0])
-@pytest.mark.parametrize("frequency_hz", [50.0, 250.0])
-def test_a_long_tone_is_a_block_without_gaps(preview, width, duration_s, frequency_hz):
-    preview.resize(width, 140)
-    tone = Tone(frequency_hz=frequency_hz, duration_s=duration_s)
-    preview.show_samples(tone.samples(1300.0), 1300.0)
-    picture = preview.grab().toImage()
-    middle = (preview.height() - 18) / 2
-    for row in (int(middle - 35), int(middle + 35)):
-        columns = range(int(0.35 * width), int(0.65 * width))
-        assert {picture.pixelColor(column, row).name() for column in columns} == {"#0072b2"}
 
 
 def test_one_loud_sample_in_a_minute_is_seen(preview):

@@ -3,8 +3,8 @@
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QDragEnterEvent, QDropEvent, QMouseEvent
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
@@ -62,20 +62,6 @@ def test_words_and_tags_narrow_the_list(bench):
     assert bench.names == []
     assert panel.preview.isHidden()
     assert not panel.buttons.place.isEnabled()
-
-
-def test_the_pointer_shows_what_it_is_over_and_leaving_shows_the_chosen_one(bench):
-    panel = bench.panel
-    panel.rows.go_to(0)
-    other = panel.model.index(2, 0)
-    at, port = QPointF(panel.rows.visualRect(other).center()), panel.rows.viewport()
-    no_button = Qt.MouseButton.NoButton
-    over = QMouseEvent(QEvent.Type.MouseMove, at, port.mapToGlobal(at), no_button, no_button, NONE)
-    QApplication.sendEvent(port, over)
-    assert panel.preview.preset.name == other.data()
-    assert panel.rows.currentIndex().row() == 0
-    QApplication.sendEvent(panel.rows, QEvent(QEvent.Type.Leave))
-    assert panel.preview.preset.name == panel.model.index(0, 0).data()
 
 
 @pytest.fixture

@@ -139,7 +139,7 @@ def test_without_a_device_it_is_a_rehearsal_and_nothing_is_stored(no_sound, page
 def test_what_cannot_be_matched_is_said_and_nothing_begins(sound, page, name, text, reason):
     page.form.field(name).setText(text)
     press(page, "begin")
-    assert reason in page.findChild(type(page.view.note), "matching_problem").text()
+    assert reason in page.message.text()
     assert page.run is None
     assert not sound.streams
 
@@ -167,12 +167,3 @@ def test_the_rig_of_the_machine_holds_while_matching(sound, studio, qtbot, tmp_p
     qtbot.waitUntil(lambda: "rig" in page.view.note.text(), timeout=20_000)
     assert not page.player.playing
     studio.playback.matching.end()
-
-
-def test_a_studio_that_closes_lets_go_of_the_device(sound, open_window, qtbot, tmp_path):
-    studio = open_window()
-    studio.do("match_strength")
-    begin(filled(studio.playback.matching.page, qtbot, tmp_path), qtbot)
-    studio.close_unasked()
-    assert studio.playback.matching.page is None
-    assert not sound.streams[0]._thread.is_alive()

@@ -203,7 +203,7 @@ class Monkey:
         self.hands.close_what_opened()
         # An arrangement comes back as it was left, with something in front of the map perhaps.
         self.window.do("arrange_design")
-        self.window.arrangements.bring("skin")
+        self.window.workspaces.bring("skin")
         self._show_levels()
         self._settle()
         design, view = self.document.design, self.document.view

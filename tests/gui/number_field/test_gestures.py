@@ -42,23 +42,6 @@ def test_a_drag_stops_at_the_range_and_turns_back_at_once(make_bench):
     assert bench.values == [1000.0, 999.95]
 
 
-def test_a_drag_goes_on_from_a_value_that_something_else_has_set(make_bench):
-    bench = make_bench(AMPLITUDE, 1.0)
-    start = bench.field.rect().center()
-
-    def move_to(x):
-        none = Qt.KeyboardModifier.NoModifier
-        here = QPointF(start) + QPointF(x, 0)
-        QApplication.sendEvent(bench.field, move_event(bench.field, here, none))
-
-    QTest.mousePress(bench.field, Qt.MouseButton.LeftButton, pos=start)
-    move_to(PIXELS_PER_STEP)
-    bench.field.set_value(7.0)
-    move_to(2 * PIXELS_PER_STEP)
-    QTest.mouseRelease(bench.field, Qt.MouseButton.LeftButton, pos=start)
-    assert bench.values == [1.05, 7.05]
-
-
 def test_escape_during_a_drag_brings_back_the_number_in_the_same_gesture(make_bench):
     bench = make_bench(AMPLITUDE, 1.0)
     start = bench.field.rect().center()

@@ -1,12 +1,12 @@
 """What tests of the page of limbs share."""
 
-from PySide6.QtWidgets import QLabel, QPushButton
+from PySide6.QtWidgets import QPushButton
 
 from skinsource.limbs.own_limbs import own_limb_names
 
 
 def text_of_page(page):
-    return page.findChild(QLabel, "limb_words").text()
+    return page.message.text()
 
 
 def button(page, name):

@@ -2,7 +2,6 @@
 
 import struct
 import zlib
-from dataclasses import replace
 from threading import Event
 
 import h5py
@@ -25,9 +24,8 @@ from skinsource.limbs.limb_import import LimbSource, import_limb
 from skinsource.limbs.limb_layout import export_limb
 from skinsource.limbs.own_limbs import facts_of, install_limb, own_limb_names, remove_limb
 from skinsource_gui.pages.limbs import photograph
-from skinsource_gui.pages.limbs.page import PageJobs
 from skinsource_gui.state.engine import FIRST_SLOT, Purpose
-from skinsource_gui.state.job_runner import JobProgress, JobRunner
+from skinsource_gui.state.job_runner import JobProgress, JobRunner, PageJobs
 from tests.core.own_limbs.lab_bench import N_TAPS, RATE_HZ, installed, own_limb, response
 from tests.gui.own_limbs.limb_page_bench import button, imported, opened, text_of_page
 
@@ -107,64 +105,30 @@ def test_a_limb_of_the_same_name_is_replaced_after_a_question(
 
 
 def test_what_a_file_said_goes_with_it_and_what_was_typed_stays(user_data, tmp_path, page, qtbot):
-    installed(note="cold hands", band_hz=(40.0, 1500.0))
+    installed(note="cold hands", band_hz=(40.0, 1500.0), left=True, synthetic=True)
     export_limb("lab-1", tmp_path / "lab.h5")
     for name in ("first", "second"):
         np.save(tmp_path / f"{name}.npy", np.zeros((7, 31, 2, 9)))
     opened(page, tmp_path / "lab.h5", "responses", qtbot)
+    values = page.form.values()
+    assert (values["axes"], values["left"], values["synthetic"]) == ("xz", True, True)
     page.form.title.setText("My title")
     opened(page, tmp_path / "first.npy", "responses", qtbot)
     form = page.form
     assert (form.name.text(), form.title.text(), form.note.text()) == ("first", "My title", "")
-    assert form.values()["band_hz"] is None
+    values = form.values()
+    assert (values["band_hz"], values["left"], values["synthetic"]) == (None, False, False)
     assert text_of_page(page) == "The responses have 2 axes; choose as many."
     form.axes.choose("xy")
+    form.left.setChecked(True)
+    form.mirrored.setChecked(True)
     assert text_of_page(page) == "0 of 7 inputs have a place: click them, or open a table."
     opened(page, tmp_path / "second.npy", "responses", qtbot)
     assert form.name.text() == "second"
     form.name.setText("mine")
     opened(page, tmp_path / "first.npy", "responses", qtbot)
     assert form.name.text() == "mine"
-
-
-def test_axes_and_hand_of_a_file_go_with_it_unless_they_were_chosen(
-    user_data, tmp_path, page, qtbot
-):
-    installed(left=True)
-    export_limb("lab-1", tmp_path / "lab.h5")
-    np.save(tmp_path / "plain.npy", np.zeros((7, 31, 2, 9)))
-    form = page.form
-    opened(page, tmp_path / "lab.h5", "responses", qtbot)
-    assert (form.values()["axes"], form.values()["left"]) == ("xz", True)
-    opened(page, tmp_path / "plain.npy", "responses", qtbot)
-    assert (form.values()["axes"], form.values()["left"]) == ("z", False)
-    # What somebody chose stays, also where a file had said something else before.
-    opened(page, tmp_path / "lab.h5", "responses", qtbot)
-    form.axes.choose("xy")
-    form.left.setChecked(False)
-    form.left.setChecked(True)
-    form.mirrored.setChecked(True)
-    opened(page, tmp_path / "plain.npy", "responses", qtbot)
-    assert form.values()["axes"] == "xy"
-    assert form.values()["mirrored"]
-
-
-def test_computed_responses_are_said_to_be_and_a_file_in_the_layout_says_so_itself(
-    user_data, tmp_path, page, qtbot
-):
-    installed(synthetic=True)
-    export_limb("lab-1", tmp_path / "lab.h5")
-    remove_limb("lab-1")
-    np.save(tmp_path / "plain.npy", np.zeros((7, 31, 2, 9)))
-    form = page.form
-    opened(page, tmp_path / "lab.h5", "responses", qtbot)
-    assert form.values()["synthetic"]
-    opened(page, tmp_path / "plain.npy", "responses", qtbot)
-    assert not form.values()["synthetic"]
-    opened(page, tmp_path / "lab.h5", "responses", qtbot)
-    form.synthetic.click()
-    imported(page, "lab-1", qtbot)
-    assert not load_limb("lab-1").synthetic
+    assert (form.values()["axes"], form.values()["mirrored"]) == ("xy", True)
 
 
 def test_what_cannot_be_read_is_said_and_nothing_is_kept(user_data, tmp_path, page, qtbot):
@@ -180,19 +144,6 @@ def test_what_cannot_be_read_is_said_and_nothing_is_kept(user_data, tmp_path, pa
     assert "row 2" in text_of_page(page)
     assert not button(page, "import_limb").isEnabled()
     assert own_limb_names() == ()
-
-
-def test_a_table_of_too_few_places_is_said_before_a_file_in_the_layout_is_imported(
-    user_data, tmp_path, page, qtbot
-):
-    installed()
-    export_limb("lab-1", tmp_path / "lab.h5")
-    (tmp_path / "in.csv").write_text("1,2\n3,4\n")
-    opened(page, tmp_path / "lab.h5", "responses", qtbot)
-    assert button(page, "import_limb").isEnabled()
-    opened(page, tmp_path / "in.csv", "inputs", qtbot)
-    assert text_of_page(page) == "2 of 7 inputs have a place: click them, or open a table."
-    assert not button(page, "import_limb").isEnabled()
 
 
 def test_a_job_of_the_page_is_cancelled_on_the_page_that_covers_the_bar(user_data, window, qtbot):
@@ -352,18 +303,15 @@ def test_what_is_no_photograph_is_refused_and_the_next_one_is_read(
 def test_nothing_is_said_of_a_job_of_another_page(qtbot):
     runner, gate, messages, ended = JobRunner(), Event(), [], []
     page = PageJobs(runner, runner)
-    page.progressed.connect(messages.append)
+    page.progressed.connect(lambda job, progress: messages.append((job, progress.done)))
     for signal in (page.done, page.failed, page.cancelled):
         signal.connect(lambda *_: ended.append(1))
     own = Job("Importing a limb", lambda progress, stop: gate.wait(30.0))
     other = Job("Exporting a.csv", lambda progress, stop: None)
     page.add(own)
-    messages.clear()
     for job in (other, own):
         runner.progressed.emit(job, JobProgress(done=1, total=2))
-    # How much there is to do is not known yet.
-    runner.progressed.emit(own, JobProgress())
-    assert messages == ["Importing a limb: 50 %"]
+    assert messages == [(own, 1)]
     runner.done.emit(other, None)
     runner.failed.emit(other, ValueError("x"))
     runner.cancelled.emit(other)
@@ -390,35 +338,9 @@ def large(user_data):
     return edits.change_limb(PLAYED, View(outputs=(3,)), "lab-1")
 
 
-@pytest.fixture
-def large_window(large, open_window, qtbot):
-    window = open_window(large.design, large.view)
-    rested(window, qtbot)
-    return window
-
-
 def rested(window, qtbot):
     qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
     window.catch_up()
-
-
-def test_clips_have_their_waveforms_and_follow_edits(large_window, qtbot):
-    window = large_window
-    lanes = window.panel("timeline").lanes
-    tone, noise = (track.clips[0].id for track in window.document.design.inputs)
-    assert set(lanes.content.waveforms) == {tone, noise}
-    before = lanes.content.waveforms[tone]
-    # 100 ms at the rate of the limb.
-    assert before.size == 400
-    assert "follow edits up to" in window.panel("skin").map.content.message
-    assert window.panel("timeline")._foot.text() == ""
-    clip = window.document.design.inputs[0].clips[0]
-    slower = replace(clip, waveform=replace(clip.waveform, frequency_hz=100.0))
-    window.document.edit("Slower", window.document.design.with_input(0, clips=(slower,)))
-    rested(window, qtbot)
-    after = lanes.content.waveforms[tone]
-    assert not np.array_equal(after, before)
-    assert "follow edits up to" in window.panel("skin").map.content.message
 
 
 def test_no_response_is_read_for_it_and_nothing_is_judged(large, open_window, qtbot):
@@ -426,15 +348,15 @@ def test_no_response_is_read_for_it_and_nothing_is_judged(large, open_window, qt
     window = open_window(large.design, large.view)
     window.engine.finished.connect(results.append)
     rested(window, qtbot)
-    window.validity._judge()
+    window.conditions._judge()
     window.document.edit("Softer", window.document.design.with_input(0, amplitude=0.5))
     rested(window, qtbot)
-    window.validity._judge()
+    window.conditions._judge()
     rested(window, qtbot)
     judged = [result for result in results if result.request.purpose is Purpose.JUDGE]
     shown = [result for result in results if result.request.place == (FIRST_SLOT, Purpose.SHOW)]
     assert shown
     assert sum(result.work.bytes_read for result in shown) == 0
     assert judged == []
-    assert window.validity.lamps.findings == ()
+    assert window.conditions.chip.findings == ()
     assert window.notice.text == ""

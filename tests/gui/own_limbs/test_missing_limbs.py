@@ -6,7 +6,6 @@ from PySide6.QtWidgets import QApplication, QLabel
 
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource.limbs.locations import input_name, output_name
 from skinsource.limbs.own_limbs import facts_of, remove_limb
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.shell.limb_note import LimbNote
@@ -30,58 +29,20 @@ def gone(user_data, window, qtbot):
     return window
 
 
-def test_of_a_missing_limb_places_have_numbers_alone():
-    assert input_name(6, "lab-9").name == "Place 6"
-    assert output_name(3, "lab-9").name == "Output 3"
-    assert facts_of("lab-9").band_hz is None
-
-
-def test_where_no_limb_is_named_places_and_band_are_those_of_the_published_ones():
-    assert input_name(6).name == "Digit I, pad"
-    assert facts_of("").band_hz == (25.0, 600.0)
-
-
-def test_hand_and_inspector_show_nothing_of_another_hand(gone):
+def test_nothing_of_another_limb_is_shown_and_the_window_says_what_is_missing(gone):
     hand = gone.panel("hand")
     assert not hand.diagram.isVisibleTo(hand)
     assert hand.findChild(QLabel, "hand_missing").text() == "The limb 'lab-9' is missing"
     assert hand.drop_place(QPoint(50, 50)) is None
     assert "Place 6" in gone.panel("inspector").findChild(QLabel, "inspector_heading").text()
-
-
-def test_the_map_shows_no_outline_of_another_limb_and_says_why(gone):
     content = gone.panel("skin").map.content
-    assert content.limb_map is None
-    assert content.limb == "lab-9"
+    assert (content.limb_map, content.limb) == (None, "lab-9")
     assert "lab-9" in content.message
     assert not gone.panel("skin").grab().isNull()
-
-
-def test_the_status_bar_says_that_the_limb_is_missing_and_nothing_of_measured_ones(gone):
     note = gone.findChild(LimbNote)
     assert "LIMB MISSING" in note.text()
     assert "not here" in note.toolTip()
     assert not note.isHidden()
-
-
-def test_a_limb_that_goes_takes_its_hand_and_outline_and_brings_them_back(user_data, window, qtbot):
-    installed()
-    QApplication.sendEvent(window, QEvent(QEvent.Type.WindowActivate))
-    design = Design(limb="lab-1", limb_digest=facts_of("lab-1").digest, inputs=(track(6),))
-    window.document.start_over(design, View(axes="xz", outputs=(3,)), None)
-    rested(window, qtbot)
-    hand = window.panel("hand")
-    assert hand.diagram.isVisibleTo(hand)
-    remove_limb("lab-1")
-    QApplication.sendEvent(window, QEvent(QEvent.Type.WindowActivate))
-    rested(window, qtbot)
-    assert not hand.diagram.isVisibleTo(hand)
-    assert "LIMB MISSING" in window.findChild(LimbNote).text()
-    installed()
-    QApplication.sendEvent(window, QEvent(QEvent.Type.WindowActivate))
-    rested(window, qtbot)
-    assert hand.diagram.isVisibleTo(hand)
-    assert "OWN LIMB" in window.findChild(LimbNote).text()
 
 
 def test_a_new_design_on_a_limb_whose_file_has_come_back_tells_its_name(user_data, window, qtbot):

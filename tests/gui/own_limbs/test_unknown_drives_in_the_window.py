@@ -9,19 +9,18 @@ from PySide6.QtWidgets import QApplication, QLabel
 from skinsource.actuators.actuation import Actuation, ActuatorAt
 from skinsource.actuators.catalog import load
 from skinsource.actuators.equalising import RegularisedInverse
-from skinsource.base.errors import InvalidInputError
 from skinsource.design import edits
 from skinsource.design.comparing import Snapshot
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
-from skinsource.limbs.own_limbs import facts_of, remove_limb
+from skinsource.limbs.own_limbs import remove_limb
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
-from skinsource_gui.fields.units import parse_number
 from skinsource_gui.plots.pictures import caption_of
 from tests.core.own_limbs.lab_bench import installed
 from tests.core.playing.synthetic_sound import SyntheticSoundLibrary, use
+from tests.gui.analysis.analysis_bench import analysis
 
 UNDRIVEN = Design(
     limb="synthetic-1",
@@ -127,9 +126,9 @@ def test_another_limb_changes_the_unit_everywhere_at_once(opened, qtbot):
 
 def test_a_transfer_function_is_per_what_is_driven(playback_in_front, qtbot):
     opened = playback_in_front
-    opened.docks["transfer"].bring_forward()
+    analysis(opened, "transfer")
     rested(playback_in_front, qtbot)
-    picture, limb = opened.panel("transfer").picture, opened.findChild(ChoiceField, "limb")
+    picture, limb = opened.panel("analysis").view.picture, opened.findChild(ChoiceField, "limb")
     assert picture.content.unit == "1 m/s² per sample of 1"
     limb.choose(PROBE)
     rested(playback_in_front, qtbot)
@@ -160,8 +159,7 @@ def test_strengths_of_snapshots_are_told_in_it(limbs, open_window, qtbot, limb, 
     designs = [design.with_input(0, amplitude=k) for k in (1.0, 2.0, 4.0)]
     snapshots = tuple(Snapshot(number=k, design=design) for k, design in enumerate(designs, 1))
     window = open_window(design, replace(view, snapshots=snapshots, levels_matched=False))
-    window.docks["linearity"].bring_forward()
-    panel = window.panel("linearity")
+    panel = analysis(window, "linearity")
     qtbot.waitUntil(lambda: panel.result is not None and not window.engine.busy, **WAIT)
     over, growth, _ = panel.picture.diagrams
     assert growth.x.title == f"Strength ({unit})"
@@ -188,15 +186,3 @@ def test_pages_ask_for_drives_in_it(limbs, make_desk, qtbot, monkeypatch, limb, 
     drive = desk.playback.matching.page.form.field("amplitude")
     assert symbol_of(drive) == unit
     desk.playback.matching.end()
-
-
-def test_amplitudes_are_typed_with_that_unit_or_without(limbs, open_window, qtbot):
-    window = open_window(*on(DRIVE))
-    (head,) = window.panel("timeline").findChildren(NumberField, "amplitude_field")
-    for text in ("2", "2 a.u.", "2 au", "2a.u"):
-        assert parse_number(text, head.spec) == 2.0
-    with pytest.raises(InvalidInputError, match=r"not one of its units\. Units: a\.u\., au"):
-        parse_number("2 m/s²", head.spec)
-    with pytest.raises(InvalidInputError, match=r"too high\. Allowed: .* 1000 a\.u\.$"):
-        parse_number("2000", head.spec)
-    assert facts_of(DRIVE).per_unit_drive

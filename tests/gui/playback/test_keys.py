@@ -20,7 +20,7 @@ def pressed(studio, monkeypatch, qtbot):
     return played
 
 
-@pytest.mark.parametrize("name", ["hand", "skin", "timeline", "traces"])
+@pytest.mark.parametrize("name", ["hand", "timeline"])
 def test_space_plays_from_the_pictures(studio, pressed, name):
     panel = studio.panel(name)
     panel.setFocus()
@@ -59,7 +59,7 @@ def test_escape_twice_is_heard_wherever_the_keyboard_is(studio, qtbot):
     escape = EscapeTwice(studio)
     presses = []
     escape.pressed.connect(lambda: presses.append(1))
-    escape.watch(True)
+    escape.listen(True)
     for name in ("hand", "timeline"):
         studio.panel(name).setFocus()
         widget = QApplication.focusWidget()
@@ -72,7 +72,7 @@ def test_escape_twice_is_heard_wherever_the_keyboard_is(studio, qtbot):
     QTest.keyClick(widget, Qt.Key.Key_A)
     QTest.keyClick(widget, ESCAPE)
     assert presses == []
-    escape.watch(False)
+    escape.listen(False)
     QTest.keyClick(widget, ESCAPE)
     QTest.keyClick(widget, ESCAPE)
     assert presses == []

@@ -106,15 +106,3 @@ def test_rows_follow_the_places_of_the_design(sound, studio, panel):
     studio.document.edit("Remove", replace(design, inputs=()))
     assert panel._rows == []
     assert "No place is in use" in text_of(panel, "playback_words")
-
-
-def test_hidden_it_is_told_nothing(sound, studio, player, panel, qtbot, listen, monkeypatch):
-    studio.docks["playback"].hide()
-    played_states = []
-    monkeypatch.setattr(
-        type(panel), "show_played", lambda self, played: played_states.append(played)
-    )
-    listen(loops=True)
-    playhead_s = studio.document.view.playhead_s
-    qtbot.waitUntil(lambda: studio.document.view.playhead_s != playhead_s, **WAIT)
-    assert played_states == []

@@ -2,9 +2,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from PySide6.QtCore import QObject
 
 import skinsource as ss
 from skinsource.lab.playing.mix import START_DB
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.playing import Player
 from tests.gui.playback.conftest import DESIGN
 
 WAIT = {"timeout": 20_000}
@@ -137,25 +140,19 @@ def test_without_a_device_the_playhead_runs_in_silence(no_sound, studio, player,
     assert studio.document.view.playhead_s == 0.0
 
 
-def test_what_is_chosen_is_kept_on_this_machine_but_not_the_gain(sound, make_window, preferences):
-    first = make_window(DESIGN).playback.player
+def test_what_is_chosen_is_kept_on_this_machine_but_not_the_gain(sound, preferences, qapp):
+    parent = QObject()
+    first = Player(Document(DESIGN), preferences, parent)
     output = replace(first.settings.output, device="Eight", host_api="Made up", latency_s=0.03)
     first.gain.put(-3.0)
     first.settings.choose(output)
     assert first.gain.gain_db == START_DB
-    second = make_window(DESIGN).playback.player
+    first.gain.put(-3.0)
+    second = Player(Document(DESIGN), preferences, parent)
     assert second.settings.output == output
     assert second.gain.gain_db == START_DB
-
-
-def test_nothing_ticks_while_nothing_is_played(sound, studio, player, qtbot, listen):
-    timers = studio.playback._timer, player.playhead._timer
-    assert not any(timer.isActive() for timer in timers)
-    listen(loops=True)
-    assert all(timer.isActive() for timer in timers)
-    studio.do("play")
-    qtbot.waitUntil(settled(player), **WAIT)
-    assert not any(timer.isActive() for timer in timers)
+    for player in (first, second):
+        player.end()
 
 
 def test_closing_the_window_lets_go_of_the_device(sound, studio, player, listen):

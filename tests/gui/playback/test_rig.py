@@ -88,14 +88,14 @@ def test_a_limit_in_the_first_block_is_said_even_if_that_is_over_before_play_was
     )
     save_rig(tmp_path / "limited.skinrig", limited)
     player.settings.choose_rig(tmp_path / "limited.skinrig")
-    make = player._session.made.play
+    make = player._session().play
 
     def play_to_the_end(*which, **how):
         playing = make(*which, **how)
         sound.streams[-1]._thread.join(20)
         return playing
 
-    monkeypatch.setattr(player._session.made, "play", play_to_the_end)
+    monkeypatch.setattr(player._session(), "play", play_to_the_end)
     studio.do("play")
     qtbot.waitUntil(lambda: "Stopped" in studio.notice.text, **WAIT)
     assert not player.playing

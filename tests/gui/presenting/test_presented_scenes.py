@@ -28,26 +28,19 @@ def test_scenes_are_the_designs_of_the_folder_in_their_order(studio):
     assert studio.document.path is None
 
 
-@pytest.mark.parametrize("opened_by", ["gallery", "key"])
-def test_a_scene_that_is_open_is_presented_with_the_panels_that_show_it(
-    open_window, opened_by, design
-):
+def test_a_scene_that_is_open_is_presented_with_the_panels_that_show_it(open_window, design):
     window = open_window(design)
     names = [scene.name for scene in all_scenes()]
-    if opened_by == "gallery":
-        page = window.scenes.show()
-        page.list.setCurrentRow(names.index("2H"))
-        page.buttons.button(QDialogButtonBox.StandardButton.Open).click()
-    else:
-        for _ in range(names.index("2H") + 1):
-            window.do("next_scene")
+    page = window.scenes.show()
+    page.list.setCurrentRow(names.index("2H"))
+    page.buttons.button(QDialogButtonBox.StandardButton.Open).click()
     assert "2H" in title(window)
     window.do("present")
-    assert "windowed" in in_front(window)
+    assert "analysis" in in_front(window)
     window.do("present")
     window.do("new_design")
     window.do("present")
-    assert "windowed" not in in_front(window)
+    assert "analysis" not in in_front(window)
 
 
 def in_front(window):
@@ -113,7 +106,7 @@ def test_of_a_scene_that_was_turned_it_is_said_that_it_is_left_as_it_was(open_wi
     assert "kept" not in window.notice.text
 
 
-@pytest.mark.parametrize("presented", ["never", "afterwards", "before"])
+@pytest.mark.parametrize("presented", ["afterwards", "before"])
 def test_work_that_was_done_in_a_scene_is_not_lost_unasked(open_window, asked, presented, design):
     window = open_window(design)
     window.do("next_scene")

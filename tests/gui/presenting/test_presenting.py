@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QApplication
 
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.qt.overlays import COVERED, Cover
+from tests.gui.analysis.analysis_bench import analysis
 
 
 def title(window):
@@ -85,9 +86,8 @@ def test_while_the_bars_are_away_words_lie_over_the_window(studio):
 
 
 MAPS = {
-    "windowed": ("window_strip",),
-    "side_by_side": ("maps_side_by_side", "side_by_side_words"),
-    "compare": ("difference_map", "matching_words"),
+    "analysis": ("window_strip",),
+    "compare": ("compared_maps", "compare_words"),
 }
 
 
@@ -108,6 +108,8 @@ def wait(plain_studio, qtbot):
 def test_all_that_draws_maps_is_covered_together_and_revealed(plain_studio, qtbot, name):
     plain_studio.docks[name].bring_forward()
     panel = plain_studio.panel(name)
+    if name == "analysis":
+        panel = analysis(plain_studio, "windowed")
     wait(plain_studio, qtbot)
     assert set(MAPS[name]) <= parts(panel).keys()
     assert not panel.findChildren(Cover)

@@ -68,7 +68,6 @@ class LoudestPanel(Panel):
 '''
 ACTION = """    action(
         "silence_all",
-        "Edit",
         "Silence all",
         "Mute every input",
         "Ctrl+Alt+M",
@@ -123,7 +122,7 @@ from skinsource.design.waveforms.clicks import Clicks
 from skinsource_gui.app.app import make_application
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.panels.loudest.settings import LoudestSettings
-from skinsource_gui.shell.arrangement_spec import ARRANGEMENTS
+from skinsource_gui.shell.workspaces import WORKSPACES
 from skinsource_gui.shell.menus import Palette
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences
@@ -162,8 +161,9 @@ cells = {cell.name: cell.field for cell in window.panel("inspector").findChildre
 assert cells["gap_s"].value_si == 0.04
 
 # The panel and its quantity, in each arrangement.
-for arrangement in ARRANGEMENTS:
+for arrangement in WORKSPACES:
     window.do(f"arrange_{arrangement.name}")
+    dock.bring_forward()
     settle()
     assert dock.isVisible() and panel.visibleRegion().boundingRect().height() > 0
     assert panel.words.text() == f"{loudest_db:.1f} dB"

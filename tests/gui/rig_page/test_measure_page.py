@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QPushButton
 from shiboken6 import isValid
 
 import skinsource as ss
@@ -46,7 +47,7 @@ def rig_page(card, open_window, qtbot):
     window.do("edit_rig")
     rig_page = window.findChild(RigPage)
     qtbot.waitExposed(rig_page)
-    QTest.mouseClick(rig_page.button("add"), Qt.MouseButton.LeftButton)
+    QTest.mouseClick(rig_page.findChild(QPushButton, "rig_add"), Qt.MouseButton.LeftButton)
     channel = rig_page.draft.rig.channels[0]
     channel = replace(channel, actuator="example-voice-coil", full_scale_v=3.0)
     rig_page.draft.take_channel(0, channel)

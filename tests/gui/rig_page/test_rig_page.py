@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QFileDialog, QMessageBox
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QPushButton
 from shiboken6 import isValid
 
 import skinsource as ss
@@ -59,7 +59,7 @@ def put(page, name, value):
 
 
 def press(page, name):
-    QTest.mouseClick(page.button(name), Qt.MouseButton.LeftButton)
+    QTest.mouseClick(page.findChild(QPushButton, f"rig_{name}"), Qt.MouseButton.LeftButton)
 
 
 def test_a_rig_made_by_hand_is_the_one_in_its_file(page, window, answer):

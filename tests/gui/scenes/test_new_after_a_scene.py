@@ -13,14 +13,8 @@ from skinsource.limbs.catalog import default_limb
 from skinsource_gui.pages.files import file_actions
 from skinsource_gui.panels.skin.settings import SkinSettings
 
-#: On limb 4, in the arrangement for analysis.
+#: On limb 4, in the workspace Analyse.
 SCENE = "1C"
-
-
-@pytest.fixture
-def window(new_window):
-    """A studio of each test's own."""
-    return new_window
 
 
 def in_sight(window):
@@ -29,15 +23,15 @@ def in_sight(window):
     return {panel.name for panel in window.panels if panel.isVisible()}
 
 
-@pytest.fixture
-def own(window):
+def moved(window):
     """What is in sight where the person has moved something."""
     window.docks["spectra"].hide()
     window.docks["history"].bring_forward()
     return in_sight(window)
 
 
-def test_new_is_empty_on_the_limb_and_in_the_view_of_a_start_in_ones_own_panels(window, own):
+def test_new_is_empty_on_the_limb_and_in_the_view_of_a_start_in_ones_own_panels(window):
+    own = moved(window)
     window.scenes.open(SCENE)
     document = window.document
     assert document.design.limb.endswith("-4")
@@ -56,8 +50,10 @@ def test_new_is_empty_on_the_limb_and_in_the_view_of_a_start_in_ones_own_panels(
 
 
 def test_the_next_session_begins_in_the_panels_before_they_were_presented(
-    window, own, preferences, make_window, monkeypatch
+    preferences, make_window, monkeypatch
 ):
+    window = make_window()
+    own = moved(window)
     window.do("present")
     # What is new is presented too.
     window.scenes.open(SCENE)

@@ -11,10 +11,8 @@ from benchmarks.gallery import MARK, mark_of, page_of, synthetic_scene
 from skinsource.design.panel_settings import settings_of
 from skinsource_gui.qt.resources import resource_folder
 from skinsource_gui.shell.appearance import LARGEST_TEXT
-from skinsource_gui.shell.arrangement_spec import ARRANGEMENTS
 from skinsource_gui.shell.panels import PANELS
-
-every = pytest.mark.parametrize("name", ss.scenes.names())
+from skinsource_gui.shell.workspaces import WORKSPACES
 
 
 def texts_of(content: bytes) -> dict[str, str]:
@@ -31,13 +29,13 @@ def texts_of(content: bytes) -> dict[str, str]:
     return texts_by_key
 
 
-@every
-def test_each_picture_is_of_the_scene_as_it_is_now_on_a_synthetic_limb(name):
-    content = (resource_folder() / "scenes" / f"{name}.png").read_bytes()
-    assert texts_of(content)[MARK] == mark_of(synthetic_scene(name)), (
-        "pictures are out of date; draw them anew with "
-        "'python benchmarks/gallery.py resources/scenes docs/scenes.md'"
-    )
+def test_each_picture_is_of_the_scene_as_it_is_now_on_a_synthetic_limb():
+    for name in ss.scenes.names():
+        content = (resource_folder() / "scenes" / f"{name}.png").read_bytes()
+        assert texts_of(content)[MARK] == mark_of(synthetic_scene(name)), (
+            f"picture {name} is out of date; draw all anew with "
+            "'python benchmarks/gallery.py resources/scenes docs/scenes.md'"
+        )
 
 
 def test_the_page_of_the_documents_shows_every_scene():
@@ -48,17 +46,16 @@ def test_the_page_of_the_documents_shows_every_scene():
     )
 
 
-@every
-def test_each_names_an_arrangement_and_panels_with_settings_that_there_are(name):
-    scene = ss.scenes.scene(name)
+def test_each_names_a_workspace_and_panels_with_settings_that_there_are():
     panels = {spec.panel.name: spec for spec in PANELS}
-    assert scene.arrangement in {arrangement.name for arrangement in ARRANGEMENTS}
-    assert set(scene.panels) <= panels.keys()
-    view = synthetic_scene(name).view
-    for panel, held in (panel for panel in view.panels if panel[0] in panels):
-        settings = settings_of(view, panel, panels[panel].settings)
-        for field, value in held:
-            assert getattr(settings, field) == value, f"{panel}.{field}"
+    for scene in ss.scenes.all_scenes():
+        assert scene.arrangement in {workspace.name for workspace in WORKSPACES}
+        assert set(scene.panels) <= panels.keys()
+        view = synthetic_scene(scene.name).view
+        for panel, held in (panel for panel in view.panels if panel[0] in panels):
+            settings = settings_of(view, panel, panels[panel].settings)
+            for field, value in held:
+                assert getattr(settings, field) == value, (scene.name, panel, field)
 
 
 def test_the_gallery_lists_all_scenes_and_shows_the_selected_one(window):
@@ -88,8 +85,8 @@ def test_a_scene_is_opened_with_the_keyboard(window, qtbot, settle):
     opened = ss.scenes.open_scene("2B")
     assert window.document.design == opened.design
     assert window.document.view == opened.view
-    assert window.docks["side_by_side"].in_sight
-    maps = window.panel("side_by_side").maps
+    assert window.docks["compare"].in_sight
+    maps = window.panel("compare").maps
     qtbot.waitUntil(lambda: sum(cell.small is not None for cell in maps.content.cells) == 4)
     called = [cell.headings[1] for cell in maps.content.cells]
     assert called == [f"Snapshot {k} · {hz} Hz" for k, hz in enumerate((50, 100, 200, 400), 1)]

@@ -11,7 +11,9 @@ from PySide6.QtGui import QFontMetricsF
 
 from skinsource.signals.resampling import FINER, finer
 from skinsource_gui.plots.curves import Curves, output_names
+from skinsource_gui.plots.pictures import save_drawing
 from skinsource_gui.plots.ranges import wave_of
+from skinsource_gui.plots.signal_view import draw_signals
 from skinsource_gui.qt.theme import LIGHT
 from tests.gui.signal_view.bench import TIME, drawn, header_of, waves
 
@@ -144,22 +146,6 @@ def test_zoomed_in_it_draws_the_tone_itself_through_every_sample(signals, stacke
     assert np.abs(np.interp(at_s, curves.x, curves.y[0]) - tone(at_s)).max() > 0.2
 
 
-def test_its_points_are_not_computed_until_there_are_two_pixels_for_each_sample(signals):
-    asked = []
-    curves = sampled(asked)
-    signals.show_curves(curves, synthetic=False)
-    width = signals.plot.places.row(0).width()
-    signals.set_view(TIME, (0.1, 0.1 + (0.5 * width + 10) / RATE_HZ), stacked=False)
-    assert asked == []
-    assert set(np.diff(drawn(signals)[0].points.x).round(6)) == {round(1 / RATE_HZ, 6)}
-    n_seen = int(0.5 * width - 10)
-    signals.set_view(TIME, (0.1, 0.1 + n_seen / RATE_HZ), stacked=False)
-    [(first, end)] = asked
-    # Of the visible stretch alone.
-    assert (first, end) == (129, 129 + end - first)
-    assert end - first <= n_seen + 4
-
-
 def test_samples_are_marked_where_eight_pixels_lie_between_them(signals):
     curves = sampled([])
     signals.show_curves(curves, synthetic=False)
@@ -199,3 +185,13 @@ def test_values_that_are_not_finite_empty_the_picture(signals):
     signals.show_curves(curves, synthetic=False)
     assert signals.plot.curves is None
     assert "not finite" in signals.plot.message
+
+
+def test_words_above_that_are_too_long_for_a_line_are_broken(signals, tmp_path):
+    long = "made from files that are not the published ones: " + "responses.mat " * 4
+    signals.show_curves(replace(waves(2), heading=("A", long)), synthetic=False)
+    save_drawing(tmp_path / "a.svg", partial(draw_signals, plot=signals.plot), 250, 300)
+    drawing = (tmp_path / "a.svg").read_text("utf-8").replace("\N{NO-BREAK SPACE}", " ")
+    assert "published ones" in drawing
+    assert long not in drawing
+    assert drawing.count("responses.mat") == 4

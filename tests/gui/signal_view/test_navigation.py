@@ -1,15 +1,11 @@
 """The plot of traces and spectra, without a panel."""
 
-import gc
-import weakref
-
 import numpy as np
-import pyqtgraph
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QCursor
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QScrollArea, QVBoxLayout, QWidget
 
 from skinsource_gui.plots.curves import Curves, output_names
 from skinsource_gui.plots.signal_view import SignalView
@@ -197,26 +193,6 @@ def test_a_zoom_that_holds_no_data_says_how_to_leave_it(signals):
     assert "Press 0" in signals.plot.stack.hint.text
     signals.set_view(TIME, None, stacked=False)
     assert signals.plot.stack.hint.text == ""
-
-
-def test_a_closed_view_leaves_no_plot_no_scene_and_no_view_box(qapp):
-    boxes, widgets = set(pyqtgraph.ViewBox.AllViews), set(QApplication.allWidgets())
-    view = SignalView("plot", "Plot")
-    view.show()
-    view.set_view(TIME, None, stacked=True)
-    view.show_curves(waves(5), synthetic=True)
-    view.plot.crosshair.put(10)
-    QApplication.processEvents()
-    assert len(set(pyqtgraph.ViewBox.AllViews) - boxes) == 5
-    gone = [weakref.ref(part) for part in (view, view.plot, view.plot.scene())]
-    view.close()
-    view.deleteLater()
-    del view
-    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    gc.collect()
-    assert [part() for part in gone] == [None, None, None]
-    assert set(pyqtgraph.ViewBox.AllViews) <= boxes
-    assert set(QApplication.allWidgets()) <= widgets
 
 
 def test_a_turn_of_the_wheel_that_began_as_scrolling_is_not_taken_until_it_is_meant(qtbot):

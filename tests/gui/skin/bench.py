@@ -2,7 +2,7 @@
 
 from dataclasses import fields, replace
 
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 
@@ -86,7 +86,3 @@ def wheel(widget, at, notches, modifiers=PLAIN):
 
 def pixel(picture, at):
     return QColor(picture.pixel(at)).getRgb()[:3]
-
-
-def empty_place(window):
-    return QPoint(8, window.panel.map.height() - 120)

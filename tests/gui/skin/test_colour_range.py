@@ -6,8 +6,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
 from skinsource.signals.map_range import map_range_db
-from skinsource_gui.panels.skin.scale import PulledRange
-from skinsource_gui.panels.skin.settings import moved, tick_levels, with_high
+from skinsource_gui.panels.skin.settings import tick_levels
 from skinsource_gui.plots.small_map import COLOURS
 from tests.gui.skin.bench import (
     CONTROL,
@@ -54,15 +53,6 @@ def test_a_handle_pulled_past_the_other_stops_before_it(window):
     bar = window.panel.colour_bar
     drag(bar.strip.low, QPoint(10, 6), QPoint(10, -900))
     assert window.settings.map_range_db == (-11.0, -10.0)
-
-
-def test_a_drag_between_the_handles_moves_both(window):
-    strip = window.panel.colour_bar.strip
-    middle = QPoint(17, strip.height() // 2)
-    drag(strip, middle, middle - QPoint(0, 30))
-    low, high = window.settings.map_range_db
-    assert high > -10.0
-    assert high - low == pytest.approx(50.0)
 
 
 def test_a_double_click_brings_the_automatic_range_back(window):
@@ -112,14 +102,6 @@ def test_an_end_that_leaves_no_room_for_the_other_is_refused_with_a_sentence(win
     assert window.views == []
 
 
-def test_the_switch_holds_the_range_and_frees_it(window):
-    button = window.panel.colour_bar.auto_button
-    QTest.mouseClick(button, LEFT)
-    assert window.settings.map_range_db == (-60.0, -10.0)
-    QTest.mouseClick(button, LEFT)
-    assert window.settings.map_range_db is None
-
-
 def test_ticks_are_round_and_apart():
     assert tick_levels(-66.0, 6.0, room_px=200.0, spacing_px=24.0) == [
         -60,
@@ -149,28 +131,26 @@ def test_the_right_button_on_the_colour_bar_offers_the_colours(window):
     assert not strip.findChildren(QMenu, "colours_menu")
 
 
-def test_the_scale_goes_beyond_the_range_and_follows_it():
-    pulled_range = PulledRange((-60.0, -10.0))
-    assert pulled_range.axis_db == (-66.0, -4.0)
-    pulled_range.show((-60.0, 40.0))
-    assert pulled_range.axis_db == (-72.0, 52.0)
-
-
-def test_while_it_is_held_the_scale_stays_and_it_is_pulled_from_where_it_was():
-    pulled_range = PulledRange((-60.0, -10.0))
-    pulled_range.hold()
-    for part, expected in ((0.1, (-53.8, -3.8)), (0.2, (-47.6, 2.4)), (0.0, (-60.0, -10.0))):
-        assert pulled_range.pulled(moved, part) == expected
-        pulled_range.show(expected)
-        assert pulled_range.axis_db == (-66.0, -4.0)
-    pulled_range.show((-47.6, 2.4))
-    pulled_range.release()
-    assert pulled_range.axis_db == (-53.6, 8.4)
-
-
-def test_nothing_is_wanted_of_a_range_that_is_not_held_or_not_yet_pulled():
-    pulled_range = PulledRange((-60.0, -10.0))
-    assert pulled_range.pulled(moved, 0.5) is None
-    pulled_range.hold()
-    assert pulled_range.pulled(moved, 0.0005) is None
-    assert pulled_range.pulled(lambda held, by: with_high(held, held[1] + by), 0.5) == (-60.0, 21.0)
+def test_the_scale_goes_beyond_the_range_and_stays_while_it_is_dragged(window):
+    bar = window.panel.colour_bar
+    strip, at = bar.strip, QPoint(17, bar.strip.height() // 2)
+    assert strip._axis_db == (-66.0, -4.0)
+    window.show(map_range_db=(-60.0, 40.0))
+    assert strip._axis_db == (-72.0, 52.0)
+    window.show(map_range_db=(-60.0, -10.0))
+    QTest.mousePress(strip, LEFT, PLAIN, at)
+    QTest.mouseMove(strip, at - QPoint(0, 30))
+    up_db = bar.range_db[1] + 10.0
+    assert up_db > 0.0
+    assert strip._axis_db == (-66.0, -4.0)
+    # It is pulled from where it was, and back to it.
+    QTest.mouseMove(strip, at + QPoint(0, 30))
+    assert bar.range_db[1] == pytest.approx(-10.0 - up_db, abs=0.11)
+    QTest.mouseMove(strip, at)
+    assert bar.range_db == (-60.0, -10.0)
+    QTest.mouseMove(strip, at - QPoint(0, 30))
+    QTest.mouseRelease(strip, LEFT, PLAIN, at - QPoint(0, 30))
+    assert strip._axis_db == pytest.approx((-66.0 + up_db, -4.0 + up_db))
+    views = len(window.views)
+    QTest.mouseMove(strip, at)
+    assert len(window.views) == views

@@ -15,7 +15,6 @@ from skinsource.limbs import own_limbs
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.skin import film
-from skinsource_gui.panels.skin import film as film_options_module
 from skinsource_gui.panels.skin.film import (
     FilmOptions,
     export_animation,
@@ -84,13 +83,6 @@ def test_it_begins_as_fast_as_waves_can_be_followed_and_keeps_the_format_of_the_
     )
 
 
-def test_a_limb_that_is_not_measured_along_z_is_filmed_in_magnitude(monkeypatch):
-    facts = own_limbs.facts_of
-    flat = replace(facts("synthetic-1"), axes="xy")
-    monkeypatch.setattr(film_options_module, "facts_of", lambda name: flat)
-    assert film_options(DESIGN, shown("levels"), SIZES).quantity == "magnitude"
-
-
 def test_length_frames_and_size_follow_what_is_chosen(form):
     begin = "50 to 150 ms of the response: "
     assert remark(form) == f"{begin}10 s of film, 601 frames, 0.5 to 2 MB."
@@ -106,15 +98,6 @@ def test_length_frames_and_size_follow_what_is_chosen(form):
     small = remark(form)
     form.findChild(ChoiceField, "layout_field").choose("slide")
     assert remark(form) != small
-
-
-def test_what_is_too_fast_for_its_waves_says_how_fast_it_will_run(form):
-    choose(form, "pace", "1")
-    assert "It runs at 1/20: at 1/1 it would have fewer than two frames" in remark(form)
-    choose(form, "quantity", "magnitude")
-    assert "It runs at 1/50: at 1/1" in remark(form)
-    choose(form, "pace", "200")
-    assert "It runs" not in remark(form)
 
 
 def test_what_cannot_be_written_says_why_and_cannot_be_saved(qtbot):
@@ -138,12 +121,6 @@ def test_what_cannot_be_written_says_why_and_cannot_be_saved(qtbot):
     form._edit("width_px", 5000.0, None)
     assert "expected at most 4096 on a side" in remark(form)
     assert not save.isEnabled()
-
-
-def test_the_window_of_the_sliding_rms_can_be_another_one(form):
-    choose(form, "quantity", "rms")
-    form.findChild(NumberField, "rms_window_s_field").edited.emit(0.075, None)
-    assert form.options.rms_window_s == 0.075
 
 
 def test_along_z_cannot_be_saved_of_a_limb_that_is_not_measured_so(monkeypatch):
@@ -174,13 +151,15 @@ def test_what_was_chosen_is_filmed_and_not_what_the_screen_shows(tmp_path, monke
         "paint_picture",
         lambda painter, size, content, heading, *look: frames.append((content, heading, look)),
     )
-    view = shown("z", View(time_range_s=(0.06, 0.064)), slow_motion=100.0, map_style="sensors")
+    view, chosen_db = View(time_range_s=(0.06, 0.064)), (-60.0, -10.0)
+    view = shown("z", view, 100.0, map_style="sensors", moving_range_db=chosen_db)
     options = FilmOptions(
         width_px=120, height_px=160, quantity="rms", rms_window_s=0.04, part="hand", pace="50"
     )
     whole = VisiblePart(fit="whole")
     export_animation(tmp_path / "a.gif", DESIGN, view, options=options, seen=whole)
-    _content, heading, look = frames[0]
+    content, heading, look = frames[0]
+    assert content.value_range == chosen_db
     assert heading.title == "Skin acceleration, RMS over 40 ms, at 60.0 ms"
     assert heading.details.endswith("1/50 of real time")
     assert look[-1] == VisiblePart(fit="hand")

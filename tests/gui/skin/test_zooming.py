@@ -38,13 +38,6 @@ def test_the_wheel_scrolls_the_dock_where_nothing_is_left_to_zoom_out(window):
     assert wheel(view, at, 1, PLAIN)
 
 
-def test_zooming_out_ends_at_the_whole_outline(window):
-    view = window.panel.map
-    wheel(view, QPoint(150, 100), 3, CONTROL)
-    wheel(view, QPoint(10, 10), -9, CONTROL)
-    assert view.stage.pan_zoom.fit == WHOLE
-
-
 def test_a_drag_with_the_middle_button_pans(window):
     view = window.panel.map
     view.stage.pan_zoom.zoom(4.0, QPointF(150, 200))
@@ -90,21 +83,8 @@ def test_nothing_of_the_outline_is_cut_off_or_covered_at_any_size(window):
             assert not inside.any(), size
 
 
-def test_an_output_reached_by_arrows_comes_into_sight(window):
-    view = window.panel.map
-    room = QRectF(view.rect())
-    view.stage.pan_zoom.show(HAND)
-    hidden = {k for k in range(1, 73) if not room.contains(view.stage.place_of(k))}
-    view.picker.cursor_output, visited = 54, set()
-    for _ in range(12):
-        QTest.keyClick(view, Qt.Key.Key_Down)
-        assert room.contains(view.stage.place_of(view.picker.cursor_output))
-        visited.add(view.picker.cursor_output)
-    assert visited & hidden
-
-
-@pytest.mark.parametrize("zoom", [1.5, 6.0, 25.0])
-@pytest.mark.parametrize("way", [(1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, -1)])
+@pytest.mark.parametrize("zoom", [1.5, 25.0])
+@pytest.mark.parametrize("way", [(1, 0), (0, -1), (1, 1), (-1, -1)])
 def test_the_map_cannot_be_panned_out_of_sight(window, zoom, way):
     view = window.panel.map
     view.stage.pan_zoom.zoom(zoom, QPointF(10, 10))

@@ -33,8 +33,8 @@ def desk(make_desk, design):
 
 
 @pytest.fixture
-def window(make_window, design):
-    return make_window(design, selected(design))
+def window(open_window, design):
+    return open_window(design, selected(design))
 
 
 def opened(actions, qtbot):

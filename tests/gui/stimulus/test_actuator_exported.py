@@ -5,8 +5,7 @@ import json
 import pytest
 
 import skinsource as ss
-from skinsource.actuators.catalog import load
-from skinsource.actuators.equalising import PolePairReplacement, RegularisedInverse, resonance_of
+from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.design.panel_settings import with_settings
 from skinsource.design.view import View
 from skinsource.engine.actuator_demand import ActuatorSettings, actuation_of
@@ -44,8 +43,8 @@ def order_of(form):
     return changes[-1]
 
 
-def test_what_was_chosen_in_the_panel_is_exported_and_said(make_window, qtbot, save_as):
-    window = make_window(DESIGN)
+def test_what_was_chosen_in_the_panel_is_exported_and_said(open_window, qtbot, save_as):
+    window = open_window(DESIGN)
     choose_in_panel(brought_forward(window, qtbot), "actuator", FINGERTIP)
     assert window.document.design.actuated is None
     window.do("export_stimulus")
@@ -71,23 +70,6 @@ def test_what_was_chosen_in_the_panel_is_exported_and_said(make_window, qtbot, s
     page.reject()
 
 
-def test_where_nothing_was_chosen_nothing_is_equalised(page, qtbot):
-    assert page.form.field("actuator").isVisible()
-    assert page.form.field("actuator").value == "none"
-    assert RAW in label(page, "summary")
-
-
-def test_how_the_panel_is_drawn_is_no_choice(form_on):
-    order = order_of(form_on(DESIGN, view_of(picture="step", layout="stacked")))
-    assert order.equaliser is None
-    assert order.actuation is None
-
-
-def test_an_actuator_without_an_equaliser_stays_raw(form_on):
-    order = order_of(form_on(DESIGN, view_of(actuator=FINGERTIP, equaliser="none")))
-    assert order.equaliser is None
-
-
 def test_changed_parameters_and_equaliser_go_with_it(form_on):
     settings = ActuatorSettings(actuator=FINGERTIP, boost_db=6.0).with_parameter(
         "resistance_ohm", 5.5
@@ -96,17 +78,6 @@ def test_changed_parameters_and_equaliser_go_with_it(form_on):
     assert order.actuation == actuation_of(settings)
     assert order.actuation.actuators[0].model.resistance_ohm == 5.5
     assert order.equaliser == RegularisedInverse(boost_db=6.0)
-
-
-def test_another_actuator_gets_a_pole_pair_of_its_own(form_on):
-    form = form_on(DESIGN, view_of(equaliser="pole_pair", new_quality=1.5))
-    form.field("actuator").choose(FINGERTIP)
-    assert order_of(form).equaliser == PolePairReplacement(*resonance_of(load(FINGERTIP)), 1.5)
-
-
-def test_drives_that_are_no_accelerations_start_without_an_equaliser(form_on):
-    design = ss.Design(limb="synthetic-1", scaling="upstream", inputs=DESIGN.inputs)
-    assert order_of(form_on(design, view_of(actuator=FINGERTIP))).equaliser is None
 
 
 @pytest.mark.parametrize("last", ["none", "linear"])

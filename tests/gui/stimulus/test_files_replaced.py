@@ -52,39 +52,3 @@ def test_a_sidecar_that_is_there_without_its_file_is_not_lost_unasked(
     export(desk, page, qtbot)
     assert asked[0] == ["drive.wav.json exists already. Replace it?"]
     assert contents(tmp_path).get("drive.wav.json") == b"mine"
-
-
-def test_who_let_a_file_go_is_not_asked_about_its_sidecar(
-    page, desk, qtbot, save_as, asked, tmp_path
-):
-    path = save_as("drive.wav")
-    for name in ("drive.wav", "drive.wav.json"):
-        (tmp_path / name).write_text("old")
-    export(desk, page, qtbot)
-    assert asked[0] == []
-    assert path.stat().st_size > 1000
-
-
-def test_one_file_per_input_asks_about_each_that_is_there(
-    page, desk, qtbot, save_as, asked, tmp_path
-):
-    choose(page, qtbot, "channels", "files")
-    save_as("drive.wav")
-    for number in (1, 3):
-        (tmp_path / f"drive_input-{number}.wav").write_text("mine")
-    export(desk, page, qtbot)
-    assert asked[0] == [
-        "2 files exist already: drive_input-1.wav, drive_input-3.wav. Replace them?"
-    ]
-    assert not (tmp_path / "drive_input-2.wav").exists()
-
-
-def test_what_a_standard_wants_beside_a_file_is_not_lost_unasked(
-    page, desk, qtbot, save_as, asked, tmp_path
-):
-    choose(page, qtbot, "format", "bids")
-    save_as("sub-1_stim.tsv.gz")
-    (tmp_path / "sub-1_stim.json").write_text("mine")
-    export(desk, page, qtbot)
-    assert asked[0] == ["sub-1_stim.json exists already. Replace it?"]
-    assert contents(tmp_path) == {"sub-1_stim.json": b"mine"}

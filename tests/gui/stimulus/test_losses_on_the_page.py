@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QCheckBox
 import skinsource as ss
 from skinsource.design.view import View
 from tests.gui.stimulus.conftest import opened
-from tests.gui.stimulus.stimulus_bench import WAIT_MS, choose, export, label
+from tests.gui.stimulus.stimulus_bench import choose, export, label
 
 
 @pytest.fixture
@@ -40,10 +40,3 @@ def test_a_lossy_rate_keeps_the_button_off_until_it_is_ticked(low, desk, qtbot, 
     path = save_as("lossy.wav")
     export(desk, low, qtbot)
     assert "loses 5.8 dB" in json.loads((path.parent / "lossy.wav.json").read_text())["loses"]
-
-
-def test_the_rate_of_the_design_needs_no_tick(low, qtbot):
-    choose(low, qtbot, "rate", "1300")
-    qtbot.waitUntil(lambda: low.ready, timeout=WAIT_MS)
-    assert label(low, "problem") == ""
-    assert "loses" not in label(low, "loses")

@@ -7,8 +7,6 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QProgressBar
 
-import skinsource as ss
-from skinsource.base.errors import Stopped
 from skinsource.base.job import stop_if
 from skinsource.export.stimulus_export import preparing
 from skinsource_gui.pages.stimulus import page as preparing_worker
@@ -79,25 +77,3 @@ def test_what_is_said_of_another_order_is_as_pale_as_its_picture(page, qtbot, ga
     qtbot.waitUntil(lambda: page.ready, timeout=WAIT_MS)
     assert not pale(page, "summary")
     assert "at 8 000 Hz" in label(page, "summary")
-
-
-def test_a_refusal_is_not_pale(page, qtbot):
-    page.form.field("map").setText("1")
-    qtbot.waitUntil(lambda: "each channel" in label(page, "problem"), timeout=WAIT_MS)
-    assert not pale(page, "problem")
-    assert not computing_label(page).isVisible()
-
-
-def test_a_stimulus_is_given_up_between_two_of_its_channels():
-    design = ss.Design(limb="synthetic-1", inputs=tuple(ss.track(place) for place in (7, 8, 9)))
-    progress = []
-
-    def note(done, total, text):
-        progress.append((done, total))
-
-    ss.stimulus_of(design, 48_000, progress=note)
-    assert progress == [(0, 3), (1, 3), (2, 3)]
-    progress.clear()
-    with pytest.raises(Stopped):
-        ss.stimulus_of(design, 48_000, progress=note, stop=lambda: len(progress) > 1)
-    assert progress == [(0, 3), (1, 3)]

@@ -1,19 +1,15 @@
 """The page of stimuli remembers how the last one was exported."""
 
-import numpy as np
 import pytest
 from PySide6.QtWidgets import QFileDialog
 
 import skinsource as ss
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
 from skinsource.design.view import View
-from skinsource.engine.stimulus import Channel
-from skinsource.export.formats.format import ChannelOverview
 from skinsource_gui.pages.stimulus.form import StimulusForm, recall, remembered
 from skinsource_gui.pages.stimulus.page import (
     StimulusPage,
     calibration_of,
-    channel_lines,
     summary_of,
 )
 
@@ -70,16 +66,6 @@ def test_choices_of_a_format_are_kept_with_it(form, other):
     assert other.chosen[name] == last
 
 
-@pytest.mark.parametrize(
-    "text",
-    ["", "[]", "{", '{"format": 7, "rate": [], "lead_in": "x", "sync": 3, "choices": 2}',
-     '{"format": "of-a-newer-studio", "lead_in": 1e99}', "[" * 5000],
-)  # fmt: skip
-def test_what_is_not_known_is_left_as_it_is(form, other, text):
-    recall(other, text)
-    assert orders(other) == orders(form)
-
-
 def test_a_rig_that_is_gone_is_said_and_the_rest_is_kept(form, other, tmp_path):
     save_rig(tmp_path / "bench.skinrig", Rig(channels=(RigChannel(place=7),)))
     form.field("format").choose("flac")
@@ -124,14 +110,6 @@ def test_full_scale_in_volts_without_a_rig_is_what_shall_be(qtbot):
     page.reject()
 
 
-def test_levels_of_full_scale_have_no_minus_before_nothing():
-    channel = Channel(number=1, place=7, title="Digit II")
-    full = ChannelOverview(
-        channel=channel, extremes=np.zeros((2, 4)), peak=1.0 - 1e-9, rms=1.0 - 1e-9, clipped=0
-    )
-    assert channel_lines(full)[1] == "peak 0.0 dB, RMS 0.0 dB"
-
-
 def test_a_design_that_is_predicted_through_an_equaliser_is_offered_as_predicted(qtbot):
     equaliser = ss.equalising.RegularisedInverse(boost_db=12.0)
     through = ss.Actuation(actuators=(COIL,), equaliser=equaliser)
@@ -144,29 +122,17 @@ def test_a_design_that_is_predicted_through_an_equaliser_is_offered_as_predicted
     assert not form.field("scale").isHidden()
 
 
-@pytest.fixture
-def window(make_window):
-    return make_window(DESIGN)
-
-
-@pytest.mark.parametrize(
-    ("typed", "written"), [("x", "x_stim.tsv.gz"), ("x.tsv", "x_stim.tsv.gz"),
-                           ("sub-1_stim.tsv.gz", "sub-1_stim.tsv.gz")],
-)  # fmt: skip
-def test_a_name_without_an_ending_gets_all_of_it(
-    window, qtbot, monkeypatch, tmp_path, typed, written
+def test_a_name_without_an_ending_gets_all_of_it_and_the_format_is_remembered(
+    make_desk, qtbot, monkeypatch, tmp_path
 ):
-    name = str(tmp_path / typed)
+    desk, name = make_desk(DESIGN), str(tmp_path / "x.tsv")
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (name, ""))
-    window.do("export_stimulus")
-    page = window.findChild(StimulusPage)
+    desk.stimuli.show()
+    page = desk.stimuli.page
     page.form.field("format").choose("bids")
     qtbot.waitUntil(lambda: page.ready and not page.busy, **WAIT)
     page.accept()
-    qtbot.waitUntil(lambda: (tmp_path / written).exists(), **WAIT)
-    window.do("export_stimulus")
-    again = [
-        other_page for other_page in window.findChildren(StimulusPage) if other_page is not page
-    ][-1]
-    assert again.form.field("format").value == "bids"
-    again.reject()
+    qtbot.waitUntil(lambda: (tmp_path / "x_stim.tsv.gz").exists(), **WAIT)
+    desk.stimuli.show()
+    assert desk.stimuli.page.form.field("format").value == "bids"
+    desk.stimuli.end()

@@ -10,7 +10,7 @@ import skinsource as ss
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
 from skinsource.export.formats import FORMATS
-from skinsource_gui.pages.stimulus.page import duration_text, joined, size_text
+from skinsource_gui.pages.stimulus.page import joined, size_text
 from tests.gui.stimulus.stimulus_bench import WAIT_MS, choose, export, label
 
 
@@ -84,11 +84,6 @@ def test_what_cannot_be_says_why_and_cannot_be_exported(page, qtbot):
     assert label(page, "problem") == ""
 
 
-def test_lossy_formats_say_what_they_lose(page, qtbot):
-    choose(page, qtbot, "samples", "pcm16")
-    assert "98 dB below full scale" in label(page, "loses")
-
-
 def test_a_rig_says_what_is_wired_and_an_equaliser_makes_volts(
     page, desk, qtbot, save_as, monkeypatch, tmp_path
 ):
@@ -116,32 +111,12 @@ def test_a_rig_says_what_is_wired_and_an_equaliser_makes_volts(
     assert metadata["equaliser"]["phase"] == "linear"
 
 
-def test_what_is_no_rig_says_so_and_changes_nothing(page, qtbot, monkeypatch, tmp_path):
-    file = tmp_path / "bench.skinrig"
-    file.write_text("not a rig")
-    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(file), ""))
-    page.form.field("rig").choose("file")
-    assert "bench.skinrig" in label(page, "problem")
-    assert page.form.field("rig").value == "none"
-    assert page.form.rigs.rig is None
-
-
-def test_where_nothing_is_heard_there_is_nothing_to_export(make_window):
-    quiet = make_window(ss.Design(limb="synthetic-1", inputs=(ss.track(7, muted=True),)))
-    assert not quiet.actions_by_name["export_stimulus"].isEnabled()
-
-
 def test_every_format_of_the_table_is_offered_and_shown(page, qtbot):
     for file_format in FORMATS:
         choose(page, qtbot, "format", file_format.name)
         assert page.ready, file_format.name
         for name in file_format.choices:
             assert page.form.field(name).isVisible()
-
-
-def test_lengths_of_time_are_said_as_people_read_them():
-    texts = [duration_text(time_s) for time_s in (37 / 48_000, 0.2, 1.5)]
-    assert texts == ["0.77 ms", "200 ms", "1.5 s"]
 
 
 def test_neighbours_in_the_picture_of_a_channel_meet():

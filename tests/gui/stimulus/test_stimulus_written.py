@@ -5,7 +5,7 @@ import json
 import soundfile
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QCheckBox, QFileDialog, QPushButton
+from PySide6.QtWidgets import QApplication, QCheckBox, QPushButton
 
 from skinsource.engine import stimulus
 from skinsource.export.stimulus_export import sidecar
@@ -106,28 +106,3 @@ def test_what_would_clip_is_shown_and_must_be_confirmed(page, desk, qtbot, save_
     path = save_as("loud.wav")
     export(desk, page, qtbot)
     assert json.loads((path.parent / "loud.wav.json").read_text())["clip_count"] > 0
-
-
-def test_cancel_writes_nothing_and_leaves_no_thread(page, desk, tmp_path):
-    page.form.field("format").choose("hdf5")
-    page.reject()
-    assert not desk.runner.busy
-    assert list(tmp_path.glob("*.h5")) == []
-
-
-def test_no_name_writes_nothing(page_in_window, window, qtbot, monkeypatch):
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: ("", ""))
-    export(window, page_in_window, qtbot)
-    assert "Saved" not in window.statusBar().currentMessage()
-
-
-def test_a_folder_that_is_missing_is_said_to_be(page_in_window, window, qtbot, save_as):
-    save_as("missing/drive.wav")
-    export(window, page_in_window, qtbot)
-    assert "Choose a folder that exists" in window.notice.text
-
-
-def test_closing_the_studio_closes_the_page(page_in_window, window):
-    page_in_window.form.field("format").choose("csv")
-    window.close_unasked()
-    assert window.stimuli.page is None

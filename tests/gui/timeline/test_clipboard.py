@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMenu
+from PySide6.QtWidgets import QApplication
 
 from skinsource_gui.fields.number_field import NumberField
 from tests.gui.timeline.bench import CONTROL
@@ -39,19 +39,6 @@ def test_keys_are_about_words_where_one_types_and_about_clips_in_the_timeline(ac
     for key in (Qt.Key.Key_C, Qt.Key.Key_V):
         QTest.keyClick(QApplication.focusWidget(), key, CONTROL)
     assert len(waveforms(active)) == 2
-
-
-def test_they_stand_in_the_menu_and_say_the_keys_of_the_timeline(active):
-    menus = [menu for menu in active.findChildren(QMenu) if menu.title().replace("&", "") == "Edit"]
-    hints = {action.text(): action.statusTip() for menu in menus for action in menu.actions()}
-    for text, key in (
-        ("Cut clips", "Ctrl+X"),
-        ("Copy clips", "Ctrl+C"),
-        ("Paste clips at playhead", "Ctrl+V"),
-    ):
-        # After a tab: the menu shows it in its column of keys.
-        assert f"({key}, in the timeline)" in hints[f"{text}\t{key}"]
-    assert not active.actions_by_name["copy_clips"].shortcuts()
 
 
 def test_they_work_with_the_timeline_hidden_and_say_what_was_pasted_where(active):

@@ -66,17 +66,3 @@ def test_a_clip_is_dragged_onto_a_place_with_a_track_in_one_step(window, lanes, 
     document.undo_stack.undo()
     assert document.design == TWO_TRACKS
     assert document.view.selected_clips == (2,)
-
-
-def test_beside_the_places_and_back_over_the_lanes_the_place_is_let_go(window, lanes, stage):
-    carry(window, lanes, 2, 3)
-    hand = window.panel("hand")
-    corner = QPointF(lanes.mapFromGlobal(hand.mapToGlobal(hand.rect().topLeft())))
-    send(lanes, QEvent.Type.MouseMove, corner + QPointF(3, 3))
-    assert stage.state.target is None
-    there = next(box.rect.center() for box in lanes.content.boxes if box.clip.id == 4)
-    send(lanes, QEvent.Type.MouseMove, there)
-    send(lanes, QEvent.Type.MouseButtonRelease, there)
-    assert tracks(window) == [(7, [1, 3]), (3, [4, 2])]
-    assert window.document.design.clip(2).onset_s != 0.3
-    assert window.document.undo_stack.count() == 1

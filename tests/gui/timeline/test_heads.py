@@ -4,14 +4,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QContextMenuEvent, QMouseEvent
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
+from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QMenu, QToolButton
 
-from skinsource.design.design import MAX_INPUTS, Design
+from skinsource.design.design import Design
 from skinsource.design.view import View
-from skinsource.design.waveforms.pulses import Noise
 from skinsource.design.waveforms.samples import Recording
 from skinsource.design.waveforms.tones import Tone
 from skinsource.specs.samples import Samples
@@ -19,6 +18,7 @@ from skinsource_gui.fields.inputs import FieldChanges
 from skinsource_gui.panels.timeline.content import shown_gain_curves
 from skinsource_gui.panels.timeline.head_row import row_places
 from skinsource_gui.qt.keys import key_text
+from skinsource_gui.qt.labels import how_to_add
 from tests.gui.timeline.bench import (
     ALT,
     CONTROL,
@@ -48,7 +48,7 @@ def test_there_is_one_row_for_each_input_and_without_any_it_says_what_to_do(benc
     bench.show(Design(limb="synthetic-1"))
     label = bench.panel.findChild(QLabel, "inputs_empty")
     assert label.isVisible()
-    assert label.text() == "Click a place on the hand to add a track"
+    assert label.text() == how_to_add("a track")
     assert bench.rows.rows == ()
 
 
@@ -158,61 +158,6 @@ def test_keys_act_on_all_that_are_selected_in_one_step(bench, key, modifiers, la
     assert bench.labels == [label]
 
 
-def test_a_key_toggles_one_input_and_its_label_names_the_place(bench):
-    for key in (KEY.Key_M, KEY.Key_M, KEY.Key_S):
-        bench.key(key)
-    names = ["Mute input at 7 (II pad)", "Unmute input at 7 (II pad)", "Solo input at 7 (II pad)"]
-    assert bench.labels == names
-    assert bench.row(0).solo.isChecked()
-    assert not bench.design.inputs[0].muted
-
-
-def test_removing_selects_a_neighbour_and_keeps_what_else_is_selected(bench):
-    bench.key(KEY.Key_Down)
-    bench.key(KEY.Key_Delete)
-    assert (bench.places, bench.view.selected_input) == ([7, 15], 3)
-    click(bench.row(0).remove)
-    assert (bench.places, bench.view.selected_input) == ([15], 3)
-    bench.requests.clear()
-    bench.key(KEY.Key_Delete)
-    assert (bench.places, bench.requests) == ([], ["edit"])
-
-
-def test_ctrl_d_duplicates_the_selected_input_in_a_colour_of_its_own(bench):
-    bench.show(bench.design.with_input(0, amplitude=3.0).with_clip(1, waveform=Noise(seed=4)))
-    bench.key(KEY.Key_D, CONTROL)
-    copy, original = bench.design.inputs[3], bench.design.inputs[0]
-    assert replace(copy, colour=0, id=1, clips=original.clips) == original
-    assert replace(copy.clips[0], id=1) == original.clips[0]
-    assert (copy.colour, copy.id) == (3, 4)
-    assert bench.view.selected_input == 4
-    bench.show(design_of(*[1] * MAX_INPUTS))
-    bench.key(KEY.Key_D, CONTROL)
-    assert str(MAX_INPUTS) in bench.refusals[-1]
-
-
-def test_buttons_act_on_all_selected_rows_or_on_their_own_alone(bench):
-    bench.key(KEY.Key_Down, SHIFT)
-    click(bench.row(0).mute)
-    assert [track.muted for track in bench.design.inputs] == [True, True, False]
-    click(bench.row(2).solo)
-    assert [track.solo for track in bench.design.inputs] == [False, False, True]
-    assert bench.view.selected_inputs == (1, 2)
-    click(bench.row(0).remove)
-    assert bench.places == list(PLACES[1:])
-
-
-def test_alt_and_arrows_reorder_and_the_selection_goes_along(bench):
-    bench.key(KEY.Key_Down, ALT)
-    assert bench.places == [2, 7, 15]
-    bench.key(KEY.Key_Down, ALT)
-    bench.key(KEY.Key_Down, ALT)
-    assert bench.places == [2, 15, 7]
-    bench.key(KEY.Key_Up, ALT)
-    assert bench.places == [2, 7, 15]
-    assert bench.view.selected_inputs == (1,)
-
-
 @pytest.mark.parametrize("given_up", [False, True])
 def test_a_row_is_dragged_between_two_others_unless_escape_gives_it_up(bench, given_up):
     rows, start = bench.rows, bench.row(0).mapTo(bench.rows, WORDS)
@@ -244,43 +189,6 @@ def test_an_amplitude_is_typed_for_its_row_or_for_all_selected_ones(bench):
     QTest.keyClicks(bench.row(0).amplitude, "4")
     bench.key(KEY.Key_Return)
     assert [track.amplitude for track in bench.design.inputs] == [4.0, 4.0, 1.0]
-
-
-def test_an_arrow_key_moves_the_amplitudes_of_all_by_as_much(bench):
-    bench.show(bench.design.with_input(1, amplitude=2.0))
-    bench.key(KEY.Key_Down, SHIFT)
-    field = bench.row(1).amplitude
-    field.setFocus()
-    for _ in range(2):
-        QTest.keyClick(field, KEY.Key_Up)
-    first, other, third = (each.amplitude for each in bench.design.inputs)
-    assert other > 2.0
-    assert first - 1.0 == pytest.approx(other - 2.0)
-    assert third == 1.0
-
-
-def test_a_drag_of_the_amplitude_is_one_gesture_and_ends_when_its_input_goes(bench):
-    row = bench.row(0)
-    field = row.amplitude
-    start = field.rect().center()
-
-    def move(way):
-        here = QPointF(start + QPoint(way, 0))
-        on_screen = QPointF(field.mapToGlobal(here.toPoint()))
-        kind, no_button = QEvent.Type.MouseMove, Qt.MouseButton.NoButton
-        QApplication.sendEvent(field, QMouseEvent(kind, here, on_screen, no_button, LEFT, NONE))
-
-    QTest.mousePress(field, LEFT, pos=start)
-    for way in (20, 40, 60):
-        move(way)
-    assert len(bench.edits) == 3
-    assert len({gesture for _, _, gesture in bench.edits}) == 1
-    assert bench.design.inputs[0].amplitude == 1.75
-    assert bench.row(0) is row
-    bench.show(bench.design.without_input(0))
-    move(80)
-    QTest.mouseRelease(field, LEFT, pos=start)
-    assert len(bench.edits) == 3
 
 
 def test_tab_leads_through_the_selected_row_only_and_keys_stay_when_that_goes(bench):

@@ -2,16 +2,12 @@
 
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QHelpEvent
-from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QInputDialog, QMenu, QToolTip
+from PySide6.QtWidgets import QApplication, QInputDialog, QMenu
 
-from skinsource.base.errors import InvalidInputError
-from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.panels.timeline.content import overlapping, overlaps_of
-from tests.gui.timeline.bench import CONTROL, LEFT, SHIFT
+from tests.gui.timeline.bench import SHIFT
 
 _Key = Qt.Key
 
@@ -32,18 +28,6 @@ def test_keys_act_on_the_clip_that_the_inspector_shows_where_none_is_selected(la
     assert lanes.view.selected_clips == ()
     lanes.key(_Key.Key_M)
     assert [clip.muted for clip in lanes.design.inputs[0].clips] == [True, False, False]
-
-
-def test_what_could_not_be_copied_is_not_cut(lanes, monkeypatch):
-    def refuse(*_):
-        raise InvalidInputError("too many bytes")
-
-    monkeypatch.setattr(edits, "fragment_text", refuse)
-    lanes.click(lanes.middle(3))
-    before = lanes.design
-    QTest.keyClick(lanes.lanes, _Key.Key_X, CONTROL)
-    assert lanes.design == before
-    assert lanes.refusals == ["too many bytes."]
 
 
 @pytest.fixture
@@ -138,22 +122,6 @@ def test_overlaps_are_where_two_clips_or_more_play():
     assert overlaps_of([]) == []
 
 
-def test_a_clip_below_is_dragged_and_opened_once_it_is_selected(over):
-    first, small = (clip.id for clip in over.design.inputs[0].clips[:2])
-    place, opened = over.at(0.25), []
-    over.lanes.opened.connect(opened.append)
-    while over.view.selected_clips != (small,):
-        over.click(place)
-    # A double click begins with a click, which goes on to the next clip.
-    over.click(place)
-    QTest.mouseDClick(over.lanes.viewport(), LEFT, pos=place.toPoint())
-    assert opened == [small]
-    assert over.view.selected_clips == (small,)
-    over.drag(place, place + over.px(0.1))
-    assert over.onset(small) == pytest.approx(0.3, abs=0.003)
-    assert over.onset(first) == 0.0
-
-
 def test_a_key_and_the_menu_reach_clips_that_overlap(over, menu_at):
     ids = [clip.id for clip in over.design.inputs[0].clips]
     over.click(over.at(0.05))
@@ -170,11 +138,3 @@ def test_a_key_and_the_menu_reach_clips_that_overlap(over, menu_at):
     assert [line.text() for line in lines] == ["Tone · 0 ms", "Tone · 200 ms"]
     lines[0].trigger()
     assert over.view.selected_clips == (ids[0],)
-
-
-def test_the_pointer_is_told_how_many_clips_are_here(over):
-    at = over.at(0.25).toPoint()
-    view = over.lanes.viewport()
-    event = QHelpEvent(QEvent.Type.ToolTip, at, view.mapToGlobal(at))
-    QApplication.sendEvent(view, event)
-    assert QToolTip.text() == "2 clips here: click again, or O, for the next"

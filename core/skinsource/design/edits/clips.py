@@ -372,9 +372,8 @@ def paste_fragment(design: Design, view: View, fragment: Fragment, at_s: float) 
     because a clip that lies exactly on its original cannot be seen.
     """
     count = sum(len(lane.clips) for lane in fragment.lanes)
-    outcome = _with_fragment(
-        design, view, fragment, at_s, f"Paste {_count_text(count)}", _selected_row(design, view)
-    )
+    label = "Paste clip" if count == 1 else f"Paste {count} clips"
+    outcome = _with_fragment(design, view, fragment, at_s, label, _selected_row(design, view))
     if isinstance(outcome, Refusal):
         return outcome
     over = ", on top of what was copied" if _has_clip_on_its_equal(outcome.design, design) else ""
@@ -484,7 +483,3 @@ def fragment_from(words: str) -> Fragment:
     """
     fragment: Fragment = models.decode(codec.from_text(words, FORMAT), (Fragment,), Address())
     return fragment
-
-
-def _count_text(count: int) -> str:
-    return "clip" if count == 1 else f"{count} clips"

@@ -279,7 +279,6 @@ def _allowed_factor(factor: float) -> float:
     return min(max(short(factor), spec.minimum), spec.maximum)
 
 
-@refusing
 def _with_clip(
     design: Design, view: View, verb: str, clip: Clip, changes: dict[str, Any]
 ) -> Edit | Refusal:
@@ -311,7 +310,6 @@ def remove_time(design: Design, view: View, start_s: float, end_s: float) -> Edi
     return _shifted(design, view, "Remove time", start_s, end_s, start_s - end_s)
 
 
-@refusing
 def _shifted(
     design: Design, view: View, label: str, start_s: float, end_s: float, by_s: float
 ) -> Edit | Refusal:

@@ -161,7 +161,6 @@ def _with_effect(design: Design, id: int, index: int) -> Clip:
     raise InvalidInputError(_NO_EFFECT)
 
 
-@refusing
 def _with_effect_field(
     design: Design, view: View, verb: str, clip: Clip, index: int, name: str, value: Any
 ) -> Edit | Refusal:
@@ -170,7 +169,6 @@ def _with_effect_field(
     return _with_effects(design, view, verb, (clip,), {clip.id: effects})
 
 
-@refusing
 def _with_effects(
     design: Design,
     view: View,
@@ -413,7 +411,6 @@ def _targets(design: Design, view: View, ids: Iterable[int], name: str) -> list[
     return [target for target in pairs if name in fields_of(target.track, target.clip)]
 
 
-@refusing
 def _with_values(
     design: Design, view: View, name: str, values: list[tuple[_Target, Any]]
 ) -> Edit | Refusal:
@@ -430,7 +427,6 @@ def _with_values(
     return change_inputs(design, view, verb, changes, clip_changes)
 
 
-@refusing
 def _with_waveforms(
     design: Design, view: View, ids: Iterable[int], waveform: Callable[[Clip], Waveform]
 ) -> Edit | Refusal:

@@ -4,8 +4,8 @@ from dataclasses import replace
 from typing import Any
 
 from skinsource.actuators.actuation import Actuation
-from skinsource.base.measurement_conditions import ALL_AXES, Axes
-from skinsource.base.quoting import quoted
+from skinsource.base.measurement_conditions import ALL_AXES
+from skinsource.base.quoting import lowered, quoted
 from skinsource.design.clips import Clip
 from skinsource.design.comparing import louder
 from skinsource.design.design import Design, Input, audible_inputs
@@ -14,7 +14,6 @@ from skinsource.design.edits.edit import Edit, Refusal, change_view, refusing
 from skinsource.design.effects.level import BandLimit
 from skinsource.design.labels import SCALINGS, label_of
 from skinsource.design.view import View
-from skinsource.limbs.limb import LimbFacts
 from skinsource.limbs.own_limbs import axes_on, facts_of
 from skinsource.perception.validity import Finding
 
@@ -26,7 +25,9 @@ def change_limb(design: Design, view: View, limb: str) -> Edit | Refusal:
     if facts is None or not facts.known:
         return Refusal(sentence=f"No limb is called {quoted(limb)}; choose one of the list.")
     after = replace(design, limb=limb, limb_digest=facts.digest)
-    view = replace(view, axes=_fitting_axes(view.axes, facts_of(design.limb), facts))
+    chose_all = view.axes in (facts_of(design.limb).axes, ALL_AXES)
+    axes = facts.axes if chose_all else axes_on(limb, view.axes)
+    view = replace(view, axes=axes)
     return Edit(label=f"Change limb to {facts.title}", design=after, view=view)
 
 
@@ -39,8 +40,8 @@ def change_scaling(design: Design, view: View, scaling: Any) -> Edit | Refusal:
             "through an actuator. Switch off Predict through the actuator first."
         )
     after = replace(design, scaling=scaling)
-    title = label_of(SCALINGS, scaling).title
-    return Edit(label=f"Change scaling to {title[:1].lower()}{title[1:]}", design=after, view=view)
+    title = lowered(label_of(SCALINGS, scaling).title)
+    return Edit(label=f"Change scaling to {title}", design=after, view=view)
 
 
 @refusing
@@ -79,13 +80,6 @@ def remove_delay(design: Design, view: View, removed: bool) -> Edit | Refusal:
 def play_slower(design: Design, view: View, slow_motion: Any) -> Edit | Refusal:
     """Choose how many times slower than in reality the animation plays."""
     return change_view(design, view, "Change slow motion", slow_motion=slow_motion)
-
-
-def _fitting_axes(axes: Axes, before: LimbFacts, after: LimbFacts) -> Axes:
-    """Return the axes for another limb: all if all were chosen, else those that it has too."""
-    if axes in (before.axes, ALL_AXES):
-        return after.axes
-    return axes_on(after.name, axes)
 
 
 _NEEDS_PROBE = (
@@ -132,7 +126,6 @@ def mend(design: Design, view: View, finding: Finding) -> Edit | Refusal:
     return _NO_REPAIR
 
 
-@refusing
 def _band_limited(design: Design, view: View) -> Edit | Refusal:
     """Add a band limit as last effect to each clip of the audible inputs."""
     audible_ids = {track.id for track in audible_inputs(design.inputs)}

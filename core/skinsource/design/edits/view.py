@@ -84,7 +84,6 @@ def set_gain_curve(
     return change_inputs(design, view, "Change gain curve of", {id: {"gain_curve": points}})
 
 
-@refusing
 def _with_marker(
     design: Design, view: View, label: str, index: int, **changes: Any
 ) -> Edit | Refusal:

@@ -14,13 +14,14 @@ import numpy as np
 
 from skinsource.base.arrays import Floats
 from skinsource.base.assets import data_folder, user_folder
-from skinsource.base.errors import FileFormatError, InvalidInputError, SkinSourceError, StorageError
+from skinsource.base.errors import FileFormatError, InvalidInputError, SkinSourceError
 from skinsource.base.files import (
     make_folder,
     path_exists,
     path_text,
     read_bytes,
     reason_of,
+    storage_errors_of,
     write_bytes,
 )
 from skinsource.base.json_text import MAX_TEXT_BYTES
@@ -297,13 +298,8 @@ def delete_preset(folder: Path, path: Path) -> None:
         The preset is not in ``folder``.
     """
     _check_own(folder, path)
-    try:
+    with storage_errors_of(path):
         path.unlink(missing_ok=True)
-    except OSError as error:
-        raise StorageError(
-            f"{path_text(path)}: cannot be deleted ({reason_of(error)}). Look whether another "
-            "program holds it, or whether the folder is read-only."
-        ) from error
 
 
 def _check_own(folder: Path, path: Path) -> None:

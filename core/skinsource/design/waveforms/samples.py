@@ -23,15 +23,28 @@ SAMPLES = SamplesSpec(label="Samples", hint="What was drawn")
 SWELL = Samples(values=window("hanning", 130), sample_rate_hz=SAMPLE_RATE_HZ)
 
 
-def _convert_samples(waveform: "Drawn | Recording") -> None:
-    """Convert an array or a list to samples at 1300 Hz."""
-    if isinstance(waveform.samples, np.ndarray | list | tuple):
-        samples = Samples(values=np.asarray(waveform.samples), sample_rate_hz=SAMPLE_RATE_HZ)
-        object.__setattr__(waveform, "samples", samples)
+class HoldsSamples:
+    """A waveform of given samples."""
+
+    __slots__ = ()
+
+    samples: Samples
+
+    def __post_init__(self) -> None:
+        """Convert an array or a list to samples at 1300 Hz, and check the fields."""
+        if isinstance(self.samples, np.ndarray | list | tuple):
+            samples = Samples(values=np.asarray(self.samples), sample_rate_hz=SAMPLE_RATE_HZ)
+            object.__setattr__(self, "samples", samples)
+        fields.check(self)
+
+    @property
+    def duration_s(self) -> float:
+        """Length."""
+        return self.samples.duration_s
 
 
 @dataclass(frozen=True, slots=True)
-class Drawn:
+class Drawn(HoldsSamples):
     """Samples as they were drawn, without scaling; 1 is the peak of other waveforms.
 
     The signal is the band-limited one that the samples describe.  ``samples(sample_rate_hz)``
@@ -47,15 +60,6 @@ class Drawn:
 
     samples: Samples = fields.field(SAMPLES, SWELL)
 
-    def __post_init__(self) -> None:
-        _convert_samples(self)
-        fields.check(self)
-
-    @property
-    def duration_s(self) -> float:
-        """Length."""
-        return self.samples.duration_s
-
 
 RECORDING_SAMPLES = SamplesSpec(label="Samples", unit=None, hint="What was recorded")
 NAME = TextSpec(label="Name", longest=200, one_line=True, hint="Where it comes from")
@@ -67,7 +71,7 @@ SOURCE_RATE = OptionalSpec(
 
 
 @dataclass(frozen=True, slots=True)
-class Recording:
+class Recording(HoldsSamples):
     """Samples of a recording, without scaling, so that the peak is the recorded one.
 
     The signal is the band-limited one that the samples describe.  ``samples(sample_rate_hz)``
@@ -90,15 +94,6 @@ class Recording:
     samples: Samples = fields.field(RECORDING_SAMPLES, SWELL)
     name: str = fields.text("", NAME)
     source_rate_hz: float | None = fields.field(SOURCE_RATE, None)
-
-    def __post_init__(self) -> None:
-        _convert_samples(self)
-        fields.check(self)
-
-    @property
-    def duration_s(self) -> float:
-        """Length."""
-        return self.samples.duration_s
 
 
 TEXT = TextSpec(

@@ -10,7 +10,6 @@ from dataclasses import replace
 import numpy as np
 import scipy
 
-from skinsource.actuators.equalising import Equaliser
 from skinsource.actuators.rigs import Margin, Rig, RigChannel, highest_gain
 from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
@@ -131,7 +130,8 @@ class Mixer:
             rows = on_two_ears(turned_up(parts, rate_hz, output.shift_hz))
             outputs, titles = list(_EARS), list(_EARS.values())
         else:
-            sent = stimulus if rig is None else for_rig(stimulus, rig, _equaliser_of(design))
+            equaliser = None if design.actuated is None else design.actuated.equaliser
+            sent = stimulus if rig is None else for_rig(stimulus, rig, equaliser)
             rows = self.rows.at(sent.samples, own_hz, rate_hz)
             wired = outputs_by_place(design, output, rig)
             places = [channel.place for channel in stimulus.channels if channel.place is not None]
@@ -163,10 +163,6 @@ class Mixer:
                 margin = highest_gain(rig, [place], row[np.newaxis], rate_hz, repeated=repeated)
             self._margins[key] = margin
         return min([Margin(), *self._margins.values()], key=lambda margin: margin.factor)
-
-
-def _equaliser_of(design: Design) -> Equaliser | None:
-    return None if design.actuated is None else design.actuated.equaliser
 
 
 def loop_of(design: Design, duration_s: float, *, loops: bool) -> tuple[float, float] | None:

@@ -26,7 +26,7 @@ from skinsource.base.errors import (
     StorageError,
     UnknownLimbError,
 )
-from skinsource.base.files import is_file, is_folder
+from skinsource.base.files import is_file, is_folder, storage_errors_of
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.base.measurement_conditions import HAND_LENGTHS_MM, N_INPUTS
 from skinsource.base.quoting import quoted
@@ -81,7 +81,9 @@ class StoreInfo:
     @property
     def note(self) -> str:
         """What the user should know of the source; empty where all files are the published ones."""
-        return _note_on(self.unpublished)
+        if not self.unpublished:
+            return ""
+        return f"made from files that are not the published ones: {', '.join(self.unpublished)}"
 
 
 def store_path() -> Path:
@@ -230,12 +232,6 @@ def _label(name: str) -> str:
     return f"limb {limb}, input {location}" if location else name
 
 
-def _note_on(unpublished: tuple[str, ...]) -> str:
-    if not unpublished:
-        return ""
-    return f"made from files that are not the published ones: {', '.join(unpublished)}"
-
-
 def _check_number(number: int) -> None:
     if number not in published.LIMBS:
         raise UnknownLimbError(
@@ -296,13 +292,8 @@ def remove() -> None:
         A file cannot be deleted.
     """
     for path in installed_files():
-        try:
+        with storage_errors_of(path):
             path.unlink(missing_ok=True)
-        except OSError as error:
-            raise StorageError(
-                f"{path}: cannot be deleted ({error.strerror or error}). Close the programs that "
-                "use it, then try again."
-            ) from error
     for folder in (download_folder() / MAP_FOLDER, download_folder()):
         # What someone else put there stays, and so does its folder.
         with suppress(OSError):

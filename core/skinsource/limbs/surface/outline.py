@@ -8,16 +8,12 @@ beside them that do.
 """
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 import scipy
 
 from skinsource.base.arrays import Booleans, Floats, Indices
 from skinsource.base.errors import InvalidInputError
-
-if TYPE_CHECKING:
-    pass
 
 
 def distinct_vertices(outline: Floats) -> Indices:

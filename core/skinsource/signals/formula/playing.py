@@ -1,5 +1,7 @@
 """Computes the samples of a formula."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from skinsource.base.arrays import Floats
@@ -66,13 +68,7 @@ def _compute(step: Step, grid: Grid, stack: list[Value]) -> None:
 
 def _not_finite(program: Program, grid: Grid, index: int) -> FormulaError:
     """Return the error for a sample that is no number; compute it alone to find the step."""
-    alone = Grid(
-        first=grid.first + index,
-        count=1,
-        rate_hz=grid.rate_hz,
-        shift_s=grid.shift_s,
-        duration_s=grid.duration_s,
-    )
+    alone = replace(grid, first=grid.first + index, count=1)
     column, text, value = 1, "", np.nan
     stack: list[Value] = []
     with np.errstate(all="ignore"):

@@ -1,10 +1,8 @@
 """Measures ways of computing the cases, of this program and of others: error against time."""
 
-import csv
-import io
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import asdict, dataclass, fields, replace
+from dataclasses import astuple, dataclass, fields, replace
 from functools import partial
 from io import BytesIO
 from itertools import count
@@ -19,6 +17,7 @@ from skinsource.base.arrays import Floats
 from skinsource.base.extras import package_of_extra
 from skinsource.base.files import write_bytes
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
+from skinsource.base.quoting import csv_text
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.design.waveforms.samples import Recording
@@ -290,11 +289,7 @@ def table_text(rows: Sequence[Row]) -> str:
 
 def table_csv(rows: Sequence[Row]) -> str:
     """Return the rows as CSV with a header; numbers are not rounded."""
-    text = io.StringIO(newline="")
-    writer = csv.DictWriter(text, [field.name for field in fields(Row)], lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(asdict(row) for row in rows)
-    return text.getvalue()
+    return csv_text([field.name for field in fields(Row)], map(astuple, rows))
 
 
 #: Errors beyond these are drawn at the edge.

@@ -75,11 +75,6 @@ class Scene:
         return "\n".join(lines)
 
 
-def design_title(scene: Scene, label: str) -> str:
-    """Return the title of the design of a scene with this label."""
-    return f"Fig. {scene.name}: {scene.title}{' · ' if label else ''}{label}"
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Condition:
     """One of the designs that a scene compares.
@@ -146,8 +141,8 @@ def reason_against(designs: tuple[Design, ...], view: View, limb: str) -> str:
         return f"It compares {people} people, and this is one limb."
     if view.axes == "z" and "z" not in facts.axes:
         return f"It is about motion along z, and this limb measures along {axes_text(facts.axes)}."
-    side_by_side = dict(dict(view.panels).get("side_by_side", ()))
-    if side_by_side.get("of") == "axes" and len(facts.axes) < 2:
+    comparison = dict(dict(view.panels).get("compare", ()))
+    if comparison.get("of") == "axes" and len(facts.axes) < 2:
         return f"It compares axes, and this limb measures along {axes_text(facts.axes)} alone."
     n_played, n_mapped = len(_places_of(designs)), len(_mapped_places(facts))
     if n_played > n_mapped:
@@ -205,7 +200,7 @@ def opened_on(
         return replace(
             changed.design,
             inputs=inputs,
-            title=design_title(scene, label),
+            title=f"Fig. {scene.name}: {scene.title}{' · ' if label else ''}{label}",
             notes=f"{scene.notes}\n{note}",
         )
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from hashlib import sha256
 from itertools import groupby
-from typing import Any, Literal, get_args
+from typing import Literal, get_args
 
 import numpy as np
 
@@ -231,8 +231,11 @@ def _input_with(track: Input, field: str, value: Value) -> Input | None:
     """Return the input with ``field`` set; None: it has no such field."""
     if field in OF_INPUT:
         return replace(track, **{field: value})  # type: ignore[arg-type]
-    clips = _changed_clips(track.clips, lambda clip: _clip_with(clip, field, value))
-    return None if clips is None else replace(track, clips=clips)
+    changed = [_clip_with(clip, field, value) for clip in track.clips]
+    if all(clip is None for clip in changed):
+        return None
+    clips = (after or before for before, after in zip(track.clips, changed, strict=True))
+    return replace(track, clips=tuple(clips))
 
 
 def _clip_with(clip: Clip, field: str, value: Value) -> Clip | None:
@@ -241,16 +244,6 @@ def _clip_with(clip: Clip, field: str, value: Value) -> Clip | None:
     if field not in specs_of(clip.waveform):
         return None
     return replace(clip, waveform=replace(clip.waveform, **{field: value}))  # type: ignore[type-var]
-
-
-def _changed_clips(
-    clips: Iterable[Clip], change: Callable[[Clip], Clip | None]
-) -> tuple[Clip, ...] | None:
-    """Return clips, changed where that is possible; None: no clip can be changed."""
-    pairs: list[tuple[Clip, Any]] = [(clip, change(clip)) for clip in clips]
-    if all(changed is None for _, changed in pairs):
-        return None
-    return tuple(changed or clip for clip, changed in pairs)
 
 
 Kind = Literal["given", "random", "counterbalanced"]

@@ -4,31 +4,30 @@ from __future__ import annotations
 
 import os
 import tomllib
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import nullcontext
 from dataclasses import dataclass
 from math import isfinite
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 from skinsource.actuators.prediction import Limits
-from skinsource.base.arguments import checking, integer, one_of, real_number
+from skinsource.base.arguments import checking, integer, real_number
 from skinsource.base.errors import FileFormatError, InvalidInputError
 from skinsource.base.files import FilePath, path_text, read_bytes
 from skinsource.base.job import Progress, Stop, never, silent
-from skinsource.base.measurement_conditions import AXES, Axes
+from skinsource.base.measurement_conditions import Axes
 from skinsource.base.quoting import printable, quoted, sentence
 from skinsource.design.design import Design
 from skinsource.design.design_file import open_design
 from skinsource.lab.matching import Strengths, read_matches
-from skinsource.signals.projection import METHODS, Method
+from skinsource.signals.projection import Method
 from skinsource.signals.resampling import MAX_RATE_HZ
 from skinsource.specs.models import specs_of
 from skinsource.studies.sweeps.measuring import measured_here
 from skinsource.studies.sweeps.metrics import Metrics
 from skinsource.studies.sweeps.plan import (
     HIGHEST_DB,
-    KINDS,
     LEVELS,
     LOWEST_DB,
     Level,
@@ -49,13 +48,9 @@ _WORTH_PROCESSES = 50
 Designs = Design | FilePath | Sequence[Design | FilePath]
 #: Values by the name of the variable.
 Variables = Mapping[str, Iterable[Any]]
-
-
-class Measuring(Protocol):
-    """Yields the metrics, or errors, of some stimuli of a plan, in any order."""
-
-    def __call__(self, plan: Plan, numbers: Iterable[int], stop: Stop) -> Iterator[Row]:
-        """Measure; raise `skinsource.base.errors.Stopped` once ``stop`` says so."""
+#: Yields the metrics, or errors, of some stimuli of a plan, in any order; raises
+#: `skinsource.base.errors.Stopped` once the last argument says so.
+Measuring = Callable[[Plan, Iterable[int], Stop], Iterator[Row]]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -354,11 +349,9 @@ def _sweep(content: dict[str, Any], folder: Path) -> Sweep:
     plan = Plan(
         designs=named_designs(files),
         variables=variables_of(_table(content, "vary")),
-        outputs=tuple(
-            integer("an output", output, 1, _MOST) for output in _list(content, "outputs")
-        ),
-        axes=one_of("axes", content.get("axes", "xyz"), AXES),
-        method=one_of("method", content.get("method", "pca"), METHODS),
+        outputs=tuple(_list(content, "outputs")),
+        axes=content.get("axes", "xyz"),
+        method=content.get("method", "pca"),
         **level_of(_level(content, folder)),
         limits=_limits(content),
         level_db=None
@@ -388,7 +381,7 @@ def _order(content: dict[str, Any]) -> Order | None:
     table = _table(content, "trials")
     _check_keys("trials", table)
     return Order(
-        kind=one_of("order", table.get("order", "random"), KINDS),
+        kind=table.get("order", "random"),
         seed=table.get("seed", 0),
         participants=table.get("participants", 1),
         blocks=table.get("blocks", 1),

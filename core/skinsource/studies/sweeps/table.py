@@ -5,13 +5,11 @@ a line that was cut or damaged does not count, and its stimulus is measured agai
 names the plan.
 """
 
-import csv
-import io
 import json
 import math
 import os
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import astuple, dataclass, fields
 from hashlib import sha256
 from itertools import count
 from pathlib import Path
@@ -24,18 +22,18 @@ from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError, StorageError
 from skinsource.base.extras import package_of_extra
 from skinsource.base.files import (
-    advice_on_writing,
     make_folder,
     path_exists,
     path_text,
     read_bytes,
-    reason_of,
     replacing,
+    storage_errors_of,
     write_bytes,
 )
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.base.lock import Lock
-from skinsource.base.quoting import cell_text, quoted
+from skinsource.base.quoting import cell_text, csv_text, quoted
+from skinsource.design.comparing import louder
 from skinsource.design.design import Design
 from skinsource.export.formats import format_named
 from skinsource.export.stimulus_export.export import export_stimulus
@@ -44,7 +42,7 @@ from skinsource.export.stimulus_export.preparing import prepare_stimulus
 from skinsource.export.stimulus_export.sidecar import sidecar_path
 from skinsource.signals.resampling import MAX_RATE_HZ
 from skinsource.studies.sweeps.metrics import Metrics, columns_of
-from skinsource.studies.sweeps.plan import Order, Plan, trials
+from skinsource.studies.sweeps.plan import Order, Plan, Trial, trials
 from skinsource.version import __version__
 
 Cell = bool | int | float | str
@@ -120,11 +118,8 @@ def table_of(plan: Plan, outcomes: dict[int, Metrics | str]) -> SweepTable:
 
 def write_csv(table: SweepTable, path: Path) -> None:
     """Write the table as CSV: one header line; floats read back exactly, no value is empty."""
-    text = io.StringIO(newline="")
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(table.columns)
-    writer.writerows(map(_as_text, row) for row in table.rows)
-    write_bytes(path, text.getvalue().encode())
+    rows = (map(_as_text, row) for row in table.rows)
+    write_bytes(path, csv_text(table.columns, rows).encode())
 
 
 def write_parquet(table: SweepTable, path: Path) -> None:
@@ -137,7 +132,7 @@ def write_parquet(table: SweepTable, path: Path) -> None:
     """
     arrow: Any = package_of_extra("pyarrow", "parquet")
     parquet: Any = package_of_extra("pyarrow.parquet", "parquet")
-    columns = {name: _uniform(table.column(name)) for name in table.columns}
+    columns = {name: table.column(name).tolist() for name in table.columns}
     with replacing(path) as temporary:
         parquet.write_table(arrow.table(columns), temporary)
 
@@ -163,11 +158,6 @@ def _as_text(value: Cell) -> str:
         return str(value)
     # The shortest digits that read back as the same number.
     return str(int(value)) if value.is_integer() and abs(value) < 2**53 else repr(value)
-
-
-def _uniform(values: np.ndarray) -> list[Any]:
-    plain: list[Any] = values.tolist()
-    return plain
 
 
 _MOST_BYTES = 2**32
@@ -204,7 +194,7 @@ class Journal:
         self.rows: dict[int, Metrics | str] = {}
         first = _line({"sweep": digest})
         content = read_bytes(path, most=_MOST_BYTES) if path_exists(path) else b""
-        try:
+        with storage_errors_of(path):
             if first.startswith(content):
                 content = b""
             elif not _is_nearly(content[: len(first)], first):
@@ -217,16 +207,8 @@ class Journal:
             self._file = path.open("r+b" if path_exists(path) else "w+b")
             self._file.truncate(n_complete)
             self._file.seek(n_complete)
-        except OSError as error:
-            raise _unwritable(path, error) from error
         if not content:
             self._write(first)
-
-    def __enter__(self) -> "Journal":
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
 
     def add(self, number: int, outcome: Metrics | str) -> None:
         """Store the metrics, or error, of a stimulus, from 1; a second time changes nothing."""
@@ -249,12 +231,10 @@ class Journal:
                 self.rows[int(tree["stimulus"])] = _outcome_of(tree)
 
     def _write(self, line: bytes) -> None:
-        try:
+        with storage_errors_of(self.path):
             self._file.write(line)
             self._file.flush()
             os.fsync(self._file.fileno())
-        except OSError as error:
-            raise _unwritable(self.path, error) from error
 
 
 def _line(tree: dict[str, Any]) -> bytes:
@@ -305,12 +285,6 @@ def _outcome_of(tree: dict[str, Any]) -> Metrics | str:
     return {
         name: math.nan if value is None else float(value) for name, value in tree["metrics"].items()
     }
-
-
-def _unwritable(path: Path, error: OSError) -> StorageError:
-    return StorageError(
-        f"{path_text(path)}: cannot be written ({reason_of(error)}). {advice_on_writing(error)}"
-    )
 
 
 #: The journal; it stays, so that a sweep that is run again has nothing to do.
@@ -386,14 +360,8 @@ def _trials_csv(order: Order, table: SweepTable) -> bytes:
     """Return the trials as CSV, without stimuli that could not be measured."""
     failed = table.failed
     stimuli = [number for row in table.rows if (number := int(row[0])) not in failed]
-    text = io.StringIO(newline="")
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(("participant", "block", "trial", "stimulus"))
-    writer.writerows(
-        (trial.participant, trial.block, trial.trial, trial.stimulus)
-        for trial in trials(order, stimuli)
-    )
-    return text.getvalue().encode()
+    columns = tuple(field.name for field in fields(Trial))
+    return csv_text(columns, map(astuple, trials(order, stimuli))).encode()
 
 
 #: Name of the folder of the stimuli as files that actuators play.
@@ -488,11 +456,3 @@ class StimulusFiles:
             largest = max(largest, float(np.abs(prepared.drives.samples).max(initial=0.0)))
         # A little more, so that no sample is rounded beyond it.
         return largest * (1.0 + 2.0**-50) or 1.0
-
-
-def louder(design: Design, factor: float) -> Design:
-    """Return the design with all amplitudes times ``factor``."""
-    if factor == 1.0 or math.isnan(factor):
-        return design
-    inputs = (replace(track, amplitude=track.amplitude * factor) for track in design.inputs)
-    return replace(design, inputs=tuple(inputs))

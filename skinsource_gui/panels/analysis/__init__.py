@@ -1,0 +1,1 @@
+"""Panel of analysis: views of the prediction, one of which is chosen."""

@@ -1,0 +1,413 @@
+"""RMS levels by region, of snapshots and of all people's limbs."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import ClassVar
+
+import numpy as np
+from PySide6.QtCore import QEvent, QSize, Qt
+from PySide6.QtGui import QFont, QResizeEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QBoxLayout,
+    QSizePolicy,
+    QTableWidget,
+    QTableWidgetItem,
+    QWidget,
+)
+
+from skinsource.base.decibels import FLOOR_DB
+from skinsource.design.comparing import (
+    REGION_OUTPUTS,
+    mean_and_spread,
+    region_levels_db,
+    related_limbs,
+)
+from skinsource.design.design import Design
+from skinsource.design.labels import LIMBS, label_of, signal_label, span_label
+from skinsource.design.view import View
+from skinsource.limbs.limb import PUBLISHED
+from skinsource.limbs.own_limbs import missing_limb
+from skinsource_gui.fields.units import minus
+from skinsource_gui.panels.analysis.view import AnalysisView
+from skinsource_gui.plots.figure import NoteLabel
+from skinsource_gui.qt.fitting import SteadyArea
+from skinsource_gui.qt.labels import set_table_look
+from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.questions import copied_level
+from skinsource_gui.qt.theme import UNIT_PX, scaled, tabular
+from skinsource_gui.state.compared import (
+    LEVELS_MATCHED,
+    Compared,
+    display_gain_text,
+    gain_db,
+    have_matching_level,
+    matched_text,
+)
+from skinsource_gui.state.panel import COMPUTING
+
+#: Message for own limbs.
+NO_REGIONS = "Of an own limb it is not known which outputs lie in which region"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Column:
+    """A column of the table: its title, a hint, and a number for each region.
+
+    ``head`` is the title in two narrow lines, if it has any; ``full_title`` is the title in a
+    spreadsheet; ``computing``: there are no numbers yet.
+    """
+
+    title: str
+    hint: str
+    numbers: tuple[float, ...]
+    head: str = ""
+    synthetic: bool = False
+    computing: bool = False
+    full_title: str = ""
+
+    @property
+    def has_levels(self) -> bool:
+        """Whether any number is a level: a missing limb and silence have none."""
+        return any(np.isfinite(level_db) and level_db > FLOOR_DB for level_db in self.numbers)
+
+    def texts(self) -> list[str]:
+        """Return the shown texts: a dash for no level, dots while it is computed."""
+        if self.computing:
+            return ["…"] * len(self.numbers)
+        return [
+            "–"
+            if not np.isfinite(level_db) or level_db <= FLOOR_DB
+            else f"{level_db:z.1f}".replace("-", "−")
+            for level_db in self.numbers
+        ]
+
+
+def columns_of(snapshots: Sequence[Compared], *, matched: bool) -> list[Column]:
+    """Return columns of snapshots, if any is stored; ``matched``: they have matching levels."""
+    if len(snapshots) < 2:
+        return []
+    columns = [_column(*_stored(snapshot), snapshot) for snapshot in snapshots]
+    if not matched:
+        return columns
+    gains = [
+        f", {LEVELS_MATCHED} ({minus(f'{gain_db(snapshot):+z.1f}')} dB)" for snapshot in snapshots
+    ]
+    return [
+        replace(column, hint=f"{column.hint}{gain}") if column.has_levels else column
+        for column, gain in zip(columns, gains, strict=True)
+    ]
+
+
+def columns_of_people(people: Sequence[Compared]) -> list[Column]:
+    """Return columns of people, their mean, and their standard deviation."""
+    columns = [_column(*_names(person), person) for person in people]
+    known = [column.numbers for column in columns if np.isfinite(column.numbers).all()]
+    # A mean of the limbs that are computed first would change while others are computed.
+    computing = any(person.values is None and not person.problem for person in people)
+    if len(known) > 1 and not computing:
+        by_region = np.array(known).T
+        pairs = [mean_and_spread(levels) for levels in by_region]
+        # Silence is not a level, so that there is no spread around it.
+        audible = [bool(np.all(levels > FLOOR_DB)) for levels in by_region]
+        over_people = f"over {len(known)} people, dB"
+        columns.append(
+            Column(
+                title="Mean",
+                hint=f"Mean {over_people} re 1 m/s²",
+                numbers=tuple(mean for mean, _ in pairs),
+                full_title=f"Mean over {len(known)} people",
+            )
+        )
+        columns.append(
+            Column(
+                title="± dB",
+                head="±\ndB",
+                hint=f"Standard deviation {over_people}",
+                full_title=f"Standard deviation {over_people}",
+                numbers=tuple(
+                    spread if is_audible else float("nan")
+                    for (_, spread), is_audible in zip(pairs, audible, strict=True)
+                ),
+            )
+        )
+    return columns
+
+
+def _limb(compared: Compared) -> str:
+    return compared.snapshot.design.limb
+
+
+def _names(compared: Compared) -> tuple[str, str]:
+    """Return title and head of a limb; a computed limb is called synthetic."""
+    number = _limb(compared).rpartition("-")[2]
+    if _is_synthetic(compared):
+        return f"Synthetic {number}", f"Syn.\n{number}"
+    return f"Limb {number}", f"Limb\n{number}"
+
+
+def _stored(compared: Compared) -> tuple[str, str]:
+    """Return title and head of a snapshot."""
+    return (
+        (f"{compared.name}, synthetic", f"{compared.name}\nsyn.")
+        if _is_synthetic(compared)
+        else (compared.name, "")
+    )
+
+
+def _is_synthetic(compared: Compared) -> bool:
+    return _limb(compared).startswith("synthetic-")
+
+
+def _column(title: str, head: str, compared: Compared) -> Column:
+    kind = "synthetic" if _is_synthetic(compared) else "measured"
+    full_title = title if kind in title.lower() else f"{title}, {kind}"
+    if _limb(compared) not in PUBLISHED:
+        full_title = title
+    column = partial(
+        Column, title=title, head=head, synthetic=_is_synthetic(compared), full_title=full_title
+    )
+    nothing = (float("nan"),) * len(REGION_OUTPUTS)
+    if compared.values is None:
+        computing = not compared.problem
+        return column(hint=compared.problem or COMPUTING, numbers=nothing, computing=computing)
+    if _limb(compared) not in PUBLISHED:
+        return column(hint=NO_REGIONS, numbers=nothing)
+    rms = 10.0 ** (compared.values["output_levels_db"] / 20.0)
+    levels = region_levels_db(rms * compared.gain)
+    limb = label_of(LIMBS, _limb(compared)).title
+    return column(hint=f"{title}: dB re 1 m/s², {limb}", numbers=tuple(levels.values()))
+
+
+def tab_separated(columns: Sequence[Column]) -> str:
+    """Return the table for a spreadsheet; a cell is empty where the panel shows a dash."""
+    titles = (column.full_title or column.title for column in columns)
+    lines = ["\t".join(("region_db_re_1_m_per_s2", *titles))]
+    for row, region in enumerate(REGION_OUTPUTS):
+        lines.append(
+            "\t".join((region, *(copied_level(column.numbers[row]) for column in columns)))
+        )
+    return "\n".join(lines) + "\n"
+
+
+#: Relative size of the text, with which six columns fit beside the names of regions.
+_TEXT = 0.9
+# Height of a row beyond that of its name.
+_ROW_PX = 1
+#: Shorter names for narrow panels.
+_SHORT = {"Back of the hand": "Back", "Wrist, palm side": "W. palm"}
+
+
+class RegionTable(QTableWidget):
+    """A table with a row for each region; its height fits all rows, the area around it scrolls."""
+
+    def __init__(self, name: str, title: str) -> None:
+        super().__init__(len(REGION_OUTPUTS), 0)
+        self.setObjectName(name)
+        self.setAccessibleName(title)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        set_table_look(self)
+        # The names stay visible while columns are scrolled.
+        self.verticalHeader().show()
+        self.fit_font(self.font())
+
+    @property
+    def needed_px(self) -> int:
+        """Width that shows all columns beside full names."""
+        return self._names_px() + self.horizontalHeader().length() + 2 * self.frameWidth()
+
+    def show_columns(self, columns: Sequence[Column]) -> None:
+        """Show these columns in their order."""
+        self.setColumnCount(len(columns))
+        right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        for k, column in enumerate(columns):
+            head = QTableWidgetItem(column.head or column.title)
+            head.setToolTip(column.hint)
+            self.setHorizontalHeaderItem(k, head)
+            for row, text in enumerate(column.texts()):
+                item = QTableWidgetItem(text)
+                item.setTextAlignment(right)
+                item.setToolTip(column.hint)
+                self.setItem(row, k, item)
+        self.setVisible(bool(columns))
+        self._name_rows()
+        self._fit_height()
+
+    def fit_font(self, base: QFont) -> None:
+        """Take over the font of the surroundings."""
+        font = scaled(tabular(base), _TEXT)
+        for part in (self, self.horizontalHeader(), self.verticalHeader()):
+            part.setFont(font)
+        self._name_rows()
+        self._fit_height()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._name_rows()
+
+    def event(self, event: QEvent) -> bool:
+        done = super().event(event)
+        if event.type() == QEvent.Type.LayoutRequest:
+            self._fit_height()
+        return done
+
+    def _fit_height(self) -> None:
+        head = self.horizontalHeader().sizeHint().height()
+        bar = self.horizontalScrollBar()
+        below = bar.sizeHint().height() if bar.maximum() > 0 else 0
+        self.setFixedHeight(head + self.verticalHeader().length() + below + 2 * self.frameWidth())
+
+    def _names_px(self) -> int:
+        return max(map(self.fontMetrics().horizontalAdvance, REGION_OUTPUTS)) + 2 * UNIT_PX
+
+    def _name_rows(self) -> None:
+        """Show the names of regions, shorter ones where the numbers need the room."""
+        names = list(REGION_OUTPUTS)
+        if self.needed_px > self.width():
+            names = [_SHORT.get(name, name) for name in names]
+        self.setVerticalHeaderLabels(names)
+        for row, name in enumerate(REGION_OUTPUTS):
+            item = self.verticalHeaderItem(row)
+            item.setToolTip(name)
+            # When it is shown, the header takes over the font of its surroundings.
+            item.setFont(self.font())
+        rows = self.verticalHeader()
+        rows.setDefaultSectionSize(max(map(rows.sectionSizeHint, range(rows.count()))) + _ROW_PX)
+
+
+_NEEDS = frozenset({"output_levels_db"})
+
+
+class RegionsView(AnalysisView):
+    """A row for each region, a column for each design or person, mean and spread.
+
+    Attributes
+    ----------
+    stored, table
+        The tables of snapshots and of people.
+    """
+
+    title: ClassVar[str] = "Regions"
+    name: ClassVar[str] = "regions"
+    compares: ClassVar[bool] = True
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setMinimumSize(240, 120)
+        self._limbs: tuple[str, ...] = ()
+        self._matched = False
+        self._snapshots: Sequence[Compared] = ()
+        self._on_limbs: Sequence[Compared] = ()
+        self.columns: list[Column] = []
+        self._about = self._shifted = ""
+        self.about = NoteLabel("regions_about")
+        self.stored = RegionTable("regions_stored", "RMS levels of snapshots by region")
+        self.table = RegionTable("regions_table", "RMS levels of people by region")
+        self._tables = (self.stored, self.table)
+        bar = in_row((self.about, 1), margins=(UNIT_PX, 1, UNIT_PX // 2, 1))
+        in_column(bar, (self._scrolled(), 1), of=self, margins=0, gap_px=0)
+        self.setFocusProxy(self.table)
+        self.computed = (self.table,)
+
+    @property
+    def needs_of_snapshots(self) -> frozenset[str]:
+        return _NEEDS
+
+    @property
+    def needs_on_limbs(self) -> Mapping[str, frozenset[str]]:
+        return dict.fromkeys(self._limbs, _NEEDS)
+
+    def sizeHint(self) -> QSize:
+        return QSize(460, 300)
+
+    def show_state(self, design: Design, view: View) -> None:
+        self._matched = view.levels_matched
+        # For other limbs it is unknown which outputs lie in which region.
+        self._limbs = related_limbs(design.limb) if design.limb in PUBLISHED else ()
+        if self._on_limbs and not self._limbs:
+            self.show_on_limbs(())
+        if not self._limbs:
+            missing = missing_limb(design.limb, design.limb_digest).rstrip(".")
+            self._about = missing or NO_REGIONS
+            self._show_about()
+            return
+        signal = signal_label(view.axes, view.method)
+        people = display_gain_text(design, view)
+        parts = f"RMS in dB re 1 m/s², {signal}", span_label(view.span), "no sensor on the palm"
+        self._about = " · ".join([*parts, *([f"people: {people}"] if people else [])])
+        self._show_about()
+
+    def show_snapshots(self, compared: Sequence[Compared]) -> None:
+        self._snapshots = compared
+        self._show_columns()
+
+    def show_on_limbs(self, compared: Sequence[Compared]) -> None:
+        self._on_limbs = compared
+        self.show_stale(any(person.is_stale for person in compared))
+        self._show_columns()
+
+    def table_text(self) -> str:
+        return tab_separated(self.columns)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._put_in_order()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            for table in self._tables:
+                table.fit_font(self.font())
+            self._put_in_order()
+
+    def _show_columns(self) -> None:
+        matched = have_matching_level(self._snapshots, matched=self._matched)
+        stored = columns_of(self._snapshots, matched=matched)
+        has_gain = matched and any(column.has_levels for column in stored)
+        self._shifted = (matched_text(self._snapshots) or LEVELS_MATCHED) if has_gain else ""
+        people = columns_of_people(self._on_limbs)
+        self.columns = [*stored, *people]
+        computing = any(column.computing for column in self.columns)
+        self.offer_copy(not computing and any(column.has_levels for column in self.columns))
+        self.stored.show_columns(stored)
+        self.table.show_columns(people)
+        self._show_about()
+        self._put_in_order()
+
+    def _scrolled(self) -> SteadyArea:
+        """Return a scroll area with the tables, side by side where they have room."""
+        inside = QWidget()
+        self._box = QBoxLayout(QBoxLayout.Direction.TopToBottom, inside)
+        self._box.setContentsMargins(0, 0, 0, 0)
+        self._box.setSpacing(UNIT_PX)
+        for table in self._tables:
+            self._box.addWidget(table, 0, Qt.AlignmentFlag.AlignTop)
+        self._box.addStretch(1)
+        area = SteadyArea()
+        area.setObjectName("regions_scroll")
+        area.setFrameShape(SteadyArea.Shape.NoFrame)
+        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        area.setWidget(inside)
+        # It takes the room that there is, so that the dock around it does not scroll as well.
+        area.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
+        return area
+
+    def _put_in_order(self) -> None:
+        needed = sum(table.needed_px for table in self._tables if not table.isHidden()) + UNIT_PX
+        beside = needed <= self.width()
+        ways = QBoxLayout.Direction
+        self._box.setDirection(ways.LeftToRight if beside else ways.TopToBottom)
+        # Side by side the tables share the remaining room; otherwise it stays below them.
+        for k in range(self._box.count()):
+            self._box.setStretch(k, int(beside == (k < len(self._tables))))
+
+    def _show_about(self) -> None:
+        some = any(column.synthetic for column in self.columns)
+        note = " · syn.: a synthetic limb, computed" if some else ""
+        # Only the columns of snapshots have a display gain.
+        shifted = f" · snapshots: {self._shifted}" if self._shifted else ""
+        self.about.say(f"{self._about}{shifted}{note}")

@@ -1,0 +1,142 @@
+"""The views of Analysis, and the settings of the panel and its views, saved with a design."""
+
+from dataclasses import dataclass
+
+from skinsource.specs import fields
+from skinsource.specs.spec import ChoiceSpec, SwitchSpec
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ViewSpec:
+    """One view of Analysis.
+
+    Attributes
+    ----------
+    name
+        Name of the view: that of its module, of its settings, and in `AnalysisSettings`.
+    title
+        Title in the chooser.
+    answer
+        Sentence on what it answers.
+    """
+
+    name: str
+    title: str
+    answer: str
+
+
+#: In the order of the chooser.
+VIEWS: tuple[ViewSpec, ...] = (
+    ViewSpec(
+        name="statistics",
+        title="Statistics",
+        answer="How strong is each selected output, at which frequency, and when does it begin?",
+    ),
+    ViewSpec(
+        name="regions",
+        title="Regions",
+        answer="How strong are fingers, hand, wrist and forearm, and how do people differ?",
+    ),
+    ViewSpec(
+        name="wave",
+        title="Wave speed",
+        answer="How fast does the wave travel along the selected outputs, and what does it lose?",
+    ),
+    ViewSpec(
+        name="main_axis",
+        title="Main axis",
+        answer="In which direction does the skin move most at each selected output?",
+    ),
+    ViewSpec(
+        name="transfer",
+        title="Transfer",
+        answer="How does each selected output answer the selected input at each frequency?",
+    ),
+    ViewSpec(
+        name="perception",
+        title="Perception",
+        answer="How far above the threshold of detection is each selected output?",
+    ),
+    ViewSpec(
+        name="spectrogram",
+        title="Spectrogram",
+        answer="Which frequencies does an output have, and when?",
+    ),
+    ViewSpec(
+        name="linearity",
+        title="Linearity",
+        answer="Do outputs grow in proportion to inputs, and do inputs add up?",
+    ),
+    ViewSpec(
+        name="windowed",
+        title="Time windows",
+        answer="How strong is the skin in each time window, and how far does it reach?",
+    ),
+)
+
+SHOWN = ChoiceSpec(
+    label="View",
+    options=tuple((view.name, view.title) for view in VIEWS),
+    hint="What is analysed; only what is chosen here is computed",
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AnalysisSettings:
+    """Which view is ``shown``."""
+
+    shown: str = fields.choice(VIEWS[0].name, SHOWN)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+
+COHERENCE = SwitchSpec(label="Coherence", hint="In place of the magnitude")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TransferSettings:
+    """Whether ``coherence`` is drawn in place of the magnitude."""
+
+    coherence: bool = fields.switch(False, COHERENCE)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+
+VELOCITY = SwitchSpec(
+    label="In mm/s",
+    hint="Tell strengths as the largest velocity of the probe, in place of the amplitude",
+)
+BANDS = SwitchSpec(
+    label="By band",
+    hint="Draw and copy outputs in bands of 2 Hz, those at 50, 100, 200 and 400 Hz, in place of "
+    "the RMS over all",
+)
+EVERY_OUTPUT = SwitchSpec(
+    label="All outputs",
+    hint="Draw adjusted R² of the worst of all outputs and their median, and copy that of each, in "
+    "place of the selected ones",
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LinearitySettings:
+    """How outputs are compared with the strengths of inputs.
+
+    Attributes
+    ----------
+    velocity
+        Whether strengths are velocities of the probe, where these are known.
+    bands
+        Whether outputs are those in bands.
+    every_output
+        Whether adjusted R² is shown for all outputs, not for the selected ones.
+    """
+
+    velocity: bool = fields.switch(False, VELOCITY)
+    bands: bool = fields.switch(False, BANDS)
+    every_output: bool = fields.switch(False, EVERY_OUTPUT)
+
+    def __post_init__(self) -> None:
+        fields.check(self)

@@ -1,0 +1,246 @@
+"""How fast a wave travels along the selected outputs, and what it loses."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any, ClassVar
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
+from PySide6.QtWidgets import QWidget
+
+from skinsource.base.arrays import Booleans, Floats
+from skinsource.design.comparing import match_text
+from skinsource.design.design import Design
+from skinsource.design.signal_path import Voice
+from skinsource.design.view import View
+from skinsource.engine.analysis_rules import LineWave
+from skinsource.signals.analysis.wave_speed import LEAST_EXPLAINED, LEAST_STRAIGHT, TravellingWave
+from skinsource_gui.fields.units import minus
+from skinsource_gui.panels.analysis.view import FigureView
+from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
+from skinsource_gui.qt.questions import copied_level, copied_number
+from skinsource_gui.qt.theme import UNIT_PX, current_theme
+from skinsource_gui.state.compared import SILENT
+
+_DOT_PX, _REACH_PX = 4.0, 14.0
+_DISTANCE_TITLE = "Way along the line (mm)"
+
+
+class WavePicture(Figure):
+    """Two diagrams side by side: delay and level."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__("wave_picture", "Delay and level along the line", parent)
+        self.content: LineWave | None = None
+        self._ranks: tuple[int, ...] = ()
+        self._matched = ""
+        self._diagrams: list[tuple[Axes, Floats]] = []
+
+    def show_wave(self, content: LineWave, ranks: tuple[int, ...], matched: str) -> None:
+        """Take over what to show; ``ranks`` are those of the outputs in the selection.
+
+        ``matched``: text on how much louder or softer than stored it is, or "".
+        """
+        self.content, self._ranks, self._matched = content, ranks, matched
+        self.say("")
+        self.read_again()
+
+    def draw(self, painter: QPainter, room: QRectF) -> None:
+        if self.content is None:
+            return
+        wave = self.content.wave
+        metrics = QFontMetricsF(painter.font())
+        halves = _halves(room)
+        distance = Axis(shown=_range_around(wave.distance_m), title=_DISTANCE_TITLE, factor=1e3)
+        delay = Axis(shown=_range_around(wave.delay_s), title="Delay (ms)", factor=1e3)
+        title = ", ".join(filter(None, (f"Level {self.content.axis} (dB)", self._matched)))
+        level = Axis(shown=_range_around(wave.level_db), title=title)
+        self._diagrams = []
+        slowness = 1.0 / wave.speed_m_per_s
+        for area, axis, values, slope, used in (
+            (halves[0], delay, wave.delay_s, slowness, wave.timed),
+            (halves[1], level, wave.level_db, -wave.attenuation_db_per_cm * 100.0, wave.counted),
+        ):
+            painter.save()
+            # Labels of y begin at the left edge of their half.
+            painter.translate(area.left(), area.top())
+            axes = fitted_axes(QRectF(0, 0, area.width(), area.height()), distance, axis, metrics)
+            axes.paint(painter, current_theme())
+            painter.setClipRect(axes.frame.adjusted(-_DOT_PX, -_DOT_PX, _DOT_PX, _DOT_PX))
+            self._draw_fit(painter, axes, values[used], wave.distance_m[used], slope)
+            places = self._draw_dots(painter, axes, wave.distance_m, values, used)
+            painter.restore()
+            self._diagrams.append((axes, places + np.array([area.left(), area.top()])))
+
+    def read(self, at: QPointF) -> str:
+        if self.content is None:
+            return ""
+        wave, outputs = self.content.wave, self.content.outputs
+        for _, places in self._diagrams:
+            distances = np.hypot(*(places - (at.x(), at.y())).T)
+            if np.isfinite(distances).any() and np.nanmin(distances) <= _REACH_PX:
+                k = int(np.nanargmin(distances))
+                left_out = "" if wave.counted[k] else " · left out: silent or mostly noise"
+                if wave.counted[k] and not wave.timed[k]:
+                    left_out = " · no delay: too unlike the first"
+                delay = f"{wave.delay_s[k] * 1e3:.2f} ms, " if np.isfinite(wave.delay_s[k]) else ""
+                return minus(
+                    f"{outputs[k]}: {wave.distance_m[k] * 1e3:.0f} mm, {delay}"
+                    f"{wave.level_db[k]:z.1f} dB, alike {wave.similarity[k]:.0%}{left_out}"
+                )
+        return ""
+
+    def _draw_fit(
+        self, painter: QPainter, axes: Axes, values: Floats, x: Floats, slope: float
+    ) -> None:
+        if not np.isfinite(slope):
+            return
+        ends = np.array([x.min(), x.max()])
+        middle = float(values.mean())
+        painter.setPen(QPen(QColor(current_theme().dim), 1.2, Qt.PenStyle.DashLine))
+        painter.drawPolyline(axes.polygon(ends, middle + slope * (ends - x.mean())))
+
+    def _draw_dots(
+        self, painter: QPainter, axes: Axes, x: Floats, values: Floats, used: Booleans
+    ) -> Floats:
+        places = axes.to_screen(x, values)
+        for rank, place, counted in zip(self._ranks, places, used, strict=True):
+            if not np.isfinite(place).all():
+                continue
+            colour = current_theme().output_colour(rank)
+            painter.setPen(QPen(colour, 1.5))
+            painter.setBrush(colour if counted else Qt.BrushStyle.NoBrush)
+            painter.drawEllipse(QPointF(*place), _DOT_PX, _DOT_PX)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        return places
+
+
+def _halves(room: QRectF) -> tuple[QRectF, QRectF]:
+    """Return two halves, side by side where the room is wide enough."""
+    if room.width() >= 1.2 * room.height():
+        half = room.width() / 2
+        left = QRectF(room.left(), room.top(), half - UNIT_PX / 2, room.height())
+        return left, left.translated(half + UNIT_PX / 2, 0)
+    half = room.height() / 2
+    top = QRectF(room.left(), room.top(), room.width(), half)
+    return top, top.translated(0, half)
+
+
+def _range_around(values: Floats) -> tuple[float, float]:
+    """Return a range with some room around values; any range where there are none."""
+    known = values[np.isfinite(values)]
+    if not known.size:
+        return 0.0, 1.0
+    low, high = float(known.min()), float(known.max())
+    air = 0.08 * (high - low) or max(abs(high) * 0.1, 1e-3)
+    return low - air, high + air
+
+
+_LINE = "The line goes through the selected outputs, in the order in which they were selected"
+_OVERLAP = "waves of several inputs overlap"
+_ABOUT = "Along {axis}; distances on the map, delays of the group"
+
+
+class WaveView(FigureView):
+    """Delay and level over the distance, and speed and attenuation from them."""
+
+    title: ClassVar[str] = "Wave speed"
+    name: ClassVar[str] = "wave"
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        self.picture = WavePicture()
+        super().__init__(self.picture, parent)
+        self.about = self.add_above("wave_about")
+        self.about.say(_ABOUT.format(axis="z"))
+        self.about.setToolTip(
+            f"{_LINE}. Delays are where the envelope of the cross-correlation with the first "
+            "output is highest; outputs that are mostly noise are left out. A speed takes a line "
+            f"whose ends are at least {LEAST_STRAIGHT:.0%} of its way apart, and delays of "
+            f"whose variance the way explains {LEAST_EXPLAINED:.0%} or more."
+        )
+        self.choices.addWidget(self.about, 1)
+        self.say_instead(self.no_outputs)
+
+    @property
+    def needs(self) -> frozenset[str]:
+        return frozenset({"line_wave", "shown_outputs", "limb_data", "match_gain", "voices"})
+
+    def show_state(self, design: Design, view: View) -> None:
+        self.show_selection(view, fewest=2)
+
+    def show_results(self, results: Mapping[str, Any]) -> None:
+        line: LineWave | None = results["line_wave"]
+        if line is None:
+            self.say_instead(self.no_outputs)
+            return
+        if not line.wave.similarity.any():
+            self.say_instead(SILENT)
+            return
+        outputs = results["shown_outputs"]
+        self.offer_copy(True)
+        self.about.say(_ABOUT.format(axis=line.axis))
+        ranks = tuple(outputs.index(output) for output in line.outputs)
+        self.picture.show_wave(line, ranks, match_text(results["match_gain"]))
+        left_out = len(outputs) - len(line.outputs)
+        note = f" · {left_out} not on the map" if left_out else ""
+        synthetic = " · synthetic limb" if results["limb_data"].synthetic else ""
+        several = f" · {_OVERLAP}" if _has_several_places(results["voices"]) else ""
+        self.show_result(f"{wave_text(line.wave)}{several}{note}{synthetic}")
+
+    def table_text(self) -> str:
+        content = self.picture.content
+        if content is None or self.picture.message:
+            return ""
+        wave = content.wave
+        header = ("output", "way_mm", "delay_ms", f"level_{content.axis}_db", "alike")
+        lines = ["\t".join((*header, "counted", "timed"))]
+        distances = wave.distance_m * 1e3, wave.delay_s * 1e3
+        for k, output in enumerate(content.outputs):
+            distance, delay = (copied_number(values[k]) for values in distances)
+            numbers = (
+                distance,
+                delay,
+                copied_level(wave.level_db[k]),
+                copied_number(wave.similarity[k]),
+            )
+            used = ("yes" if flags[k] else "no" for flags in (wave.counted, wave.timed))
+            lines.append("\t".join((str(output), *numbers, *used)))
+        return "\n".join(lines) + "\n"
+
+    @property
+    def no_outputs(self) -> str:
+        return (
+            "Select two or more outputs on the skin map, one after the other along a line: "
+            "Shift+click adds one"
+        )
+
+
+def wave_text(wave: TravellingWave) -> str:
+    """Return speed and attenuation, with their uncertainty as far as it is known."""
+    speed = "No speed: the arrival is not later farther away"
+    if wave.counted.sum() < 2:
+        return "fewer than two outputs are more than noise"
+    if wave.timed.sum() < 2:
+        speed = "No speed: the shapes are too unlike"
+    elif wave.straight < LEAST_STRAIGHT:
+        speed = "No speed: the selected outputs do not go one way"
+    elif wave.explained < LEAST_EXPLAINED or wave.speed_deviation_m_per_s >= abs(
+        wave.speed_m_per_s
+    ):
+        speed = "No speed: delays do not grow in step with the distance"
+    elif np.isfinite(wave.speed_m_per_s):
+        speed = f"Speed {wave.speed_m_per_s:.1f}{_spread(wave.speed_deviation_m_per_s, 1)} m/s"
+    loss = f"{wave.attenuation_db_per_cm:.2f}{_spread(wave.attenuation_deviation_db_per_cm, 2)}"
+    # Through two points there is always a line.
+    alone = 2 in (wave.timed.sum(), wave.counted.sum())
+    unsure = " · two outputs: no uncertainty" if alone else ""
+    return f"{speed} · attenuation {loss} dB/cm, spreading included{unsure}".replace("-", "−")
+
+
+def _has_several_places(voices: Sequence[Voice]) -> bool:
+    """Return whether waves come from several places: then none of them is seen alone."""
+    return len({voice.location for voice in voices if voice.audible and voice.amplitude != 0.0}) > 1
+
+
+def _spread(deviation: float, decimals: int) -> str:
+    return f" ± {deviation:.{decimals}f}" if np.isfinite(deviation) else ""

@@ -1,0 +1,722 @@
+"""What the maps of the Compare panel show: of snapshots, of limbs or of axes."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any, ClassVar
+
+import numpy as np
+
+from skinsource.base.arrays import Floats
+from skinsource.base.decibels import FLOOR_DB
+from skinsource.base.measurement_conditions import Axes
+from skinsource.base.quoting import printable
+from skinsource.design.comparing import (
+    EDITED,
+    Snapshot,
+    difference_db,
+    louder,
+    mean_and_spread_over,
+    same_but_rounding,
+    same_outputs,
+    scale_end_db,
+    shown_snapshot,
+    why_no_comparison,
+)
+from skinsource.design.design import Design
+from skinsource.design.labels import (
+    AXES,
+    label_of,
+    limb_label,
+    short_limb_title,
+    signal_label,
+    span_label,
+)
+from skinsource.design.view import View
+from skinsource.limbs.limb import PUBLISHED
+from skinsource.limbs.own_limbs import axes_on
+from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
+from skinsource.studies import scenes
+from skinsource_gui.fields.units import output_text
+from skinsource_gui.panels.compare.card import card_level_text, played_db, snapshot_title
+from skinsource_gui.panels.compare.settings import CompareSettings
+from skinsource_gui.plots.colour_maps import DIVERGING
+from skinsource_gui.plots.small_map import (
+    SILENT,
+    USUAL_STYLE,
+    ColourScale,
+    LevelStyle,
+    Range,
+    SmallMap,
+    SmallMaps,
+    level_style,
+    scale_of_levels,
+    scale_of_own,
+    with_matched,
+)
+from skinsource_gui.qt.questions import copied_level
+from skinsource_gui.state.compared import (
+    ELSEWHERE,
+    LEVELS_MATCHED,
+    SILENCE,
+    Compared,
+    display_gain_text,
+    gain_db,
+    have_matching_level,
+    is_silent,
+    matched_text,
+)
+from skinsource_gui.state.compared import SILENT as COMPARED_SILENT
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Cell:
+    """One of the maps.
+
+    Attributes
+    ----------
+    headings
+        What the map shows, from the longest to the shortest text.
+    limb
+        Limb of the outputs and the outline.
+    small
+        The map, its levels in dB; None: there is none.
+    scale
+        Colours of the map; None where there is no map.
+    maximum_db
+        The level that values are relative to, dB re 1 m/s²; None: they are not.
+    design
+        Design whose inputs are marked; None: none are.
+    text
+        Why there is no map.
+    stale
+        Whether the map belongs to the design before.
+    synthetic
+        Whether responses are computed, not measured.
+    """
+
+    headings: tuple[str, ...]
+    limb: str
+    small: SmallMap | None = None
+    scale: ColourScale | None = None
+    maximum_db: float | None = None
+    design: Design | None = None
+    text: str = ""
+    stale: bool = False
+    synthetic: bool = False
+
+    @property
+    def heading(self) -> str:
+        """The longest heading."""
+        return self.headings[0]
+
+    @property
+    def values_db(self) -> Floats | None:
+        """The value of each output, (n_outputs,); None where there are none."""
+        return None if self.small is None else self.small.levels_db
+
+    def value_text(self, output: int | None) -> str:
+        """Return the text of the value of an output; None: of the largest one, and where it is."""
+        return self.value_texts(output)[0]
+
+    def value_texts(self, output: int | None) -> tuple[str, ...]:
+        """Return the texts of that value, from the longest to the shortest."""
+        values = self.values_db
+        if values is None or self.scale is None:
+            return ("",)
+        if output is not None and output > values.size:
+            return ("no such output", "none")
+        if output is not None:
+            value = self.scale.text(float(values[output - 1]))
+            return value, value.removesuffix(" dB")
+        largest = int(np.argmax(np.abs(values) if self.scale.signed else values))
+        value = self.scale.text(float(values[largest]))
+        if value == SILENT:
+            return (SILENT,)
+        if self.maximum_db is not None:
+            # Relative to itself each maximum is 0 dB, so its level is shown.
+            value = f"max {self.scale.text(self.maximum_db)}"
+            whole = f"{value} re 1 m/s² at {largest + 1}"
+            return whole, f"{value} at {largest + 1}", value, value.removesuffix(" dB")
+        return f"{value} at {largest + 1}", value, value.removesuffix(" dB")
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class CompareContent:
+    """All maps, or a message in their place.
+
+    Attributes
+    ----------
+    outputs
+        The selected outputs.
+    message
+        Text in place of the maps; empty: the maps are shown.
+    about
+        What is shown, as a text below while no output is pointed at.
+    """
+
+    cells: tuple[Cell, ...] = ()
+    outputs: tuple[int, ...] = ()
+    message: str = ""
+    about: str = ""
+
+    @cached_property
+    def common_scale(self) -> ColourScale | None:
+        """The scale that all maps share; None where they differ."""
+        scales = {cell.scale for cell in self.cells if cell.scale is not None}
+        return scales.pop() if len(scales) == 1 else None
+
+    @property
+    def stale(self) -> bool:
+        """Whether any of the maps belongs to the design before."""
+        return any(cell.stale for cell in self.cells)
+
+    def readout(self, output: int | None) -> str:
+        """Return the values of an output in all maps; None: what the maps show."""
+        drawn = [cell for cell in self.cells if cell.small is not None]
+        if output is None or not drawn:
+            return self.about
+        texts = [cell.value_text(output) for cell in drawn]
+        values = " · ".join(texts)
+        if all(text.endswith(" dB") for text in texts):
+            values = f"{values.replace(' dB', '')} dB"
+        if any(cell.maximum_db is not None for cell in drawn):
+            values = f"{values} re each map's maximum"
+        return f"{output_text(output, drawn[0].limb)}: {values}"
+
+
+# Levels that differ by less are shown as the same.
+_LEAST_DB = 0.05
+
+#: Names of one thing, from the longest to the shortest.
+Names = tuple[str, ...]
+
+
+class Cells:
+    """Makes the maps; the pixels of each are made once."""
+
+    def __init__(self) -> None:
+        self._maps: dict[str, SmallMaps] = {}
+        self._before: dict[str, SmallMaps] = {}
+
+    def of_levels(
+        self, compared: Sequence[Compared], names: Sequence[Names], style: LevelStyle = USUAL_STYLE
+    ) -> tuple[Cell, ...]:
+        """Return a map of the levels of each, in the same colours over the same range."""
+        self._begin()
+        known = [_levels_db(side) for side in compared if side.values is not None]
+        loudest = np.array([levels.max() for levels in known])
+        scale = scale_of_levels(loudest, style)
+        return tuple(
+            self._levels(side, name, scale) for side, name in zip(compared, names, strict=True)
+        )
+
+    def of_own_maxima(
+        self,
+        compared: Sequence[Compared],
+        names: Sequence[Names],
+        style: LevelStyle = USUAL_STYLE,
+    ) -> tuple[Cell, ...]:
+        """Return a map of the levels of each, relative to its own loudest output."""
+        self._begin()
+        scale, pairs = scale_of_own(style), zip(compared, names, strict=True)
+        return tuple(self._levels(side, name, scale, own=True) for side, name in pairs)
+
+    def of_differences(
+        self, compared: Sequence[Compared], names: Sequence[Names], reference: int
+    ) -> tuple[Cell, ...]:
+        """Return a map of how much louder each of the others is than the one at ``reference``."""
+        self._begin()
+        base, of_base = compared[reference], names[reference]
+        cells = [
+            self._difference(side, of_one, base, of_base)
+            for k, (side, of_one) in enumerate(zip(compared, names, strict=True))
+            if k != reference
+        ]
+        drawn = [cell.values_db for cell in cells if cell.values_db is not None]
+        end, reached = scale_end_db(*drawn), _reached_db(drawn)
+        scale = ColourScale(
+            range_db=(-end, end),
+            text_below="dB",
+            colours=DIVERGING,
+            signed=True,
+            reached_db=reached,
+        )
+        return tuple(cell if cell.small is None else replace(cell, scale=scale) for cell in cells)
+
+    def of_spread(
+        self,
+        compared: Sequence[Compared],
+        names: Sequence[Names],
+        reference: int,
+        style: LevelStyle = USUAL_STYLE,
+    ) -> tuple[Cell, ...]:
+        """Return mean and standard deviation over all that have the outputs of ``reference``."""
+        self._begin()
+        base = compared[reference]
+        limb = _limb(base)
+        pairs = zip(compared, names, strict=True)
+        comparable = [(side, name) for side, name in pairs if same_outputs(limb, _limb(side))]
+        # Silence is no level that others could lie about.
+        audible = [(side, name) for side, name in comparable if side.values and not is_silent(side)]
+        known = [side for side, _ in audible]
+        # A mean of those that happen to be known already would change by itself.
+        computing = any(side.values is None and not side.problem for side, _ in comparable)
+        if base.values is None or computing or len(known) < 2:
+            too_few = (
+                "A mean takes two at least that are not silent and have outputs at the same places."
+            )
+            problem = base.problem or next(
+                (side.problem for side, _ in comparable if side.problem), too_few
+            )
+            return (Cell(headings=("",), limb=limb, text="" if computing else problem),)
+        mean, spread = mean_and_spread_over([_levels_db(side) for side in known])
+        called = [name for _, name in audible]
+        what = _of_all(called, len(compared))
+        stale = any(side.is_stale for side in known)
+        noisy = _noisy(*known)
+        common: dict[str, Any] = {
+            "limb": limb,
+            "stale": stale,
+            "synthetic": any(_synthetic(side) for side in known),
+        }
+        of_mean = scale_of_levels(mean, style)
+        of_spread = ColourScale(
+            range_db=(0.0, scale_end_db(spread)),
+            text_below="dB",
+            colours=style.colours,
+            reached_db=_reached_db([spread]),
+        )
+        return (
+            Cell(
+                headings=(*(f"Mean {phrase}" for phrase in what), "Mean"),
+                small=self._map("mean", base, mean, noisy),
+                scale=of_mean,
+                **common,
+            ),
+            Cell(
+                headings=(
+                    *(f"Standard deviation {phrase}" for phrase in what),
+                    *(f"Spread {phrase}" for phrase in what),
+                    "Spread",
+                ),
+                small=self._map("spread", base, spread, noisy),
+                scale=of_spread,
+                **common,
+            ),
+        )
+
+    def _difference(self, side: Compared, names: Names, base: Compared, of_base: Names) -> Cell:
+        headings = _minus(names, of_base)
+        cell = Cell(headings=headings, limb=_limb(side), stale=side.is_stale or base.is_stale)
+        if problem := side.problem or base.problem:
+            return replace(cell, text=problem)
+        if not same_outputs(_limb(side), _limb(base)):
+            return replace(cell, text=ELSEWHERE)
+        if side.values is None or base.values is None:
+            return cell
+        if is_silent(side) or is_silent(base):
+            return replace(cell, text=SILENCE)
+        levels = difference_db(_levels_db(side), _levels_db(base))
+        both = _synthetic(side) or _synthetic(base)
+        small = self._map(headings[0], side, levels, _noisy(side, base))
+        if np.abs(levels).max() < _LEAST_DB:
+            equal = f"{names[-1]} equals {of_base[-1]}"
+            headings = (f"{equal}: {_why_equal(side, base)}", equal)
+        return replace(cell, headings=headings, small=small, synthetic=both)
+
+    def _levels(
+        self, side: Compared, names: Names, scale: ColourScale, *, own: bool = False
+    ) -> Cell:
+        cell = Cell(headings=names, limb=_limb(side), text=side.problem, stale=side.is_stale)
+        if side.values is None:
+            return cell
+        small, maximum_db = self._map(names[0], side, None, _noisy(side)), None
+        if own and not is_silent(side):
+            maximum_db = float(_levels_db(side).max())
+            small = _relative(small, maximum_db)
+        return replace(
+            cell,
+            small=small,
+            scale=scale,
+            maximum_db=maximum_db,
+            design=side.snapshot.design,
+            synthetic=_synthetic(side),
+        )
+
+    def _begin(self) -> None:
+        self._before, self._maps = self._maps, {}
+
+    def _map(
+        self, key: str, side: Compared, levels_db: Floats | None, noisy: tuple[int, ...]
+    ) -> SmallMap:
+        """Return a map on the limb of ``side``: of its levels as they are shown, or of others."""
+        values: dict[str, Any] = dict(side.values or {})
+        if levels_db is not None:
+            values["output_levels_db"] = levels_db
+            values["surface_levels_db"] = values["surface"].interpolate(levels_db)
+        elif side.gain != 1.0:
+            values["output_levels_db"] = _levels_db(side)
+            values["surface_levels_db"] = values["surface_levels_db"] + gain_db(side)
+        self._maps[key] = maps = self._before.pop(key, None) or SmallMaps()
+        return replace(maps.map_of(values), noisy=noisy)
+
+
+def _relative(small: SmallMap, maximum_db: float) -> SmallMap:
+    """Return the same map with its levels re ``maximum_db``; silent outputs stay silent."""
+    levels, field = small.levels_db, small.field_levels_db
+    return replace(
+        small,
+        levels_db=None if levels is None else _below(levels, maximum_db),
+        field_levels_db=None if field is None else field - maximum_db,
+    )
+
+
+def _below(levels_db: Floats, maximum_db: float) -> Floats:
+    return np.where(levels_db > FLOOR_DB, levels_db - maximum_db, levels_db)
+
+
+def _of_all(called: Sequence[Names], n_compared: int) -> Names:
+    """Return the phrases for how many designs count, and which."""
+    number = f"of {len(called)}"
+    if len(called) < n_compared:
+        number += f" of {n_compared}"
+    listed = ", ".join(names[min(1, len(names) - 1)] for names in called)
+    return f"{number}: {listed}", number
+
+
+def _minus(names: Names, other: Names) -> Names:
+    """Return the names of a difference, from the longest to the shortest."""
+    n = max(len(names), len(other))
+    pairs = [(names[min(k, len(names) - 1)], other[min(k, len(other) - 1)]) for k in range(n)]
+    return tuple(f"{first} minus {second}" for first, second in pairs)
+
+
+def _why_equal(side: Compared, base: Compared) -> str:
+    """Return why two designs have the same levels."""
+    mine, theirs = side.snapshot.design, base.snapshot.design
+    if mine == theirs:
+        return "the same inputs, scaling and limb"
+    # The louder one is turned down: an amplitude may be the largest there is.
+    ratio = side.gain / base.gain
+    turned_down = louder(mine, min(ratio, 1.0)), louder(theirs, min(1.0 / ratio, 1.0))
+    if same_but_rounding(*turned_down):
+        return "the same inputs once levels match"
+    return "the same levels by other inputs"
+
+
+def _reached_db(drawn: Sequence[Floats]) -> Range | None:
+    """Return the smallest and the largest of all values; None where there is none."""
+    known = [levels for levels in drawn if levels.size]
+    if not known:
+        return None
+    return (
+        min(float(levels.min()) for levels in known),
+        max(float(levels.max()) for levels in known),
+    )
+
+
+def _levels_db(side: Compared) -> Floats:
+    """Return the levels as they are shown: matched to the others, if that is chosen."""
+    levels: Floats = (side.values or {})["output_levels_db"]
+    return levels if side.gain == 1.0 else levels + gain_db(side)
+
+
+def _noisy(*compared: Compared) -> tuple[int, ...]:
+    """Return the numbers of the outputs that are mostly noise in any of them."""
+    known = [(side.values or {}).get("above_noise_db") for side in compared]
+    noisy = {
+        int(k) + 1
+        for levels in known
+        if levels is not None
+        for k in np.flatnonzero(levels < LEAST_ABOVE_NOISE_DB)
+    }
+    return tuple(sorted(noisy))
+
+
+def _limb(side: Compared) -> str:
+    return side.snapshot.design.limb
+
+
+def _synthetic(side: Compared) -> bool:
+    return side.values is not None and bool(side.values["limb_data"].synthetic)
+
+
+#: Fewer are not compared.
+LEAST_COMPARED = 2
+
+
+#: Quantities of a map of levels.
+LEVELS = frozenset(
+    {
+        "limb_map",
+        "limb_data",
+        "output_levels_db",
+        "above_noise_db",
+        "surface",
+        "surface_levels_db",
+    }
+)
+
+
+class Kind:
+    """One choice of "Of": where the sides come from, and what they are called. It has no state.
+
+    Attributes
+    ----------
+    fields
+        Names of the choices above the maps that apply, beside "Of" itself.
+    needs, needs_of_snapshots
+        As of a panel.
+    own
+        Whether the sides come from the results of the design in the window.
+    """
+
+    fields: ClassVar[frozenset[str]] = frozenset()
+    needs: ClassVar[frozenset[str]] = LEVELS
+    needs_of_snapshots: ClassVar[frozenset[str]] = frozenset()
+    own: ClassVar[bool] = False
+
+    def needs_on_limbs(self, settings: CompareSettings, limb: str) -> Mapping[str, frozenset[str]]:
+        """Return what a panel needs of other limbs while the design is on ``limb``."""
+        del settings, limb
+        return {}
+
+    def sides(self, design: Design, results: Mapping[str, Any]) -> Sequence[Compared]:
+        """Return the sides from results of the design in the window, which hold its ``needs``."""
+        del design, results
+        return ()
+
+    def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
+        """Return the names of the sides, each from the longest to the shortest."""
+        raise NotImplementedError
+
+    def reference(self, compared: Sequence[Compared], design: Design, view: View) -> int:
+        """Return which of them is in the window; the first where none is."""
+        del compared, design, view
+        return 0
+
+    def hindrance(self, compared: Sequence[Compared], view: View) -> str:
+        """Return why nothing can be compared, in a sentence; empty where something can."""
+        del view
+        known = [side for side in compared if side.values is not None]
+        return COMPARED_SILENT if known and all(is_silent(side) for side in known) else ""
+
+    def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
+        """Return the text on what the levels are."""
+        text = f"RMS of {signal_label(view.axes, view.method)} · {span_label(view.span)}"
+        without = "without inputs that cannot be played"
+        left_out = without if any(side.left_out for side in compared) else ""
+        return " · ".join(
+            part for part in (text, display_gain_text(design, view), left_out) if part
+        )
+
+    def shown(self, settings: CompareSettings) -> str:
+        """Return what is shown of the sides: the levels where there is no choice."""
+        return settings.shown if "shown" in self.fields else "levels"
+
+    def drawn(
+        self,
+        cells: Cells,
+        compared: Sequence[Compared],
+        design: Design,
+        view: View,
+        settings: CompareSettings,
+    ) -> tuple[Cell, ...]:
+        """Return the maps of the sides; their scales show by how much levels are matched."""
+        maps = self._cells(cells, compared, design, view, settings)
+        matched = matched_text(compared) or display_gain_text(design, view)
+        return tuple(
+            cell if cell.scale is None else replace(cell, scale=with_matched(cell.scale, matched))
+            for cell in maps
+        )
+
+    def _cells(
+        self,
+        cells: Cells,
+        compared: Sequence[Compared],
+        design: Design,
+        view: View,
+        settings: CompareSettings,
+    ) -> tuple[Cell, ...]:
+        shown = self.shown(settings)
+        names = self.names(compared, view, difference=shown == "difference")
+        if shown == "levels" and settings.own_maximum:
+            return cells.of_own_maxima(compared, names, level_style(view))
+        if shown == "levels":
+            return cells.of_levels(compared, names, level_style(view))
+        reference = self.reference(compared, design, view)
+        if shown == "difference":
+            return cells.of_differences(compared, names, reference)
+        return cells.of_spread(compared, names, reference, level_style(view))
+
+
+#: Quantities for each axis, and the quantities of a map that they stand in for.
+_PER_AXIS = {
+    "axis_levels_db": "output_levels_db",
+    "axis_surface_levels_db": "surface_levels_db",
+    "axis_above_noise_db": "above_noise_db",
+}
+_COMMON = frozenset({"limb_map", "limb_data", "surface"})
+
+
+class OfAxes(Kind):
+    """The present design along each axis of the sensors, whatever axes are chosen in the window.
+
+    Only levels are shown: x and y point another way at each sensor, so that a difference or a mean
+    of axes has no meaning.
+    """
+
+    needs: ClassVar[frozenset[str]] = _COMMON | frozenset(_PER_AXIS)
+    own: ClassVar[bool] = True
+
+    def sides(self, design: Design, results: Mapping[str, Any]) -> Sequence[Compared]:
+        common = {name: results[name] for name in _COMMON}
+        snapshot = Snapshot(design=design)
+        return [
+            Compared(
+                snapshot=snapshot,
+                values={**common, **{name: results[own][k] for own, name in _PER_AXIS.items()}},
+                axes=axis,
+            )
+            for k, axis in enumerate(results["limb_data"].axes)
+        ]
+
+    def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
+        return [(f"Along {side.axes}", side.axes) for side in compared]
+
+    def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
+        text = f"RMS along each axis of the sensors · {span_label(view.span)}"
+        return " · ".join(part for part in (text, display_gain_text(design, view)) if part)
+
+
+ALONE = "There is no other limb with these outputs. Choose some under Limbs."
+
+
+class OfLimbs(Kind):
+    """The present design on several limbs; that in the window is predicted once, for all panels."""
+
+    fields: ClassVar[frozenset[str]] = frozenset({"shown", "limbs"})
+
+    def needs_on_limbs(self, settings: CompareSettings, limb: str) -> Mapping[str, frozenset[str]]:
+        return dict.fromkeys(settings.chosen(limb), LEVELS)
+
+    def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
+        """Return the names of the limbs, with their axes where these are not those of the view."""
+        names: list[Names] = []
+        for side in compared:
+            limb = side.snapshot.design.limb
+            title = limb_label(limb).title
+            other = (
+                f" ({label_of(AXES, side.axes).title})" if side.axes not in ("", view.axes) else ""
+            )
+            number = title.split()[1] if limb in PUBLISHED else limb
+            names.append((f"{title}{other}", short_limb_title(limb), number))
+        return names
+
+    def reference(self, compared: Sequence[Compared], design: Design, view: View) -> int:
+        matches = [side.snapshot.design.limb == design.limb for side in compared]
+        return matches.index(True) if True in matches else 0
+
+    def hindrance(self, compared: Sequence[Compared], view: View) -> str:
+        if len(compared) == 1:
+            return compared[0].problem or ALONE
+        return super().hindrance(compared, view)
+
+
+class OfSnapshots(Kind):
+    """Snapshots of the present design, and designs of files; their levels can be matched."""
+
+    fields: ClassVar[frozenset[str]] = frozenset({"shown", "snapshots"})
+    needs_of_snapshots: ClassVar[frozenset[str]] = LEVELS
+
+    def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
+        return snapshot_names(compared, view.axes, with_limbs=difference)
+
+    def reference(self, compared: Sequence[Compared], design: Design, view: View) -> int:
+        held = shown_snapshot(view.snapshots, design)
+        number = EDITED if held is None else held.number
+        matches = [side.snapshot.number == number for side in compared]
+        return matches.index(True) if True in matches else 0
+
+    def hindrance(self, compared: Sequence[Compared], view: View) -> str:
+        if len(compared) < 2:
+            return why_no_comparison(view.snapshots)
+        return super().hindrance(compared, view)
+
+    def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
+        # Each has its own gain.
+        text = super().about(compared, None, view)
+        matched = matching_text(compared) if view.levels_matched else ""
+        return f"{text} · {matched}" if matched else text
+
+
+def matching_text(compared: Sequence[Compared]) -> str:
+    """Return the text on the level that all designs share; "" where fewer than two have one."""
+    known = [side for side in compared if played_db(side) is not None]
+    if len(known) < LEAST_COMPARED:
+        return ""
+    if have_matching_level(compared, matched=True):
+        return f"{LEVELS_MATCHED}: {card_level_text(known[0])} at the loudest output"
+    why = "cannot be predicted" if compared[0].problem else "is silent"
+    return f"{snapshot_title(compared[0])} {why}: levels cannot be matched to it"
+
+
+def snapshot_names(
+    compared: Sequence[Compared], axes: Axes, *, with_limbs: bool = False
+) -> list[Names]:
+    """Return the names of the snapshots, with their axes where these are not ``axes``.
+
+    ``with_limbs``: names of snapshots on several limbs include the limb.
+    """
+    names: list[Names] = []
+    titles = [printable(scenes.title_of(side.snapshot.design)).strip() for side in compared]
+    own_parts = _own_parts([each for each in titles if each])
+    several = with_limbs and len({side.snapshot.design.limb for side in compared}) > 1
+    for side, title in zip(compared, titles, strict=True):
+        along = axes_on(side.snapshot.design.limb, axes)
+        other = f" ({label_of(AXES, along).title})" if along != axes else ""
+        on_limb = f" on {short_limb_title(side.snapshot.design.limb)}" if several else ""
+        other += on_limb
+        edited = side.snapshot.number == EDITED
+        called = side.name if edited else f"Snapshot {side.name}"
+        parts = dict.fromkeys((title, own_parts.get(title, title)))
+        longest = tuple(f"{called} · {part}{other}" for part in parts if part and not edited)
+        if len(longest) > 1:
+            longest = (*longest, f"{side.name} · {own_parts[title]}{other}")
+        short = () if edited and not other else (f"{side.name}{on_limb}",)
+        names.append((*longest, f"{called}{other}", *short))
+    return names
+
+
+def _own_parts(titles: Sequence[str]) -> dict[str, str]:
+    """Return the part of each title that is its own: ``"50 Hz"`` of ``"Fig. 2B · 50 Hz"``.
+
+    The parts of a title are between middle dots; those at the beginning that all titles share are
+    left out.
+    """
+    parts = [title.split(" · ") for title in titles]
+    n_common = 0
+    while parts and all(
+        len(part) > n_common + 1 and part[n_common] == parts[0][n_common] for part in parts
+    ):
+        n_common += 1
+    return {title: " · ".join(each[n_common:]) for title, each in zip(titles, parts, strict=True)}
+
+
+def tab_separated(content: CompareContent) -> str:
+    """Return the numbers for a spreadsheet: a row for each output, a column for each map."""
+    cells = [cell for cell in content.cells if cell.values_db is not None]
+    titles = [f"{cell.heading} ({_unit(cell)})" for cell in cells]
+    lines = ["\t".join(("output", *titles))]
+    values = [np.asarray(cell.values_db) for cell in cells]
+    for row in range(max((column.size for column in values), default=0)):
+        texts = (copied_level(column[row]) if row < column.size else "" for column in values)
+        lines.append("\t".join((str(row + 1), *texts)))
+    return "\n".join(lines) + "\n"
+
+
+def _unit(cell: Cell) -> str:
+    if cell.maximum_db is not None:
+        return f"dB re its maximum of {copied_level(cell.maximum_db)} dB re 1 m/s²"
+    return "" if cell.scale is None else cell.scale.text_below

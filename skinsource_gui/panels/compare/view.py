@@ -1,0 +1,425 @@
+"""Where compared maps and their scales lie, and how they are painted and pointed at."""
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import ceil
+
+import numpy as np
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QColor,
+    QFocusEvent,
+    QFont,
+    QFontMetricsF,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+)
+from PySide6.QtWidgets import QWidget
+
+from skinsource.base.arrays import Floats
+from skinsource_gui.panels.compare.content import Cell, CompareContent
+from skinsource_gui.plots.colour_maps import colour_table
+from skinsource_gui.plots.figure import shrunk
+from skinsource_gui.plots.outputs import OutputPicker
+from skinsource_gui.plots.small_map import (
+    LEAST_MAP_PX,
+    map_grid,
+    paint_band,
+    paint_rings,
+    paint_scale_row,
+    paint_small_bar,
+    paint_small_map,
+    scale_row_px,
+    small_frame,
+)
+from skinsource_gui.qt.frames import paint_focus_frame
+from skinsource_gui.qt.keys import KEYS, claims_shortcut, meaning_of
+from skinsource_gui.qt.theme import Theme, current_theme, tabular
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CellPlace:
+    """Areas of one map, px.
+
+    Attributes
+    ----------
+    heading, value
+        Areas of some lines of text, and of one.
+    scale
+        The scale of this map; empty where all have one in common.
+    """
+
+    whole: QRectF
+    heading: QRectF
+    value: QRectF
+    map: QRectF
+    scale: QRectF
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Places:
+    """Areas of all maps, px.
+
+    Attributes
+    ----------
+    head
+        A line of text above.
+    scale
+        The scale of all maps; empty where each has its own.
+    """
+
+    head: QRectF
+    cells: tuple[CellPlace, ...]
+    scale: QRectF
+
+
+def places_of(room: QRectF, n: int, line: float, *, common: bool, heading_lines: int = 1) -> Places:
+    """Lay ``n`` maps out in ``room``, in as many rows as give the largest maps.
+
+    Parameters
+    ----------
+    room
+        Area of all maps.
+    n
+        Number of maps.
+    line
+        Height of a line of text.
+    common
+        Whether one scale serves all of them.
+    heading_lines
+        How many lines the heading of each has; below it is one for a value.
+    """
+    edge = 0.3 * line
+    scale_height = scale_row_px(line)
+    inner = room.adjusted(edge, 0.0, -edge, -edge)
+    head = QRectF(inner.left(), inner.top(), inner.width(), 1.2 * line)
+    foot = scale_height if common else 0.0
+    scale = QRectF(inner.left(), inner.bottom() - foot, inner.width(), foot)
+    maps = QRectF(inner.left(), head.bottom(), inner.width(), scale.top() - head.bottom())
+    around = (heading_lines + 1.0) * line + (0.0 if common else scale_height) + edge
+    cells = tuple(
+        _cell(whole, line, 0.0 if common else scale_height, heading_lines * line)
+        for whole in map_grid(maps, n, around)
+    )
+    return Places(head=head, cells=cells, scale=scale)
+
+
+def least_height(line: float) -> float:
+    """Return the least height for maps in one row, with lines of that height."""
+    return 1.2 * line + 3.0 * line + 0.9 * line + scale_row_px(line) + LEAST_MAP_PX
+
+
+def _cell(whole: QRectF, line: float, scale_height: float, heading: float) -> CellPlace:
+    top = whole.top() + heading + line
+    bottom = whole.bottom() - scale_height
+    edge = 0.3 * line
+    return CellPlace(
+        whole=whole,
+        heading=QRectF(whole.left(), whole.top(), whole.width(), heading),
+        value=QRectF(whole.left(), whole.top() + heading, whole.width(), line),
+        map=QRectF(whole.left() + edge, top, whole.width() - 2 * edge, bottom - top - edge),
+        scale=QRectF(whole.left(), bottom, whole.width(), scale_height),
+    )
+
+
+_CENTRE = Qt.AlignmentFlag.AlignCenter
+_MOST_LINES = 4
+# A number stays with what it numbers.
+_BEFORE_NUMBER = re.compile(r" (?=\d)")
+# Of a line of letters broken anywhere, so much is surely filled.
+_FILLED = 0.9
+
+
+def places_for(room: QRectF, content: CompareContent, font: QFont) -> Places:
+    """Lay out the maps of ``content``, whose text is in ``font``."""
+    line, n = QFontMetricsF(font).height(), len(content.cells)
+    common = content.common_scale is not None
+    metrics = QFontMetricsF(bold(font))
+    for lines in range(1, _MOST_LINES + 1):
+        places = places_of(room, n, line, common=common, heading_lines=lines)
+        pairs = zip(content.cells, places.cells, strict=True)
+        if all(_fits(metrics, cell.headings, place.heading) for cell, place in pairs):
+            break
+    return places
+
+
+def paint_heading(painter: QPainter, wordings: Sequence[str], room: QRectF) -> None:
+    """Write the first of some wordings, each shorter than the one before, that has room."""
+    metrics = QFontMetricsF(painter.font())
+    wraps = _CENTRE | Qt.TextFlag.TextWordWrap
+    inner = _inner(metrics, room)
+    fitted = next((wording for wording in wordings if _fits(metrics, (wording,), room)), None)
+    if fitted is not None:
+        painter.drawText(inner, wraps, _with_joined_numbers(fitted))
+        return
+    lines = max(round(room.height() / metrics.height()), 1)
+    width = inner.width() * (1.0 if lines == 1 else _FILLED * lines)
+    text = metrics.elidedText(wordings[-1], Qt.TextElideMode.ElideRight, width)
+    painter.drawText(inner, _CENTRE | Qt.TextFlag.TextWrapAnywhere, text)
+
+
+def bold(font: QFont) -> QFont:
+    """Return the font of headings for texts in ``font``."""
+    bold_font = QFont(font)
+    bold_font.setBold(True)
+    return bold_font
+
+
+def _fits(metrics: QFontMetricsF, wordings: Sequence[str], room: QRectF) -> bool:
+    """Return whether one of some wordings has room; lines break only between words."""
+    inner = _inner(metrics, room)
+    flags = int(_CENTRE.value) | int(Qt.TextFlag.TextWordWrap.value)
+    for wording in wordings:
+        needed = metrics.boundingRect(inner, flags, _with_joined_numbers(wording))
+        if needed.width() <= inner.width() and needed.height() <= inner.height() + 1.0:
+            return True
+    return False
+
+
+def _inner(metrics: QFontMetricsF, room: QRectF) -> QRectF:
+    edge = 0.25 * metrics.height()
+    return room.adjusted(edge, 0.0, -edge, 0.0)
+
+
+def _with_joined_numbers(text: str) -> str:
+    return _BEFORE_NUMBER.sub("\N{NO-BREAK SPACE}", text)
+
+
+_PALE = 0.5
+
+
+def paint_content(
+    painter: QPainter,
+    content: CompareContent,
+    places: Places,
+    theme: Theme,
+    pointed_at: int | None = None,
+) -> None:
+    """Draw ``content``; the painter's font is that of all text.
+
+    Parameters
+    ----------
+    pointed_at
+        Number of the output that is marked in every map; None: none is.
+    """
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    common = content.common_scale
+    for cell, place in zip(content.cells, places.cells, strict=True):
+        _paint_cell(painter, cell, place, content, theme, pointed_at)
+        if common is None and cell.scale is not None:
+            paint_scale_row(painter, place.scale, cell.scale, theme)
+    if common is not None:
+        paint_scale_row(painter, places.scale, common, theme)
+
+
+def paint_page(painter: QPainter, content: CompareContent, room: QRectF, theme: Theme) -> None:
+    """Draw ``content`` into ``room``, with a line that says of what it is."""
+    painter.setPen(QColor(theme.text))
+    line = painter.fontMetrics().height()
+    if content.message or not content.cells:
+        painter.drawText(room, _CENTRE, content.message)
+        return
+    synthetic = any(cell.synthetic for cell in content.cells)
+    text = f"{content.about} · SYNTHETIC" if synthetic else content.about
+    painter.drawText(QRectF(0, 0, room.width(), 1.5 * line), _CENTRE, text)
+    below = room.adjusted(0, 1.5 * line, 0, 0)
+    paint_content(painter, content, places_for(below, content, painter.font()), theme)
+
+
+def _paint_cell(
+    painter: QPainter,
+    cell: Cell,
+    place: CellPlace,
+    content: CompareContent,
+    theme: Theme,
+    pointed_at: int | None,
+) -> None:
+    plain = QFont(painter.font())
+    painter.setFont(bold(plain))
+    painter.setPen(QColor(theme.text))
+    paint_heading(painter, cell.headings, place.heading)
+    painter.setFont(plain)
+    if cell.small is None or cell.scale is None:
+        painter.setPen(QColor(theme.dim))
+        flags = _CENTRE | Qt.TextFlag.TextWordWrap
+        text = cell.text or "Computing…"
+        painter.setFont(shrunk(plain, text.split(), place.map.width()))
+        painter.drawText(place.map, flags, text)
+        painter.setFont(plain)
+        return
+    painter.setPen(QColor(theme.text if pointed_at is not None else theme.dim))
+    values, width = cell.value_texts(pointed_at), place.value.width()
+    painter.setFont(shrunk(plain, values[-1:], width - 0.5 * painter.fontMetrics().height()))
+    painter.drawText(place.value, _CENTRE, fitting(painter, values, width))
+    painter.setFont(plain)
+    table = colour_table(cell.scale.colours)
+    paint_small_map(painter, place.map, cell.small, cell.design, theme, cell.scale.range_db, table)
+    paint_rings(painter, cell.small, place.map, content.outputs, theme, pointed_at)
+    paint_small_bar(painter, place.map, cell.small, cell.limb, theme)
+
+
+def fitting(painter: QPainter, wordings: Sequence[str], width: float) -> str:
+    """Return the first wording that has room; each is shorter than the one before."""
+    metrics = painter.fontMetrics()
+    width -= 0.5 * metrics.height()
+    fits = (wording for wording in wordings if metrics.horizontalAdvance(wording) <= width)
+    shortest = metrics.elidedText(wordings[-1], Qt.TextElideMode.ElideRight, int(width))
+    return next(fits, shortest)
+
+
+# Those keys of the skin map that are about outputs.
+_KEYS = frozenset({"go", "select", "toggle", "select_all", "select_none"})
+
+
+class MapsView(QWidget):
+    """The maps as a widget; an output that is pointed at in one map is marked in all.
+
+    Attributes
+    ----------
+    picker
+        Chooses outputs by mouse and keys.
+    """
+
+    #: The outputs to select, a tuple of numbers.
+    outputs_chosen = Signal(object)
+    #: Number of the output that is pointed at, or None.
+    pointed_at = Signal(object)
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._stale = False
+        # Of which map the mouse was last.
+        self._at = 0
+        self.content = CompareContent()
+        self.picker = OutputPicker(self)
+        self.picker.chosen.connect(self.outputs_chosen)
+        self.picker.moved.connect(self._emit_pointed_at)
+        self.setObjectName("compared_maps")
+        self.setAccessibleName("Compared maps")
+        self.setAccessibleDescription(
+            "; ".join((*KEYS["skin"].sentences("go", "select", "toggle"), "marked in all maps"))
+        )
+        self.setMouseTracking(True)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+
+    @property
+    def output(self) -> int | None:
+        """The output that is pointed at, by the mouse or by keys."""
+        return self.picker.pointed_at(focused=self.hasFocus())
+
+    @property
+    def places(self) -> Places:
+        """Where the maps are."""
+        return places_for(QRectF(self.rect()), self.content, tabular(self.font()))
+
+    def points_of(self, index: int) -> Floats:
+        """Return the places of the outputs in one of the maps, (n_outputs, 2); NaN: not drawn."""
+        cells = self.content.cells
+        small = cells[index].small if index < len(cells) else None
+        if small is None or self.content.message:
+            return np.full((1, 2), np.nan)
+        limb_map = small.limb_map
+        return small_frame(limb_map, self.places.cells[index].map).to_screen(
+            limb_map.output_positions
+        )
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(200, ceil(least_height(self.fontMetrics().height())))
+
+    def show_content(self, content: CompareContent) -> None:
+        """Draw ``content``."""
+        self.content, self.picker.selected = content, content.outputs
+        self.setAccessibleName(content.message or content.about or "Compared maps")
+        self._emit_pointed_at()
+
+    def show_stale(self, stale: bool) -> None:
+        """Show whether the maps belong to an older design."""
+        self._stale = stale
+        self.update()
+
+    def event(self, event: QEvent) -> bool:
+        return claims_shortcut(event, self._claims) or super().event(event)
+
+    def _claims(self, event: QKeyEvent) -> bool:
+        return meaning_of("skin", event) in _KEYS and self.picker.claims(event)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter, theme, content = QPainter(self), current_theme(), self.content
+        painter.setFont(tabular(self.font()))
+        painter.fillRect(self.rect(), QColor(theme.base))
+        if content.message or not content.cells:
+            painter.setPen(QColor(theme.dim))
+            flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+            painter.drawText(QRectF(self.rect()).adjusted(8, 8, -8, -8), flags, content.message)
+        else:
+            self._paint_maps(painter, theme)
+        if self.hasFocus():
+            paint_focus_frame(painter, QRectF(self.rect()), theme)
+        painter.end()
+
+    def _paint_maps(self, painter: QPainter, theme: Theme) -> None:
+        """Draw the maps, paler where they belong to an older design, and the rubber band."""
+        content, places, band = self.content, self.places, self.picker.band
+        if self._stale:
+            painter.setPen(QColor(theme.dim))
+            painter.drawText(places.head, Qt.AlignmentFlag.AlignVCenter, "Computing…")
+        if any(cell.synthetic for cell in content.cells):
+            painter.setPen(QColor(theme.warning))
+            right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+            painter.drawText(places.head, right, "SYNTHETIC")
+        painter.setOpacity(_PALE if self._stale else 1.0)
+        paint_content(painter, content, places, theme, self.output)
+        painter.setOpacity(1.0)
+        if band is not None:
+            paint_band(painter, band, theme)
+
+    def _look_at(self, point: QPointF) -> None:
+        """Note the map under a point; where there is none it stays the one before."""
+        cells = enumerate(self.places.cells)
+        self._at = next((k for k, place in cells if place.whole.contains(point)), self._at)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._look_at(event.position())
+        self.picker.press(event)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if not event.buttons():
+            self._look_at(event.position())
+        self.picker.move(event.position(), self.points_of(self._at))
+        self._emit_pointed_at()
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            self.picker.release(event, self.points_of(self._at))
+            self.update()
+
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        self.picker.leave()
+        self._emit_pointed_at()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        points = self.points_of(self._at)
+        unplaced = tuple(int(k) + 1 for k in np.flatnonzero(np.isnan(points[:, 0])))
+        middle = QRectF(self.rect()).center()
+        if len(unplaced) == len(points) or meaning_of("skin", event) not in _KEYS:
+            super().keyPressEvent(event)
+        else:
+            self.picker.press_key(event, points, unplaced, middle)
+            self.update()
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        super().focusInEvent(event)
+        self._emit_pointed_at()
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        self._emit_pointed_at()
+
+    def _emit_pointed_at(self) -> None:
+        self.pointed_at.emit(self.output)
+        self.update()

@@ -1,1 +1,0 @@
-"""Whether snapshots show proportion and superposition."""

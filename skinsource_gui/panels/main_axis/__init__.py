@@ -1,1 +1,0 @@
-"""Main axes of the selected outputs."""

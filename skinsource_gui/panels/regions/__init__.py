@@ -1,1 +1,0 @@
-"""Levels by region: of snapshots, and of all people."""

@@ -1,1 +1,0 @@
-"""Panel of large maps side by side: of limbs, or of snapshots."""

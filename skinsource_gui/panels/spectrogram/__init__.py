@@ -1,1 +1,0 @@
-"""Spectrogram of a selected output."""

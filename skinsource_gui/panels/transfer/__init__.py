@@ -1,1 +1,0 @@
-"""Transfer functions to the selected outputs."""

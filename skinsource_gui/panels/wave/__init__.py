@@ -1,1 +1,0 @@
-"""The wave along a line of outputs."""

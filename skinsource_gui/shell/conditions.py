@@ -1,0 +1,270 @@
+"""The conditions of the measurement: a chip in the status bar says whether the design keeps them.
+
+It is written when edits pause. A card explains each condition, with a button that repairs it.
+"""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from functools import partial
+from typing import Any
+
+from PySide6.QtCore import QObject, QPoint, Qt, QTimer, Signal
+from PySide6.QtWidgets import (
+    QFrame,
+    QGridLayout,
+    QLabel,
+    QPushButton,
+    QStatusBar,
+    QToolButton,
+    QWidget,
+)
+
+from skinsource.design import edits
+from skinsource.perception.validity import Finding, Findings
+from skinsource_gui.qt.overlays import Staleness
+from skinsource_gui.qt.theme import UNIT_PX, set_tone
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.engine import (
+    FIRST_SLOT,
+    Engine,
+    Outcome,
+    Purpose,
+    Request,
+    sources_shown,
+    too_large,
+)
+from skinsource_gui.state.panel import PanelRegistry
+
+#: What the chip calls conditions; the limb has a note of its own beside it.
+NAMES = {
+    "inputs": "inputs",
+    "band": "band",
+    "drive": "drive",
+    "spacing": "spacing",
+    "noise": "SNR",
+    "scaling": "scaling",
+}
+STATES = {"kept": "kept", "left": "caution", "unknown": "unknown"}
+_NOTHING = "Limits not checked"
+_OLDER = "updating: of an older design"
+_MOST_NAMES = 2
+
+
+def chip_text(findings: Findings) -> str:
+    """Return in a few words which conditions the design leaves, or that it keeps all."""
+    named = [finding for finding in findings if finding.name in NAMES]
+    left, unknown = (
+        [NAMES[finding.name] for finding in named if finding.state == state]
+        for state in ("left", "unknown")
+    )
+    if not named:
+        return _NOTHING
+    if len(left) > _MOST_NAMES:
+        return f"⚠ {len(left)} cautions"
+    if left:
+        return f"⚠ {', '.join(left)}"
+    if unknown:
+        return f"Within limits; unknown: {', '.join(unknown)}"
+    return "✓ Within measured limits"
+
+
+class ConditionsChip(QToolButton):
+    """Says which conditions the design leaves; pale while that is of an older design."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("conditions")
+        self.setAutoRaise(True)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.findings: Findings = ()
+        self._staleness = Staleness(self)
+        self._staleness.changed.connect(self._describe)
+        self._describe()
+
+    @property
+    def worst(self) -> str:
+        """Name of the first condition that the design leaves; else of the first one."""
+        order = sorted(self.findings, key=lambda finding: finding.state != "left")
+        return next((finding.name for finding in order if finding.name in NAMES), "")
+
+    def show_findings(self, findings: Findings) -> None:
+        """Take over new findings."""
+        self.findings = findings
+        self._staleness.set_stale(False)
+        self._describe()
+
+    def set_stale(self, stale: bool) -> None:
+        """Take over whether the findings belong to an older design; shown after a while."""
+        self._staleness.set_stale(stale)
+
+    def _describe(self) -> None:
+        stale, text = self._staleness.is_stale, chip_text(self.findings)
+        named = [finding for finding in self.findings if finding.name in NAMES]
+        states = [f"{NAMES[finding.name]}: {STATES[finding.state]}" for finding in named]
+        about = "\n".join([_OLDER] * stale + states)
+        caution = any(finding.state == "left" for finding in named)
+        set_tone(self, "warning" if caution and not stale else "dim")
+        if text != self.text():
+            self.setText(text)
+            self.setAccessibleName(f"Conditions of the measurement: {text}")
+        if about != self.accessibleDescription():
+            self.setAccessibleDescription(about)
+            self.setToolTip(f"{about}\nClick to see what can be done.")
+
+
+_TITLES = {
+    "inputs": "Inputs",
+    "band": "Measured band",
+    "drive": "Velocity of the probe",
+    "spacing": "Spacing of the outputs",
+    "noise": "Signal to noise",
+    "limb": "Limb",
+    "scaling": "Scaling",
+}
+_REPAIRS = {
+    "band_limit": "Limit to the band",
+    "quieter": "Play within it",
+    "probe_scaling": "Use probe scaling",
+    "deselect": "Deselect them",
+}
+_TEXT_EM = 28
+
+
+class ConditionsCard(QFrame):
+    """A card over the status bar; it closes at the next click elsewhere, or with Esc."""
+
+    #: The `Finding` whose cause is to be repaired.
+    repair_requested = Signal(object)
+
+    def __init__(self, findings: Findings, first: str, parent: QWidget) -> None:
+        super().__init__(parent, Qt.WindowType.Popup)
+        self.setObjectName("conditions_card")
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setFrameShape(QFrame.Shape.StyledPanel)
+        grid = QGridLayout(self)
+        grid.setContentsMargins(UNIT_PX, UNIT_PX, UNIT_PX, UNIT_PX)
+        grid.setHorizontalSpacing(2 * UNIT_PX)
+        grid.setVerticalSpacing(UNIT_PX)
+        grid.setColumnStretch(1, 1)
+        for row, finding in enumerate(findings):
+            self._add(grid, row, finding, chosen=finding.name == first)
+
+    def open_above(self, position: QPoint) -> None:
+        """Show it with its lower edge at a position of the screen."""
+        self.adjustSize()
+        screen = self.screen().availableGeometry()
+        left = min(max(position.x(), screen.left()), screen.right() - self.width())
+        self.move(left, max(position.y() - self.height() - 2, screen.top()))
+        self.show()
+
+    def _add(self, grid: QGridLayout, row: int, finding: Finding, *, chosen: bool) -> None:
+        title = QLabel(f"{_TITLES[finding.name]}\n{STATES[finding.state]}")
+        set_tone(title, "warning" if finding.state == "left" else "dim")
+        font = title.font()
+        font.setBold(chosen)
+        title.setFont(font)
+        label = QLabel(finding.sentence)
+        label.setObjectName(f"validity_{finding.name}")
+        label.setWordWrap(True)
+        # Grids do not take the height of wrapped text into account.
+        width = _TEXT_EM * self.fontMetrics().horizontalAdvance("m")
+        label.setFixedWidth(width)
+        label.setFixedHeight(label.heightForWidth(width))
+        top = Qt.AlignmentFlag.AlignTop
+        grid.addWidget(title, row, 0, top)
+        grid.addWidget(label, row, 1, top)
+        if finding.repair:
+            button = QPushButton(_REPAIRS[finding.repair])
+            button.setObjectName(f"mend_{finding.name}")
+            button.clicked.connect(partial(self._repair, finding))
+            grid.addWidget(button, row, 2, top)
+            if chosen:
+                button.setFocus()
+
+    def _repair(self, finding: Finding) -> None:
+        self.close()
+        self.repair_requested.emit(finding)
+
+
+_IDLE_MS = 400
+_WANTED = frozenset({"validity"})
+
+
+class Conditions(QObject):
+    """Judges the conditions once edits pause; while the chip is hidden nothing is computed for it.
+
+    Parameters
+    ----------
+    panels
+        The skin map among them hatches outputs that are mostly noise.
+    status_bar
+        Shows the chip.
+    """
+
+    def __init__(
+        self,
+        document: Document,
+        engine: Engine,
+        panels: PanelRegistry,
+        status_bar: QStatusBar,
+    ) -> None:
+        super().__init__(document)
+        self._document, self._engine = document, engine
+        self._panels = panels
+        self._noisy: tuple[int, ...] = ()
+        panels.each(lambda panel: panel.show_noisy(self._noisy))
+        self._shown: Request | None = None
+        # The sources of the present findings; None without findings.
+        self._judged: Mapping[str, Any] | None = None
+        self.chip = ConditionsChip()
+        status_bar.addPermanentWidget(self.chip)
+        self._idle = QTimer(self, singleShot=True, interval=_IDLE_MS)
+        self._idle.timeout.connect(self._judge)
+        engine.finished.connect(self._note)
+        document.changed.connect(self._follow)
+        self.chip.clicked.connect(self._explain)
+
+    def _follow(self) -> None:
+        """Show whether the findings would have other sources now."""
+        if self._judged is None:
+            return
+        now = sources_shown(self._document.design, self._document.view)
+        names = self._engine.upstream_of(_WANTED) & now.keys()
+        self.chip.set_stale(any(self._judged[name] != now[name] for name in names))
+
+    def _note(self, outcome: Outcome) -> None:
+        request = outcome.request
+        if request.place == (FIRST_SLOT, Purpose.SHOW):
+            judged = outcome.values is not None and not too_large(request.given["limb"])
+            self._shown = request if judged else None
+            if self._shown is None:
+                self._show_outcome(None)
+            else:
+                self._idle.start()
+        elif request.place == (FIRST_SLOT, Purpose.JUDGE) and self._is_shown(request):
+            self._show_outcome(outcome)
+
+    def _is_shown(self, request: Request) -> bool:
+        return self._shown is not None and request.given == self._shown.given
+
+    def _judge(self) -> None:
+        if self._shown is not None and self.chip.isVisible():
+            self._engine.request(replace(self._shown, wanted=_WANTED, purpose=Purpose.JUDGE))
+
+    def _show_outcome(self, outcome: Outcome | None) -> None:
+        findings = () if outcome is None or outcome.values is None else outcome.values["validity"]
+        self.chip.show_findings(findings)
+        self._judged = None if outcome is None else outcome.request.given
+        # The design may have been edited since.
+        self._follow()
+        self._noisy = next((finding.outputs for finding in findings if finding.name == "noise"), ())
+        for panel in self._panels:
+            panel.show_noisy(self._noisy)
+
+    def _explain(self) -> None:
+        card = ConditionsCard(self.chip.findings, self.chip.worst, self.chip)
+        card.repair_requested.connect(self._repair)
+        card.open_above(self.chip.mapToGlobal(QPoint()))
+
+    def _repair(self, finding: Finding) -> None:
+        self._document.apply(edits.mend(self._document.design, self._document.view, finding))

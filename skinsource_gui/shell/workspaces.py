@@ -1,0 +1,541 @@
+"""The three workspaces, and where the docks of a window stand in each of them."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from functools import reduce
+from itertools import pairwise
+
+from PySide6.QtCore import QByteArray, QEvent, QObject, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QGuiApplication, QScreen
+from PySide6.QtWidgets import QMainWindow, QStyle, QToolBar
+
+from skinsource_gui.qt.window_events import WindowEvents
+from skinsource_gui.shell.appearance import Appearance
+from skinsource_gui.shell.docks import Dock, KeyboardKeeper
+from skinsource_gui.state.preferences import Preferences
+
+_ACROSS, _DOWN = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
+
+
+@dataclass(frozen=True, slots=True)
+class Split:
+    """Panels beside each other, or above each other.
+
+    Attributes
+    ----------
+    orientation
+        Horizontal: beside each other.
+    parts
+        Names of panels, or splits of the other orientation, each with its share of the room.
+    """
+
+    orientation: Qt.Orientation
+    parts: tuple[tuple["str | Split", int], ...]
+
+    def panels(self) -> Iterator[str]:
+        """Yield the names of all panels in it."""
+        for part, _ in self.parts:
+            if isinstance(part, Split):
+                yield from part.panels()
+            else:
+                yield part
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Workspace:
+    """One workspace as it is at first.
+
+    Attributes
+    ----------
+    name
+        As scenes have it.
+    text, hint, key
+        Those of the action that shows it.
+    split
+        The panels in sight.
+    host
+        Another panel comes up as a tab beside this one.
+    hosts
+        By name of a panel, the host where it is another one.
+    tabs
+        Panels that are tabs from the start, behind their hosts.
+    folds
+        Parts of ``split`` whose panels become tabs, one part after the other, where the window is
+        too small.
+    text_scale
+        Size of letters, beside the size that is chosen otherwise.
+    """
+
+    name: str
+    text: str
+    hint: str
+    key: str
+    split: Split
+    host: str
+    hosts: Mapping[str, str] = field(default_factory=dict)
+    tabs: tuple[str, ...] = ()
+    folds: tuple[Split, ...] = ()
+    text_scale: float = 1.0
+
+
+#: The workspace for an audience.
+PRESENTATION = "presentation"
+
+_PLOTS = Split(_DOWN, (("traces", 50), ("spectra", 50)))
+_INPUTS_AND_PLOTS = Split(_ACROSS, (("hand", 25), ("inspector", 27), (_PLOTS, 48)))
+
+WORKSPACES: tuple[Workspace, ...] = (
+    Workspace(
+        name="design",
+        text="Compose",
+        hint="The skin, and all that a stimulus is composed with",
+        key="Alt+1",
+        split=Split(
+            _ACROSS,
+            (("skin", 31), (Split(_DOWN, ((_INPUTS_AND_PLOTS, 59), ("timeline", 41))), 69)),
+        ),
+        host="timeline",
+        hosts=dict.fromkeys(
+            (
+                *("frequency_and_amplitude", "compare", "history", "library", "analysis_2"),
+                *("actuator", "playback"),
+            ),
+            "inspector",
+        ),
+        tabs=("clip_editor",),
+        folds=(_PLOTS, _INPUTS_AND_PLOTS),
+    ),
+    Workspace(
+        name="analysis",
+        text="Analyse",
+        hint="The skin, traces and spectra, large",
+        key="Alt+2",
+        split=Split(_ACROSS, (("skin", 32), (_PLOTS, 68))),
+        # Not the skin: outputs are chosen there.
+        host="spectra",
+        hosts={"analysis_2": "traces"},
+        folds=(_PLOTS,),
+    ),
+    Workspace(
+        name=PRESENTATION,
+        text="Present",
+        hint="The skin, the hand, frequency and amplitude, in large letters",
+        key="Alt+3",
+        split=Split(
+            _ACROSS,
+            (
+                (Split(_DOWN, (("hand", 82), ("frequency_and_amplitude", 18))), 42),
+                ("skin", 58),
+            ),
+        ),
+        host="hand",
+        hosts={"analysis_2": "skin"},
+        text_scale=1.25,
+    ),
+)
+
+# Around the letters of a dock's title; the frame of a dock.
+_TITLE_PX, _EDGE_PX = 16, 4
+_GAP = QStyle.PixelMetric.PM_DockWidgetSeparatorExtent
+_PRESS, _RELEASE = QEvent.Type.MouseButtonPress, QEvent.Type.MouseButtonRelease
+
+
+def shared(whole: int, shares: Sequence[int], least: Sequence[int]) -> list[int]:
+    """Split ``whole`` by ``shares``, but give each part what it needs at least, if that fits."""
+    total = sum(shares)
+    parts = [max(whole * share // total, need) for share, need in zip(shares, least, strict=True)]
+    excess, spare = sum(parts) - whole, sum(parts) - sum(least)
+    if excess > 0 and spare > 0:
+        cuts = [excess * (part - need) // spare for part, need in zip(parts, least, strict=True)]
+        parts = [part - cut for part, cut in zip(parts, cuts, strict=True)]
+    return parts
+
+
+#: For each dock, whether it is hidden, floating, and in sight.
+_State = dict[str, tuple[bool, bool, bool]]
+
+
+@dataclass(frozen=True, slots=True)
+class _Before:
+    """What a presentation leaves: geometry and size of the window, workspace and layout."""
+
+    geometry: QByteArray
+    size: QSize
+    name: str
+    layout: bytes
+
+
+class Workspaces(QObject):
+    """Puts the docks of a window into a workspace, and remembers each as it is left.
+
+    Parameters
+    ----------
+    window
+        Holds the docks; also the parent.
+    docks
+        By the name of their panel, in the order in which the keyboard reaches them.
+    preferences
+        Store the workspaces between sessions.
+    appearance
+        Size of letters.
+    """
+
+    #: The name of the workspace that is shown from now on.
+    shown = Signal(str)
+
+    def __init__(
+        self,
+        window: QMainWindow,
+        docks: Mapping[str, Dock],
+        preferences: Preferences,
+        appearance: Appearance,
+    ) -> None:
+        super().__init__(window)
+        self._window, self._docks = window, docks
+        self._preferences, self._appearance = preferences, appearance
+        self._keyboard = KeyboardKeeper(window, docks)
+        self._present = WORKSPACES[0]
+        # Layouts of the user, by the name of the workspace.
+        self._own: dict[str, bytes] = {}
+        # Whether docks, or the lines between them, were moved since they were arranged.
+        self._moved = self._is_arranging = False
+        # Parts of the workspace that are tabs, since the window is too small.
+        self._folded: tuple[Split, ...] = ()
+        self._arranged: _State = {}
+        self._at_press = b""
+        # The workspace before a scene took up its own.
+        self._before_scene = ""
+        # What a presentation has left, and what waits for the window to have its size again.
+        self._before_show: _Before | None = None
+        self._awaited: _Before | None = None
+        # How high some panels must be is known once they have their width.
+        self._settling = QTimer(self, singleShot=True, interval=0)
+        self._settling.timeout.connect(self._settle)
+        for dock in docks.values():
+            dock.topLevelChanged.connect(self._note_move)
+        appearance.changed.connect(self._refit)
+        WindowEvents.follow(window, self._note_press, _PRESS)
+        WindowEvents.follow(window, self._note_release, _RELEASE)
+        WindowEvents.follow(window, self._note_size, QEvent.Type.Resize)
+        WindowEvents.follow(window, self._note_shown, QEvent.Type.Show)
+
+    @property
+    def settled(self) -> bool:
+        """Whether the docks stand where they were put."""
+        return not self._settling.isActive()
+
+    def choose(self, name: str) -> None:
+        """Show a workspace as it was left."""
+        if name == self._present.name and not self._before_scene:
+            return
+        self._store_own()
+        self._before_scene = ""
+        self._show(name)
+        self.put(self._own.get(name, b""))
+        self._keyboard.settle()
+
+    def reset(self) -> None:
+        """Show the present workspace as it was at first."""
+        self._own.pop(self._present.name, None)
+        self._show(self._present.name)
+
+    def show_scene(self, name: str, panels: Sequence[str]) -> None:
+        """Show the workspace of a scene as at first, with its panels; `leave_scene` leaves it.
+
+        In a presentation the workspace stays.
+
+        Parameters
+        ----------
+        name
+            That of the workspace.
+        panels
+            Names of panels; the last of several in one place comes to the front.
+        """
+        if self._before_show is not None:
+            name = PRESENTATION
+        else:
+            self._store_own()
+            self._before_scene = self._before_scene or self._present.name
+        self._show(name)
+        for panel in panels:
+            self.bring(panel)
+
+    def leave_scene(self) -> None:
+        """Show the workspace that was there before the scene; in a presentation it stays."""
+        if self._before_scene and self._before_show is None:
+            self.choose(self._before_scene)
+
+    def begin_show(self, panels: Sequence[str]) -> None:
+        """Show the workspace for an audience, with the panels of a scene."""
+        window = self._window
+        self._before_show = _Before(
+            window.saveGeometry(), window.size(), self._present.name, self._layout_of_user()
+        )
+        self.show_scene(PRESENTATION, panels)
+
+    def end_show(self, panels: Sequence[str]) -> None:
+        """Show what was there before the presentation, and the panels of a scene."""
+        before, self._before_show = self._before_show, None
+        if before is not None:
+            self._show(before.name)
+            self.put(before.layout)
+            self._awaited = before
+            for panel in panels:
+                self.bring(panel)
+
+    def bring(self, panel: str) -> None:
+        """Bring a panel into sight without moving others."""
+        if panel in self._docks:
+            self._docks[panel].bring_forward()
+
+    def content(self) -> bytes:
+        """Return the layout for `put` and `show_panels`."""
+        return bytes(self._window.saveState().data())
+
+    def put(self, content: bytes) -> None:
+        """Restore the layout ``content`` of this window; do nothing where it is empty."""
+        if content:
+            with self._arranging():
+                self._window.restoreState(QByteArray(content))
+            self._settling.stop()
+            self._moved = True
+
+    def show_panels(self, content: bytes) -> None:
+        """Show and hide panels as in the layout ``content``; do nothing where it is empty.
+
+        Of panels that share a place, one that was in sight comes to the front.  Where they stand
+        and how large they are stays: that belongs to this window and its screen, not to the one in
+        which a file was saved.
+        """
+        before = self._window.saveState()
+        if not content or not self._window.restoreState(QByteArray(content)):
+            return
+        docks = self._docks.values()
+        hidden = {dock: dock.isHidden() for dock in docks}
+        in_sight = [dock for dock in docks if dock.isVisible() and dock.in_sight]
+        self._window.restoreState(before)
+        for dock, hide in hidden.items():
+            dock.setHidden(hide)
+        for dock in in_sight:
+            if not dock.in_sight:
+                dock.raise_()
+        self._keyboard.settle()
+
+    def restore(self) -> None:
+        """Restore the last session; its sizes only where its screen is there."""
+        screen = self._preferences.screen
+        fits = not screen or screen in map(screen_key, QGuiApplication.screens())
+        if fits:
+            self._window.restoreGeometry(self._preferences.geometry)
+        name, own = self._preferences.arrangement, self._preferences.own_arrangements
+        self._show(name)
+        self._own = own if fits else {}
+        (self.put if fits else self.show_panels)(own.get(self._present.name, b""))
+
+    def close(self) -> None:
+        """Store the workspaces for the next session, which begins without scene and audience."""
+        self._store_own()
+        name, geometry = self._present.name, self._window.saveGeometry()
+        if self._before_show is not None:
+            name, geometry = self._before_show.name, self._before_show.geometry
+            self._own[name] = self._before_show.layout
+        self._preferences.geometry = geometry
+        self._preferences.arrangement = self._before_scene or name
+        self._preferences.screen = screen_key(self._window.screen())
+        self._preferences.own_arrangements = self._own
+        self._preferences.flush()
+        for dock in self._docks.values():
+            # A panel in a window of its own does not close with this one on every desktop.
+            if dock.isFloating():
+                dock.hide()
+
+    def _show(self, name: str) -> None:
+        """Put the docks where they are in a workspace at first."""
+        named = {workspace.name: workspace for workspace in WORKSPACES}
+        self._present = workspace = named.get(name, WORKSPACES[0])
+        # Letters of another size share no room before the docks stand.
+        self._moved = True
+        self._preferences.arrangement = workspace.name
+        self._appearance.fit_room(workspace.text_scale)
+        self._folded = self._folds()
+        in_sight = tuple(workspace.split.panels())
+        with self._arranging():
+            for dock in self._docks.values():
+                dock.setFloating(False)
+                self._window.removeDockWidget(dock)
+            self._window.addDockWidget(
+                Qt.DockWidgetArea.TopDockWidgetArea, self._docks[in_sight[0]]
+            )
+            self._place(workspace.split)
+            for panel, dock in self._docks.items():
+                if panel not in in_sight:
+                    self._window.tabifyDockWidget(self._docks[self._host(panel)], dock)
+                dock.setVisible(panel in in_sight or panel in workspace.tabs)
+            for panel in reversed(in_sight):
+                self._docks[panel].raise_()
+        self._moved = False
+        self._share_room()
+        self._settling.start()
+        self._keyboard.settle()
+        self.shown.emit(workspace.name)
+
+    def _host(self, panel: str) -> str:
+        """Return the panel beside which another one comes up as a tab."""
+        return self._present.hosts.get(panel, self._present.host)
+
+    def _place(self, split: Split) -> None:
+        docks = [self._docks[_panels(part)[0]] for part, _ in split.parts]
+        for before, after in pairwise(docks):
+            if split in self._folded:
+                self._window.tabifyDockWidget(before, after)
+            else:
+                self._window.splitDockWidget(before, after, split.orientation)
+        for part, _ in split.parts:
+            if isinstance(part, Split):
+                self._place(part)
+
+    def _share_room(self) -> None:
+        """Give the panels of the present workspace their first sizes."""
+        self._share(self._present.split, self._room())
+
+    def _room(self) -> QSize:
+        window = self._window
+        bars = [window.menuBar(), window.statusBar(), *window.findChildren(QToolBar)]
+        around = sum(bar.sizeHint().height() for bar in bars if not bar.isHidden())
+        return window.size() - QSize(0, around)
+
+    def _folds(self) -> tuple[Split, ...]:
+        """Return the parts that must be tabs for all panels to have the room that they need."""
+        room, split = self._room(), self._present.split
+        for count in range(len(self._present.folds) + 1):
+            self._folded = self._present.folds[:count]
+            least = self._least(split)
+            if least.width() <= room.width() and least.height() <= room.height():
+                break
+        return self._folded
+
+    def _share(self, split: Split, room: QSize) -> None:
+        gap_px = self._window.style().pixelMetric(_GAP)
+        across = split.orientation == _ACROSS
+        whole = room.width() if across else room.height()
+        needs = [self._least(part) for part, _ in split.parts]
+        least = [need.width() if across else need.height() for need in needs]
+        shares = [share for _, share in split.parts]
+        sizes = shared(whole - gap_px * (len(shares) - 1), shares, least)
+        docks = [self._docks[_edge(part)] for part, _ in split.parts]
+        self._window.resizeDocks(docks, sizes, split.orientation)
+        for (part, _), size in zip(split.parts, sizes, strict=True):
+            if isinstance(part, Split) and part not in self._folded:
+                self._share(
+                    part,
+                    QSize(size, room.height()) if across else QSize(room.width(), size),
+                )
+
+    def _least(self, part: str | Split) -> QSize:
+        """Return the least room in which nothing of the panels has to scroll."""
+        title_px = self._window.fontMetrics().height() + _TITLE_PX
+        if isinstance(part, str):
+            panel, hosts = self._docks[part].panel, map(self._host, self._present.tabs)
+            size = panel.minimumSize().expandedTo(panel.minimumSizeHint())
+            return size + QSize(_EDGE_PX, title_px + (title_px if part in hosts else 0))
+        needs = [self._least(inner) for inner, _ in part.parts]
+        if part in self._folded:
+            return reduce(QSize.expandedTo, needs) + QSize(0, title_px)
+        gap_px = self._window.style().pixelMetric(_GAP) * (len(needs) - 1)
+        widths, heights = [need.width() for need in needs], [need.height() for need in needs]
+        if part.orientation == _ACROSS:
+            return QSize(sum(widths) + gap_px, max(heights))
+        return QSize(max(widths), sum(heights) + gap_px)
+
+    @property
+    def _untouched(self) -> bool:
+        """Whether the docks stand as they were arranged."""
+        return not self._moved and (not self.settled or self._state() == self._arranged)
+
+    def _state(self) -> _State:
+        return {
+            name: (dock.isHidden(), dock.isFloating(), dock.in_sight)
+            for name, dock in self._docks.items()
+        }
+
+    def _layout_of_user(self) -> bytes:
+        """Return the present layout; empty where the docks stand as they were arranged."""
+        return b"" if self._untouched else self.content()
+
+    def _store_own(self) -> None:
+        if not self._before_scene and self._before_show is None and not self._untouched:
+            self._own[self._present.name] = self.content()
+
+    @contextmanager
+    def _arranging(self) -> Iterator[None]:
+        self._is_arranging = True
+        try:
+            yield
+        finally:
+            self._is_arranging = False
+
+    def _settle(self) -> None:
+        self._share_room()
+        self._arranged = self._state()
+
+    def _refit(self) -> None:
+        """Share the room anew among docks that were not moved."""
+        if not self._untouched:
+            return
+        folded = self._folded
+        if self._folds() != folded:
+            self._show(self._present.name)
+        else:
+            self._settling.start()
+
+    def _note_move(self) -> None:
+        self._moved = self._moved or not self._is_arranging
+
+    def _note_press(self, _event: QEvent) -> None:
+        # The window itself has only the lines between its docks.
+        self._at_press = self.content()
+
+    def _note_release(self, _event: QEvent) -> None:
+        # Qt moves a line a moment later.
+        QTimer.singleShot(0, self, self._compare_lines)
+
+    def _compare_lines(self) -> None:
+        self._moved = self._moved or self.content() != self._at_press
+
+    def _note_size(self, _event: QEvent) -> None:
+        if self._awaited is not None and self._window.size() == self._awaited.size:
+            self.put(self._awaited.layout)
+            self._awaited = None
+        self._refit()
+
+    def _note_shown(self, _event: QEvent) -> None:
+        # Qt shows the window itself after this event.
+        QTimer.singleShot(0, self, self._show_floating)
+
+    def _show_floating(self) -> None:
+        """Show panels out of the window once more, now that there is one to be in front of.
+
+        A desktop keeps a window in front of its parent only if that was shown first.
+        """
+        for dock in self._docks.values():
+            if dock.isFloating() and dock.isVisible():
+                dock.hide()
+                dock.show()
+
+
+def _panels(part: str | Split) -> tuple[str, ...]:
+    return (part,) if isinstance(part, str) else tuple(part.panels())
+
+
+def _edge(part: str | Split) -> str:
+    """Return a panel of a part that is as long as the part, across its own orientation."""
+    if isinstance(part, str):
+        return part
+    return next(inner for inner, _ in part.parts if isinstance(inner, str))
+
+
+def screen_key(screen: QScreen) -> str:
+    """Return a key of what window sizes depend on: the room on a screen and its scale."""
+    room = screen.availableGeometry()
+    return f"{room.width()} x {room.height()} at {screen.devicePixelRatio():g}"

@@ -1,0 +1,48 @@
+"""What is imported when: nothing that is not needed yet, and no part of Qt anywhere in the core."""
+
+import subprocess
+import sys
+
+PROBE = """
+import importlib
+import pkgutil
+import sys
+
+# None in sys.modules makes every import of the name raise.
+blocked = ("PySide6", "PySide2", "PyQt6", "PyQt5", "shiboken6", "pyqtgraph", "qtpy")
+sys.modules.update(dict.fromkeys(blocked))
+
+
+def absent(after, *names):
+    there = [name for name in names if name in sys.modules]
+    assert not there, f"{after} imports {', '.join(there)}"
+
+
+import skinsource
+
+absent("skinsource alone", "numpy")
+from skinsource.limbs.synthetic import load_synthetic_limb
+
+load_synthetic_limb(1).response_to(1)
+absent("a synthetic limb", "scipy.signal", "scipy.interpolate", "scipy.stats")
+import skinsource.cli.command_line
+
+absent("the command line", "scipy.signal", "matplotlib")
+import skinsource.lab.playing.session
+
+absent("playing", "sounddevice")
+for module in pkgutil.walk_packages(skinsource.__path__, "skinsource."):
+    if not module.name.endswith("__main__"):
+        importlib.import_module(module.name)
+        print(module.name)
+"""
+
+
+def test_each_part_imports_what_it_needs_and_the_whole_core_is_there_without_qt():
+    done = subprocess.run(
+        [sys.executable, "-W", "error", "-c", PROBE], capture_output=True, text=True, timeout=60
+    )
+    assert done.returncode == 0, done.stderr
+    assert {"skinsource.engine.quantities", "skinsource.design.waveforms.tones"} <= set(
+        done.stdout.split()
+    )

@@ -1,0 +1,290 @@
+"""Snapshots held against each other: strengths in proportion, inputs that add up."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+import skinsource as ss
+from skinsource.design.comparing import Snapshot
+from skinsource.design.edits.setup import remove_delay
+from skinsource.design.panel_settings import settings_of
+from skinsource.design.view import View
+from skinsource.engine.evaluation import evaluate
+from skinsource.perception.validity import probe_velocity
+from skinsource.studies.checking import Proportion, Superposition
+from skinsource_gui.panels.analysis.linearity_content import diagrams_of_proportion, of_amplitudes
+from skinsource_gui.panels.analysis.settings import LinearitySettings
+from skinsource_gui.state.compared import Compared
+from tests.gui.analysis.analysis_bench import analysis
+from tests.gui.analysis.test_linearity_content import ROWS, TIME_S, bent
+
+TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.1)
+
+
+OUTPUTS = (20, 26)
+
+
+def played(*places, amplitude=1.0):
+    tracks = tuple(ss.track(place, TONE, amplitude=amplitude) for place in places)
+    return ss.Design(limb="synthetic-1", inputs=tracks, scaling="probe")
+
+
+def snapshots_of(*designs):
+    return tuple(Snapshot(number=k, design=design) for k, design in enumerate(designs, 1))
+
+
+STRENGTHS = [played(8, amplitude=k) for k in (1.0, 2.0, 4.0)]
+
+
+PARTS = [played(8), played(13), played(8, 13)]
+
+
+@pytest.fixture
+def show(open_window, qtbot):
+    """A window on the last of designs that are kept, with the panel in front."""
+
+    def opened(designs, **view):
+        looked = View(**{"axes": "z", "outputs": OUTPUTS, "levels_matched": False, **view})
+        window = open_window(designs[-1], replace(looked, snapshots=snapshots_of(*designs)))
+        panel = analysis(window, "linearity")
+        qtbot.waitUntil(lambda: settled(window, panel), timeout=30_000)
+        return window, panel
+
+    return opened
+
+
+def settled(window, panel):
+    QApplication.processEvents()
+    return not window.engine.busy and panel.figure.message != "Computing…"
+
+
+def test_strengths_of_one_stimulus_lie_on_each_other_once_divided(show):
+    _, panel = show(STRENGTHS)
+    assert panel.figure.message == ""
+    assert isinstance(panel.result, Proportion)
+    assert panel.result.strengths.tolist() == [1.0, 2.0, 4.0]
+    assert panel.result.largest_difference < 1e-9
+    assert "3 strengths" in panel.note_label.text
+    over, growth, straight = panel.picture.diagrams
+    assert len(over.curves) == 3 * len(OUTPUTS)
+    assert np.ptp([curve.y for curve in over.curves[:3]], axis=0).max() < 1e-9
+    assert growth.x.title == "Strength (m/s²)"
+    assert straight.y.title == "Adjusted R²"
+    assert "synthetic" in panel.about.text
+    panel.grab()
+    # Below the pointer are numbers.
+    frame = panel.picture._placed[1][1].frame
+    at = panel.picture._placed[1][0] + frame.center()
+    assert "Strength (m/s²): 2.1" in panel.picture.read(at)
+    assert panel.picture.read(QPointF(-5.0, -5.0)) == ""
+
+
+def test_snapshots_count_alone_where_the_design_in_the_window_is_something_else(show, qtbot):
+    window, panel = show(PARTS)
+    head, *rows = panel.table_text().splitlines()
+    assert head == "output\taxis\tpearson_r"
+    assert [row.split("\t")[:2] for row in rows] == [["20", "z"], ["26", "z"]]
+    assert [float(row.split("\t")[2]) for row in rows] == pytest.approx([1.0, 1.0])
+    assert "Sum of separate and joint" in panel.note_label.text
+    assert "alone" not in panel.about.text
+    result = panel.result
+    window.document.edit("Elsewhere", played(3))
+    qtbot.waitUntil(lambda: "snapshots alone" in panel.about.text)
+    assert isinstance(panel.result, Superposition)
+    assert panel.result.largest_difference < 1e-9
+    assert panel.result.largest_difference == result.largest_difference
+    assert panel.figure.message == ""
+    window.document.edit("Again", PARTS[0])
+    qtbot.waitUntil(lambda: "alone" not in panel.about.text)
+
+
+def test_while_snapshots_are_computed_anew_what_is_drawn_is_told_to_be_of_others(show, qtbot):
+    window, panel = show(STRENGTHS)
+    assert not panel.is_stale
+    panel.show_snapshots([Compared(snapshot=snapshot) for snapshot in snapshots_of(*STRENGTHS)])
+    qtbot.waitUntil(lambda: panel.is_stale)
+    assert panel.result is not None
+    assert not window.panel("analysis").copy.isEnabled()
+    window.document.look(replace(window.document.view, outputs=(30,)))
+    qtbot.waitUntil(lambda: not panel.is_stale)
+    assert window.panel("analysis").copy.isEnabled()
+    panel.show_snapshots([Compared(snapshot=snapshot) for snapshot in snapshots_of(*STRENGTHS)])
+    qtbot.waitUntil(lambda: panel.is_stale)
+    panel.show_snapshots([])
+    assert "with Ctrl+1 to Ctrl+4" in panel.figure.message
+    assert not panel.is_stale
+
+
+def test_a_part_is_the_same_whether_the_delay_is_removed_or_not(show, qtbot):
+    window, panel = show(PARTS, time_range_s=(0.06, 0.08))
+    before = panel.picture.diagrams[0].curves
+    # Traces have the window say the instants that its time axes have.
+    window.docks["traces"].bring_forward()
+    for removed in (True, False):
+        window.document.apply(remove_delay(window.document.design, window.document.view, removed))
+        shown = (0.008, 0.028) if removed else (0.06, 0.08)
+        axis = pytest.approx(shown, abs=1e-3)
+        qtbot.waitUntil(lambda axis=axis: panel.picture.diagrams[0].x.shown == axis)
+        qtbot.waitUntil(lambda: settled(window, panel))
+        assert panel.picture.diagrams[0].x.shown == axis
+        now = panel.picture.diagrams[0].curves
+        for curve, other in zip(before, now, strict=True):
+            np.testing.assert_allclose(curve.y, other.y)
+
+
+def test_rms_are_copied_by_strength_output_and_axis(show):
+    _, panel = show(STRENGTHS, axes="xz")
+    head, *rows = (line.split("\t") for line in panel.table_text().splitlines())
+    columns = [f"rms_{output}_{axis}_m_per_s2" for output in OUTPUTS for axis in "xz"]
+    assert head == ["strength", *columns]
+    table = np.array(rows, float)
+    traces = ss.evaluate(STRENGTHS[0], "axis_traces", view=View(axes="xz", outputs=OUTPUTS))
+    rms = np.sqrt(np.mean(traces["axis_traces"] ** 2, axis=-1)).ravel()
+    np.testing.assert_allclose(table[:, 0], [1.0, 2.0, 4.0])
+    np.testing.assert_allclose(table[:, 1:], table[:, :1] * rms, rtol=1e-6)
+
+
+def test_what_cannot_be_held_against_each_other_says_what_to_store(show, qtbot):
+    window, panel = show([played(8), played(9)])
+    assert "with Ctrl+1 to Ctrl+4" in panel.figure.message
+    assert panel.table_text() == ""
+    assert not window.panel("analysis").copy.isEnabled()
+    document = window.document
+    document.look(replace(document.view, snapshots=snapshots_of(*PARTS)))
+    document.edit("Both", PARTS[2])
+    qtbot.waitUntil(lambda: panel.result is not None, timeout=30_000)
+
+
+def test_what_is_too_long_for_a_picture_says_where_it_is_checked(show, monkeypatch):
+    monkeypatch.setattr("skinsource_gui.panels.analysis.linearity._MOST_VALUES", 1000)
+    _, panel = show(STRENGTHS)
+    assert panel.figure.message.startswith("Too long to be shown here")
+    assert panel.result is None
+
+
+def test_strengths_on_a_limb_that_is_missing_say_so(show):
+    _, panel = show([replace(design, limb="lab-9", limb_digest="0" * 64) for design in STRENGTHS])
+    assert "lab-9" in panel.figure.message
+
+
+__all__ = ["show"]
+
+
+def test_adjusted_r2_is_told_of_all_outputs(show, qtbot):
+    window, panel = show(STRENGTHS)
+    assert [curve.rank for curve in panel.picture.diagrams[2].curves] == [0, 1]
+    switch(window, panel, qtbot, "every_output")
+    qtbot.waitUntil(lambda: panel.all_outputs is not None, timeout=30_000)
+    assert settings_of(window.document.view, "linearity", LinearitySettings).every_output
+    assert panel.all_outputs.adjusted_r2.shape[:2] == (72, 1)
+    straight = panel.picture.diagrams[2]
+    assert [curve.label for curve in straight.curves] == ["median", "worst"]
+    assert straight.y.title == "Adjusted R², all outputs"
+    assert "of all 72 outputs" in panel.note_label.text
+    head, *rows = (line.split("\t") for line in panel.table_text().splitlines())
+    assert head == ["frequency_hz", *(f"adjusted_r2_{k}_z" for k in range(1, 73))]
+    assert len(rows) == panel.all_outputs.frequency_hz.size
+    panel.grab()
+    switch(window, panel, qtbot, "every_output")
+    qtbot.waitUntil(lambda: panel.all_outputs is None)
+    assert [curve.rank for curve in panel.picture.diagrams[2].curves] == [0, 1]
+
+
+def test_the_worst_of_all_outputs_is_drawn_below_their_median():
+    fits = bent()
+    n_bins = fits.frequency_hz.size
+    every = np.stack([np.full(n_bins, ratio) for ratio in (1.0, 0.98, 0.5)])
+    every[:, 0] = np.nan
+    *_, straight = diagrams_of_proportion(
+        fits, ROWS, TIME_S, None, of_amplitudes("V"), all_outputs=every
+    )
+    median, worst = straight.curves
+    assert median.y == pytest.approx(0.98)
+    assert worst.y == pytest.approx(0.5)
+    # Where nothing is heard there is no line that could be straight.
+    assert worst.x == pytest.approx(fits.frequency_hz[1:])
+    silent = np.full((3, n_bins), np.nan)
+    *_, straight = diagrams_of_proportion(
+        fits, ROWS, TIME_S, None, of_amplitudes("V"), all_outputs=silent
+    )
+    assert straight.curves == ()
+
+
+RATE_HZ = 1300.0
+
+
+def switch(window, panel, qtbot, name):
+    QTest.mouseClick(getattr(panel, name), Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: settled(window, panel))
+
+
+def test_a_divided_response_has_the_unit_of_response_and_strength(show):
+    _, panel = show([replace(design, scaling="relative") for design in STRENGTHS])
+    assert panel.picture.diagrams[0].y.title == "Divided (m/s²)"
+    assert not panel.velocity.isVisible()
+
+
+def test_strengths_are_velocities_of_the_probe_where_these_are_known(show, qtbot):
+    window, panel = show(STRENGTHS)
+    divided = panel.picture.diagrams[0].curves[0].y
+    fastest = []
+    for design in STRENGTHS:
+        [(_, drive)] = evaluate(design, "place_drives")["place_drives"]
+        fastest.append(probe_velocity(drive, RATE_HZ))
+        fastest_m_per_s = evaluate(design, "fastest_probe_m_per_s")["fastest_probe_m_per_s"]
+        assert fastest_m_per_s == pytest.approx(fastest[-1])
+    switch(window, panel, qtbot, "velocity")
+    settings = settings_of(window.document.view, "linearity", LinearitySettings)
+    assert settings.velocity
+    over, growth, _ = panel.picture.diagrams
+    assert (over.y.title, over.y.short) == ("Divided (m/s² per mm/s)", "m/s² per mm/s")
+    assert growth.x.title == "Probe velocity (mm/s)"
+    assert growth.curves[0].x == pytest.approx(1e3 * np.array(fastest))
+    assert over.curves[0].y * 1e3 * fastest[0] == pytest.approx(divided)
+    head, *rows = panel.table_text().splitlines()
+    assert head.startswith("probe_velocity_m_per_s\trms_20_z_m_per_s2")
+    assert [float(row.split("\t")[0]) for row in rows] == pytest.approx(fastest)
+
+
+def test_outputs_are_drawn_band_by_band_over_logarithmic_axes(show, qtbot):
+    window, panel = show(STRENGTHS)
+    switch(window, panel, qtbot, "bands")
+    growth = panel.picture.diagrams[1]
+    assert growth.x.log
+    assert growth.y.log
+    labels = [curve.label for curve in growth.curves if curve.label]
+    assert labels == ["50 Hz", "100 Hz", "200 Hz", "400 Hz"] * len(OUTPUTS)
+    for line, dots in zip(growth.curves[::2], growth.curves[1::2], strict=True):
+        assert dots.y == pytest.approx(line.y, rel=1e-6)
+        assert dots.y / dots.x == pytest.approx(dots.y[0] / dots.x[0], rel=1e-6)
+    panel.grab()
+    origin, axes = panel.picture._placed[1]
+    assert "In the band (m/s²)" in panel.picture.read(origin + axes.frame.center())
+
+
+def test_the_switches_compute_no_prediction_and_are_about_strengths(show, qtbot, monkeypatch):
+    window, panel = show(STRENGTHS)
+    asked = []
+    ask = window.engine.request
+    monkeypatch.setattr(
+        window.engine,
+        "request",
+        lambda request: (asked.append(request.slot.name), ask(request)),
+    )
+    traces = panel._drawn[-len(STRENGTHS) :]
+    for name in ("velocity", "bands", "velocity", "bands"):
+        before = panel.picture.diagrams
+        switch(window, panel, qtbot, name)
+        assert panel.picture.diagrams is not before
+        drawn = panel._drawn[-len(STRENGTHS) :]
+        assert all(trace is other for trace, other in zip(traces, drawn, strict=True))
+    assert not any("snapshot" in request for request in asked)
+    window.document.look(replace(window.document.view, snapshots=snapshots_of(*PARTS)))
+    window.document.edit("Both", PARTS[2])
+    qtbot.waitUntil(lambda: len(panel.picture.diagrams) == 2, timeout=30_000)
+    assert not panel.velocity.isVisible()
+    assert not panel.bands.isVisible()

@@ -1,0 +1,352 @@
+"""Compared maps: the same numbers as alone, one scale, one pointer, no cost while hidden."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QEvent, QRectF, Qt
+from PySide6.QtGui import QGuiApplication, QImage, QPainter
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from skinsource.design.comparing import Snapshot, scale_end_db
+from skinsource.design.design import Design, track
+from skinsource.design.panel_settings import with_settings
+from skinsource.design.view import View
+from skinsource.engine.evaluation import evaluate
+from skinsource.signals.map_range import MAP_RANGE_DB, map_range_db
+from skinsource_gui.panels.compare.content import Cells, snapshot_names
+from skinsource_gui.panels.skin.settings import SkinSettings
+from skinsource_gui.plots.small_map import paint_small_map, tick_text
+from skinsource_gui.qt.theme import LIGHT
+from skinsource_gui.state.compared import Compared
+from skinsource_gui.state.engine import Purpose
+from tests.core.own_limbs.lab_bench import installed
+from tests.gui.compare.compare_bench import choose, point_at, shown
+
+LIMBS = tuple(f"synthetic-{k}" for k in (1, 2, 3, 4))
+
+
+@pytest.fixture
+def panel(window, settle):
+    choose(window, of="limbs")
+    window.docks["compare"].bring_forward()
+    settle()
+    return window.panel("compare")
+
+
+def levels(window, limb):
+    design = replace(window.document.design, limb=limb)
+    return evaluate(design, "output_levels_db", view=window.document.view)["output_levels_db"]
+
+
+def ring(maps, index, output):
+    """Pixels around an output in one of the maps, as they are painted."""
+    image = maps.grab().toImage()
+    x, y = (round(coordinate) for coordinate in maps.points_of(index)[output - 1])
+    return [image.pixel(x + dx, y + dy) for dx in range(-9, 10) for dy in range(-9, 10)]
+
+
+def test_four_limbs_have_their_own_levels_one_scale_one_pointer_and_one_selection(
+    window, panel, qtbot
+):
+    cells = shown(panel, qtbot, 4)
+    expected = [levels(window, limb) for limb in LIMBS]
+    for cell, values in zip(cells, expected, strict=True):
+        assert cell.values_db == pytest.approx(values, abs=1e-9)
+        assert cell.scale.range_db == map_range_db(np.max(expected))
+        assert cell.synthetic
+    assert [cell.heading for cell in cells][1] == "Synthetic 2 (165 mm)"
+    maps, output = panel.maps, 23
+    before = [ring(maps, k, output) for k in range(4)]
+    at = point_at(maps, 2, output)
+    assert maps.output == output
+    assert all(ring(maps, k, output) != before[k] for k in range(4))
+    for values in expected:
+        assert f"{values[output - 1]:.1f}".replace("-", "−") in panel.text_label.text
+    assert panel.text_label.text.startswith("Output 23")
+    QTest.mouseClick(maps, Qt.MouseButton.LeftButton, pos=at)
+    assert window.document.view.outputs == (output,)
+    QApplication.sendEvent(maps, QEvent(QEvent.Type.Leave))
+    assert all(ring(maps, k, output) != before[k] for k in range(4))
+    maps.setFocus()
+    QTest.keyClick(maps, Qt.Key.Key_Down)
+    QTest.keyClick(maps, Qt.Key.Key_Return, Qt.KeyboardModifier.ShiftModifier)
+    chosen = window.document.view.outputs
+    assert len(chosen) == 2
+    points = maps.points_of(2)
+    assert points[chosen[1] - 1][1] > points[output - 1][1]
+    panel.copy.click()
+    copied = QGuiApplication.clipboard().text().splitlines()
+    rows = [line for line in copied if not line.startswith("# ")]
+    assert len(rows) == 73
+    assert float(rows[23].split("\t")[2]) == pytest.approx(expected[1][22])
+
+
+def test_differences_and_mean_and_spread_are_those_of_the_levels(window, panel, qtbot):
+    expected = np.array([levels(window, limb) for limb in LIMBS])
+    choose(window, shown="difference")
+    cells = shown(panel, qtbot, 3)
+    for cell, values in zip(cells, expected[1:], strict=True):
+        assert cell.heading.endswith("minus Synthetic 1 (175 mm)")
+        assert cell.values_db == pytest.approx(values - expected[0], abs=1e-9)
+        field = cell.small.field_levels_db
+        assert np.nanmax(np.abs(field)) <= np.abs(values - expected[0]).max() + 1e-9
+        assert cell.scale.range_db[0] == -cell.scale.range_db[1]
+        differences = np.array(expected[1:]) - expected[0]
+        assert cell.scale.range_db[1] == scale_end_db(differences)
+        assert cell.scale.reached_db == pytest.approx((differences.min(), differences.max()))
+    choose(window, shown="mean")
+    mean, spread = shown(panel, qtbot, 2)
+    assert mean.values_db == pytest.approx(expected.mean(axis=0), abs=1e-9)
+    assert spread.values_db == pytest.approx(expected.std(axis=0, ddof=1), abs=1e-9)
+    of_whom = "of 4: Synthetic 1, Synthetic 2, Synthetic 3, Synthetic 4"
+    assert mean.headings == (f"Mean {of_whom}", "Mean of 4", "Mean")
+    assert spread.heading == f"Standard deviation {of_whom}"
+    choose(window, limbs="synthetic-3 synthetic-1", shown="difference")
+    [only] = shown(panel, qtbot, 1)
+    # The limb in the window is what the others are compared with, wherever it stands.
+    assert only.values_db == pytest.approx(expected[2] - expected[0], abs=1e-9)
+
+
+def test_limbs_follow_edits_while_seen_and_cost_nothing_while_hidden(
+    window, panel, qtbot, settle, requests
+):
+    graphs = window.engine._graphs
+    shown(panel, qtbot, 4)
+    # The limb in the window is predicted once, for the window.
+    assert {slot.name for slot in graphs if "limb" in slot.name} == {
+        f"limb {limb}" for limb in LIMBS[1:]
+    }
+    design = window.document.design.with_input(0, amplitude=3.0)
+    before = [cell.values_db for cell in panel.maps.content.cells]
+    window.document.edit("Louder", design)
+    cells = shown(panel, qtbot, 4)
+    for cell, values in zip(cells, before, strict=True):
+        assert cell.values_db - values == pytest.approx(20 * np.log10(3.0), abs=1e-9)
+    window.docks["compare"].toggleViewAction().trigger()
+    settle()
+    qtbot.waitUntil(lambda: not any("limb" in slot.name for slot in graphs))
+    requests.clear()
+    window.document.edit("Softer", design.with_input(0, amplitude=0.5))
+    settle()
+    assert [request.slot.name for request in requests] == ["A"]
+
+
+def test_each_map_can_be_drawn_to_its_own_maximum(window, panel, qtbot):
+    before = [cell.values_db for cell in shown(panel, qtbot, 4)]
+    QTest.mouseClick(panel.bar.own_maximum, Qt.MouseButton.LeftButton)
+    cells = shown(panel, qtbot, 4)
+    scale = panel.maps.content.common_scale
+    assert (scale.text_below, scale.range_db) == ("dB re each map's maximum", (-MAP_RANGE_DB, 0.0))
+    for cell, values in zip(cells, before, strict=True):
+        assert cell.values_db == pytest.approx(values - values.max(), abs=1e-12)
+        assert np.nanmax(cell.small.field_levels_db) == pytest.approx(0.0, abs=1.0)
+        assert cell.value_text(None).startswith(f"max {values.max():.1f} dB".replace("-", "−"))
+    point_at(panel.maps, 1, 23)
+    assert panel.text_label.text.endswith(" dB re each map's maximum")
+    panel.copy.click()
+    head, *rows = QGuiApplication.clipboard().text().splitlines()
+    for column, values in enumerate(before, 1):
+        title, below = head.split("\t")[column], float(rows[22].split("\t")[column])
+        assert below == pytest.approx(values[22] - values.max())
+        assert float(title.split(" of ")[1].split(" dB")[0]) == pytest.approx(values.max())
+    # Only levels have maxima of their own; of axes these are shown whatever was chosen of others.
+    for what, n in (("difference", 3), ("mean", 2)):
+        choose(window, shown=what)
+        assert all(cell.maximum_db is None for cell in shown(panel, qtbot, n))
+        assert not panel.bar.own_maximum.isVisible()
+    choose(window, of="axes")
+    assert shown(panel, qtbot, 3)[0].maximum_db is not None
+
+
+def test_each_axis_has_the_levels_that_the_skin_map_has_along_it(window, panel, qtbot, settle):
+    choose(window, of="axes")
+    cells = shown(panel, qtbot, 3)
+    assert [cell.headings for cell in cells] == [(f"Along {axis}", axis) for axis in "xyz"]
+    assert panel.maps.content.common_scale is not None
+    assert panel.maps.content.about == "RMS along each axis of the sensors · whole record"
+    hidden = panel.bar.shown, panel.bar.limbs, panel.bar.file, panel.cards[1]
+    assert not any(part.isVisible() for part in hidden)
+    at = point_at(panel.maps, 1, 23)
+    QTest.mouseClick(panel.maps, Qt.MouseButton.LeftButton, pos=at)
+    assert window.document.view.outputs == (23,)
+    values = {cell.headings[1]: cell.values_db for cell in cells}
+    for axis in "zyx":
+        window.document.look(replace(window.document.view, axes=axis))
+        settle()
+        for cell in shown(panel, qtbot, 3):
+            assert cell.values_db == pytest.approx(values[cell.headings[1]], abs=1e-9)
+        assert window.panel("skin").map.content.values == pytest.approx(values[axis], abs=1e-9)
+
+
+def test_two_to_four_limbs_are_chosen_from_those_there_are(window, panel, qtbot):
+    shown(panel, qtbot, 4)
+
+    def entries():
+        panel.bar.limbs.fill()
+        actions = panel.bar.limbs.menu_of_limbs.actions()
+        return {action.text(): action for action in actions if action.text()}
+
+    offered = entries()
+    assert offered["Those that belong together"].isChecked()
+    offered["Synthetic 2 (165 mm)"].trigger()
+    assert len(shown(panel, qtbot, 3)) == 3
+    entries()["Synthetic 4 (165 mm)"].trigger()
+    cells = shown(panel, qtbot, 2)
+    assert [cell.limb for cell in cells] == ["synthetic-1", "synthetic-3"]
+    offered = entries()
+    assert not offered["Synthetic 3 (185 mm)"].isEnabled()
+    assert offered["Synthetic 4 (165 mm)"].isEnabled()
+    assert not offered["Those that belong together"].isChecked()
+    offered["Those that belong together"].trigger()
+    shown(panel, qtbot, 4)
+
+
+def test_a_limb_that_is_missing_laid_out_otherwise_or_too_large_says_so(
+    window, panel, qtbot, settle, monkeypatch, requests, user_data
+):
+    choose(window, limbs="synthetic-1 synthetic-2 lab-1")
+    shown(panel, qtbot, 2)
+    assert "No limb is called 'lab-1'" in panel.maps.content.cells[2].text
+    document = window.document
+    document.edit("a", document.design.with_input(0, location=3).adding(track(2)))
+    installed()
+    window.limbs.look()
+    cells = shown(panel, qtbot, 3)
+    assert cells[2].heading == "Lab 1 (x, z)"
+    assert cells[2].values_db.shape == (31,)
+    choose(window, shown="difference")
+    shown(panel, qtbot, 1)
+    assert "other places" in panel.maps.content.cells[1].text
+    choose(window, shown="mean")
+    assert shown(panel, qtbot, 2)[0].heading == "Mean of 2 of 3: Synthetic 1, Synthetic 2"
+    monkeypatch.setattr("skinsource.limbs.limb.LIVE_INPUTS", 5)
+    monkeypatch.setattr("skinsource_gui.state.engine.LIVE_INPUTS", 5)
+    requests.clear()
+    choose(window, shown="levels")
+    document.edit("b", document.design.with_input(0, amplitude=0.3))
+    settle()
+    # Published limbs are larger than that as well.
+    qtbot.waitUntil(
+        lambda: all("follow edits up to 5" in cell.text for cell in panel.maps.content.cells)
+    )
+    # Lamps and error of what was shown before may still be on their way.
+    quantities = [request.wanted for request in requests if request.purpose == Purpose.SHOW]
+    # What clips play is drawn all the same, and runs through no limb.
+    assert not any("output_levels_db" in names or "vibration" in names for names in quantities)
+
+
+def test_a_snapshot_on_a_limb_without_the_axes_of_the_view_shows_those_it_has(
+    window, panel, qtbot, user_data
+):
+    installed(axes="xz")
+    window.limbs.look()
+    document = window.document
+    on_lab = Design(limb="lab-1", inputs=(track(3),))
+    choose(window, of="snapshots")
+    document.edit("lab", on_lab)
+    window.do("store_snapshot_1")
+    document.edit("back", Design(limb="synthetic-1", inputs=(track(7),)))
+    document.look(replace(document.view, axes="y"))
+    [lab] = [cell for cell in shown(panel, qtbot, 2) if cell.limb == "lab-1"]
+    assert lab.heading == "Snapshot 1 (x, z)"
+    view = View(axes="xz", method=document.view.method)
+    expected = evaluate(on_lab, "output_levels_db", view=view)["output_levels_db"]
+    assert lab.values_db == pytest.approx(expected, abs=1e-9)
+
+
+def test_a_range_that_is_fixed_on_the_skin_map_holds_for_maps_in_the_same_unit(
+    window, panel, qtbot
+):
+    shown(panel, qtbot, 4)
+    fixed = SkinSettings(map_range_db=(-60.0, -20.0))
+    window.document.look(with_settings(window.document.view, "skin", fixed))
+
+    def scales():
+        return [cell.scale for cell in panel.maps.content.cells if cell.scale is not None]
+
+    def all_fixed():
+        return {scale.range_db for scale in scales()} == {(-60.0, -20.0)}
+
+    qtbot.waitUntil(all_fixed, timeout=60_000)
+    assert {scale.text_below for scale in scales()} == {"dB re 1 m/s² · range fixed"}
+    choose(window, shown="mean")
+    qtbot.waitUntil(lambda: len(scales()) == 2, timeout=60_000)
+    mean, spread = scales()
+    assert mean.range_db == (-60.0, -20.0)
+    assert spread.range_db[0] == 0.0
+    assert spread.text_below == "dB"
+
+
+@pytest.mark.parametrize(
+    ("value", "reached", "text"),
+    [
+        (-20.0, (-57.0, 3.0), "≤ −20"),
+        (20.0, (-57.0, 3.0), "+20"),
+        (20.0, (-1.0, 20.5), "≥ +20"),
+        (0.0, (-57.0, 60.0), "0"),
+        (-20.0, None, "−20"),
+    ],
+)
+def test_the_ends_of_a_scale_say_what_else_has_their_colour(value, reached, text):
+    assert tick_text(value, (-20.0, 20.0), reached, signed=True) == text
+
+
+def test_snapshots_of_a_scene_are_told_by_what_their_titles_do_not_share():
+    def stored(number, title):
+        design = Design(limb="synthetic-1", title=title)
+        return Compared(snapshot=Snapshot(number=number, design=design))
+
+    tones = [stored(1, "Fig. 2B: Far · 50 Hz"), stored(2, "Fig. 2B: Far · 100 Hz")]
+    first, second = snapshot_names(tones, "xyz")
+    assert first == (
+        "Snapshot 1 · Fig. 2B: Far · 50 Hz",
+        "Snapshot 1 · 50 Hz",
+        "1 · 50 Hz",
+        "Snapshot 1",
+        "1",
+    )
+    assert second[1] == "Snapshot 2 · 100 Hz"
+    # What is the same throughout is said; nothing is taken from titles that share nothing.
+    assert snapshot_names([tones[0], tones[0]], "xyz")[0][1] == "Snapshot 1 · 50 Hz"
+    assert snapshot_names([tones[0], stored(2, "Other")], "xyz")[1] == (
+        "Snapshot 2 · Other",
+        "Snapshot 2",
+        "2",
+    )
+    assert snapshot_names([stored(1, "")], "xyz") == [("Snapshot 1", "1")]
+
+
+DESIGN = Design(limb="synthetic-1", inputs=(track(7),))
+
+
+def compared(number, noisy):
+    names = ("limb_map", "limb_data", "output_levels_db", "surface", "surface_levels_db")
+    values = dict(evaluate(DESIGN, *names))
+    above = np.full(72, 20.0)
+    above[[output - 1 for output in noisy]] = 5.9
+    return Compared(
+        snapshot=Snapshot(number=number, design=DESIGN), values={**values, "above_noise_db": above}
+    )
+
+
+def painted(small):
+    image = QImage(120, 280, QImage.Format.Format_RGB32)
+    image.fill(0xFFFFFF)
+    painter = QPainter(image)
+    paint_small_map(painter, QRectF(0, 0, 120, 280), small, None, LIGHT)
+    painter.end()
+    return image
+
+
+def test_what_is_mostly_noise_is_hatched_on_each_map_and_on_what_is_made_of_several(qapp):
+    pair = [compared(1, noisy=(3, 70)), compared(2, noisy=(70, 71))]
+    names = [("one",), ("two",)]
+    first, second = Cells().of_levels(pair, names)
+    assert (first.small.noisy, second.small.noisy) == ((3, 70), (70, 71))
+    [difference] = Cells().of_differences(pair, names, 0)
+    assert difference.small.noisy == (3, 70, 71)
+    assert [cell.small.noisy for cell in Cells().of_spread(pair, names, 0)] == [(3, 70, 71)] * 2
+    [quiet, _] = Cells().of_levels([compared(1, noisy=()), pair[1]], names)
+    assert painted(first.small) != painted(quiet.small)

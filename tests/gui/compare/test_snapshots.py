@@ -1,0 +1,397 @@
+"""Snapshots: keys and cards, levels that match, maps of their levels and differences."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QFileDialog
+
+import skinsource as ss
+from skinsource.design import edits
+from skinsource.design.comparing import loudest_db
+from skinsource.design.design import Design, track
+from skinsource.design.design_file import open_design, save_design
+from skinsource.design.view import View
+from skinsource.design.waveforms.tones import Tone
+from skinsource_gui.panels.compare.content import tab_separated
+from skinsource_gui.panels.compare.settings import CompareSettings
+from skinsource_gui.state.compared import ELSEWHERE, SILENCE
+from tests.core.own_limbs.lab_bench import installed
+from tests.gui.compare.compare_bench import (
+    ALT,
+    CTRL,
+    KEY,
+    cards,
+    choose,
+    edit,
+    levels,
+    shown,
+    shown_levels,
+    two_places,
+)
+
+
+def names_of(requests):
+    return [request.slot.name for request in requests]
+
+
+def test_keys_store_and_toggle_and_arrangements_have_moved(window, qtbot, settle):
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    first = window.document.design
+    QTest.keyClick(window, KEY.Key_1, CTRL)
+    edit(window, 2.0)
+    QTest.keyClick(window, KEY.Key_4, CTRL)
+    settle()
+    assert [snapshot.number for snapshot in window.document.view.snapshots] == [1, 4]
+    QTest.keyClick(window, KEY.Key_X)
+    assert window.document.design == first
+    QTest.keyClick(window, KEY.Key_X)
+    assert window.document.design.inputs[0].amplitude == 2.0
+    assert window.docks["hand"].isVisible()
+    QTest.keyClick(window, KEY.Key_2, ALT)
+    assert not window.docks["hand"].isVisible()
+
+
+def test_snapshots_are_shown_as_loud_as_each_other(window, settle):
+    window.do("match_levels")
+    window.do("store_snapshot_1")
+    two_places(window)
+    window.do("store_snapshot_2")
+    settle()
+    assert loudest_db(levels(window.document.design)) > -5.0
+    stored = window.document.view.snapshots
+    window.do("toggle_snapshots")
+    settle()
+    assert window.document.design == stored[0].design
+    window.do("toggle_snapshots")
+    settle()
+    assert len(window.document.design.inputs) == 2
+    matched = loudest_db(shown_levels(window))
+    assert matched == pytest.approx(loudest_db(levels(stored[0].design)), abs=1e-6)
+    by_db = round(matched - loudest_db(levels(stored[1].design)), 1)
+    message = f"Snapshot 2 is shown \N{MINUS SIGN}{-by_db:.1f} dB, matched. "
+    assert window.statusBar().currentMessage().startswith(message)
+    # To and fro changes nothing more.
+    shown_before = window.document.design
+    for _ in range(2):
+        window.do("toggle_snapshots")
+        settle()
+    assert window.document.design == shown_before
+
+
+def test_an_edit_while_levels_are_predicted_is_not_lost(window, settle):
+    window.do("store_snapshot_1")
+    edit(window, 2.0)
+    window.do("toggle_snapshots")
+    edit(window, 5.0)
+    settle()
+    assert window.document.design.inputs[0].amplitude == 5.0
+
+
+def test_without_a_snapshot_one_is_told_how_to_store_one(window, panel):
+    assert "Store the design with Ctrl+1 to Ctrl+4" in panel.maps.content.message
+    assert not window.actions_by_name["toggle_snapshots"].isEnabled()
+    window.comparison.toggle()
+    assert "Ctrl+1 to Ctrl+4" in window.notice.text
+    window.do("store_snapshot_2")
+    window.comparison.toggle()
+    assert "The design in the window is snapshot 2" in window.notice.text
+
+
+def test_cards_show_each_snapshot_its_level_and_what_is_in_the_window(window, panel, settle):
+    assert set(cards(panel)) == {0, 1, 2, 3, 4}
+    window.do("match_levels")
+    window.do("store_snapshot_2")
+    two_places(window)
+    settle()
+    shown_cards = cards(panel)
+    assert (shown_cards[0].present, shown_cards[2].present) == (True, False)
+    assert shown_cards[1].compared is None
+    assert "nothing stored" in shown_cards[1].accessibleName()
+    level = f"{levels(window.document.design).max():.1f} dB".replace("-", "−")
+    assert f"loudest output {level}" in shown_cards[2].accessibleName()
+    assert panel.text_label.text.endswith(f" · levels matched: {level} at the loudest output")
+    shown_cards[2].click()
+    settle()
+    assert cards(panel)[2].present
+    assert len(window.document.design.inputs) == 1
+    panel.bar.match.click()
+    assert not window.document.view.levels_matched
+    assert "matched" not in panel.text_label.text
+
+
+def test_cards_are_used_with_the_keyboard(window, panel, settle):
+    first = window.document.design
+    card = cards(panel)[1]
+    QTest.keyClick(card, KEY.Key_Return)
+    settle()
+    assert window.document.view.snapshots[0].design == first
+    edit(window, 2.0)
+    settle()
+    QTest.keyClick(card, KEY.Key_Space)
+    settle()
+    assert window.document.view.snapshots[-1].number == 1
+    QTest.keyClick(card, KEY.Key_Delete)
+    assert [snapshot.number for snapshot in window.document.view.snapshots] == [0]
+    window.do("undo")
+    assert [snapshot.number for snapshot in window.document.view.snapshots] == [0, 1]
+
+
+def test_maps_show_snapshots_as_loud_as_they_are_shown_and_how_they_differ(window, panel, settle):
+    window.do("match_levels")
+    # Far from a high tone the skin hardly moves: 60 dB below the loudest, nothing counts.
+    window.document.edit(
+        "f", window.document.design.with_clip(1, waveform=Tone(frequency_hz=500.0))
+    )
+    window.do("store_snapshot_1")
+    two_places(window)
+    window.do("store_snapshot_2")
+    settle()
+    first, second = panel.maps.content.cells
+    assert (first.heading, second.heading) == ("Snapshot 1", "Snapshot 2")
+    assert first.values_db.max() == pytest.approx(second.values_db.max(), abs=1e-9)
+    assert np.nanmax(second.small.field_levels_db) <= second.values_db.max() + 1e-9
+    assert panel.maps.content.common_scale.text_below.startswith("dB re 1 m/s², 2: \N{MINUS SIGN}")
+    choose(window, shown="difference")
+    settle()
+    [cell] = panel.maps.content.cells
+    one, two = (levels(snapshot.design) for snapshot in window.document.view.snapshots)
+    two = two + one.max() - two.max()
+    floor = one.max() - 60.0
+    assert (one < floor).any()
+    assert cell.heading == "Snapshot 1 minus Snapshot 2"
+    expected = np.maximum(one, floor) - np.maximum(two, floor)
+    np.testing.assert_allclose(cell.values_db, expected, rtol=0, atol=1e-6)
+    window.do("match_levels")
+    settle()
+    expected = levels(window.document.view.snapshots[0].design)
+    choose(window, shown="levels")
+    settle()
+    np.testing.assert_allclose(panel.maps.content.cells[0].values_db, expected, atol=1e-9)
+
+
+def test_equal_snapshots_are_said_to_be_equal(window, panel, settle):
+    def heading():
+        settle()
+        [cell] = panel.maps.content.cells
+        return cell.heading
+
+    choose(window, shown="difference")
+    window.do("store_snapshot_1")
+    window.do("store_snapshot_2")
+    assert heading() == "1 equals 2: the same inputs, scaling and limb"
+    panel.bar.toggle.click()
+    assert heading() == "2 equals 1: the same inputs, scaling and limb"
+    edit(window, 2.0)
+    window.do("store_snapshot_2")
+    assert "minus" in heading()
+    window.do("match_levels")
+    assert heading().endswith(": the same inputs once levels match")
+    # Also where the louder one has the largest amplitude there is.
+    edit(window, 1000.0)
+    window.do("store_snapshot_2")
+    assert heading().endswith(": the same inputs once levels match")
+
+
+def test_what_is_silent_has_no_level_that_is_matched_compared_or_averaged(window, panel, settle):
+    window.do("match_levels")
+    window.document.edit("a", Design(limb="synthetic-1"))
+    window.do("store_snapshot_1")
+    designs = [Design(limb="synthetic-1", inputs=(track(place),)) for place in (7, 18)]
+    for number, design in enumerate(designs, 2):
+        window.document.edit("b", design)
+        window.do(f"store_snapshot_{number}")
+    settle()
+    content = panel.maps.content
+    assert content.about.endswith(" · snapshot 1 is silent: levels cannot be matched to it")
+    silent, first, second = content.cells
+    assert silent.value_text(None) == silent.value_text(3) == "silent"
+    readout = content.readout(3).rpartition(": ")[2]
+    assert readout.split(" · ") == ["silent", first.value_text(3), second.value_text(3)]
+    rows = [line.split("\t") for line in tab_separated(content).splitlines()[1:]]
+    assert all(row[1] == "" and row[2] and row[3] for row in rows)
+    choose(window, own_maximum=True)
+    assert [cell.maximum_db is None for cell in panel.maps.content.cells] == [True, False, False]
+    choose(window, shown="difference")
+    # 60 dB below the other one, as if that were its level, would be said of it.
+    assert panel.maps.content.cells[0].text == SILENCE
+    assert panel.maps.content.cells[0].small is None
+    choose(window, shown="mean")
+    mean, spread = panel.maps.content.cells
+    levels_db = np.array([levels(design) for design in designs])
+    levels_db = np.maximum(levels_db, levels_db.max() - 60.0)
+    np.testing.assert_allclose(mean.values_db, levels_db.mean(axis=0), atol=1e-9)
+    np.testing.assert_allclose(spread.values_db, levels_db.std(axis=0, ddof=1), atol=1e-9)
+    assert mean.headings[-2] == "Mean of 2 of 3"
+
+
+def test_a_snapshot_on_a_limb_that_is_missing_says_so_until_it_is_installed(
+    window, settle, panel, qtbot, synthetic_installed
+):
+    away = synthetic_installed.with_suffix(".away")
+    synthetic_installed.rename(away)
+    start = window.document.design
+    window.do("match_levels")
+    window.document.edit("a", Design(limb="measured-2", inputs=(track(7),)))
+    window.do("store_snapshot_1")
+    window.document.edit("b", start)
+    window.do("store_snapshot_2")
+    two_places(window)
+    window.do("store_snapshot_3")
+    choose(window, shown="difference")
+    settle()
+    qtbot.waitUntil(lambda: bool(cards(panel)[1].compared.problem))
+    assert "not" in cards(panel)[1].accessibleName()
+    assert "measured" in panel.maps.content.cells[0].text
+    assert panel.maps.content.about.endswith(
+        "snapshot 1 cannot be predicted: levels cannot be matched to it"
+    )
+    away.rename(synthetic_installed)
+    QApplication.sendEvent(window, QEvent(QEvent.Type.WindowActivate))
+    settle()
+    qtbot.waitUntil(lambda: cards(panel)[1].compared.problem == "", timeout=5000)
+    assert cards(panel)[1].compared.values is not None
+
+
+def test_designs_on_other_limbs_are_compared_where_their_outputs_are_the_same(
+    window, panel, settle, user_data
+):
+    choose(window, shown="difference")
+    first = window.document.design
+    window.do("store_snapshot_1")
+    second = replace(first, limb="synthetic-2")
+    window.document.edit("limb", second)
+    settle()
+    [cell] = panel.maps.content.cells
+    assert cell.headings[-1] == "1 on Synthetic 1 minus Edited on Synthetic 2"
+    assert cell.values_db == pytest.approx(levels(first) - levels(second), abs=1e-6)
+    field = ss.evaluate(first, "surface")["surface"].interpolate(cell.values_db)
+    assert cell.small.field_levels_db == pytest.approx(field, abs=1e-6, nan_ok=True)
+    installed()
+    window.limbs.look()
+    window.document.edit("limb", Design(limb="lab-1", inputs=(track(3),)))
+    settle()
+    [cell] = panel.maps.content.cells
+    assert (cell.text, cell.small) == (ELSEWHERE, None)
+
+
+def test_a_design_of_a_file_is_kept_as_a_snapshot_and_the_present_one_stays_open(
+    window, panel, qtbot, tmp_path, monkeypatch
+):
+    def answer(name):
+        path = str(tmp_path / name), ""
+        monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: path)
+
+    saved = Design(limb="synthetic-2", inputs=(track(13, Tone(frequency_hz=200.0), amplitude=3.0),))
+    document = window.document
+    save_design(tmp_path / "two hundred.skinsource", saved, View())
+    answer("two hundred.skinsource")
+    before = document.design
+    panel.bar.file.click()
+    cells = shown(panel, qtbot, 2)
+    assert (document.design, document.path) == (before, None)
+    assert {cell.heading for cell in cells} == {"Edited", "Snapshot 1 · two hundred"}
+    [other] = [cell for cell in cells if cell.heading != "Edited"]
+    assert other.values_db == pytest.approx(levels(saved), abs=1e-9)
+    # It is beside the history, as every snapshot.
+    assert document.undo_stack.count() == 0
+    # What cannot be read, and a fifth one, change nothing and say why.
+    (tmp_path / "broken.skinsource").write_text("{")
+    answer("broken.skinsource")
+    window.do("take_snapshot")
+    assert "broken.skinsource" in window.notice.text
+    answer("two hundred.skinsource")
+    for _ in range(4):
+        window.do("take_snapshot")
+    snapshots = document.view.snapshots
+    assert [snapshot.number for snapshot in snapshots] == [1, 2, 3, 4]
+    window.do("take_snapshot")
+    assert "Forget one first" in window.notice.text
+    assert document.view.snapshots == snapshots
+
+
+def test_a_file_with_settings_of_the_former_panel_opens_without_harm(
+    window, panel, settle, tmp_path
+):
+    former = ("side_by_side", (("of", "axes"), ("own_maximum", True)))
+    path = tmp_path / "a.skinsource"
+    save_design(path, window.document.design, View(panels=(former,)))
+    window.files.open(path)
+    settle()
+    assert window.notice.text == ""
+    assert former in window.document.view.panels
+    assert panel.bar.settings == CompareSettings()
+    assert "Store the design" in panel.maps.content.message
+
+
+def test_a_snapshot_is_predicted_once_however_long_one_edits(window, panel, settle, requests):
+    window.do("store_snapshot_1")
+    for amplitude in (2.0, 3.0, 4.0):
+        edit(window, amplitude)
+        settle()
+    window.document.look(replace(window.document.view, outputs=(1, 2)))
+    settle()
+    assert names_of(requests).count("snapshot 1") <= 1
+    assert names_of(requests).count("snapshot 0") == 0
+    window.document.look(replace(window.document.view, axes="z"))
+    settle()
+    assert names_of(requests).count("snapshot 1") <= 2
+
+
+def test_storing_is_no_step_and_is_saved_with_the_file(window, settle, tmp_path):
+    window.files._save_to(tmp_path / "a.skinsource")
+    titles = []
+    window.document.title_changed.connect(lambda: titles.append(window.document.modified))
+    edit(window, 2.0)
+    window.do("store_snapshot_1")
+    assert (window.document.modified, titles) == (True, [True])
+    assert window.document.undo_stack.count() == 1
+    window.do("undo")
+    # What is in no file yet would be lost.
+    assert (window.document.modified, titles) == (True, [True])
+    assert not window.document.undo_stack.canUndo()
+    window.do("redo")
+    window.document.undo_stack.clear()
+    assert not window.document.undo_stack.canUndo()
+    window.files.save()
+    assert (window.document.modified, titles[-1]) == (False, False)
+    assert open_design(tmp_path / "a.skinsource").view.snapshots[0].design == window.document.design
+
+
+def test_a_snapshot_of_what_was_saved_is_nothing_that_could_be_lost(window, tmp_path):
+    document = window.document
+    window.files._save_to(tmp_path / "a.skinsource")
+    window.do("store_snapshot_1")
+    assert not document.modified
+    edit(window, 2.0)
+    assert document.modified
+    window.do("undo")
+    assert not document.modified
+    window.files.save()
+    window.document.apply(edits.forget_snapshot(document.design, document.view, 1))
+    assert document.modified
+
+
+def test_undo_takes_no_snapshot_away_and_brings_back_those_that_were_replaced(window):
+    document = window.document
+    edit(window, 2.0)
+    window.do("store_snapshot_1")
+    window.do("undo")
+    first = document.view.snapshots
+    assert [snapshot.design.inputs[0].amplitude for snapshot in first] == [2.0]
+    window.do("redo")
+    assert document.undo_stack.count() == 1
+    edit(window, 3.0)
+    window.do("store_snapshot_1")
+    assert document.undo_stack.count() == 3
+    assert "Undo brings back" in f"{window.notice.text} {window.statusBar().currentMessage()}"
+    window.do("store_snapshot_3")
+    window.do("undo")
+    assert document.view.snapshots[0] == first[0]
+    assert [snapshot.number for snapshot in document.view.snapshots] == [1, 3]
+    window.do("redo")
+    assert document.view.snapshots[0].design.inputs[0].amplitude == 3.0
+    assert {snapshot.number for snapshot in document.view.snapshots} == {1, 3}

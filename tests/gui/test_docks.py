@@ -1,0 +1,234 @@
+"""Docks that share a place: one in front, the others as tabs; keys, clicks and menus for them."""
+
+import random
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtWidgets import QApplication, QMenu
+
+from skinsource.design.design_file import save_design
+from skinsource_gui.shell.workspaces import WORKSPACES
+from tests.gui.dock_bench import bar_with, bars, click_tab, in_sight, titles
+
+
+@pytest.fixture
+def active(window, qtbot):
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    return window
+
+
+@pytest.fixture
+def requested(window):
+    """What the window was last asked for."""
+    requests = []
+    window.conductor.delivered.connect(lambda outcome: requests.append(outcome.request.wanted))
+    return lambda: requests[-1]
+
+
+def with_keyboard(window):
+    """The name of the panel that has the keyboard."""
+    focused = QApplication.focusWidget()
+    return next((panel.name for panel in window.panels if panel.isAncestorOf(focused)), None)
+
+
+def test_nothing_is_computed_for_a_panel_behind_another_one(window, settle, requested):
+    window.tabifyDockWidget(window.docks["traces"], window.docks["spectra"])
+    settle()
+    click_tab(window, "Traces")
+    others = (panel.needs for panel in window.panels if panel.name != "spectra")
+    own = window.panel("spectra").needs.difference(*others)
+    assert own
+    window.document.edit("a", window.document.design.with_input(0, amplitude=2.0))
+    settle()
+    assert "selected_traces" in requested()
+    assert not requested() & own
+    drawn = []
+    window.panel("traces").show_results = drawn.append
+    click_tab(window, "Spectra")
+    settle()
+    assert requested() >= own
+    window.document.edit("b", window.document.design.with_input(0, amplitude=3.0))
+    settle()
+    assert "selected_traces" not in requested()
+    drawn.clear()
+    click_tab(window, "Traces")
+    settle()
+    assert len(drawn) == 1
+
+
+def test_whatever_is_done_to_docks_just_those_in_front_are_shown(window, settle):
+    chance = random.Random(1)  # noqa: S311
+    docks = list(window.docks.values())[:12]
+    saved = [window.saveState()]
+
+    def act():
+        dock, other = chance.sample(docks, 2)
+        way = chance.choice(list(Qt.Orientation))
+        workspace = chance.choice(WORKSPACES).name
+        chance.choice(
+            [
+                lambda: window.tabifyDockWidget(dock, other),
+                lambda: window.splitDockWidget(dock, other, way),
+                lambda: dock.setFloating(not dock.isFloating()),
+                dock.hide,
+                dock.show,
+                dock.raise_,
+                dock.bring_forward,
+                lambda: window.do(f"arrange_{workspace}"),
+                lambda: window.do("reset_workspace"),
+                lambda: saved.append(window.saveState()),
+                lambda: window.restoreState(chance.choice(saved)),
+                lambda: window.workspaces.show_panels(chance.choice(saved).data()),
+            ]
+        )()
+
+    for _ in range(40):
+        act()
+        shared_bars = [bar for bar in bars(window) if bar.count() > 1]
+        for dock in docks:
+            front = window.childAt(dock.geometry().center())
+            visible = dock.isFloating() or front is dock or dock.isAncestorOf(front)
+            assert dock.panel.isVisible() == (dock.isVisible() and visible), dock.objectName()
+        assert all(bar.focusPolicy() == Qt.FocusPolicy.NoFocus for bar in shared_bars)
+    settle()
+
+
+def test_ctrl_tab_shows_what_shares_the_place_of_the_keyboard_and_takes_it_along(active, settle):
+    active.docks["library"].bring_forward()
+    active.docks["history"].bring_forward()
+    settle()
+    active.panel("history").setFocus()
+    visited = []
+    for _ in range(3):
+        active.do("next_tab")
+        settle()
+        visited.append(with_keyboard(active))
+        assert visited[-1] in in_sight(active)
+    names = [active.panel(name).title for name in visited]
+    row = titles(bar_with(active, "Library"))
+    start = row.index("History") + 1
+    assert names == row[start:] + row[:start]
+    active.do("previous_tab")
+    assert visited[-2] in in_sight(active)
+
+
+def test_a_click_on_a_tab_takes_the_keyboard_to_the_panel_it_shows_wherever_it_was(active):
+    active.docks["library"].bring_forward()
+    QApplication.processEvents()
+    active.panel("library").setFocus()
+    click_tab(active, "Inspector")
+    assert with_keyboard(active) == "inspector"
+    active.panel("hand").setFocus()
+    click_tab(active, "Library")
+    assert with_keyboard(active) == "library"
+
+
+def open_list(window, act):
+    act()
+    QApplication.processEvents()
+    menu = window.findChild(QMenu, "tab_menu")
+    assert menu.isVisible()
+    return menu, {action.text(): action for action in menu.actions()}
+
+
+def test_a_key_and_the_right_button_list_the_tabs_in_one_place(active, settle):
+    active.docks["library"].bring_forward()
+    active.docks["history"].bring_forward()
+    settle()
+    active.panel("history").setFocus()
+    menu, entries = open_list(active, lambda: active.do("list_tabs"))
+    bar = bar_with(active, "Library")
+    assert list(entries)[: bar.count()] == titles(bar)
+    assert [text for text, action in entries.items() if action.isChecked()] == ["History"]
+    assert menu.activeAction() is entries["History"]
+    entries["Library"].trigger()
+    menu.close()
+    settle()
+    assert with_keyboard(active) == "library"
+    at = bar.tabRect(titles(bar).index("History")).center()
+    menu, entries = open_list(active, lambda: bar.customContextMenuRequested.emit(at))
+    entries["Float History"].trigger()
+    menu.close()
+    assert active.docks["history"].isFloating()
+    at = bar_with(active, "Library").tabRect(0).center()
+    menu, entries = open_list(
+        active, lambda: bar_with(active, "Library").customContextMenuRequested.emit(QPoint(at))
+    )
+    entries["Hide Inspector"].trigger()
+    menu.close()
+    assert active.docks["inspector"].isHidden()
+
+
+def test_keys_for_tabs_say_when_no_panels_share_a_place(window):
+    window.docks["clip_editor"].hide()
+    QApplication.processEvents()
+    for name in ("next_tab", "list_tabs"):
+        window.statusBar().clearMessage()
+        window.do(name)
+        assert window.statusBar().currentMessage().startswith("No panel shares its place")
+
+
+def test_the_panels_menu_ticks_what_is_there_and_brings_what_is_behind(window, settle):
+    menu = next(menu for menu in window.findChildren(QMenu) if menu.title() == "Panels")
+    entry = {action.text(): action for action in menu.actions()}
+    assert {text for text, action in entry.items() if action.isChecked()} == {
+        "Clip",
+        *(window.panel(name).title for name in in_sight(window)),
+    }
+    entry["Library"].trigger()
+    settle()
+    assert entry["Library"].isChecked()
+    assert "inspector" not in in_sight(window)
+    assert entry["Inspector"].isChecked()
+    entry["Inspector"].trigger()
+    settle()
+    assert "inspector" in in_sight(window)
+    assert entry["Library"].isChecked()
+    entry["Inspector"].trigger()
+    settle()
+    assert window.docks["inspector"].isHidden()
+    assert not entry["Inspector"].isChecked()
+    assert "library" in in_sight(window)
+
+
+def test_the_key_of_the_clip_editor_shows_it_and_goes_back(active):
+    before = in_sight(active)
+    active.panel("timeline").setFocus()
+    active.do("show_clip_editor")
+    assert in_sight(active) == before - {"timeline"} | {"clip_editor"}
+    assert with_keyboard(active) == "clip_editor"
+    active.do("show_clip_editor")
+    assert in_sight(active) == before
+    assert with_keyboard(active) == "timeline"
+
+
+def test_a_panel_that_goes_leaves_the_keyboard_to_another_one(active, qtbot, tmp_path):
+    active.panel("hand").setFocus()
+    active.docks["hand"].hide()
+    qtbot.waitUntil(lambda: with_keyboard(active) == "timeline")
+    # To the one that comes in front of it.
+    active.docks["history"].bring_forward()
+    active.panel("history").setFocus()
+    active.docks["inspector"].raise_()
+    qtbot.waitUntil(lambda: with_keyboard(active) == "inspector")
+    # With a file that was saved without it.
+    path = tmp_path / "without.skinsource"
+    active.docks["inspector"].hide()
+    content = active.workspaces.content()
+    save_design(path, active.document.design, active.document.view, layout=content)
+    active.docks["inspector"].show()
+    active.panel("inspector").setFocus()
+    active.document.mark_saved(path)
+    active.files.open(path)
+    assert active.docks["inspector"].isHidden()
+    qtbot.waitUntil(lambda: with_keyboard(active) == "timeline")
+
+
+def test_a_tab_names_its_panel_once(window, settle):
+    timeline, skin = window.docks["timeline"], window.docks["skin"]
+    assert timeline.titleBarWidget() is not None
+    assert skin.titleBarWidget() is None
+    timeline.setFloating(True)
+    QApplication.processEvents()
+    assert timeline.titleBarWidget() is None
