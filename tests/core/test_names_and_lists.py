@@ -88,6 +88,6 @@ def test_an_unknown_quantity_is_refused_with_where_to_look():
 
 def test_places_are_public():
     assert [place.number for place in ss.locations.INPUTS] == list(range(1, 21))
-    assert ss.locations.output_place(72).region == "elbow"
+    assert ss.locations.OUTPUTS[72 - 1].region == "elbow"
     with pytest.raises(InvalidInputError, match=r"See skinsource\.locations"):
         ss.predict(LIMB, [[1.0]], [0])

@@ -7,13 +7,8 @@ import json
 from dataclasses import dataclass
 from typing import Literal
 
-import numpy as np
-
 from skinsource.base.arguments import checking
 from skinsource.base.assets import data_folder
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import N_OUTPUTS, check_input_location
-from skinsource.base.quoting import quoted
 from skinsource.limbs.own_limbs import facts_of
 
 Contact = Literal["in-axis", "perpendicular"]
@@ -73,7 +68,7 @@ class OutputPlace:
     region: str
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class LocationNames:
     """What a place is called, whether or not it is one of those named here.
 
@@ -98,47 +93,6 @@ INPUTS: tuple[InputPlace, ...] = tuple(InputPlace(**place) for place in _PLACES[
 OUTPUTS: tuple[OutputPlace, ...] = tuple(OutputPlace(**place) for place in _PLACES["outputs"])
 
 
-def input_place(number: int) -> InputPlace:
-    """Return the input place ``number``, 1 to 20.
-
-    Raises
-    ------
-    InvalidInputError
-        There is no such place.
-
-    Examples
-    --------
-    >>> import skinsource as ss
-    >>> print(ss.locations.input_place(7).name)
-    Digit II, pad
-    """
-    check_input_location(number)
-    return INPUTS[number - 1]
-
-
-def output_place(number: int) -> OutputPlace:
-    """Return the output place ``number``, 1 to 72.
-
-    Raises
-    ------
-    InvalidInputError
-        There is no such place.
-
-    Examples
-    --------
-    >>> import skinsource as ss
-    >>> print(ss.locations.output_place(29).name)
-    Digit II, beside the nail, radial
-    """
-    is_integer = isinstance(number, int | np.integer) and not isinstance(number, bool)
-    if not is_integer or not 1 <= number <= N_OUTPUTS:
-        raise InvalidInputError(
-            f"output location {quoted(number)} does not exist: locations are the whole numbers "
-            f"1 to {N_OUTPUTS}. See skinsource.locations for the list."
-        )
-    return OUTPUTS[number - 1]
-
-
 @checking
 def input_name(number: int, limb: str = "") -> LocationNames:
     """Return the names of input place ``number`` of a limb, whether or not it is known here.
@@ -152,16 +106,9 @@ def input_name(number: int, limb: str = "") -> LocationNames:
     if (facts.own and 1 <= number <= facts.n_inputs) or facts.missing:
         return _own_names(number, facts.input_names, "Place", "place")
     if facts.own or not 1 <= number <= len(INPUTS):
-        return LocationNames(
-            number=number,
-            name=f"Place {number}, not on this hand",
-            short_name="not on this hand",
-            kind="",
-        )
+        return LocationNames(number, f"Place {number}, not on this hand", "not on this hand", "")
     place = INPUTS[number - 1]
-    return LocationNames(
-        number=number, name=place.name, short_name=place.short_name, kind=place.contact
-    )
+    return LocationNames(number, place.name, place.short_name, place.contact)
 
 
 @checking
@@ -175,24 +122,15 @@ def output_name(number: int, limb: str = "") -> LocationNames:
     if (facts.own and 1 <= number <= facts.n_outputs) or facts.missing:
         return _own_names(number, facts.output_names, "Output", "output")
     if facts.own or not 1 <= number <= len(OUTPUTS):
-        return LocationNames(
-            number=number, name="Not on this limb", short_name="not on this limb", kind=""
-        )
+        return LocationNames(number, "Not on this limb", "not on this limb", "")
     place = OUTPUTS[number - 1]
-    return LocationNames(
-        number=number, name=place.name, short_name=place.short_name, kind=place.side
-    )
+    return LocationNames(number, place.name, place.short_name, place.side)
 
 
 def _own_names(number: int, names: tuple[str, ...], long: str, short: str) -> LocationNames:
     """Return the names of a place of an imported limb; its number where the lab gave none."""
     name = names[number - 1] if names else ""
-    return LocationNames(
-        number=number,
-        name=name or f"{long} {number}",
-        short_name=name or f"{short} {number}",
-        kind="",
-    )
+    return LocationNames(number, name or f"{long} {number}", name or f"{short} {number}", "")
 
 
 __all__ = [
@@ -203,7 +141,5 @@ __all__ = [
     "LocationNames",
     "OutputPlace",
     "input_name",
-    "input_place",
     "output_name",
-    "output_place",
 ]

@@ -161,6 +161,9 @@ def test_what_is_mostly_noise_is_hatched_in_a_film_and_the_caption_says_it(monke
     monkeypatch.setattr(camera, "_draw", lambda content, heading: drawn.append(content))
     camera.frame(film_of(VIEW, SkinSettings(quantity=Z), camera.end_s, 60, PERSON), 0)
     assert drawn[0].hatched == (3, 4)
+    assert [mark.location for mark in drawn[0].inputs] == [
+        track.location for track in DESIGN.inputs
+    ]
     assert camera._caption.endswith(" 2 noisy.")
 
 
