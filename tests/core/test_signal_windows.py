@@ -69,7 +69,7 @@ def test_a_whole_length_of_any_type_will_do():
 
 def test_an_unknown_window_is_refused_with_the_known_ones():
     with pytest.raises(InvalidInputError, match="choose from none, tukey, hanning"):
-        window("hann", 21)
+        window("hamming", 21)
 
 
 SEED = 7

@@ -16,7 +16,7 @@ from skinsource.specs.spec import ChoiceSpec, SwitchSpec, TextSpec
 @pytest.mark.parametrize(
     "panels",
     [
-        *[[("skin", ())], ("skin",), (("skin",),), ((1, ()),), (("", ()),)],
+        *[("skin",), (("skin",),), ((1, ()),), (("", ()),)],
         (("skin", ()), ("skin", ())),
         (("skin", (("a", 1), ("a", 2))),),
         *[(("skin", (("a", value),)),) for value in ([1], math.nan, object(), "b" * 20_000)],
