@@ -67,10 +67,6 @@ class PlotToolbar(QWidget):
         self._everything = self._button("show-all", "Show all", "Leave the zoom (key 0)")
         self._everything.setCheckable(False)
         self._everything.clicked.connect(self.everything_requested)
-        # It comes and goes while the user turns the wheel: nothing else moves.
-        policy = self._everything.sizePolicy()
-        policy.setRetainSizeWhenHidden(True)
-        self._everything.setSizePolicy(policy)
         self._everything.setVisible(False)
         self._row.addWidget(self._everything)
         LayoutWatcher(self).changed.connect(self._fit)
@@ -130,38 +126,61 @@ class PlotToolbar(QWidget):
         button.setVisible(shown)
 
     def _fit(self) -> None:
-        """Choose fonts and rows that fit the present width."""
+        """Choose fonts and rows that fit the present width.
+
+        The button that leaves a zoom comes and goes while the user turns the wheel: it takes the
+        room that is left, and never makes a row fold.
+        """
         first = list(self._layout_buttons.values())
-        others = [button for button in self._with_room if button not in first]
-        buttons, room_px = [*first, *others], self._room_px(others)
+        staying = [button for button in self._shown if button is not self._everything]
+        others = [button for button in staying if button not in first]
         smallest = smallest_font(self.font())
         # Without the scroll bar: a row that folded for it would be higher, and keep it.
-        tight = width_in(readable_of(self.font()), buttons) > room_px + bars_px(self)
+        unscrolled_px = self._room_px(others) + bars_px(self)
+        tight = width_in(readable_of(self.font()), staying) > unscrolled_px
         # Texts must not be cut, even if a plot needs the room.
-        folds = width_in(smallest, buttons) > room_px or (tight and self._may_fold)
-        rows = (first, others) if folds else (buttons,)
-        set_fonts(fitting_font(rows, self.font(), room_px), buttons)
+        with_exit = [*others, self._everything]
+        cut = width_in(smallest, [*first, *with_exit]) > self._room_px(with_exit)
+        folds = bool(others) and (cut or (tight and self._may_fold))
+        self._write((first, others) if folds else (staying,), others)
         direction = _BELOW if folds else _BESIDE
         if direction != self._rows.direction():
             self._rows.setDirection(direction)
             self._rows.activate()
             self.updateGeometry()
-        least = max(width_in(smallest, row) for row in (first, others))
-        self.setMinimumWidth(least + self.width() - room_px)
+        shown = [button for button in with_exit if button in self._shown]
+        least = max(width_in(smallest, row) for row in (first, shown))
+        margins, gap = self._rows.contentsMargins(), self._rows.spacing()
+        around_px = margins.left() + margins.right() + gap * (len(first) + len(shown))
+        self.setMinimumWidth(least + around_px)
 
     @property
-    def _with_room(self) -> list[QToolButton]:
-        """The visible buttons, and the one that leaves a zoom, which keeps its place."""
-        return [
-            button
-            for button in self.findChildren(QToolButton)
-            if button is self._everything or button.isVisibleTo(self)
-        ]
+    def _shown(self) -> list[QToolButton]:
+        return [button for button in self.findChildren(QToolButton) if button.isVisibleTo(self)]
 
     def _room_px(self, others: Sequence[QToolButton]) -> int:
         """Return the width for texts of the layouts, which have no gaps, and ``others`` beside."""
         margins, gap = self._rows.contentsMargins(), self._rows.spacing()
         return self.width() - margins.left() - margins.right() - gap * len(others)
+
+    def _write(
+        self, rows: tuple[Sequence[QToolButton], ...], others: Sequence[QToolButton]
+    ) -> None:
+        """Set the largest fonts that fit; the button that leaves a zoom gets the room left."""
+        room = self._room_px(others)
+        font = fitting_font(rows, self.font(), room)
+        everything = [self._everything]
+        if self._everything.isVisibleTo(self):
+            room = self._room_px([*others, *everything])
+            left = room - width_in(font, rows[-1])
+            if width_in(smallest_font(self.font()), everything) > left:
+                rows = (*rows[:-1], [*rows[-1], *everything])
+                font = fitting_font(rows, self.font(), room)
+                left = room - width_in(font, rows[-1][:-1])
+            left = min(left, width_in(font, everything))
+            set_fonts(fitting_font((everything,), self.font(), left), everything)
+        for row in rows:
+            set_fonts(font, [button for button in row if button is not self._everything])
 
     def _button(self, name: str, text: str, hint: str) -> QToolButton:
         button = tool_button(self, name, text, hint, checkable=True)

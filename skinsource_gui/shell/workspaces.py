@@ -83,7 +83,7 @@ class Workspace:
 PRESENTATION = "presentation"
 
 _PLOTS = Split(_DOWN, (("traces", 50), ("spectra", 50)))
-_INPUTS_AND_PLOTS = Split(_ACROSS, (("hand", 25), ("inspector", 27), (_PLOTS, 48)))
+_INPUTS_AND_PLOTS = Split(_ACROSS, (("hand", 24), ("inspector", 31), (_PLOTS, 45)))
 
 WORKSPACES: tuple[Workspace, ...] = (
     Workspace(
