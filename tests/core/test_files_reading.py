@@ -38,6 +38,16 @@ def test_a_file_is_read_whole_up_to_the_limit(tmp_path):
 
 
 @posix
+def test_a_folder_that_is_read_as_a_file_leaves_nothing_open(tmp_path):
+    process = psutil.Process()
+    before = process.num_fds()
+    for _ in range(8):
+        with pytest.raises(StorageError):
+            read_bytes(tmp_path, most=100)
+    assert process.num_fds() == before
+
+
+@posix
 def test_a_pipe_is_refused_at_once(tmp_path):
     os.mkfifo(tmp_path / "pipe")
     outcome = []
