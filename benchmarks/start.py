@@ -31,7 +31,7 @@ from time import monotonic
 from skinsource.limbs.catalog import default_limb
 
 #: Promised, as ratios to the bare imports.
-MOST_TIMES = {"painted": 1.5, "complete": 2.0, "idle_mb": 3.0}
+MOST_TIMES = {"painted": 1.7, "complete": 2.0, "idle_mb": 3.0}
 WORDS = {
     "imported": "bare imports",
     "painted": "first window painted",
