@@ -128,59 +128,35 @@ class PlotToolbar(QWidget):
     def _fit(self) -> None:
         """Choose fonts and rows that fit the present width.
 
-        The button that leaves a zoom comes and goes while the user turns the wheel: it takes the
-        room that is left, and never makes a row fold.
+        The button that leaves a zoom comes and goes while the user turns the wheel: it never makes
+        a row fold.
         """
         first = list(self._layout_buttons.values())
-        staying = [button for button in self._shown if button is not self._everything]
-        others = [button for button in staying if button not in first]
+        visible = [button for button in self.findChildren(QToolButton) if button.isVisibleTo(self)]
+        shown = [button for button in visible if button not in first]
+        others = [button for button in shown if button is not self._everything]
+        with_exit = [*others, self._everything]
         smallest = smallest_font(self.font())
         # Without the scroll bar: a row that folded for it would be higher, and keep it.
-        unscrolled_px = self._room_px(others) + bars_px(self)
-        tight = width_in(readable_of(self.font()), staying) > unscrolled_px
+        room_px = self._room_px(others) + bars_px(self)
+        tight = width_in(readable_of(self.font()), [*first, *others]) > room_px
         # Texts must not be cut, even if a plot needs the room.
-        with_exit = [*others, self._everything]
         cut = width_in(smallest, [*first, *with_exit]) > self._room_px(with_exit)
-        folds = bool(others) and (cut or (tight and self._may_fold))
-        self._write((first, others) if folds else (staying,), others)
+        folds = cut or (tight and self._may_fold)
+        rows = (first, shown) if folds else ([*first, *shown],)
+        set_fonts(fitting_font(rows, self.font(), self._room_px(shown)), [*first, *shown])
         direction = _BELOW if folds else _BESIDE
         if direction != self._rows.direction():
             self._rows.setDirection(direction)
             self._rows.activate()
             self.updateGeometry()
-        shown = [button for button in with_exit if button in self._shown]
-        least = max(width_in(smallest, row) for row in (first, shown))
-        margins, gap = self._rows.contentsMargins(), self._rows.spacing()
-        around_px = margins.left() + margins.right() + gap * (len(first) + len(shown))
-        self.setMinimumWidth(least + around_px)
-
-    @property
-    def _shown(self) -> list[QToolButton]:
-        return [button for button in self.findChildren(QToolButton) if button.isVisibleTo(self)]
+        least = max(width_in(smallest, row) for row in (first, with_exit))
+        self.setMinimumWidth(least + self.width() - self._room_px(with_exit))
 
     def _room_px(self, others: Sequence[QToolButton]) -> int:
         """Return the width for texts of the layouts, which have no gaps, and ``others`` beside."""
         margins, gap = self._rows.contentsMargins(), self._rows.spacing()
         return self.width() - margins.left() - margins.right() - gap * len(others)
-
-    def _write(
-        self, rows: tuple[Sequence[QToolButton], ...], others: Sequence[QToolButton]
-    ) -> None:
-        """Set the largest fonts that fit; the button that leaves a zoom gets the room left."""
-        room = self._room_px(others)
-        font = fitting_font(rows, self.font(), room)
-        everything = [self._everything]
-        if self._everything.isVisibleTo(self):
-            room = self._room_px([*others, *everything])
-            left = room - width_in(font, rows[-1])
-            if width_in(smallest_font(self.font()), everything) > left:
-                rows = (*rows[:-1], [*rows[-1], *everything])
-                font = fitting_font(rows, self.font(), room)
-                left = room - width_in(font, rows[-1][:-1])
-            left = min(left, width_in(font, everything))
-            set_fonts(fitting_font((everything,), self.font(), left), everything)
-        for row in rows:
-            set_fonts(font, [button for button in row if button is not self._everything])
 
     def _button(self, name: str, text: str, hint: str) -> QToolButton:
         button = tool_button(self, name, text, hint, checkable=True)

@@ -294,6 +294,7 @@ def test_panels_that_nobody_moved_make_room_for_larger_letters(window, settle, q
 
 
 def test_panels_that_a_user_moved_stay_where_they_are(window, settle, qtbot):
+    settle()
     window.docks["hand"].hide()
     present(window, settle, qtbot)
     window.preferences.text_scale = 3.0
