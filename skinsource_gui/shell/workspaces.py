@@ -214,7 +214,7 @@ class Workspaces(QObject):
         self._settling.timeout.connect(self._settle)
         for dock in docks.values():
             dock.topLevelChanged.connect(self._note_move)
-        appearance.changed.connect(self._refit)
+        appearance.changed.connect(self._follow_letters)
         WindowEvents.follow(window, self._note_press, _PRESS)
         WindowEvents.follow(window, self._note_release, _RELEASE)
         WindowEvents.follow(window, self._note_size, QEvent.Type.Resize)
@@ -478,6 +478,11 @@ class Workspaces(QObject):
     def _settle(self) -> None:
         self._share_room()
         self._arranged = self._state()
+
+    def _follow_letters(self) -> None:
+        self._refit()
+        # Panels behind others know what they need in other letters a moment later.
+        QTimer.singleShot(0, self, self._refit)
 
     def _refit(self) -> None:
         """Share the room anew among docks that were not moved."""
