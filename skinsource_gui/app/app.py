@@ -8,8 +8,8 @@ import sys
 from functools import partial
 from pathlib import Path
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QObject, QSocketNotifier, Qt, QTimer, Signal
-from PySide6.QtWidgets import QApplication
 
 from skinsource.base.allocation import keep_freed_memory
 from skinsource.base.assets import user_folder
@@ -122,7 +122,7 @@ class GarbageCollector(QObject):
         if self._young < _TIMES:
             return _YOUNG
         # This one takes long: it waits for the end of a drag.
-        dragged = QApplication.mouseButtons() != Qt.MouseButton.NoButton
+        dragged = QtWidgets.QApplication.mouseButtons() != Qt.MouseButton.NoButton
         return _MIDDLE if self._middle < _TIMES or dragged else _OLD
 
 
@@ -133,14 +133,14 @@ _SWITCH_INTERVAL_S = 5e-4
 _SETTLED_MS, _SETTLED_ANYWAY_MS = 200, 5000
 
 
-def make_application() -> QApplication:
+def make_application() -> QtWidgets.QApplication:
     """Return the application object, named."""
     # Qt hands a scaled picture to threads in slices of 64 lines; for one of a map's size to wait
     # for them takes twice as long as to paint it, and twenty times where other programs are busy.
     os.environ.setdefault("QT_NO_GUI_THREADPOOL", "1")
     # And before it paints it waits 5 ms for more to paint; what belongs together is told together.
     os.environ.setdefault("QT_QPA_UPDATE_IDLE_TIME", "0")
-    application = QApplication(sys.argv[:1])
+    application = QtWidgets.QApplication(sys.argv[:1])
     application.setApplicationName("SkinSource studio")
     application.setDesktopFileName("skinsource-studio")
     sys.setswitchinterval(_SWITCH_INTERVAL_S)

@@ -5,8 +5,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QMessageLogContext, QtMsgType, qInstallMessageHandler
-from PySide6.QtWidgets import QApplication
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.files import make_folder, write_bytes
@@ -40,7 +40,7 @@ def run(folder: Path, design: Path | None) -> int:
     return 0
 
 
-def _render(application: QApplication, design: Path | None, folder: Path) -> list[Path]:
+def _render(application: QtWidgets.QApplication, design: Path | None, folder: Path) -> list[Path]:
     if design is not None:
         # Where that fails, the window shows the start design.
         open_design(design)

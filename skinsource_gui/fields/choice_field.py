@@ -2,16 +2,8 @@
 
 from collections.abc import Iterable
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QPointF, Qt, Signal
-from PySide6.QtGui import QFont, QFontMetrics, QPainter, QPaintEvent, QPalette, QPen, QWheelEvent
-from PySide6.QtWidgets import (
-    QComboBox,
-    QSizePolicy,
-    QStyle,
-    QStyleOptionComboBox,
-    QStylePainter,
-    QWidget,
-)
 
 from skinsource.base.quoting import printable
 from skinsource.specs.spec import ChoiceSpec
@@ -23,15 +15,17 @@ from skinsource_gui.qt.tooltips import tooltip
 _BESIDE_PX = 4
 
 
-class DropDown(QComboBox):
+class DropDown(QtWidgets.QComboBox):
     """A drop-down list with an arrow; the open list is as wide as its longest entry.
 
     The wheel acts only while it has the focus, so that scrolling a panel changes nothing.
     """
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.setSizeAdjustPolicy(
+            QtWidgets.QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        )
         self.setMinimumContentsLength(8)
         self.setMaxVisibleItems(20)
         # Qt's drop-down list takes the focus on a turn of the wheel, and then acts on it.
@@ -47,34 +41,41 @@ class DropDown(QComboBox):
         self.view().setMinimumWidth(self.view().sizeHintForColumn(0) + 24)
         super().showPopup()
 
-    def fitted_text(self, room_px: int) -> tuple[QFont, str]:
+    def fitted_text(self, room_px: int) -> tuple[QtGui.QFont, str]:
         """Return the font and the text of the choice for this width.
 
         Letters shrink before the text is cut, and it is not cut within a letter, as Qt would.
         """
         font = readable_in(self.shown_text, self.font(), room_px)
-        cut = QFontMetrics(font).elidedText(self.shown_text, Qt.TextElideMode.ElideRight, room_px)
+        cut = QtGui.QFontMetrics(font).elidedText(
+            self.shown_text, Qt.TextElideMode.ElideRight, room_px
+        )
         return font, cut
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        option = QStyleOptionComboBox()
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        option = QtWidgets.QStyleOptionComboBox()
         self.initStyleOption(option)
-        painter = QStylePainter(self)
-        painter.drawComplexControl(QStyle.ComplexControl.CC_ComboBox, option)
+        painter = QtWidgets.QStylePainter(self)
+        painter.drawComplexControl(QtWidgets.QStyle.ComplexControl.CC_ComboBox, option)
         room = self.style().subControlRect(
-            QStyle.ComplexControl.CC_ComboBox, option, QStyle.SubControl.SC_ComboBoxEditField, self
+            QtWidgets.QStyle.ComplexControl.CC_ComboBox,
+            option,
+            QtWidgets.QStyle.SubControl.SC_ComboBoxEditField,
+            self,
         )
         picture_px = 0 if option.currentIcon.isNull() else option.iconSize.width() + _BESIDE_PX
         font, option.currentText = self.fitted_text(room.width() - picture_px)
         painter.setFont(font)
-        painter.drawControl(QStyle.ControlElement.CE_ComboBoxLabel, option)
+        painter.drawControl(QtWidgets.QStyle.ControlElement.CE_ComboBoxLabel, option)
         # The theme's style sheet takes away the arrow of the style.
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setPen(QPen(self.palette().color(QPalette.ColorRole.PlaceholderText), 1.5))
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
+        painter.setPen(
+            QtGui.QPen(self.palette().color(QtGui.QPalette.ColorRole.PlaceholderText), 1.5)
+        )
         tip = QPointF(self.width() - 13, self.height() / 2 + 2)
         painter.drawPolyline([tip + QPointF(-4, -4), tip, tip + QPointF(4, -4)])
 
-    def wheelEvent(self, event: QWheelEvent) -> None:
+    def wheelEvent(self, event: QtGui.QWheelEvent) -> None:
         if self.hasFocus():
             super().wheelEvent(event)
         else:
@@ -92,7 +93,11 @@ class ChoiceField(Editor, DropDown):
     edited = Signal(str, object)
 
     def __init__(
-        self, spec: ChoiceSpec, parent: QWidget | None = None, *, empty: str = "Nothing yet"
+        self,
+        spec: ChoiceSpec,
+        parent: QtWidgets.QWidget | None = None,
+        *,
+        empty: str = "Nothing yet",
     ) -> None:
         super().__init__(parent)
         self._burst = Burst(self)
@@ -100,7 +105,9 @@ class ChoiceField(Editor, DropDown):
         self.set_spec(spec)
         self.setAccessibleName(spec.label)
         self.setToolTip(tooltip(spec.label, spec.hint))
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(
+            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Fixed
+        )
         self.activated.connect(self._choose)
 
     def set_spec(self, spec: ChoiceSpec) -> None:

@@ -5,18 +5,8 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import (
-    QColor,
-    QContextMenuEvent,
-    QKeyEvent,
-    QMouseEvent,
-    QPainter,
-    QPaintEvent,
-    QPen,
-    QPolygonF,
-)
-from PySide6.QtWidgets import QMenu, QSizePolicy, QWidget
 
 from skinsource.design.effects.breakpoints import (
     HIGHEST,
@@ -97,15 +87,15 @@ class CurveScale:
 _POINT_PX = 3.5
 
 
-def paint_frame(painter: QPainter, area: QRectF, theme: Theme, *, focused: bool) -> None:
+def paint_frame(painter: QtGui.QPainter, area: QRectF, theme: Theme, *, focused: bool) -> None:
     """Paint the background of a field, which shows whether it has the focus."""
-    painter.setPen(QPen(QColor(theme.accent if focused else theme.border), 1))
-    painter.setBrush(QColor(theme.base))
+    painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent if focused else theme.border), 1))
+    painter.setBrush(QtGui.QColor(theme.base))
     painter.drawRoundedRect(area.adjusted(0.5, 0.5, -0.5, -0.5), 4, 4)
 
 
 def paint_curve(
-    painter: QPainter,
+    painter: QtGui.QPainter,
     inside: QRectF,
     scale: CurveScale,
     points: Points,
@@ -114,12 +104,12 @@ def paint_curve(
 ) -> None:
     """Paint a line at 1, the curve and its points, of which the ``chosen`` one is filled."""
     one_y = scale.place(0.0, 1.0, inside).y()
-    painter.setPen(QPen(QColor(theme.grid), 1))
+    painter.setPen(QtGui.QPen(QtGui.QColor(theme.grid), 1))
     painter.drawLine(QPointF(inside.left(), one_y), QPointF(inside.right(), one_y))
-    painter.setPen(QPen(QColor(theme.accent), 1.5))
-    painter.drawPolyline(QPolygonF(scale.course(points, inside)))
+    painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 1.5))
+    painter.drawPolyline(QtGui.QPolygonF(scale.course(points, inside)))
     for k, (x, y, _) in enumerate(points):
-        painter.setBrush(QColor(theme.accent if k == chosen else theme.base))
+        painter.setBrush(QtGui.QColor(theme.accent if k == chosen else theme.base))
         painter.drawEllipse(scale.place(x, y, inside), _POINT_PX, _POINT_PX)
 
 
@@ -135,7 +125,7 @@ SEGMENT_TEXTS = {"straight": "straight on", "smooth": "smoothly on", "held": "he
 
 
 def fill_point_menu(
-    menu: QMenu,
+    menu: QtWidgets.QMenu,
     remove: Callable[[], object],
     *,
     bend: Callable[[Segment], object] | None = None,
@@ -161,7 +151,7 @@ def fill_point_menu(
     menu.addAction(text, remove).setEnabled(n_points > 1)
 
 
-def fill_ground_menu(menu: QMenu, add: Callable[[], object]) -> None:
+def fill_ground_menu(menu: QtWidgets.QMenu, add: Callable[[], object]) -> None:
     """Fill the menu of a place without a point: add one."""
     menu.addAction("Add point here", add)
 
@@ -169,7 +159,7 @@ def fill_ground_menu(menu: QMenu, add: Callable[[], object]) -> None:
 _TEXT_PX = 16
 
 
-class CurveField(Editor, QWidget):
+class CurveField(Editor, QtWidgets.QWidget):
     """Edits breakpoints of ``spec`` as a small curve.
 
     A press on the curve adds a point and drags it; a double click beside the curve adds one there.
@@ -185,7 +175,7 @@ class CurveField(Editor, QWidget):
         ends at the last point.
     """
 
-    def __init__(self, spec: BreakpointsSpec, parent: QWidget | None = None) -> None:
+    def __init__(self, spec: BreakpointsSpec, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._spec, self._burst = spec, Burst(self)
         self.value: Points = ((0.0, 1.0, "straight"),)
@@ -197,7 +187,9 @@ class CurveField(Editor, QWidget):
         self._drag: tuple[int, Points, QPointF] | None = None
         self.setAccessibleName(spec.label)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(
+            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Fixed
+        )
         self.setFont(tabular(self.font()))
         self.setToolTip(
             tooltip(
@@ -235,11 +227,11 @@ class CurveField(Editor, QWidget):
     def event(self, event: QEvent) -> bool:
         return claims_shortcut(event, self._claims) or super().event(event)
 
-    def _claims(self, event: QKeyEvent) -> bool:
+    def _claims(self, event: QtGui.QKeyEvent) -> bool:
         gives_up = self._drag is not None and event.key() == Qt.Key.Key_Escape
         return gives_up or bool(meaning_of("curve", event))
 
-    def mousePressEvent(self, event: QMouseEvent) -> None:
+    def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
         """Begin to drag the point at a place, or a new point on the curve."""
         if event.button() != Qt.MouseButton.LeftButton:
             event.ignore()
@@ -256,7 +248,7 @@ class CurveField(Editor, QWidget):
         self._choose(near)
         self._drag = (gesture, self.value, at)
 
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+    def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
         """Move the dragged point along with the mouse."""
         if self._drag is None or not event.buttons() & Qt.MouseButton.LeftButton:
             return
@@ -268,18 +260,18 @@ class CurveField(Editor, QWidget):
         to_x, to_y = self._rounded(x + now[0] - then[0]), round(y + now[1] - then[1], 3)
         self._put(moved(start, {self.chosen}, to_x - x, to_y - y), self.chosen, gesture)
 
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+    def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:
         self._drag = None
         self.set_value(self.value)
 
-    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+    def mouseDoubleClickEvent(self, event: QtGui.QMouseEvent) -> None:
         is_free = self._point_at(event.position()) is None
         if event.button() == Qt.MouseButton.LeftButton and is_free:
             self._add(event.position())
 
-    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+    def contextMenuEvent(self, event: QtGui.QContextMenuEvent) -> None:
         at = QPointF(event.pos())
-        by_key = event.reason() == QContextMenuEvent.Reason.Keyboard
+        by_key = event.reason() == QtGui.QContextMenuEvent.Reason.Keyboard
         near = self.chosen if by_key else self._point_at(at)
         menu = passing_menu(self, "point_menu")
         if near is None:
@@ -294,7 +286,7 @@ class CurveField(Editor, QWidget):
             )
         menu.popup(event.globalPos())
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         name = meaning_of("curve", event)
         if self._drag is not None and event.key() == Qt.Key.Key_Escape:
             (gesture, start, _), self._drag = self._drag, None
@@ -356,13 +348,13 @@ class CurveField(Editor, QWidget):
         step = self._spec.x.step / 10.0
         return max(round(x / step) * step, 0.0)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter, inside = QPainter(self), self._inside()
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        painter, inside = QtGui.QPainter(self), self._inside()
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
         paint_frame(painter, QRectF(self.rect()), current_theme(), focused=self.hasFocus())
         chosen = self.chosen if self.hasFocus() else None
         paint_curve(painter, inside, self._scale, self.value, chosen, current_theme())
-        painter.setPen(QColor(current_theme().dim))
+        painter.setPen(QtGui.QColor(current_theme().dim))
         room = QRectF(inside.left(), 2, inside.width(), _TEXT_PX)
         text = painter.fontMetrics().elidedText(
             self.text, Qt.TextElideMode.ElideRight, round(room.width())

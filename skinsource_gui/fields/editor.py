@@ -4,15 +4,14 @@ from collections.abc import Callable
 from itertools import count
 from typing import TYPE_CHECKING, Any
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QRectF, QTimer, Signal
-from PySide6.QtGui import QColor, QFont, QPainter, QPen, QTextCharFormat, QTextCursor
-from PySide6.QtWidgets import QLabel, QPlainTextEdit, QTextEdit, QWidget
 
 from skinsource.specs.spec import Spec
 from skinsource_gui.qt.theme import current_theme
 
 if TYPE_CHECKING:
-    _Widget = QWidget
+    _Widget = QtWidgets.QWidget
 else:
     # Qt allows one base with a widget in it.
     _Widget = object
@@ -31,7 +30,7 @@ class Editor(_Widget):
     edited = Signal(object, object)
     #: Why the input is not allowed, or "".
     problem_changed = Signal(str)
-    label: QLabel | None = None
+    label: QtWidgets.QLabel | None = None
 
     def set_value(self, value: Any) -> None:
         """Show a value without a signal."""
@@ -52,7 +51,7 @@ class Editor(_Widget):
 
 
 #: Makes the editor for a field.
-NewEditor = Callable[[Spec, QWidget], Editor]
+NewEditor = Callable[[Spec, QtWidgets.QWidget], Editor]
 
 
 _numbers = count(1)
@@ -95,7 +94,7 @@ class Burst(QObject):
 class TextMark:
     """Underlines the place in ``text`` where reading stopped, and frames the text."""
 
-    def __init__(self, text: QPlainTextEdit) -> None:
+    def __init__(self, text: QtWidgets.QPlainTextEdit) -> None:
         self._text = text
         self.column: int | None = None
 
@@ -104,17 +103,17 @@ class TextMark:
         self.column = column
         letters, marks = self._text.toPlainText(), []
         if column is not None and letters:
-            mark = QTextEdit.ExtraSelection()
+            mark = QtWidgets.QTextEdit.ExtraSelection()
             # At the end of the text the last letter is underlined.
             start = min(column, len(letters)) - 1
-            mark.cursor = QTextCursor(self._text.document())
+            mark.cursor = QtGui.QTextCursor(self._text.document())
             mark.cursor.setPosition(start)
-            mark.cursor.setPosition(start + 1, QTextCursor.MoveMode.KeepAnchor)
-            style = QTextCharFormat()
-            style.setForeground(QColor(current_theme().error))
-            style.setUnderlineColor(QColor(current_theme().error))
-            style.setUnderlineStyle(QTextCharFormat.UnderlineStyle.SingleUnderline)
-            style.setFontWeight(QFont.Weight.Bold)
+            mark.cursor.setPosition(start + 1, QtGui.QTextCursor.MoveMode.KeepAnchor)
+            style = QtGui.QTextCharFormat()
+            style.setForeground(QtGui.QColor(current_theme().error))
+            style.setUnderlineColor(QtGui.QColor(current_theme().error))
+            style.setUnderlineStyle(QtGui.QTextCharFormat.UnderlineStyle.SingleUnderline)
+            style.setFontWeight(QtGui.QFont.Weight.Bold)
             mark.format = style
             marks.append(mark)
         self._text.setExtraSelections(marks)
@@ -123,9 +122,9 @@ class TextMark:
     def paint_frame(self) -> None:
         """Frame the text, while it is painted, if there is an error."""
         if self.column is not None:
-            painter = QPainter(self._text.viewport())
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            painter.setPen(QPen(QColor(current_theme().error), 2))
+            painter = QtGui.QPainter(self._text.viewport())
+            painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
+            painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().error), 2))
             inside = QRectF(self._text.viewport().rect()).adjusted(1, 1, -1, -1)
             painter.drawRoundedRect(inside, 4, 4)
             painter.end()

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from PySide6.QtWidgets import QCheckBox, QLabel, QLineEdit, QWidget
+from PySide6 import QtWidgets
 
 from skinsource.base.quoting import printable
 from skinsource.design.edits.edit import KindSpec
@@ -35,10 +35,10 @@ from skinsource_gui.fields.units import value_text
 from skinsource_gui.qt.tooltips import tooltip
 
 
-class SwitchField(Editor, QCheckBox):
+class SwitchField(Editor, QtWidgets.QCheckBox):
     """Edits a value that is on or off."""
 
-    def __init__(self, spec: SwitchSpec, parent: QWidget) -> None:
+    def __init__(self, spec: SwitchSpec, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
         self.setAccessibleName(spec.label)
         self.setToolTip(tooltip(spec.label, spec.hint))
@@ -49,10 +49,10 @@ class SwitchField(Editor, QCheckBox):
         self.setChecked(value)
 
 
-class TextLine(Editor, QLineEdit):
+class TextLine(Editor, QtWidgets.QLineEdit):
     """Edits one line of text; the signal comes when typing ends."""
 
-    def __init__(self, spec: TextSpec, parent: QWidget) -> None:
+    def __init__(self, spec: TextSpec, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
         self._shown = ""
         self.setMaxLength(spec.longest)
@@ -75,10 +75,10 @@ class TextLine(Editor, QLineEdit):
             self.edited.emit(self._shown, None)
 
 
-class ValueLabel(Editor, QLabel):
+class ValueLabel(Editor, QtWidgets.QLabel):
     """Shows a value that cannot be edited here."""
 
-    def __init__(self, spec: Spec, parent: QWidget) -> None:
+    def __init__(self, spec: Spec, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
         self.setAccessibleName(spec.label)
         self.setToolTip(tooltip(spec.label, spec.hint))
@@ -95,12 +95,12 @@ class ValueLabel(Editor, QLabel):
             self.setText(printable(value))
 
 
-def text_editor(spec: TextSpec, parent: QWidget) -> Editor:
+def text_editor(spec: TextSpec, parent: QtWidgets.QWidget) -> Editor:
     """Make the editor of a text; one with a reader is read while it is typed."""
     return TextLine(spec, parent) if spec.reader is None else LiveText(spec, parent)
 
 
-def list_editor(spec: ListSpec, parent: QWidget) -> Editor:
+def list_editor(spec: ListSpec, parent: QtWidgets.QWidget) -> Editor:
     """Make the editor of a list of numbers or of models; other lists are only shown."""
     if isinstance(spec.of, ModelSpec):
         return PartsEditor(spec, spec.of, new_editor, parent)
@@ -110,7 +110,7 @@ def list_editor(spec: ListSpec, parent: QWidget) -> Editor:
 
 
 #: The editor for each kind of specification.
-EDITORS: dict[Any, Callable[[Any, QWidget], Editor]] = {
+EDITORS: dict[Any, Callable[[Any, QtWidgets.QWidget], Editor]] = {
     NumberSpec: partial(NumberField, problem_beside=True),
     ChoiceSpec: ChoiceField,
     KindSpec: KindField,
@@ -125,7 +125,7 @@ EDITORS: dict[Any, Callable[[Any, QWidget], Editor]] = {
 }
 
 
-def new_editor(spec: Spec, parent: QWidget) -> Editor:
+def new_editor(spec: Spec, parent: QtWidgets.QWidget) -> Editor:
     """Make the editor for a field; a value without one is only shown."""
     return made_for(spec, EDITORS)(spec, parent)
 
@@ -134,7 +134,7 @@ class FieldCell(EditedCell):
     """A labelled cell with the editor for ``spec``; ``edited`` gets its signals."""
 
     def __init__(
-        self, name: str, spec: Spec, parent: QWidget | None = None, *, edited: Any = None
+        self, name: str, spec: Spec, parent: QtWidgets.QWidget | None = None, *, edited: Any = None
     ) -> None:
         super().__init__(name, spec, new_editor, parent)
         if edited is not None:

@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 from itertools import pairwise
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from skinsource.specs.spec import Spec
 from skinsource_gui.fields.editor import NewEditor
@@ -24,12 +24,12 @@ _DIFFERS = tooltip(
 )
 
 
-class _FieldLabel(QLabel):
+class _FieldLabel(QtWidgets.QLabel):
     """A label as high as one line of the field beside it, in letters of any size."""
 
     def __init__(self, text: str) -> None:
         super().__init__(text)
-        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Fixed, QtWidgets.QSizePolicy.Policy.Fixed)
 
     def sizeHint(self) -> QSize:
         height = max(self.fontMetrics().height() + _AROUND_LINE_PX, LABEL_PX)
@@ -39,7 +39,7 @@ class _FieldLabel(QLabel):
         return self.sizeHint()
 
 
-class LabelledCell(QWidget):
+class LabelledCell(QtWidgets.QWidget):
     """A widget with a label, which `FieldGrid` puts beside it.
 
     Attributes
@@ -48,12 +48,12 @@ class LabelledCell(QWidget):
         Whether the cell contains its label and takes the whole width.
     """
 
-    def __init__(self, text: str, parent: QWidget | None = None) -> None:
+    def __init__(self, text: str, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.across = False
-        self.label: QLabel = _FieldLabel(text)
+        self.label: QtWidgets.QLabel = _FieldLabel(text)
         set_tone(self.label, "dim")
-        self.stack = QVBoxLayout(self)
+        self.stack = QtWidgets.QVBoxLayout(self)
         self.stack.setContentsMargins(0, 0, 0, 0)
         self.stack.setSpacing(2)
 
@@ -61,7 +61,7 @@ class LabelledCell(QWidget):
 class TextCell(LabelledCell):
     """A label and a text that cannot be edited."""
 
-    def __init__(self, label: str, text: str, parent: QWidget | None = None) -> None:
+    def __init__(self, label: str, text: str, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(label, parent)
         self.text_label = page_label("fixed_length", text)
         self.text_label.setMinimumHeight(LABEL_PX)
@@ -81,7 +81,7 @@ class EditedCell(LabelledCell):
     edited = Signal(str, object, object)
 
     def __init__(
-        self, name: str, spec: Spec, new_editor: NewEditor, parent: QWidget | None = None
+        self, name: str, spec: Spec, new_editor: NewEditor, parent: QtWidgets.QWidget | None = None
     ) -> None:
         super().__init__(spec.label, parent)
         self.name, self._label_text = name, spec.label
@@ -95,7 +95,7 @@ class EditedCell(LabelledCell):
             self.label, self.across = self.field.label, True
             set_tone(self.label, "dim")
         self.field.setObjectName(f"{name}_field")
-        if isinstance(self.field, QLabel | QCheckBox):
+        if isinstance(self.field, QtWidgets.QLabel | QtWidgets.QCheckBox):
             self.field.setMinimumHeight(LABEL_PX)
         self.label.setBuddy(self.field)
         self.setFocusProxy(self.field)
@@ -182,17 +182,17 @@ _MOST_PAIRS = 2
 _ANY_HEIGHT_PX = 16_777_215
 
 
-class FieldGrid(QWidget):
+class FieldGrid(QtWidgets.QWidget):
     """Cells with their labels beside them, in one column or in two where there is room.
 
     In a narrow grid labels stand above their fields.
     """
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._cells: tuple[LabelledCell, ...] = ()
         self._pairs, self._above = 1, False
-        self._grid = QGridLayout(self)
+        self._grid = QtWidgets.QGridLayout(self)
         self._grid.setContentsMargins(0, 0, 0, 0)
         self._grid.setHorizontalSpacing(UNIT_PX)
         self._grid.setVerticalSpacing(UNIT_PX // 4)

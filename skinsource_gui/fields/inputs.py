@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
-from PySide6.QtWidgets import QMenu
+from PySide6 import QtWidgets
 
 from skinsource.base.arrays import Floats
 from skinsource.base.quoting import printable
@@ -228,7 +228,7 @@ ORDER = (
 
 
 def fill_inputs_menu(
-    menu: QMenu,
+    menu: QtWidgets.QMenu,
     chosen: Sequence[Input],
     act: Callable[[InputEdit], None],
     *,

@@ -6,19 +6,8 @@ from math import ceil
 
 import numpy as np
 from pyqtgraph.functions import arrayToQPath
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QPoint, QPointF, QRect, QSize, Qt
-from PySide6.QtGui import (
-    QAction,
-    QColor,
-    QIcon,
-    QIconEngine,
-    QPainter,
-    QPainterPath,
-    QPen,
-    QPixmap,
-    QPolygonF,
-)
-from PySide6.QtWidgets import QMenu, QWidget
 
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
@@ -81,12 +70,12 @@ _EXAMPLES: tuple[Waveform, ...] = (
 
 
 @lru_cache(maxsize=128)
-def waveform_icon(kind: type[Waveform]) -> QIcon:
+def waveform_icon(kind: type[Waveform]) -> QtGui.QIcon:
     """Return the icon of a kind of waveform, which is drawn when it is first visible."""
-    return QIcon(_WaveformEngine(kind))
+    return QtGui.QIcon(_WaveformEngine(kind))
 
 
-class _WaveformEngine(QIconEngine):
+class _WaveformEngine(QtGui.QIconEngine):
     """Draws an icon in the mode and resolution that Qt asks for; most are never needed."""
 
     def __init__(self, kind: type[Waveform]) -> None:
@@ -94,35 +83,39 @@ class _WaveformEngine(QIconEngine):
         self._kind = kind
 
     def scaledPixmap(
-        self, size: QSize, mode: QIcon.Mode, state: QIcon.State, scale: float
-    ) -> QPixmap:
+        self, size: QSize, mode: QtGui.QIcon.Mode, state: QtGui.QIcon.State, scale: float
+    ) -> QtGui.QPixmap:
         del size, state  # icons have one size, and look the same on and off
         per_px = min(max(ceil(scale), 1), _SHARPEST)
         return _drawn(_path_of(self._kind), _colour(mode), per_px)
 
-    def pixmap(self, size: QSize, mode: QIcon.Mode, state: QIcon.State) -> QPixmap:
+    def pixmap(
+        self, size: QSize, mode: QtGui.QIcon.Mode, state: QtGui.QIcon.State
+    ) -> QtGui.QPixmap:
         return self.scaledPixmap(size, mode, state, 1.0)
 
-    def actualSize(self, size: QSize, mode: QIcon.Mode, state: QIcon.State) -> QSize:
+    def actualSize(self, size: QSize, mode: QtGui.QIcon.Mode, state: QtGui.QIcon.State) -> QSize:
         del mode, state
         return PICTURE_PX.boundedTo(size)
 
-    def paint(self, painter: QPainter, rect: QRect, mode: QIcon.Mode, state: QIcon.State) -> None:
+    def paint(
+        self, painter: QtGui.QPainter, rect: QRect, mode: QtGui.QIcon.Mode, state: QtGui.QIcon.State
+    ) -> None:
         sharp = painter.device().devicePixelRatioF()
         picture = self.scaledPixmap(rect.size(), mode, state, sharp)
         area = QRect(0, 0, PICTURE_PX.width(), PICTURE_PX.height())
         area.moveCenter(rect.center())
         painter.drawPixmap(area, picture)
 
-    def clone(self) -> QIconEngine:
+    def clone(self) -> QtGui.QIconEngine:
         return _WaveformEngine(self._kind)
 
 
-def _colour(mode: QIcon.Mode) -> QColor:
+def _colour(mode: QtGui.QIcon.Mode) -> QtGui.QColor:
     theme = current_theme()
-    if mode == QIcon.Mode.Disabled:
-        return QColor(theme.dim)
-    return QColor(theme.text if mode == QIcon.Mode.Normal else theme.on_accent)
+    if mode == QtGui.QIcon.Mode.Disabled:
+        return QtGui.QColor(theme.dim)
+    return QtGui.QColor(theme.text if mode == QtGui.QIcon.Mode.Normal else theme.on_accent)
 
 
 def _samples_of(kind: type[Waveform]) -> Floats:
@@ -134,15 +127,15 @@ def _samples_of(kind: type[Waveform]) -> Floats:
 
 
 @lru_cache(maxsize=64)
-def _path_of(kind: type[Waveform]) -> QPainterPath:
+def _path_of(kind: type[Waveform]) -> QtGui.QPainterPath:
     # The wave of many layers would be a blob.
     return _sheets() if kind is Layers else _wave(_samples_of(kind))
 
 
-def _wave(samples: Floats) -> QPainterPath:
+def _wave(samples: Floats) -> QtGui.QPainterPath:
     width, height = PICTURE_PX.width(), PICTURE_PX.height()
     middle, reach = height / 2, height / 2 - _MARGIN_PX
-    path = QPainterPath()
+    path = QtGui.QPainterPath()
     if samples.size == 1:
         foot, top = QPointF(width / 2, middle), QPointF(width / 2, middle - reach + _DOT_PX)
         for start, end in (
@@ -159,13 +152,15 @@ def _wave(samples: Floats) -> QPainterPath:
     return path
 
 
-def _sheets() -> QPainterPath:
+def _sheets() -> QtGui.QPainterPath:
     """Return a sheet, and the front edges of two sheets below it."""
     middle, wide, high, first, step = PICTURE_PX.width() / 2, 11.0, 3.4, 5.7, 3.9
-    path = QPainterPath()
+    path = QtGui.QPainterPath()
     left, right = middle - wide, middle + wide
     path.addPolygon(
-        QPolygonF([QPointF(left, first), QPointF(middle, first - high), QPointF(right, first)])
+        QtGui.QPolygonF(
+            [QPointF(left, first), QPointF(middle, first - high), QPointF(right, first)]
+        )
     )
     for sheet in range(3):
         y = first + sheet * step
@@ -175,13 +170,13 @@ def _sheets() -> QPainterPath:
     return path
 
 
-def _drawn(path: QPainterPath, colour: QColor, per_px: int) -> QPixmap:
-    picture = QPixmap(PICTURE_PX * per_px)
+def _drawn(path: QtGui.QPainterPath, colour: QtGui.QColor, per_px: int) -> QtGui.QPixmap:
+    picture = QtGui.QPixmap(PICTURE_PX * per_px)
     picture.setDevicePixelRatio(per_px)
     picture.fill(Qt.GlobalColor.transparent)
-    painter = QPainter(picture)
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    pen = QPen(colour, _LINE_PX)
+    painter = QtGui.QPainter(picture)
+    painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
+    pen = QtGui.QPen(colour, _LINE_PX)
     pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
     painter.strokePath(path, pen)
     painter.end()
@@ -191,7 +186,9 @@ def _drawn(path: QPainterPath, colour: QColor, per_px: int) -> QPixmap:
 MORE = "More"
 
 
-def fill_kind_menu(menu: QMenu, choose: Callable[[str], None], *, current: str = "") -> None:
+def fill_kind_menu(
+    menu: QtWidgets.QMenu, choose: Callable[[str], None], *, current: str = ""
+) -> None:
     """Fill a menu with the kinds of waveforms; those that are not common are under "More".
 
     Parameters
@@ -219,7 +216,9 @@ def fill_kind_menu(menu: QMenu, choose: Callable[[str], None], *, current: str =
         _embolden(more.menuAction())
 
 
-def _add(menu: QMenu, kind: type[Waveform], choose: Callable[[str], None], current: str) -> None:
+def _add(
+    menu: QtWidgets.QMenu, kind: type[Waveform], choose: Callable[[str], None], current: str
+) -> None:
     action = menu.addAction(waveform_icon(kind), kind.title)
     action.setObjectName(f"kind_{kind.__name__}")
     action.triggered.connect(lambda: choose(kind.__name__))
@@ -228,13 +227,13 @@ def _add(menu: QMenu, kind: type[Waveform], choose: Callable[[str], None], curre
         menu.setActiveAction(action)
 
 
-def _embolden(action: QAction) -> None:
+def _embolden(action: QtGui.QAction) -> None:
     font = action.font()
     font.setBold(True)
     action.setFont(font)
 
 
-def _show_pictures(menu: QMenu) -> None:
+def _show_pictures(menu: QtWidgets.QMenu) -> None:
     # Qt makes room for square icons only.
     menu.setStyleSheet(
         f"QMenu {{ icon-size: {PICTURE_PX.width()}px; }}"
@@ -248,16 +247,16 @@ class KindField(ChoiceField):
     Keys choose among all kinds, as in any list.
     """
 
-    def __init__(self, spec: ChoiceSpec, parent: QWidget | None = None) -> None:
+    def __init__(self, spec: ChoiceSpec, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(spec, parent)
-        self._menu: QMenu | None = None
+        self._menu: QtWidgets.QMenu | None = None
         self.setIconSize(PICTURE_PX)
         self.currentIndexChanged.connect(self._picture)
         self._picture()
 
     def showPopup(self) -> None:
         self.hidePopup()
-        menu = QMenu(self)
+        menu = QtWidgets.QMenu(self)
         menu.setObjectName("kind_menu")
         fill_kind_menu(menu, self.choose, current=self.value)
         menu.setMinimumWidth(self.width())

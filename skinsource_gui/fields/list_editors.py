@@ -7,14 +7,7 @@ from functools import partial
 from itertools import pairwise
 from typing import Any
 
-from PySide6.QtWidgets import (
-    QDialog,
-    QDialogButtonBox,
-    QFormLayout,
-    QHBoxLayout,
-    QPushButton,
-    QWidget,
-)
+from PySide6 import QtWidgets
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.effects.breakpoints import Points as Breakpoints
@@ -54,10 +47,12 @@ _ORDER = ChoiceSpec(
 _MOST_SHOWN = 12
 
 
-class SweepDialog(QDialog):
+class SweepDialog(QtWidgets.QDialog):
     """Asks for the ends of a sweep, the number of frequencies, their spacing and their order."""
 
-    def __init__(self, values: tuple[float, ...], spec: ListSpec, parent: QWidget) -> None:
+    def __init__(
+        self, values: tuple[float, ...], spec: ListSpec, parent: QtWidgets.QWidget
+    ) -> None:
         super().__init__(parent)
         self._spec = spec
         self.setObjectName("sweep_dialog")
@@ -73,12 +68,13 @@ class SweepDialog(QDialog):
         self.order = self._choice("order", _ORDER, "down" if falls else "up")
         self._list = page_label("sweep_list")
         self._list.setMinimumWidth(260)
-        buttons = QDialogButtonBox(
-            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
+        buttons = QtWidgets.QDialogButtonBox(
+            QtWidgets.QDialogButtonBox.StandardButton.Ok
+            | QtWidgets.QDialogButtonBox.StandardButton.Cancel
         )
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
-        form = QFormLayout(self)
+        form = QtWidgets.QFormLayout(self)
         rows = {
             "From": self.low,
             "To": self.high,
@@ -128,10 +124,10 @@ class SweepDialog(QDialog):
 _LONGEST = 100_000
 
 
-class ListEditor(Editor, QWidget):
+class ListEditor(Editor, QtWidgets.QWidget):
     """Base of editors of a tuple as a text; signals come while it is typed, if it is valid."""
 
-    def __init__(self, spec: Any, parent: QWidget, hint: str) -> None:
+    def __init__(self, spec: Any, parent: QtWidgets.QWidget, hint: str) -> None:
         super().__init__(parent)
         self._spec = spec
         self._value: tuple[Any, ...] = ()
@@ -143,7 +139,7 @@ class ListEditor(Editor, QWidget):
         self.line.edited.connect(self._tell)
         self.line.problem_changed.connect(self.problem_changed)
         self.setFocusProxy(self.line)
-        self.row = QHBoxLayout()
+        self.row = QtWidgets.QHBoxLayout()
         self.row.addWidget(self.line, 1)
         self.column = in_column(self.row, of=self, margins=0, gap_px=4)
 
@@ -186,11 +182,11 @@ class ListEditor(Editor, QWidget):
 class NumbersEditor(ListEditor):
     """Edits a list of numbers; frequencies also as a sweep."""
 
-    def __init__(self, spec: ListSpec, parent: QWidget) -> None:
+    def __init__(self, spec: ListSpec, parent: QtWidgets.QWidget) -> None:
         super().__init__(spec, parent, f"{spec.hint}. Numbers between commas")
         if self._spec.of.unit != "Hz":
             return
-        self.sweep = QPushButton("Sweep…", self)
+        self.sweep = QtWidgets.QPushButton("Sweep…", self)
         self.sweep.setToolTip("Frequencies in equal factors or steps, rising or falling")
         self.sweep.setAutoDefault(False)
         self.sweep.clicked.connect(self._ask_sweep)
@@ -221,7 +217,7 @@ class NumbersEditor(ListEditor):
 class CurveText(ListEditor):
     """Edits the breakpoints of a curve, typed as pairs."""
 
-    def __init__(self, spec: CurveSpec, parent: QWidget) -> None:
+    def __init__(self, spec: CurveSpec, parent: QtWidgets.QWidget) -> None:
         self._pairs = spec
         names = ", ".join(column_label(column) for column in spec.columns)
         super().__init__(spec, parent, f"{spec.hint}. Each point: {names}; semicolons between")
@@ -239,7 +235,7 @@ _COLUMNS: tuple[Column, ...] = ("frequency", "amplitude")
 class GlideCurve(CurveField):
     """The curve of frequency or amplitude; between points it is straight or held."""
 
-    def __init__(self, spec: BreakpointsSpec, parent: QWidget) -> None:
+    def __init__(self, spec: BreakpointsSpec, parent: QtWidgets.QWidget) -> None:
         super().__init__(spec, parent)
         self._y = spec.y
 
@@ -271,7 +267,7 @@ class GlideCurve(CurveField):
 class PointsEditor(ListEditor):
     """Edits points of time, frequency and amplitude, as a text and as two curves."""
 
-    def __init__(self, spec: PointsSpec, parent: QWidget) -> None:
+    def __init__(self, spec: PointsSpec, parent: QtWidgets.QWidget) -> None:
         names = ", ".join(column_label(column_spec) for column_spec in spec.columns)
         super().__init__(spec, parent, f"{spec.hint}. Each point: {names}; semicolons between")
         self.curves: dict[Column, GlideCurve] = {}

@@ -4,22 +4,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import inf
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPoint, QRect, QRectF, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import (
-    QColor,
-    QFocusEvent,
-    QFontMetrics,
-    QGuiApplication,
-    QKeyEvent,
-    QKeySequence,
-    QMouseEvent,
-    QPainter,
-    QPaintEvent,
-    QPen,
-    QResizeEvent,
-    QWheelEvent,
-)
-from PySide6.QtWidgets import QLineEdit, QStyle, QStyleOptionFrame, QWidget
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.specs.numbers import NumberSpec
@@ -51,7 +37,9 @@ ROUNDED, NO_ROOM = "≈", "…"
 _ENOUGH_DIGITS = 3
 
 
-def fitting_text(value_si: float, spec: NumberSpec, metrics: QFontMetrics, room_px: float) -> str:
+def fitting_text(
+    value_si: float, spec: NumberSpec, metrics: QtGui.QFontMetrics, room_px: float
+) -> str:
     """Return a number with as many digits as fit; ≈ marks one with only 1 or 2 digits.
 
     A number must not be cut: if not even one digit fits, "…" replaces it.
@@ -93,13 +81,13 @@ _OTHERS = (
 )
 
 
-def begins_typing(event: QKeyEvent) -> bool:
+def begins_typing(event: QtGui.QKeyEvent) -> bool:
     """Return whether a key begins typing."""
     typed = not event.modifiers() & _OTHERS and event.text() in _STARTERS
     return typed or meaning_of("number", event) in ("type", "empty")
 
 
-def makes_step(event: QKeyEvent) -> bool:
+def makes_step(event: QtGui.QKeyEvent) -> bool:
     """Return whether a key goes to the next round number."""
     return meaning_of("number", event) in ("step", "page")
 
@@ -161,7 +149,7 @@ _TEMPORARY_LOSSES = frozenset(
 )
 
 
-class NumberField(Editor, QLineEdit):
+class NumberField(Editor, QtWidgets.QLineEdit):
     """Shows and edits a value in its display unit.
 
     A double click or a digit begins typing; Enter commits, Esc restores.  A text that is not
@@ -199,7 +187,7 @@ class NumberField(Editor, QLineEdit):
     def __init__(
         self,
         spec: NumberSpec,
-        parent: QWidget | None = None,
+        parent: QtWidgets.QWidget | None = None,
         *,
         widest_unit: str = WIDEST_UNIT,
         problem_beside: bool = False,
@@ -290,7 +278,7 @@ class NumberField(Editor, QLineEdit):
             self._edit(typed_si, None)
         return True
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         if makes_step(event):
             if self.commit():
                 self._step_by_key(event)
@@ -303,10 +291,10 @@ class NumberField(Editor, QLineEdit):
                 self.cancel()
             else:
                 super().keyPressEvent(event)
-        elif event.matches(QKeySequence.StandardKey.Copy):
+        elif event.matches(QtGui.QKeySequence.StandardKey.Copy):
             unit = display_unit(self.spec.unit, self.value_si)
-            QGuiApplication.clipboard().setText(with_unit(self._long_text, unit))
-        elif event.matches(QKeySequence.StandardKey.Paste):
+            QtGui.QGuiApplication.clipboard().setText(with_unit(self._long_text, unit))
+        elif event.matches(QtGui.QKeySequence.StandardKey.Paste):
             self.begin_editing()
             self.paste()
         elif begins_typing(event):
@@ -319,14 +307,14 @@ class NumberField(Editor, QLineEdit):
     def event(self, event: QEvent) -> bool:
         return claims_shortcut(event, self._claims) or super().event(event)
 
-    def _claims(self, event: QKeyEvent) -> bool:
+    def _claims(self, event: QtGui.QKeyEvent) -> bool:
         return (
             makes_step(event)
             or (begins_typing(event) and not self.editing)
             or (event.key() == Qt.Key.Key_Escape and (self.editing or self._drag is not None))
         )
 
-    def wheelEvent(self, event: QWheelEvent) -> None:
+    def wheelEvent(self, event: QtGui.QWheelEvent) -> None:
         if not self.hasFocus():
             event.ignore()
             return
@@ -339,38 +327,38 @@ class NumberField(Editor, QLineEdit):
             ladder = Ladder(self.value_si, self.spec, _size(event.modifiers()))
             self._step_to(ladder.value_si(notches))
 
-    def mousePressEvent(self, event: QMouseEvent) -> None:
+    def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
         if self.editing or event.button() != Qt.MouseButton.LeftButton:
             super().mousePressEvent(event)
         else:
             position = event.globalPosition().toPoint()
             self._drag = _Drag(last=position, start_si=self.value_si)
 
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+    def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
         if self._drag is not None:
             self._move(self._drag, event)
         elif self.editing:
             # Without a press this would only set the cursor of a text.
             super().mouseMoveEvent(event)
 
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+    def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:
         if self._drag is None:
             super().mouseReleaseEvent(event)
         self._drag = None
 
-    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+    def mouseDoubleClickEvent(self, event: QtGui.QMouseEvent) -> None:
         if self.editing:
             super().mouseDoubleClickEvent(event)
         elif event.button() == Qt.MouseButton.LeftButton:
             self._drag = None
             self.begin_editing()
 
-    def focusInEvent(self, event: QFocusEvent) -> None:
+    def focusInEvent(self, event: QtGui.QFocusEvent) -> None:
         super().focusInEvent(event)
         if not self.editing:
             self.deselect()
 
-    def focusOutEvent(self, event: QFocusEvent) -> None:
+    def focusOutEvent(self, event: QtGui.QFocusEvent) -> None:
         super().focusOutEvent(event)
         if not self.editing or event.reason() in _TEMPORARY_LOSSES:
             return
@@ -390,26 +378,26 @@ class NumberField(Editor, QLineEdit):
         if event.type() in _OTHER_SIZES:
             self._show_spec()
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         self._show(self.value_si)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         super().paintEvent(event)
-        painter = QPainter(self)
+        painter = QtGui.QPainter(self)
         has_own_unit = self.editing and any(c.isalpha() or c in "°×²" for c in self.text())
         if not has_own_unit:
             place = self._inside()
             place.setLeft(place.right() - self.textMargins().right() + _GAP_PX)
-            painter.setPen(QColor(current_theme().dim))
+            painter.setPen(QtGui.QColor(current_theme().dim))
             middle = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
             painter.drawText(place, middle, self.unit_text)
         if self.problem and self.editing:
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            painter.setPen(QPen(QColor(current_theme().error), 2))
+            painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
+            painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().error), 2))
             painter.drawRoundedRect(QRectF(self.rect()).adjusted(1, 1, -1, -1), 4, 4)
 
-    def _step_by_key(self, event: QKeyEvent) -> None:
+    def _step_by_key(self, event: QtGui.QKeyEvent) -> None:
         size = COARSE if meaning_of("number", event) == "page" else _size(event.modifiers())
         direction = _DIRECTIONS[Qt.Key(event.key())]
         self._step_to(stepped(self.value_si, direction, self.spec, size))
@@ -418,7 +406,7 @@ class NumberField(Editor, QLineEdit):
         if value_si != self.value_si:
             self._edit(value_si, self.burst.gesture())
 
-    def _move(self, drag: _Drag, event: QMouseEvent) -> None:
+    def _move(self, drag: _Drag, event: QtGui.QMouseEvent) -> None:
         """Follow the mouse while the button is held."""
         position, size = event.globalPosition().toPoint(), _size(event.modifiers())
         travel = position - drag.last
@@ -481,9 +469,11 @@ class NumberField(Editor, QLineEdit):
 
     def _inside(self) -> QRect:
         """Return the area of the number and its unit."""
-        option = QStyleOptionFrame()
+        option = QtWidgets.QStyleOptionFrame()
         self.initStyleOption(option)
-        return self.style().subElementRect(QStyle.SubElement.SE_LineEditContents, option, self)
+        return self.style().subElementRect(
+            QtWidgets.QStyle.SubElement.SE_LineEditContents, option, self
+        )
 
     def _parsed(self, text: str) -> float | None:
         """Return the value of a text, in SI units; None if it is not allowed."""

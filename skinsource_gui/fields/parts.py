@@ -10,18 +10,8 @@ from dataclasses import replace
 from functools import partial
 from typing import Any, Generic, TypeVar
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QPalette, QResizeEvent
-from PySide6.QtWidgets import (
-    QApplication,
-    QFrame,
-    QHBoxLayout,
-    QLabel,
-    QMenu,
-    QSizePolicy,
-    QToolButton,
-    QWidget,
-)
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.quoting import sentence
@@ -49,15 +39,15 @@ from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.qt.tooltips import tooltip
 
 
-class AddButton(QToolButton):
+class AddButton(QtWidgets.QToolButton):
     """Opens a menu of kinds of models, which ``fill`` fills each time."""
 
-    def __init__(self, name: str, fill: Callable[[QMenu], None]) -> None:
+    def __init__(self, name: str, fill: Callable[[QtWidgets.QMenu], None]) -> None:
         super().__init__()
         self.setObjectName(name)
         self.setText("Add…")
-        self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        menu = QMenu(self)
+        self.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
+        menu = QtWidgets.QMenu(self)
         self.setMenu(menu)
         # The dots in the text already tell that there is a menu.
         self.setStyleSheet("QToolButton::menu-indicator { image: none; width: 0; }")
@@ -150,7 +140,7 @@ class PartFields(QObject):
                 if isinstance(field, PartsEditor):
                     field.holder = lambda: self._model
         self._own, self._nested, self._built_for = own, nested, type(model)
-        focused = QApplication.focusWidget()
+        focused = QtWidgets.QApplication.focusWidget()
         within = focused is not None and any(cell.isAncestorOf(focused) for cell in removed)
         if within and self._kind is not None:
             self._kind.field.setFocus(Qt.FocusReason.OtherFocusReason)
@@ -196,7 +186,7 @@ class PartFields(QObject):
 _BESIDE_PX = 30
 
 
-class RowTitle(QToolButton):
+class RowTitle(QtWidgets.QToolButton):
     """The title of a part: shows or hides its fields, can be dragged, and handles its keys.
 
     Parameters
@@ -224,7 +214,9 @@ class RowTitle(QToolButton):
     #: The drag was cancelled.
     cancelled = Signal()
 
-    def __init__(self, text: str, place: str, where: str, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, text: str, place: str, where: str, parent: QtWidgets.QWidget | None = None
+    ) -> None:
         super().__init__(parent)
         self._text, self._place = "", place
         self._start_y: int | None = None
@@ -234,7 +226,7 @@ class RowTitle(QToolButton):
         self.setStyleSheet("QToolButton { text-align: left; }")
         self.setAutoRaise(True)
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Fixed)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         keys = f"{key_text(place, 'shift_up')}, {key_text(place, 'shift_down')}"
         self._hint = f"Click: show or hide its settings. Drag, or {keys}: another place {where}"
@@ -257,7 +249,7 @@ class RowTitle(QToolButton):
             self._show_arrow()
             self.opened.emit(open_)
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         name = meaning_of(self._place, event)
         if self._dragging and event.key() == Qt.Key.Key_Escape:
             self._end_drag()
@@ -270,25 +262,28 @@ class RowTitle(QToolButton):
     def event(self, event: QEvent) -> bool:
         return claims_shortcut(event, self._claims) or super().event(event)
 
-    def _claims(self, event: QKeyEvent) -> bool:
+    def _claims(self, event: QtGui.QKeyEvent) -> bool:
         gives_up = self._dragging and event.key() == Qt.Key.Key_Escape
         return gives_up or bool(meaning_of(self._place, event))
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         self._fit()
 
-    def mousePressEvent(self, event: QMouseEvent) -> None:
+    def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
         super().mousePressEvent(event)
         if event.button() == Qt.MouseButton.LeftButton:
             self._start_y = round(event.globalPosition().y())
 
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+    def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
         super().mouseMoveEvent(event)
         if self._start_y is None:
             return
         y = round(event.globalPosition().y())
-        if not self._dragging and abs(y - self._start_y) >= QApplication.startDragDistance():
+        if (
+            not self._dragging
+            and abs(y - self._start_y) >= QtWidgets.QApplication.startDragDistance()
+        ):
             self._dragging = True
             # A drag is no click.
             self.setDown(False)
@@ -296,7 +291,7 @@ class RowTitle(QToolButton):
         if self._dragging:
             self.dragged.emit(y)
 
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+    def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:
         if self._dragging and event.button() == Qt.MouseButton.LeftButton:
             self._end_drag()
             self.dropped.emit(round(event.globalPosition().y()))
@@ -319,7 +314,7 @@ class RowTitle(QToolButton):
         self.setArrowType(Qt.ArrowType.DownArrow if self.open else Qt.ArrowType.RightArrow)
 
 
-class FieldsRow(QWidget):
+class FieldsRow(QtWidgets.QWidget):
     """A title that can be dragged, buttons beside it, and fields below it while it is open.
 
     Parameters
@@ -338,12 +333,12 @@ class FieldsRow(QWidget):
     removed = Signal()
     part: Any = None
 
-    def __init__(self, title: RowTitle, before: Sequence[QWidget], gap_px: int) -> None:
+    def __init__(self, title: RowTitle, before: Sequence[QtWidgets.QWidget], gap_px: int) -> None:
         super().__init__()
         self.title, self.remove_button = title, remove_button()
         self.grid = FieldGrid()
         self.grid.hide()
-        head = QHBoxLayout()
+        head = QtWidgets.QHBoxLayout()
         head.setSpacing(gap_px)
         for part in (*before, title, self.remove_button):
             head.addWidget(part, 1 if part is title else 0)
@@ -357,7 +352,7 @@ class FieldsRow(QWidget):
         raise NotImplementedError
 
     @property
-    def stops(self) -> tuple[QWidget, ...]:
+    def stops(self) -> tuple[QtWidgets.QWidget, ...]:
         """Widgets in the order of the Tab key."""
         return (self.title,)
 
@@ -416,7 +411,7 @@ class PartRow(FieldsRow):
         return () if self.fields is None else self.fields.cells
 
     @property
-    def stops(self) -> tuple[QWidget, ...]:
+    def stops(self) -> tuple[QtWidgets.QWidget, ...]:
         return (self.title, self.remove_button, *(cell.field for cell in self.cells))
 
     def show_part(self, part: Any, index: int, count: int, fewest: int) -> None:
@@ -459,7 +454,7 @@ _LINE_PX = 2
 Row = TypeVar("Row", bound=FieldsRow)
 
 
-class RowColumn(QWidget, Generic[Row]):
+class RowColumn(QtWidgets.QWidget, Generic[Row]):
     """Rows one below the other, which the user reorders by mouse or keys.
 
     Parameters
@@ -476,14 +471,14 @@ class RowColumn(QWidget, Generic[Row]):
     #: Index of a row, and the index to which it shall move.
     moved = Signal(int, int)
 
-    def __init__(self, head: QWidget, parent: QWidget | None = None) -> None:
+    def __init__(self, head: QtWidgets.QWidget, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._head = head
         self.rows: tuple[Row, ...] = ()
         self._column = in_column(of=self, margins=0, gap_px=UNIT_PX // 4)
         # Shows where a dragged row would go.
-        self._line = QFrame(self)
-        self._line.setBackgroundRole(QPalette.ColorRole.Highlight)
+        self._line = QtWidgets.QFrame(self)
+        self._line.setBackgroundRole(QtGui.QPalette.ColorRole.Highlight)
         self._line.setAutoFillBackground(True)
         self._line.hide()
 
@@ -513,7 +508,7 @@ class RowColumn(QWidget, Generic[Row]):
             row.show()
         self.order_stops()
         if was_focused:
-            stops: list[QWidget] = [row.title for row in rows]
+            stops: list[QtWidgets.QWidget] = [row.title for row in rows]
             stops = stops or [self._head]
             stops[min(was_focused[0], len(stops) - 1)].setFocus(Qt.FocusReason.OtherFocusReason)
 
@@ -579,18 +574,20 @@ class RowColumn(QWidget, Generic[Row]):
             self.moved.emit(index, to)
 
 
-def lay_out_list(editor: QWidget, label: QLabel, add: AddButton, rows: QWidget) -> None:
+def lay_out_list(
+    editor: QtWidgets.QWidget, label: QtWidgets.QLabel, add: AddButton, rows: QtWidgets.QWidget
+) -> None:
     """Put a label and the button that adds rows above the rows."""
     head = in_row((label, 1), add)
     in_column(head, rows, of=editor, margins=0, gap_px=UNIT_PX // 4)
 
 
-def _has_focus(row: QWidget) -> bool:
+def _has_focus(row: QtWidgets.QWidget) -> bool:
     focused = row.window().focusWidget()
     return focused is not None and row.isAncestorOf(focused)
 
 
-class PartsEditor(Editor, QWidget):
+class PartsEditor(Editor, QtWidgets.QWidget):
     """Edits a tuple of models; a new one is open.
 
     Attributes
@@ -600,7 +597,7 @@ class PartsEditor(Editor, QWidget):
     """
 
     def __init__(
-        self, spec: ListSpec, of: ModelSpec, new_editor: NewEditor, parent: QWidget
+        self, spec: ListSpec, of: ModelSpec, new_editor: NewEditor, parent: QtWidgets.QWidget
     ) -> None:
         super().__init__(parent)
         self._spec, self._of = spec, of
@@ -608,7 +605,7 @@ class PartsEditor(Editor, QWidget):
         self._value: Parts = ()
         self.holder: Callable[[], Any] = lambda: None
         self.setAccessibleName(spec.label)
-        self.label = QLabel(spec.label)
+        self.label = QtWidgets.QLabel(spec.label)
         self.label.setToolTip(tooltip(spec.hint))
         self._add = AddButton("add_part", self._fill_menu)
         self._add.setAccessibleName(f"{spec.label}: add")
@@ -662,7 +659,7 @@ class PartsEditor(Editor, QWidget):
         self._column.take_in(row)
         return row
 
-    def _fill_menu(self, menu: QMenu) -> None:
+    def _fill_menu(self, menu: QtWidgets.QMenu) -> None:
         choices = choices_of(self._of)
         if isinstance(choices, KindSpec):
             fill_kind_menu(menu, self._add_part)

@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QFileDialog
 
 from skinsource.actuators import rigs
 from skinsource.specs.spec import ChoiceSpec
@@ -46,7 +46,7 @@ class RigField(ChoiceField):
 
     def _choose_rig(self, option: str) -> None:
         if option == "file":
-            name, _ = QFileDialog.getOpenFileName(
+            name, _ = QtWidgets.QFileDialog.getOpenFileName(
                 self, "Choose a rig", "", f"Rigs (*{rigs.SUFFIX});;All files (*)"
             )
             # The present rig stays until the file is read.

@@ -1,16 +1,7 @@
 """A field for texts with a reader, such as formulas and lists of numbers."""
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QMimeData, QSize, Qt, Signal
-from PySide6.QtGui import (
-    QFocusEvent,
-    QFont,
-    QFontDatabase,
-    QKeyEvent,
-    QKeySequence,
-    QPaintEvent,
-    QResizeEvent,
-)
-from PySide6.QtWidgets import QPlainTextEdit, QSizePolicy, QWidget
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.signals.formula.reading import column_of
@@ -20,10 +11,10 @@ from skinsource_gui.qt.tooltips import tooltip
 
 _MOST_LINES = 6
 _EDGE_PX = 5
-_UNDOING = (QKeySequence.StandardKey.Undo, QKeySequence.StandardKey.Redo)
+_UNDOING = (QtGui.QKeySequence.StandardKey.Undo, QtGui.QKeySequence.StandardKey.Redo)
 
 
-class LiveText(Editor, QPlainTextEdit):
+class LiveText(Editor, QtWidgets.QPlainTextEdit):
     """Edits a text of ``spec``, whose reader checks it while it is typed.
 
     Each valid text is signalled at once; quick ones share a gesture, until a pause, Enter, or the
@@ -34,7 +25,7 @@ class LiveText(Editor, QPlainTextEdit):
     #: The new text; number of the gesture that quick successive texts share.
     edited = Signal(str, object)
 
-    def __init__(self, spec: TextSpec, parent: QWidget | None = None) -> None:
+    def __init__(self, spec: TextSpec, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._spec = spec
         self._value, self._last_read = "", ""
@@ -47,10 +38,12 @@ class LiveText(Editor, QPlainTextEdit):
         self.setUndoRedoEnabled(False)
         self.setAcceptDrops(False)  # files are dropped on the window
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(
+            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Fixed
+        )
         self.setMinimumWidth(72)
-        family = QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont).family()
-        font = QFont(self.font())
+        family = QtGui.QFontDatabase.systemFont(QtGui.QFontDatabase.SystemFont.FixedFont).family()
+        font = QtGui.QFont(self.font())
         font.setFamily(family)
         self.setFont(font)
         self.document().setDocumentMargin(_EDGE_PX)
@@ -96,7 +89,7 @@ class LiveText(Editor, QPlainTextEdit):
         return QSize(72, self.sizeHint().height())
 
     def event(self, event: QEvent) -> bool:
-        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride:
+        if isinstance(event, QtGui.QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride:
             if any(event.matches(key) for key in _UNDOING):
                 event.ignore()
                 return False
@@ -105,7 +98,7 @@ class LiveText(Editor, QPlainTextEdit):
                 return True
         return super().event(event)
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             self._burst.end()
         elif event.key() == Qt.Key.Key_Escape:
@@ -114,7 +107,7 @@ class LiveText(Editor, QPlainTextEdit):
         else:
             super().keyPressEvent(event)
 
-    def focusOutEvent(self, event: QFocusEvent) -> None:
+    def focusOutEvent(self, event: QtGui.QFocusEvent) -> None:
         super().focusOutEvent(event)
         self._burst.end()
 
@@ -122,11 +115,11 @@ class LiveText(Editor, QPlainTextEdit):
         # A pasted text becomes one line.
         self.insertPlainText(" ".join(source.text().split()))
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         self._fit()
 
-    def paintEvent(self, event: QPaintEvent) -> None:
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         super().paintEvent(event)
         self._mark.paint_frame()
 

@@ -9,13 +9,8 @@ from pathlib import Path
 from typing import Any, Protocol
 
 import numpy as np
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QPointF, QRectF, Qt, SignalInstance
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QShowEvent
-from PySide6.QtWidgets import (
-    QLabel,
-    QSplitter,
-    QWidget,
-)
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.files import write_bytes
@@ -52,7 +47,7 @@ _SLOPE_DEGREES = -55.0
 class AccuracyPlot(Figure):
     """Plots a point for each row, with names beside those of one case; lower left is better."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__("accuracy_plot", "Error against run time", parent)
         self._rows: Sequence[Row] = ()
         self._case = ""
@@ -69,8 +64,8 @@ class AccuracyPlot(Figure):
         self._case = case
         self.update()
 
-    def draw(self, painter: QPainter, room: QRectF) -> None:
-        metrics = QFontMetricsF(painter.font())
+    def draw(self, painter: QtGui.QPainter, room: QRectF) -> None:
+        metrics = QtGui.QFontMetricsF(painter.font())
         times_ms = [1e3 * row.time_s for row in self._rows]
         x = Axis(
             shown=(0.5 * min(times_ms), 20.0 * max(times_ms)), title="Fastest run (ms)", log=True
@@ -80,7 +75,7 @@ class AccuracyPlot(Figure):
         self._axes.paint(painter, current_theme())
         points = list(zip(self._rows, self._points(self._axes), strict=True))
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(QColor(current_theme().dim))
+        painter.setBrush(QtGui.QColor(current_theme().dim))
         for _, point in points:
             painter.drawEllipse(point, _OTHER_RADIUS_PX, _OTHER_RADIUS_PX)
         for row, point in points:
@@ -105,11 +100,11 @@ class AccuracyPlot(Figure):
         times_ms = np.array([1e3 * row.time_s for row in self._rows])
         return [QPointF(*place) for place in axes.to_screen(times_ms, powers)]
 
-    def _paint_named(self, painter: QPainter, name: str, point: QPointF) -> None:
+    def _paint_named(self, painter: QtGui.QPainter, name: str, point: QPointF) -> None:
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(QColor(current_theme().accent))
+        painter.setBrush(QtGui.QColor(current_theme().accent))
         painter.drawEllipse(point, _RADIUS_PX, _RADIUS_PX)
-        painter.setPen(QColor(current_theme().text))
+        painter.setPen(QtGui.QColor(current_theme().text))
         painter.save()
         painter.translate(point)
         painter.rotate(_SLOPE_DEGREES)
@@ -161,7 +156,7 @@ class AccuracyPage(ToolPage):
         status: Status,
         preferences: Preferences,
         document: Document,
-        parent: QWidget,
+        parent: QtWidgets.QWidget,
     ) -> None:
         super().__init__(parent, "accuracy_page", "Accuracy and speed", _SIZE_PX)
         # It holds what was measured while it is closed.
@@ -193,7 +188,7 @@ class AccuracyPage(ToolPage):
         self._name_limb()
         self._show_rows(())
 
-    def showEvent(self, event: QShowEvent) -> None:
+    def showEvent(self, event: QtGui.QShowEvent) -> None:
         super().showEvent(event)
         self._refresh()
 
@@ -209,11 +204,11 @@ class AccuracyPage(ToolPage):
 
     def _lay_out(self) -> None:
         meaning = page_label("accuracy_meaning", MEANING)
-        split = QSplitter()
+        split = QtWidgets.QSplitter()
         split.addWidget(self.table)
         split.addWidget(self.plot)
         split.setSizes([_SIZE_PX[0] // 2, _SIZE_PX[0] // 2])
-        limb = QLabel("Limb")
+        limb = QtWidgets.QLabel("Limb")
         limb.setBuddy(self._limb)
         below = in_row((self.message, 1), limb, self._limb, self._measure, self._save, self._close)
         in_column(meaning, self.now, (split, 1), below, of=self)

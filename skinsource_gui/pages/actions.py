@@ -9,9 +9,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
-from PySide6.QtGui import QDragMoveEvent, QDropEvent
-from PySide6.QtWidgets import QFileDialog, QWidget
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.files import path_exists
@@ -128,7 +127,7 @@ class FileDrops(QObject):
     #: A preset, also one that is dragged from the library, `Path`, and its `DropPlace` or None.
     preset_dropped = Signal(object, object)
 
-    def __init__(self, window: QWidget, panels: PanelRegistry) -> None:
+    def __init__(self, window: QtWidgets.QWidget, panels: PanelRegistry) -> None:
         super().__init__(window)
         self._window, self._panels = window, panels
         window.setAcceptDrops(True)
@@ -136,7 +135,7 @@ class FileDrops(QObject):
         WindowEvents.follow(window, self._leave, QEvent.Type.DragLeave)
         WindowEvents.follow(window, self._drop, QEvent.Type.Drop)
 
-    def _drag(self, event: QDragMoveEvent) -> bool:
+    def _drag(self, event: QtGui.QDragMoveEvent) -> bool:
         paths = _paths(event)
         if not paths:
             event.ignore()
@@ -155,7 +154,7 @@ class FileDrops(QObject):
             panel.show_drop(None)
         return True
 
-    def _drop(self, event: QDropEvent) -> bool:
+    def _drop(self, event: QtGui.QDropEvent) -> bool:
         paths = _paths(event)
         self._leave(event)
         if not paths:
@@ -184,7 +183,7 @@ class FileDrops(QObject):
         return visible and panel.rect().contains(panel.mapFrom(self._window, at))
 
 
-def _paths(event: QDropEvent) -> list[Path]:
+def _paths(event: QtGui.QDropEvent) -> list[Path]:
     return [Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()]
 
 
@@ -217,7 +216,7 @@ class ImportActions(QObject):
         """Ask for a file, and open the page on it."""
         readers = importlib.import_module("skinsource.readers.readers")
         kinds = " ".join(f"*{ending}" for ending in readers.endings())
-        name, _ = QFileDialog.getOpenFileName(
+        name, _ = QtWidgets.QFileDialog.getOpenFileName(
             self._window,
             "Import a recording",
             str(self._preferences.folder),
@@ -260,7 +259,7 @@ class LibraryActions(QObject):
     #: What went well, as a short text.
     done = Signal(str)
 
-    def __init__(self, document: Document, window: QWidget) -> None:
+    def __init__(self, document: Document, window: QtWidgets.QWidget) -> None:
         super().__init__(window)
         self._document, self._window = document, window
 
@@ -311,7 +310,11 @@ class MatchingActions(QObject):
     """Opens the matching page; ``page`` is that page while it is open."""
 
     def __init__(
-        self, document: Document, preferences: Preferences, player: Player, window: QWidget
+        self,
+        document: Document,
+        preferences: Preferences,
+        player: Player,
+        window: QtWidgets.QWidget,
     ) -> None:
         super().__init__(window)
         self._document, self._preferences = document, preferences

@@ -10,13 +10,8 @@ from pathlib import Path
 from typing import Any, cast
 
 import numpy as np
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QLineF, QPointF, QRectF, Signal
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
-from PySide6.QtWidgets import (
-    QFileDialog,
-    QLabel,
-    QWidget,
-)
 
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import SkinSourceError, Stopped
@@ -78,7 +73,7 @@ class BoxFigure(Figure):
         Title of the y axis, with its unit.
     """
 
-    def __init__(self, name: str, title: str, parent: QWidget | None = None) -> None:
+    def __init__(self, name: str, title: str, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(name, title, parent)
         self._title = title
         self.groups: Sequence[tuple[str, Floats]] = ()
@@ -91,7 +86,7 @@ class BoxFigure(Figure):
         self.say("" if self.groups else _NOTHING)
         self.read_again()
 
-    def draw(self, painter: QPainter, room: QRectF) -> None:
+    def draw(self, painter: QtGui.QPainter, room: QRectF) -> None:
         boxes = [quartiles(values) for _, values in self.groups]
         low = min(0.0, *(box[0] for box in boxes))
         high = max(1e-9, *(box[4] for box in boxes))
@@ -99,7 +94,7 @@ class BoxFigure(Figure):
         labels = tuple(label for label, _ in self.groups)
         x = _GroupAxis(shown=(0.0, float(len(boxes))), title="Main frequency (Hz)", labels=labels)
         y = Axis(shown=(low - (edge if low < 0.0 else 0.0), high + edge), title=self._title)
-        self.axes = axes = fitted_axes(room, x, y, QFontMetricsF(painter.font()))
+        self.axes = axes = fitted_axes(room, x, y, QtGui.QFontMetricsF(painter.font()))
         axes.paint(painter, current_theme(), grid=False)
         for rank, box in enumerate(boxes):
             self._paint_box(painter, axes, rank, box)
@@ -126,26 +121,26 @@ class BoxFigure(Figure):
         return min(max(int(position[0]), 0), len(self.groups) - 1)
 
     def _paint_box(
-        self, painter: QPainter, axes: Axes, rank: int, levels: tuple[float, ...]
+        self, painter: QtGui.QPainter, axes: Axes, rank: int, levels: tuple[float, ...]
     ) -> None:
         theme = current_theme()
         points = axes.to_screen(np.full(5, rank + 0.5), np.array(levels))
         x = float(points[0, 0])
         first, bottom, middle, top, last = (float(y) for y in points[:, 1])
         wide = min(0.5 * axes.frame.width() / len(self.groups), _WIDEST_PX)
-        painter.setPen(QPen(QColor(theme.dim), 1.5))
+        painter.setPen(QtGui.QPen(QtGui.QColor(theme.dim), 1.5))
         painter.drawLine(QLineF(x, first, x, last))
         for end in (first, last):
             painter.drawLine(QLineF(x - wide / 4, end, x + wide / 4, end))
-        fill = QColor(theme.accent)
-        painter.setPen(QPen(fill, 1.5))
-        painter.setBrush(QColor(theme.base))
+        fill = QtGui.QColor(theme.accent)
+        painter.setPen(QtGui.QPen(fill, 1.5))
+        painter.setBrush(QtGui.QColor(theme.base))
         box = QRectF(x - wide / 2, top, wide, max(bottom - top, 0.5))
         painter.drawRect(box)
         fill.setAlphaF(0.25)
         painter.setBrush(fill)
         painter.drawRect(box)
-        painter.setPen(QPen(QColor(theme.text), 2.0))
+        painter.setPen(QtGui.QPen(QtGui.QColor(theme.text), 2.0))
         painter.drawLine(QLineF(x - wide / 2, middle, x + wide / 2, middle))
 
 
@@ -283,7 +278,7 @@ _RECORDINGS = "Recordings (*.csv *.tsv *.txt *.npy *.npz *.mat *.h5 *.hdf5);;All
 _DESIGNS = "Designs (*.skinsource);;All files (*)"
 
 
-class CheckList(QWidget):
+class CheckList(QtWidgets.QWidget):
     """Holds the rows, and the buttons that choose designs and recordings.
 
     Parameters
@@ -369,13 +364,15 @@ class CheckList(QWidget):
 
     def _ask_recording(self) -> None:
         folder = str(self._preferences.folder)
-        name, _ = QFileDialog.getOpenFileName(self, "Choose a recording", folder, _RECORDINGS)
+        name, _ = QtWidgets.QFileDialog.getOpenFileName(
+            self, "Choose a recording", folder, _RECORDINGS
+        )
         if name:
             self.take_recording(Path(name))
 
     def _ask_design(self) -> None:
         folder = str(self._preferences.folder)
-        name, _ = QFileDialog.getOpenFileName(self, "Add a design", folder, _DESIGNS)
+        name, _ = QtWidgets.QFileDialog.getOpenFileName(self, "Add a design", folder, _DESIGNS)
         if name:
             self.add_design(Path(name))
 
@@ -419,7 +416,7 @@ class CheckingPage(ToolPage):
         runner: JobRunner,
         document: Document,
         preferences: Preferences,
-        parent: QWidget,
+        parent: QtWidgets.QWidget,
     ) -> None:
         super().__init__(parent, "checking_page", TITLE, _SIZE_PX)
         self._preferences = preferences
@@ -467,7 +464,7 @@ class CheckingPage(ToolPage):
 
     def _lay_out(self) -> None:
         for field, spec, width_px in ((self.axes, _AXES, 150), (self.rate, _RATE, 110)):
-            label = QLabel(spec.label)
+            label = QtWidgets.QLabel(spec.label)
             label.setBuddy(field)
             LetterWidth(field, width_px)
             self.list.bar.addWidget(label)

@@ -4,12 +4,8 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QStandardPaths, Qt
-from PySide6.QtWidgets import (
-    QFileDialog,
-    QProgressBar,
-    QWidget,
-)
 
 from skinsource.base.job import Job, time_left_text
 from skinsource.limbs.dataset.download import fetch
@@ -43,13 +39,13 @@ _MEASURED = "measured"
 class DatasetPage(ToolPage):
     """Starts an installation, and shows its progress; closing the page lets it run on."""
 
-    def __init__(self, runner: JobRunner, limbs: InstalledLimbs, parent: QWidget) -> None:
+    def __init__(self, runner: JobRunner, limbs: InstalledLimbs, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent, "dataset_page", TITLE, (560, 320))
         self._limbs, self._jobs = limbs, PageJobs(runner, self, INSTALLATIONS)
         size_mb = round(sum(file.size_bytes for file in published_files()) / 1e6)
         about = page_label("page_text", _ABOUT.format(size=size_mb))
         about.setOpenExternalLinks(True)
-        self._bar = QProgressBar()
+        self._bar = QtWidgets.QProgressBar()
         self._bar.setObjectName("dataset_progress")
         self._bar.setAccessibleName("Progress of the installation")
         self._bar.setTextVisible(False)
@@ -71,7 +67,7 @@ class DatasetPage(ToolPage):
 
     def _ask_and_install(self) -> None:
         start = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.DownloadLocation)
-        folder = QFileDialog.getExistingDirectory(self, "Folder with the download", start)
+        folder = QtWidgets.QFileDialog.getExistingDirectory(self, "Folder with the download", start)
         if folder:
             self._jobs.add(Job(INSTALLATIONS[0], partial(install, Path(folder))))
 

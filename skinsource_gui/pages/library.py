@@ -2,13 +2,8 @@
 
 from dataclasses import dataclass
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import (
-    QDialogButtonBox,
-    QFormLayout,
-    QLineEdit,
-    QWidget,
-)
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.work import counted
@@ -80,17 +75,18 @@ class SavePage(ToolPage):
     #: `Preset`.
     chosen = Signal(object)
 
-    def __init__(self, choices: tuple[Choice, ...], parent: QWidget) -> None:
+    def __init__(self, choices: tuple[Choice, ...], parent: QtWidgets.QWidget) -> None:
         super().__init__(parent, "save_to_library_page", TITLE)
         self.setMinimumWidth(460)
         self._choices = choices
         self.what = DropDown()
         self.what.addItems([choice.text for choice in choices])
-        self.name, self.tags = QLineEdit(), QLineEdit()
-        self.description, self.source = QLineEdit(), QLineEdit()
+        self.name, self.tags = QtWidgets.QLineEdit(), QtWidgets.QLineEdit()
+        self.description, self.source = QtWidgets.QLineEdit(), QtWidgets.QLineEdit()
         self.message.hide()
-        self.buttons = QDialogButtonBox(
-            QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel
+        self.buttons = QtWidgets.QDialogButtonBox(
+            QtWidgets.QDialogButtonBox.StandardButton.Save
+            | QtWidgets.QDialogButtonBox.StandardButton.Cancel
         )
         self._lay_out()
         self.what.currentIndexChanged.connect(self._suggest)
@@ -106,7 +102,7 @@ class SavePage(ToolPage):
         self.message.show()
 
     def _lay_out(self) -> None:
-        form = QFormLayout()
+        form = QtWidgets.QFormLayout()
         self.tags.setPlaceholderText("between commas: tap, texture")
         self.description.setPlaceholderText("what it is for")
         self.source.setPlaceholderText("where its numbers come from")
@@ -131,7 +127,7 @@ class SavePage(ToolPage):
         self._check()
 
     def _check(self) -> None:
-        save = self.buttons.button(QDialogButtonBox.StandardButton.Save)
+        save = self.buttons.button(QtWidgets.QDialogButtonBox.StandardButton.Save)
         save.setEnabled(bool(self.name.text().strip()))
 
     def _choose(self) -> None:

@@ -9,17 +9,8 @@ from functools import partial
 from pathlib import Path
 from time import monotonic
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
-from PySide6.QtGui import QKeyEvent, QKeySequence, QShortcut
-from PySide6.QtWidgets import (
-    QFileDialog,
-    QFormLayout,
-    QLabel,
-    QLineEdit,
-    QProgressBar,
-    QStackedWidget,
-    QWidget,
-)
 
 from skinsource.actuators.rigs import Rig
 from skinsource.base.errors import InvalidInputError, SkinSourceError
@@ -54,7 +45,7 @@ _BUTTONS = {
 _SIDE_PX = 96
 
 
-class RunView(QWidget):
+class RunView(QtWidgets.QWidget):
     """Shows reference and test and lights the one that plays.
 
     The level is not shown: it would bias the person.
@@ -71,18 +62,18 @@ class RunView(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.lit = ""
-        self.progress, self.bar = QLabel(), QProgressBar()
+        self.progress, self.bar = QtWidgets.QLabel(), QtWidgets.QProgressBar()
         self.progress.setObjectName("matching_progress")
         self.bar.setTextVisible(False)
         self.bar.setFixedHeight(UNIT_PX)
-        self.sides = {name: QLabel() for name in ("reference", "test")}
+        self.sides = {name: QtWidgets.QLabel() for name in ("reference", "test")}
         for name, side in self.sides.items():
             side.setObjectName(f"matching_{name}")
             side.setAlignment(Qt.AlignmentFlag.AlignCenter)
             side.setMinimumHeight(_SIDE_PX)
             side.setWordWrap(True)
         gestures = KEYS["matching"].gestures
-        question = QLabel(
+        question = QtWidgets.QLabel(
             "Make the test as strong as the reference: arrow keys make it weaker or stronger, "
             f"{gestures['store'].shown} when both feel equally strong."
         )
@@ -136,8 +127,8 @@ class RunView(QWidget):
         for name, side in self.sides.items():
             set_tone(side, "lit" if name == which else "unlit")
 
-    def _shortcut(self, name: str, key: str) -> QShortcut:
-        shortcut = QShortcut(QKeySequence(key), self)
+    def _shortcut(self, name: str, key: str) -> QtGui.QShortcut:
+        shortcut = QtGui.QShortcut(QtGui.QKeySequence(key), self)
         shortcut.setContext(Qt.ShortcutContext.WindowShortcut)
         # Each press is one step: a key that is held would store match after match.
         shortcut.setAutoRepeat(name in ("weaker", "stronger"))
@@ -191,7 +182,7 @@ _MOST_VALUES = 200
 _NUMBER_PX = 140
 
 
-class SetupForm(QWidget):
+class SetupForm(QtWidgets.QWidget):
     """Asks for a procedure, and for the table that matches are added to.
 
     Parameters
@@ -206,12 +197,12 @@ class SetupForm(QWidget):
 
     def __init__(self, table: Path, gain_db: float, drive_unit: str) -> None:
         super().__init__()
-        self._form = form = QFormLayout(self)
+        self._form = form = QtWidgets.QFormLayout(self)
         form.setContentsMargins(0, 0, 0, 0)
-        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        self._texts: dict[str, QLineEdit] = {}
+        form.setFieldGrowthPolicy(QtWidgets.QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        self._texts: dict[str, QtWidgets.QLineEdit] = {}
         for name, (label, text, hint) in _TEXTS.items():
-            field = self._texts[name] = QLineEdit(text)
+            field = self._texts[name] = QtWidgets.QLineEdit(text)
             field.setToolTip(tooltip(label, hint))
             self._add(name, label, field)
         self._numbers: dict[str, NumberField] = {}
@@ -223,7 +214,7 @@ class SetupForm(QWidget):
             LetterWidth(number, _NUMBER_PX, at_most=True)
             number.setToolTip(tooltip(spec.label, spec.hint))
             self._add(name, spec.label, number)
-        self.table = QLineEdit(str(table))
+        self.table = QtWidgets.QLineEdit(str(table))
         self.table.setToolTip(
             tooltip("Table", "CSV that matches are added to; what it holds is not asked again")
         )
@@ -253,7 +244,7 @@ class SetupForm(QWidget):
         path = Path(text).expanduser()
         return path if path.suffix else path.with_suffix(".csv")
 
-    def field(self, name: str) -> QLineEdit:
+    def field(self, name: str) -> QtWidgets.QLineEdit:
         """Return the widget of a row."""
         return self._texts.get(name) or self._numbers[name]
 
@@ -290,7 +281,7 @@ class SetupForm(QWidget):
                 "between"
             ) from None
 
-    def _add(self, name: str, label: str, field: QLineEdit) -> None:
+    def _add(self, name: str, label: str, field: QtWidgets.QLineEdit) -> None:
         field.setObjectName(f"matching_{name}")
         field.setAccessibleName(label)
         self._form.addRow(label, field)
@@ -436,7 +427,7 @@ class MatchingPage(ToolPage):
         output: Output,
         rig: Rig | None,
         gain_db: float,
-        parent: QWidget,
+        parent: QtWidgets.QWidget,
     ) -> None:
         super().__init__(parent, "matching_page", "Matching", (680, 560))
         self._limb = limb
@@ -448,7 +439,7 @@ class MatchingPage(ToolPage):
         self._stopped_s = -_HURRY_S
         self._timer = QTimer(self, interval=_POLL_MS)
         self._timer.timeout.connect(self._poll)
-        self._stack = QStackedWidget()
+        self._stack = QtWidgets.QStackedWidget()
         self._begin = self.add_button(
             "matching_begin",
             "Begin",
@@ -473,7 +464,7 @@ class MatchingPage(ToolPage):
         self.player.close()
         super().done(result)
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape and not self._may_close():
             return
         super().keyPressEvent(event)
@@ -487,7 +478,7 @@ class MatchingPage(ToolPage):
         return monotonic() - self._stopped_s >= _HURRY_S
 
     def _lay_out(self) -> None:
-        setup = QWidget()
+        setup = QtWidgets.QWidget()
         about = page_label("matching_about", _INTRODUCTION)
         in_column(about, self.form, self.message, None, of=setup, margins=0, gap_px=2 * UNIT_PX)
         self._stack.addWidget(setup)
@@ -502,12 +493,12 @@ class MatchingPage(ToolPage):
         self.player.ended.connect(self._show_ended)
 
     def _choose_table(self) -> None:
-        name, _ = QFileDialog.getSaveFileName(
+        name, _ = QtWidgets.QFileDialog.getSaveFileName(
             self,
             "Table of matches",
             self.form.table.text(),
             "Tables of matches (*.csv)",
-            options=QFileDialog.Option.DontConfirmOverwrite,
+            options=QtWidgets.QFileDialog.Option.DontConfirmOverwrite,
         )
         if name:
             self.form.table.setText(name)

@@ -10,15 +10,8 @@ from html import escape
 from itertools import pairwise
 from typing import Any
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
-from PySide6.QtWidgets import (
-    QApplication,
-    QHBoxLayout,
-    QLabel,
-    QLineEdit,
-    QWidget,
-)
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.quoting import sentence
@@ -195,21 +188,21 @@ _ARROW_PX = 9.0
 _BADGE_PX = 15.0
 
 
-class PathLayer(QWidget):
+class PathLayer(QtWidgets.QWidget):
     """Paints a path of places over a hand, which gets the events of the pointer."""
 
     def __init__(self, hand: HandDiagram) -> None:
         super().__init__(hand)
         self._hand = hand
         self._path: tuple[int, ...] = ()
-        self._colours: dict[int, QColor] = {}
+        self._colours: dict[int, QtGui.QColor] = {}
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         # Places move with the zoom of the hand.
         hand.stage.changed.connect(self.update)
         hand.installEventFilter(self)
         self.setGeometry(hand.rect())
 
-    def show_path(self, path: tuple[int, ...], colours: dict[int, QColor]) -> None:
+    def show_path(self, path: tuple[int, ...], colours: dict[int, QtGui.QColor]) -> None:
         """Show a path, and the colour of the track of each of its places."""
         self._path, self._colours = path, colours
         self.update()
@@ -223,9 +216,9 @@ class PathLayer(QWidget):
     def _places(self) -> HandLayout:
         return self._hand.stage.layout
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        painter = QtGui.QPainter(self)
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
         on_hand = [place for place in self._path if self._places.has(place)]
         for place in dict.fromkeys(on_hand):
             self._paint_place(painter, place)
@@ -235,17 +228,17 @@ class PathLayer(QWidget):
             self._paint_order(painter, place)
         painter.end()
 
-    def _paint_place(self, painter: QPainter, number: int) -> None:
+    def _paint_place(self, painter: QtGui.QPainter, number: int) -> None:
         place = Marker(
             site=number,
             centre=self._places.centre(number),
             radius_px=self._places.radius_in_use_px(number),
             push=self._places.push(number),
         )
-        colour = self._colours.get(number, QColor(current_theme().accent))
+        colour = self._colours.get(number, QtGui.QColor(current_theme().accent))
         paint_occupied(painter, place, current_theme(), [colour], silent=False)
 
-    def _paint_leg(self, painter: QPainter, here: int, there: int) -> None:
+    def _paint_leg(self, painter: QtGui.QPainter, here: int, there: int) -> None:
         if here == there:
             return
         way = self._places.centre(there) - self._places.centre(here)
@@ -257,13 +250,13 @@ class PathLayer(QWidget):
         base = tip - unit * _ARROW_PX
         half = across * (0.5 * _ARROW_PX)
         for colour, width in ((current_theme().base, 5.0), (current_theme().accent, 2.0)):
-            painter.setPen(QPen(QColor(colour), width))
+            painter.setPen(QtGui.QPen(QtGui.QColor(colour), width))
             painter.drawLine(start, base)
-        painter.setPen(QPen(QColor(current_theme().base), 1.0))
-        painter.setBrush(QColor(current_theme().accent))
-        painter.drawPolygon(QPolygonF([tip, base + half, base - half]))
+        painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().base), 1.0))
+        painter.setBrush(QtGui.QColor(current_theme().accent))
+        painter.drawPolygon(QtGui.QPolygonF([tip, base + half, base - half]))
 
-    def _paint_order(self, painter: QPainter, number: int) -> None:
+    def _paint_order(self, painter: QtGui.QPainter, number: int) -> None:
         turns = [str(k) for k, place in enumerate(self._path, 1) if place == number]
         label = ",".join(turns[:3]) + ("…" if len(turns) > 3 else "")
         font = tabular(self.font())
@@ -273,14 +266,14 @@ class PathLayer(QWidget):
         off = 0.75 * self._places.radius_in_use_px(number)
         corner = self._places.centre(number) + QPointF(off, -off)
         area = QRectF(corner.x() - _BADGE_PX / 2, corner.y() - _BADGE_PX / 2, width, _BADGE_PX)
-        painter.setPen(QPen(QColor(current_theme().accent), 1.0))
-        painter.setBrush(QColor(current_theme().base))
+        painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().accent), 1.0))
+        painter.setBrush(QtGui.QColor(current_theme().base))
         painter.drawRoundedRect(area, _BADGE_PX / 2, _BADGE_PX / 2)
-        painter.setPen(QColor(current_theme().text))
+        painter.setPen(QtGui.QColor(current_theme().text))
         painter.drawText(area, Qt.AlignmentFlag.AlignCenter, label)
 
 
-class PathRow(QWidget):
+class PathRow(QtWidgets.QWidget):
     """Shows a path as text; it can be typed, reversed, shortened and cleared."""
 
     #: Another path was typed or made by a button.
@@ -290,10 +283,10 @@ class PathRow(QWidget):
     #: Typing is over.
     finished = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._path: tuple[int, ...] = ()
-        self.field = QLineEdit()
+        self.field = QtWidgets.QLineEdit()
         self.field.setObjectName("path_field")
         self.field.setAccessibleName("Path")
         self.field.setToolTip("Numbers of places, in their order: 16, 18, 20")
@@ -327,7 +320,7 @@ class PathRow(QWidget):
         self.path_changed.emit(self._path[:-1])
 
     def _lay_out(self) -> None:
-        label = QLabel("Path")
+        label = QtWidgets.QLabel("Path")
         label.setBuddy(self.field)
         in_column(in_row(label, (self.field, 1)), in_row(*self._buttons), of=self, margins=0)
 
@@ -409,7 +402,7 @@ class MotionFields(QObject):
                 cells.append(FieldCell(name, adapted, edited=self._tell))
         self.cells, self._built_for = tuple(cells), (type(model), kinds)
         removed = [cell for cell in old if cell not in cells]
-        focused = QApplication.focusWidget()
+        focused = QtWidgets.QApplication.focusWidget()
         if focused is not None and any(cell.isAncestorOf(focused) for cell in removed):
             kind.field.setFocus(Qt.FocusReason.OtherFocusReason)
         self.grid.show_cells(self.cells)
@@ -435,7 +428,7 @@ _HEIGHT_PX = 660
 class MotionPage(ToolPage):
     """Makes up a motion on a path of places, shows it, and adds it in one step."""
 
-    def __init__(self, document: Document, parent: QWidget) -> None:
+    def __init__(self, document: Document, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent, "motion_page", TITLE, (980, _HEIGHT_PX))
         self._document = document
         self.draft = Draft(document.design, document.view.playhead_s, self)
@@ -464,11 +457,11 @@ class MotionPage(ToolPage):
 
     def _lay_out(self) -> None:
         left = in_column((self.hand, 1), self.path_row)
-        grids = QHBoxLayout()
+        grids = QtWidgets.QHBoxLayout()
         grids.setSpacing(3 * UNIT_PX)
         for grid in (self.motion_fields.grid, self.waveform_fields.grid):
             grids.addWidget(grid, 1, Qt.AlignmentFlag.AlignTop)
-        inside = QWidget()
+        inside = QtWidgets.QWidget()
         inside.setLayout(grids)
         grids.setContentsMargins(0, 0, UNIT_PX, 0)
         scroll = scrolled(inside, "motion_fields")
@@ -518,7 +511,7 @@ class MotionPage(ToolPage):
         self._show_lanes()
 
     def _show_lanes(self) -> None:
-        colours: dict[int, QColor] = {}
+        colours: dict[int, QtGui.QColor] = {}
         problem = self.draft.problem
         try:
             lanes = self.draft.lanes()

@@ -3,24 +3,15 @@
 from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QDialog,
-    QFileDialog,
-    QHeaderView,
-    QPushButton,
-    QTableWidget,
-    QTableWidgetItem,
-    QWidget,
-)
 
 from skinsource.base.quoting import sentence
 from skinsource_gui.qt.buttons import page_button, page_label
 from skinsource_gui.qt.theme import UNIT_PX, set_tone, tabular
 
 
-class ToolPage(QDialog):
+class ToolPage(QtWidgets.QDialog):
     """A window of its own with a message and buttons, which is deleted when it is closed.
 
     Parameters
@@ -39,7 +30,11 @@ class ToolPage(QDialog):
     """
 
     def __init__(
-        self, parent: QWidget | None, name: str, title: str, size_px: tuple[int, int] | None = None
+        self,
+        parent: QtWidgets.QWidget | None,
+        name: str,
+        title: str,
+        size_px: tuple[int, int] | None = None,
     ) -> None:
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -65,7 +60,9 @@ class ToolPage(QDialog):
         set_tone(self.message, "error")
         self.message.setText(sentence(reason))
 
-    def add_button(self, name: str, text: str, hint: str, do: Callable[[], object]) -> QPushButton:
+    def add_button(
+        self, name: str, text: str, hint: str, do: Callable[[], object]
+    ) -> QtWidgets.QPushButton:
         """Return a button that does something when it is pressed; the page lays it out."""
         button = page_button(name, text, hint)
         button.clicked.connect(lambda: do())
@@ -73,16 +70,16 @@ class ToolPage(QDialog):
 
     def ask_open(self, title: str, kinds: str, start: Path | None = None) -> Path | None:
         """Ask for a file to read; None where the user has chosen none."""
-        name, _ = QFileDialog.getOpenFileName(self, title, str(start or ""), kinds)
+        name, _ = QtWidgets.QFileDialog.getOpenFileName(self, title, str(start or ""), kinds)
         return Path(name) if name else None
 
     def ask_save(self, title: str, kinds: str, start: Path) -> Path | None:
         """Ask for a file to write; None where the user has chosen none."""
-        name, _ = QFileDialog.getSaveFileName(self, title, str(start), kinds)
+        name, _ = QtWidgets.QFileDialog.getSaveFileName(self, title, str(start), kinds)
         return Path(name) if name else None
 
 
-class RowTable(QTableWidget):
+class RowTable(QtWidgets.QTableWidget):
     """A table of which rows are chosen; two columns of words, then numbers.
 
     Parameters
@@ -103,15 +100,15 @@ class RowTable(QTableWidget):
         self.setAccessibleName(title)
         header = self.horizontalHeader()
         for k, (heading, hint) in enumerate(columns.items()):
-            item = QTableWidgetItem(heading)
+            item = QtWidgets.QTableWidgetItem(heading)
             item.setToolTip(hint)
             self.setHorizontalHeaderItem(k, item)
-            mode = QHeaderView.ResizeMode
+            mode = QtWidgets.QHeaderView.ResizeMode
             header.setSectionResizeMode(k, mode.Stretch if k in wide else mode.ResizeToContents)
         header.setHighlightSections(False)
-        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setEditTriggers(QtWidgets.QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QtWidgets.QAbstractItemView.SelectionMode.SingleSelection)
         self.setTabKeyNavigation(False)
         self.setShowGrid(False)
         self.setWordWrap(False)
@@ -125,7 +122,7 @@ class RowTable(QTableWidget):
         right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         for line, cells in enumerate(rows):
             for column, (text, hint) in enumerate(cells):
-                item = QTableWidgetItem(text)
+                item = QtWidgets.QTableWidgetItem(text)
                 item.setToolTip(hint)
                 if column > 1:
                     item.setTextAlignment(right)

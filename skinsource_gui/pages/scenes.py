@@ -3,16 +3,8 @@
 from collections.abc import Collection
 from html import escape
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QPoint, QRect, QRectF, QSize, QSizeF, Qt, Signal
-from PySide6.QtGui import QColor, QIcon, QPainter, QPaintEvent, QPen, QPixmap
-from PySide6.QtWidgets import (
-    QDialogButtonBox,
-    QLabel,
-    QListWidget,
-    QListWidgetItem,
-    QScrollArea,
-    QWidget,
-)
 
 from skinsource.design.labels import limb_label
 from skinsource.limbs.own_limbs import facts_of
@@ -32,12 +24,12 @@ _MARGIN_PX = 8.0
 _LEAST_PX = (360, 220)
 
 
-class ScenePicture(QWidget):
+class ScenePicture(QtWidgets.QWidget):
     """Shows a picture on a white ground, as large as there is room."""
 
     def __init__(self) -> None:
         super().__init__()
-        self._picture = QPixmap()
+        self._picture = QtGui.QPixmap()
         self.setObjectName("scene_picture")
         self.setMinimumSize(*_LEAST_PX)
 
@@ -45,7 +37,7 @@ class ScenePicture(QWidget):
         # The picture fills its room, but the page does not scroll to show it larger.
         return QSize(*_LEAST_PX)
 
-    def show_picture(self, picture: QPixmap, text: str) -> None:
+    def show_picture(self, picture: QtGui.QPixmap, text: str) -> None:
         """Show another picture; a screen reader reads ``text``."""
         self._picture = picture
         self.setAccessibleName(text)
@@ -61,12 +53,12 @@ class ScenePicture(QWidget):
         area.moveCenter(room.center())
         return area
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        painter = QtGui.QPainter(self)
+        painter.setRenderHint(QtGui.QPainter.RenderHint.SmoothPixmapTransform)
         ground = QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5)
-        painter.setPen(QPen(QColor(current_theme().border), 1))
-        painter.setBrush(QColor("white"))
+        painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().border), 1))
+        painter.setBrush(QtGui.QColor("white"))
         painter.drawRect(ground)
         area = self.area()
         if not area.isEmpty():
@@ -104,7 +96,7 @@ class ScenesPage(ToolPage):
         self,
         limbs: Collection[str],
         selected: str,
-        parent: QWidget,
+        parent: QtWidgets.QWidget,
         *,
         limb: str = "",
     ) -> None:
@@ -118,7 +110,7 @@ class ScenesPage(ToolPage):
         self.played_on.setObjectName("scene_limb")
         self.played_on.set_value(limb if limb in own else "")
         self._any_own = bool(own)
-        self.list = QListWidget()
+        self.list = QtWidgets.QListWidget()
         self.list.setObjectName("scenes_list")
         self.list.setAccessibleName("Scenes of the paper")
         self.list.setIconSize(QSize(*_ICON_PX))
@@ -131,8 +123,9 @@ class ScenesPage(ToolPage):
         # The text has the same height for all scenes, so that the picture does not move.
         self.text.setMinimumHeight(_TEXT_LINES * self.fontMetrics().lineSpacing())
         self.text.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
-        self.buttons = QDialogButtonBox(
-            QDialogButtonBox.StandardButton.Open | QDialogButtonBox.StandardButton.Cancel
+        self.buttons = QtWidgets.QDialogButtonBox(
+            QtWidgets.QDialogButtonBox.StandardButton.Open
+            | QtWidgets.QDialogButtonBox.StandardButton.Cancel
         )
         self._lay_out()
         self._fill(selected)
@@ -155,9 +148,9 @@ class ScenesPage(ToolPage):
         return self._scenes[max(self.list.currentRow(), 0)]
 
     def _lay_out(self) -> None:
-        about = QWidget()
+        about = QtWidgets.QWidget()
         in_column((self.picture, 1), self.text, of=about, margins=0, gap_px=UNIT_PX)
-        title = QLabel(self.played_on.accessibleName())
+        title = QtWidgets.QLabel(self.played_on.accessibleName())
         limb = in_row(title, (self.played_on, 1))
         left = in_column((self.list, 1), limb, gap_px=UNIT_PX)
         for part in (title, self.played_on):
@@ -165,13 +158,13 @@ class ScenesPage(ToolPage):
         # What has no room on a small screen scrolls, so that the buttons below stay visible.
         columns = in_row(left, (_scrolled(about), 1), gap_px=2 * UNIT_PX)
         in_column((columns, 1), self.buttons, of=self)
-        button = self.buttons.button(QDialogButtonBox.StandardButton.Open)
+        button = self.buttons.button(QtWidgets.QDialogButtonBox.StandardButton.Open)
         button.setDefault(True)
         button.setToolTip("Open the scene in place of the present design")
 
     def _fill(self, selected: str) -> None:
         for scene in self._scenes:
-            item = QListWidgetItem(scene.heading)
+            item = QtWidgets.QListWidgetItem(scene.heading)
             item.setIcon(_icon_of(scene))
             self.list.addItem(item)
         names = [scene.name for scene in self._scenes]
@@ -186,7 +179,9 @@ class ScenesPage(ToolPage):
         for row, scene in enumerate(self._scenes):
             reason = self._reasons[scene.name]
             item = self.list.item(row)
-            item.setForeground(QColor(current_theme().dim if reason else current_theme().text))
+            item.setForeground(
+                QtGui.QColor(current_theme().dim if reason else current_theme().text)
+            )
             item.setToolTip(f"{scene.sentence}\n{reason}".strip())
         self._show(self.list.currentRow())
 
@@ -194,7 +189,7 @@ class ScenesPage(ToolPage):
         if row < 0:
             return
         scene, reason = self.scene, self._reasons[self.scene.name]
-        self.buttons.button(QDialogButtonBox.StandardButton.Open).setEnabled(not reason)
+        self.buttons.button(QtWidgets.QDialogButtonBox.StandardButton.Open).setEnabled(not reason)
         self.picture.show_picture(picture_of(scene), scene.title)
         lines = [f"<b>{escape(scene.heading)}</b>", escape(scene.sentence), _dim(_source_of(scene))]
         lines.append(self._reason_text(reason) if reason else self._limbs_text(scene))
@@ -222,34 +217,34 @@ class ScenesPage(ToolPage):
         self.chosen.emit(name, self.played_on.value)
 
 
-def _scrolled(inside: QWidget) -> QScrollArea:
+def _scrolled(inside: QtWidgets.QWidget) -> QtWidgets.QScrollArea:
     """Return an area without a frame that scrolls both ways."""
     area = scrolled(inside, "scene_area")
     area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAsNeeded)
     return area
 
 
-def picture_of(scene: Scene) -> QPixmap:
+def picture_of(scene: Scene) -> QtGui.QPixmap:
     """Return the picture of a scene."""
-    return QPixmap(str(resource_folder() / "scenes" / f"{scene.name}.png"))
+    return QtGui.QPixmap(str(resource_folder() / "scenes" / f"{scene.name}.png"))
 
 
-def _icon_of(scene: Scene) -> QIcon:
+def _icon_of(scene: Scene) -> QtGui.QIcon:
     """Return its picture, small, on a white card that looks the same when it is selected."""
-    card = QPixmap(QSize(*_ICON_PX))
+    card = QtGui.QPixmap(QSize(*_ICON_PX))
     card.fill(Qt.GlobalColor.white)
     small = picture_of(scene).scaled(
         card.size(),
         Qt.AspectRatioMode.KeepAspectRatio,
         Qt.TransformationMode.SmoothTransformation,
     )
-    painter = QPainter(card)
+    painter = QtGui.QPainter(card)
     painter.drawPixmap(
         (card.width() - small.width()) // 2, (card.height() - small.height()) // 2, small
     )
     painter.end()
-    icon = QIcon(card)
-    icon.addPixmap(card, QIcon.Mode.Selected)
+    icon = QtGui.QIcon(card)
+    icon.addPixmap(card, QtGui.QIcon.Mode.Selected)
     return icon
 
 

@@ -4,8 +4,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtGui import QPainter
-from PySide6.QtWidgets import QToolButton, QWidget
+from PySide6 import QtGui, QtWidgets
 
 from skinsource.specs.spec import SwitchSpec
 from skinsource_gui.plots.signal_view import SignalView, draw_signals
@@ -23,7 +22,9 @@ class SignalPanel(OutputsPanel):
         `objectName` of the plot; what it shows, for those who do not see it.
     """
 
-    def __init__(self, plot_name: str, accessible_name: str, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, plot_name: str, accessible_name: str, parent: QtWidgets.QWidget | None = None
+    ) -> None:
         super().__init__(parent)
         self._results: Mapping[str, Any] | None = None
         self._plot = SignalView(plot_name, accessible_name, self, self._staleness)
@@ -32,7 +33,7 @@ class SignalPanel(OutputsPanel):
         self._plot.exports.failed.connect(self.failed)
         self._plot.exports.written.connect(self.written)
         self._plot.toolbar.layout_chosen.connect(lambda layout: self.change_settings(layout=layout))
-        self._switches: dict[str, QToolButton] = {}
+        self._switches: dict[str, QtWidgets.QToolButton] = {}
 
     def add_switch(
         self, name: str, spec: SwitchSpec, *, text: str = "", hint: str = "", in_menu: bool = False
@@ -72,6 +73,6 @@ class SignalPanel(OutputsPanel):
         self._plot.exports.folder = folder
 
     def draw_picture(
-        self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
+        self, painter: QtGui.QPainter, width: int, height: int, theme: Theme = LIGHT
     ) -> None:
         draw_signals(painter, width, height, plot=self._plot.plot, theme=theme)

@@ -5,9 +5,8 @@ from itertools import product
 from typing import Any, Literal, TypeVar
 
 import pyqtgraph
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPainterPath, QPen
-from PySide6.QtWidgets import QGraphicsRectItem
 
 from skinsource_gui.plots.curves import (
     CurvePoints,
@@ -51,7 +50,7 @@ class Axis(pyqtgraph.AxisItem):
         self.titles: tuple[str, ...] = ()
         self.band: Range | None = None
         self._rule = rule
-        self._font = QFont()
+        self._font = QtGui.QFont()
         self._views: tuple[pyqtgraph.ViewBox, ...] = ()
         # Behind curves; the shading of the lower axis lies under the grid of the left one.
         self.setZValue(-1000 if orientation == "left" else -1001)
@@ -65,7 +64,7 @@ class Axis(pyqtgraph.AxisItem):
         self._views = views
         self.refresh()
 
-    def show_font(self, font: QFont) -> None:
+    def show_font(self, font: QtGui.QFont) -> None:
         """Use ``font`` and the present colours."""
         self._font = font
         self.refresh()
@@ -116,12 +115,12 @@ class Axis(pyqtgraph.AxisItem):
         for view in self._views:
             bounds = bounds.united(self._view_rect(view))
         # Frames reach half a pixel outside, and labels at the ends half of their height.
-        above = QFontMetricsF(self._font).height() / 2 if self.orientation == "left" else 1
+        above = QtGui.QFontMetricsF(self._font).height() / 2 if self.orientation == "left" else 1
         return bounds.adjusted(-1, -above, 1, above)
 
     def labels(self) -> list[tuple[QRectF, str]]:
         """Return the labels that have room, and their places."""
-        metrics, below = QFontMetricsF(self._font), self.orientation == "bottom"
+        metrics, below = QtGui.QFontMetricsF(self._font), self.orientation == "bottom"
         place = self._below if below else self._beside
         labels, free_from = [], 0.0
         for at, text in self.ticks():
@@ -131,24 +130,24 @@ class Axis(pyqtgraph.AxisItem):
                 free_from = room.right() + _GAP_PX
         return labels
 
-    def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
+    def paint(self, painter: QtGui.QPainter, option: Any, widget: Any) -> None:
         # Without pyqtgraph's QPicture, which would lose the tabular digits of the font.
         below, theme = self.orientation == "bottom", current_theme()
         painter.setFont(self._font)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing, False)
         for outside in self.shaded():
-            painter.fillRect(outside, QColor(theme.window))
+            painter.fillRect(outside, QtGui.QColor(theme.window))
         rects = [self._view_rect(view) for view in self._views]
-        painter.setPen(QPen(QColor(theme.grid), 1))
+        painter.setPen(QtGui.QPen(QtGui.QColor(theme.grid), 1))
         for rect, (at, _) in product(rects, self.ticks()):
             if below:
                 painter.drawLine(QPointF(at, rect.top()), QPointF(at, rect.bottom()))
             else:
                 painter.drawLine(QPointF(rect.left(), at), QPointF(rect.right(), at))
         if not below:
-            painter.setPen(QPen(QColor(theme.border), 1))
+            painter.setPen(QtGui.QPen(QtGui.QColor(theme.border), 1))
             painter.drawRects(rects)
-        painter.setPen(QColor(theme.dim))
+        painter.setPen(QtGui.QColor(theme.dim))
         for room, text in self.labels():
             painter.drawText(room, _CENTRED if below else _AT_RIGHT, text)
         self._write_title(painter)
@@ -167,15 +166,15 @@ class Axis(pyqtgraph.AxisItem):
     def _beside(self, at: float, width: float, line: float) -> QRectF:
         return QRectF(0, at - line / 2, self.rect().width() - _GAP_PX, line)
 
-    def _write_title(self, painter: QPainter) -> None:
+    def _write_title(self, painter: QtGui.QPainter) -> None:
         if not self.titles or not self._views:
             return
-        metrics, room = QFontMetricsF(self._font), self.rect()
+        metrics, room = QtGui.QFontMetricsF(self._font), self.rect()
         title = fitting(self.titles, metrics, room.width() - UNIT_PX)
         width = metrics.horizontalAdvance(title) + 2
         middle = self._view_rect(self._views[0]).center().x()
         left = min(max(middle - width / 2, _GAP_PX), room.width() - width - _GAP_PX)
-        painter.setPen(QColor(current_theme().text))
+        painter.setPen(QtGui.QColor(current_theme().text))
         line = metrics.height()
         painter.drawText(QRectF(left, 2 + line, width, line), _CENTRED, title)
 
@@ -208,13 +207,13 @@ class PlotViewBox(pyqtgraph.ViewBox):
         """Return the position at a point of the scene."""
         return float(self.mapSceneToView(scene_at).x())
 
-    def shape(self) -> QPainterPath:
+    def shape(self) -> QtGui.QPainterPath:
         # Half of the lines on the lower and the right edge lies beyond it.
-        path = QPainterPath()
+        path = QtGui.QPainterPath()
         path.addRect(QRectF(self.rect()).adjusted(0, 0, 1, 1))
         return path
 
-    def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
+    def paint(self, painter: QtGui.QPainter, option: Any, widget: Any) -> None:
         """Paint nothing: the axis beside draws the frame."""
 
     def wheelEvent(self, event: Any, axis: int | None = None) -> None:
@@ -291,12 +290,12 @@ class PlotRow:
         for item in (self.view, self.axis, self.number):
             item.setVisible(visible)
 
-    def show_font(self, font: QFont) -> None:
+    def show_font(self, font: QtGui.QFont) -> None:
         """Use ``font`` and the present colours."""
         theme = current_theme()
         self.axis.show_font(font)
-        self.line.setPen(QPen(QColor(theme.dim), 0))
-        self.dots.setPen(pyqtgraph.mkPen(QColor(theme.base), width=1))
+        self.line.setPen(QtGui.QPen(QtGui.QColor(theme.dim), 0))
+        self.dots.setPen(pyqtgraph.mkPen(QtGui.QColor(theme.base), width=1))
 
     def show_range(self, shown: Range) -> None:
         """Show this part of the x axis."""
@@ -317,13 +316,13 @@ class PlotRow:
             for rank, curve in enumerate(self.curves):
                 curve.setVisible(rank < self.n_curves)
 
-    def show_pens(self, pens: Sequence[QPen], *, stale: bool) -> None:
+    def show_pens(self, pens: Sequence[QtGui.QPen], *, stale: bool) -> None:
         """Give each curve its pen; pale where it is stale."""
         for curve, pen in zip(self.curves, pens, strict=False):
             curve.set_look(pen, stale=stale)
 
     def show_crosshair(
-        self, position: float | None, heights: Sequence[float], colours: Sequence[QColor]
+        self, position: float | None, heights: Sequence[float], colours: Sequence[QtGui.QColor]
     ) -> None:
         """Draw the crosshair at ``position``; None hides it."""
         visible = position is not None
@@ -361,7 +360,7 @@ class Stack:
     def __init__(
         self,
         scene: pyqtgraph.GraphicsScene,
-        font: QFont,
+        font: QtGui.QFont,
         watch: Sequence[Callable[[PlotViewBox], None]],
     ) -> None:
         self._scene, self._watch = scene, watch
@@ -374,13 +373,13 @@ class Stack:
         self.header = HeaderLine()
         self.x_axis = Axis("bottom", self._x_ticks)
         self.message, self.hint = Message(), Message()
-        self.band = QGraphicsRectItem()
+        self.band = QtWidgets.QGraphicsRectItem()
         self.band.setZValue(5)
         for item in (self.header, self.x_axis, self.message, self.hint, self.band):
             scene.addItem(item)
         self.say("")
 
-    def show_fonts(self, font: QFont, message_font: QFont) -> None:
+    def show_fonts(self, font: QtGui.QFont, message_font: QtGui.QFont) -> None:
         """Use fonts for texts around the curves and for messages, and the present colours."""
         theme = current_theme()
         self._font, self._message_font = font, message_font
@@ -388,10 +387,10 @@ class Stack:
         self.x_axis.show_font(font)
         for row in self._pool:
             row.show_font(font)
-        self.message.say(self.message.text, QColor(theme.dim), message_font)
-        self.hint.say(self.hint.text, QColor(theme.dim), font)
-        accent = QColor(theme.accent)
-        self.band.setPen(QPen(accent, 0))
+        self.message.say(self.message.text, QtGui.QColor(theme.dim), message_font)
+        self.hint.say(self.hint.text, QtGui.QColor(theme.dim), font)
+        accent = QtGui.QColor(theme.accent)
+        self.band.setPen(QtGui.QPen(accent, 0))
         accent.setAlpha(_BAND_ALPHA)
         self.band.setBrush(accent)
 
@@ -404,14 +403,14 @@ class Stack:
         self.header.hide()
         self.x_axis.hide()
         self.band.hide()
-        self.hint.say("", QColor(), self._font)
-        self.message.say(message, QColor(current_theme().dim), self._message_font)
+        self.hint.say("", QtGui.QColor(), self._font)
+        self.message.say(message, QtGui.QColor(current_theme().dim), self._message_font)
 
     def place(self, layout: PlotLayout, window: XWindow) -> None:
         """Show ``layout`` around ``window``, instead of a message."""
         new_window, self._window = window != self._window, window
         if self.message.text:
-            self.message.say("", QColor(), self._message_font)
+            self.message.say("", QtGui.QColor(), self._message_font)
         self._show_rows(layout.n_rows)
         self.header.setGeometry(QRectF(layout.left, 0, layout.right - layout.left, layout.top - 1))
         self.header.say(layout.header)
@@ -426,7 +425,7 @@ class Stack:
             self.x_axis.refresh()
         self.hint.setGeometry(layout.area)
         hint = "" if window.holds_data else _NOTHING_HERE
-        self.hint.say(hint, QColor(current_theme().dim), self._font)
+        self.hint.say(hint, QtGui.QColor(current_theme().dim), self._font)
 
     def place_message(self, room: QRectF) -> None:
         """Set the area of messages."""
@@ -447,7 +446,7 @@ class Stack:
         # One pixel of the screen: any wider line takes a hundred times as long.
         pens = [current_theme().output_pen(rank, 0.0) for rank in range(n_curves)]
         if n_axes:
-            pens = [QPen(colour, 0.0) for colour in self._colours(len(pens))]
+            pens = [QtGui.QPen(colour, 0.0) for colour in self._colours(len(pens))]
         for row, of_row in zip(self.rows, self._by_row(pens), strict=True):
             row.show_pens(of_row, stale=stale)
         for rank, row in enumerate(self.rows):
@@ -472,7 +471,7 @@ class Stack:
         each = max(len(parts) // max(len(self.rows), 1), 1)
         return [parts[rank * each : (rank + 1) * each] for rank in range(len(self.rows))]
 
-    def _colours(self, n_curves: int) -> list[QColor]:
+    def _colours(self, n_curves: int) -> list[QtGui.QColor]:
         if not self._n_axes:
             return [current_theme().output_colour(rank) for rank in range(n_curves)]
         return [current_theme().axis_colour(rank % self._n_axes) for rank in range(n_curves)]

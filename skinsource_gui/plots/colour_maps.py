@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 import pyqtgraph
 from numpy.typing import NDArray
-from PySide6.QtGui import QColor
+from PySide6 import QtGui
 
 #: Number of colours in a table.
 N_COLOURS = 256
@@ -49,11 +49,11 @@ def colour_indices(
 
 def level_colours(
     levels_db: NDArray[np.float64], range_db: tuple[float, float], table: NDArray[np.uint32]
-) -> list[QColor]:
+) -> list[QtGui.QColor]:
     """Return the colour of each level, (n_levels,)."""
-    return [QColor(int(argb)) for argb in table[colour_indices(levels_db, range_db)]]
+    return [QtGui.QColor(int(argb)) for argb in table[colour_indices(levels_db, range_db)]]
 
 
-def is_light(colour: QColor) -> bool:
+def is_light(colour: QtGui.QColor) -> bool:
     """Return whether black text on ``colour`` is easier to read than white text."""
     return 0.299 * colour.redF() + 0.587 * colour.greenF() + 0.114 * colour.blueF() > 0.5

@@ -9,17 +9,8 @@ from typing import Any
 import numpy as np
 import pyqtgraph
 from pyqtgraph.functions import arrayToQPath, arrayToQPolygonF
+from PySide6 import QtGui
 from PySide6.QtCore import QRectF, QSize, Qt
-from PySide6.QtGui import (
-    QColor,
-    QFont,
-    QFontMetricsF,
-    QPainter,
-    QPainterPath,
-    QPen,
-    QPolygonF,
-    QTransform,
-)
 
 from skinsource.base.arrays import Floats
 from skinsource.limbs.locations import LocationNames, output_name
@@ -352,10 +343,10 @@ class SignalCurve(pyqtgraph.GraphicsObject):
     def __init__(self) -> None:
         super().__init__()
         self.points: CurvePoints | None = None
-        self.pen = QPen()
-        self.dots: QPolygonF | None = None
-        self._line: QPolygonF | None = None
-        self._path: QPainterPath | None = None
+        self.pen = QtGui.QPen()
+        self.dots: QtGui.QPolygonF | None = None
+        self._line: QtGui.QPolygonF | None = None
+        self._path: QtGui.QPainterPath | None = None
 
     def show_points(self, points: CurvePoints) -> None:
         """Draw ``points``."""
@@ -370,7 +361,7 @@ class SignalCurve(pyqtgraph.GraphicsObject):
             self._path = arrayToQPath(points.x, points.y, finiteCheck=False)
         self.update()
 
-    def set_look(self, pen: QPen, *, stale: bool) -> None:
+    def set_look(self, pen: QtGui.QPen, *, stale: bool) -> None:
         """Set colour and strokes of the curve, and whether it is pale."""
         self.pen = pen
         self.setOpacity(_STALE_OPACITY if stale else 1.0)
@@ -380,20 +371,20 @@ class SignalCurve(pyqtgraph.GraphicsObject):
         view = self.getViewBox()
         return QRectF() if view is None else view.viewRect()
 
-    def shape(self) -> QPainterPath:
-        return QPainterPath()
+    def shape(self) -> QtGui.QPainterPath:
+        return QtGui.QPainterPath()
 
     def viewTransformChanged(self) -> None:
         # The bounds are those of the view.
         self.prepareGeometryChange()
 
-    def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
+    def paint(self, painter: QtGui.QPainter, option: Any, widget: Any) -> None:
         painter.setPen(self.pen)
         if is_on_paper():
             with self._in_scene(painter) as to_scene:
                 self._paint_wide(painter, to_scene)
         else:
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing, self._line is not None)
+            painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing, self._line is not None)
             if self._line is not None:
                 painter.drawPolyline(self._line)
             elif self._path is not None:
@@ -403,17 +394,17 @@ class SignalCurve(pyqtgraph.GraphicsObject):
                 self._paint_dots(painter, to_scene.map(self.dots))
 
     @contextmanager
-    def _in_scene(self, painter: QPainter) -> Iterator[QTransform]:
+    def _in_scene(self, painter: QtGui.QPainter) -> Iterator[QtGui.QTransform]:
         """Paint in pixels of the scene: in the stretched view, dots would be strokes."""
         to_scene = self.sceneTransform()
         painter.save()
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
         painter.setWorldTransform(to_scene.inverted()[0] * painter.worldTransform())
         yield to_scene
         painter.restore()
 
-    def _paint_wide(self, painter: QPainter, to_scene: QTransform) -> None:
-        pen = QPen(self.pen)
+    def _paint_wide(self, painter: QtGui.QPainter, to_scene: QtGui.QTransform) -> None:
+        pen = QtGui.QPen(self.pen)
         pen.setWidthF(_PAPER_LINE_PX)
         painter.setPen(pen)
         if self._line is not None:
@@ -421,7 +412,7 @@ class SignalCurve(pyqtgraph.GraphicsObject):
         elif self._path is not None:
             painter.drawPath(to_scene.map(self._path))
 
-    def _paint_dots(self, painter: QPainter, dots: QPolygonF) -> None:
+    def _paint_dots(self, painter: QtGui.QPainter, dots: QtGui.QPolygonF) -> None:
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(self.pen.color())
         for dot in dots.toList():
@@ -513,7 +504,7 @@ class Header:
         """The longest texts, for a tooltip."""
         return "\n".join(texts[0] for texts in (self.scaling, self.notes) if texts)
 
-    def fitted(self, metrics: QFontMetricsF, room_px: float) -> tuple[str, str]:
+    def fitted(self, metrics: QtGui.QFontMetricsF, room_px: float) -> tuple[str, str]:
         """Return the unit with the longest scaling that fits ``room_px``, and the note."""
         gap = 2 * UNIT_PX
         # A note is a warning: it has priority over the longer texts.
@@ -560,7 +551,7 @@ class PlotLayout:
         return QRectF(self.left, self.top + rank * height, self.right - self.left, height)
 
 
-def laid_out(content: PlotContent, metrics: QFontMetricsF, old_left_px: float) -> PlotLayout:
+def laid_out(content: PlotContent, metrics: QtGui.QFontMetricsF, old_left_px: float) -> PlotLayout:
     """Return the layout for ``content``; the left margin stays ``old_left_px`` if it still fits."""
     line, texts = metrics.height(), content.texts
     top = ceil(line) + 4
@@ -590,14 +581,14 @@ def laid_out(content: PlotContent, metrics: QFontMetricsF, old_left_px: float) -
     )
 
 
-def least_size(metrics: QFontMetricsF) -> QSize:
+def least_size(metrics: QtGui.QFontMetricsF) -> QSize:
     """Return the size in which two ticks of each axis can be read."""
     line, number = ceil(metrics.height()), metrics.horizontalAdvance("\u2212100.0")
     around_px = line + 4 + 2 * line + 5
     return QSize(ceil(4 * number), around_px + ceil(2 * _AIRY * line))
 
 
-def fitting(texts: tuple[str, ...], metrics: QFontMetricsF, room_px: float) -> str:
+def fitting(texts: tuple[str, ...], metrics: QtGui.QFontMetricsF, room_px: float) -> str:
     """Return the first of ``texts`` that fits, or ""."""
     return next((text for text in texts if metrics.horizontalAdvance(text) <= room_px), "")
 
@@ -626,7 +617,7 @@ def _in_row(scale: ValueScale, ticks: tuple[Tick, ...]) -> tuple[Tick, ...]:
     return tuple(Tick(value=scale.height(tick.value), label=tick.label) for tick in ticks)
 
 
-def _left_margin(ticks: tuple[Tick, ...], metrics: QFontMetricsF, old_px: float) -> float:
+def _left_margin(ticks: tuple[Tick, ...], metrics: QtGui.QFontMetricsF, old_px: float) -> float:
     widest = max((metrics.horizontalAdvance(tick.label) for tick in ticks), default=0.0)
     needed = max(float(ceil(widest + UNIT_PX)), _LEAST_MARGIN_PX)
     return old_px if needed <= old_px <= needed + _MARGIN_SLACK_PX else needed
@@ -656,9 +647,9 @@ class HeaderLine(pyqtgraph.GraphicsWidget):
         super().__init__()
         self.setCacheMode(self.CacheMode.DeviceCoordinateCache)
         self.header = Header()
-        self._font = QFont()
+        self._font = QtGui.QFont()
 
-    def show_font(self, font: QFont) -> None:
+    def show_font(self, font: QtGui.QFont) -> None:
         """Use ``font``."""
         self._font = font
         self.update()
@@ -669,28 +660,28 @@ class HeaderLine(pyqtgraph.GraphicsWidget):
             self.header = header
             self.update()
 
-    def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
+    def paint(self, painter: QtGui.QPainter, option: Any, widget: Any) -> None:
         header, theme, line = self.header, current_theme(), self.rect()
         painter.setFont(self._font)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
-        metrics = QFontMetricsF(self._font)
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing, False)
+        metrics = QtGui.QFontMetricsF(self._font)
         right = line.right()
         if header.badge:
             badge_px = metrics.horizontalAdvance(header.badge) + UNIT_PX
             badge = QRectF(right - badge_px, line.top() + 1.5, badge_px - 1, line.height() - 3)
-            painter.setPen(QPen(QColor(theme.warning), 1))
+            painter.setPen(QtGui.QPen(QtGui.QColor(theme.warning), 1))
             painter.drawRoundedRect(badge, 3, 3)
             painter.drawText(badge, _CENTRED, header.badge)
             right = badge.left() - UNIT_PX
-        painter.setPen(QColor(theme.dim))
+        painter.setPen(QtGui.QColor(theme.dim))
         if header.mark:
             painter.drawText(QRectF(0, 0, right, line.height()), _AT_RIGHT, header.mark)
             right -= metrics.horizontalAdvance(header.mark) + UNIT_PX
-        painter.setPen(QColor(theme.text))
+        painter.setPen(QtGui.QColor(theme.text))
         unit, note = header.fitted(metrics, right)
         painter.drawText(QRectF(0, 0, right, line.height()), _AT_LEFT, unit)
         start = metrics.horizontalAdvance(unit) + 2 * UNIT_PX
-        painter.setPen(QColor(theme.warning))
+        painter.setPen(QtGui.QColor(theme.warning))
         painter.drawText(QRectF(start, 0, max(right - start, 1), line.height()), _AT_LEFT, note)
 
 
@@ -702,17 +693,17 @@ class Message(pyqtgraph.GraphicsWidget):
         self.setAcceptedMouseButtons(Qt.MouseButton.NoButton)
         self.setZValue(10)
         self.text = ""
-        self._colour = QColor()
-        self._font = QFont()
+        self._colour = QtGui.QColor()
+        self._font = QtGui.QFont()
 
-    def say(self, text: str, colour: QColor, font: QFont) -> None:
+    def say(self, text: str, colour: QtGui.QColor, font: QtGui.QFont) -> None:
         """Show ``text``."""
         if (text, colour, font) != (self.text, self._colour, self._font):
             self.text, self._colour, self._font = text, colour, font
             self.update()
         self.setVisible(bool(text))
 
-    def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
+    def paint(self, painter: QtGui.QPainter, option: Any, widget: Any) -> None:
         painter.setFont(self._font)
         painter.setPen(self._colour)
         painter.drawText(self.rect(), _CENTRED | Qt.TextFlag.TextWordWrap, self.text)
@@ -725,9 +716,9 @@ class RowNumber(Message):
         super().__init__()
         self.setCacheMode(self.CacheMode.DeviceCoordinateCache)
 
-    def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
-        font, height = QFont(self._font), self.rect().height()
-        if height < QFontMetricsF(font).height():
+    def paint(self, painter: QtGui.QPainter, option: Any, widget: Any) -> None:
+        font, height = QtGui.QFont(self._font), self.rect().height()
+        if height < QtGui.QFontMetricsF(font).height():
             font.setPixelSize(max(_SMALLEST_FONT_PX, int(height * 0.85)))
         font.setBold(True)
         painter.setFont(font)

@@ -4,20 +4,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QLineF, QPoint, QPointF, QRect, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import (
-    QColor,
-    QFont,
-    QFontMetricsF,
-    QKeyEvent,
-    QMouseEvent,
-    QPainter,
-    QPaintEvent,
-    QPen,
-    QPolygonF,
-    QResizeEvent,
-)
-from PySide6.QtWidgets import QMenu, QSizePolicy, QWidget
 
 from skinsource.base.arrays import Floats
 from skinsource_gui.plots.ranges import Range, Tick, log_ticks, readable_ticks
@@ -31,9 +19,9 @@ from skinsource_gui.qt.theme import UNIT_PX, Theme, current_theme, on_paper, sca
 _LEAST = 0.4
 
 
-def shrunk(font: QFont, texts: Sequence[str], room_px: float) -> QFont:
+def shrunk(font: QtGui.QFont, texts: Sequence[str], room_px: float) -> QtGui.QFont:
     """Return ``font``, or a smaller one, in which each of ``texts`` fits without a cut."""
-    widest = max((QFontMetricsF(font).horizontalAdvance(text) for text in texts), default=0.0)
+    widest = max((QtGui.QFontMetricsF(font).horizontalAdvance(text) for text in texts), default=0.0)
     return scaled(font, max(room_px / widest, _LEAST)) if widest > room_px else font
 
 
@@ -43,7 +31,7 @@ _FLAGS = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter | Qt.TextFla
 _NO_END_PX = 100_000
 
 
-class NoteLabel(QWidget):
+class NoteLabel(QtWidgets.QWidget):
     """A dim text in as many lines as it needs, which is the tooltip, too.
 
     Where four lines are too few, it counts the parts, between " · ", that it leaves out.
@@ -54,13 +42,15 @@ class NoteLabel(QWidget):
         The whole text.
     """
 
-    def __init__(self, name: str, parent: QWidget | None = None) -> None:
+    def __init__(self, name: str, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.text = ""
         self._held_lines = 1
         self.setObjectName(name)
         self.setFont(tabular(self.font()))
-        policy = QSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        policy = QtWidgets.QSizePolicy(
+            QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Fixed
+        )
         policy.setHeightForWidth(True)
         self.setSizePolicy(policy)
 
@@ -96,15 +86,15 @@ class NoteLabel(QWidget):
         least_lines = self._held_lines if width == self.width() else 1
         return self._height_of(max(lines, least_lines))
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         if event.oldSize().width() != event.size().width():
             self._held_lines = self._lines_of(self.shown, self.width())
             self.updateGeometry()
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setPen(QColor(current_theme().dim))
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        painter = QtGui.QPainter(self)
+        painter.setPen(QtGui.QColor(current_theme().dim))
         painter.drawText(self.rect(), int(_FLAGS), self.shown)
         painter.end()
 
@@ -171,7 +161,7 @@ class Axis:
         low, high = self.shown
         return float(low * (high / low) ** part) if self.log else low + part * (high - low)
 
-    def title_in(self, metrics: QFontMetricsF, room_px: float) -> str:
+    def title_in(self, metrics: QtGui.QFontMetricsF, room_px: float) -> str:
         """Return the title, or the short one where the long one does not fit."""
         fits = metrics.horizontalAdvance(self.title) <= room_px
         return self.title if fits or not self.short else self.short
@@ -209,11 +199,11 @@ class Axes:
         up = (self.frame.bottom() - point.y()) / self.frame.height()
         return self.x.value(across), self.y.value(up)
 
-    def polygon(self, x: Floats, y: Floats) -> QPolygonF:
+    def polygon(self, x: Floats, y: Floats) -> QtGui.QPolygonF:
         """Return a line through points."""
-        return QPolygonF([QPointF(*place) for place in self.to_screen(x, y)])
+        return QtGui.QPolygonF([QPointF(*place) for place in self.to_screen(x, y)])
 
-    def title_place(self, metrics: QFontMetricsF) -> QRectF:
+    def title_place(self, metrics: QtGui.QFontMetricsF) -> QRectF:
         """Return the area of the title of x: below the frame, and left of it if that is narrow."""
         frame, line = self.frame, metrics.height()
         room = frame.right() + 2.0 * _GAP_PX
@@ -222,9 +212,9 @@ class Axes:
         left = min(frame.center().x() - width / 2, room - width)
         return QRectF(left, frame.bottom() + line + 2, width, line)
 
-    def paint(self, painter: QPainter, theme: Theme, *, grid: bool = True) -> None:
+    def paint(self, painter: QtGui.QPainter, theme: Theme, *, grid: bool = True) -> None:
         """Draw frame, grid, labels and titles."""
-        frame, metrics = self.frame, QFontMetricsF(painter.font())
+        frame, metrics = self.frame, QtGui.QFontMetricsF(painter.font())
         line = metrics.height()
         centre = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop
         right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -232,9 +222,9 @@ class Axes:
         for tick in self.x.ticks(frame.width(), _TICK_X_PX):
             x = float(self.to_screen(np.array([tick.value]), np.array([self.y.shown[0]]))[0, 0])
             if grid:
-                painter.setPen(QPen(QColor(theme.grid), 1))
+                painter.setPen(QtGui.QPen(QtGui.QColor(theme.grid), 1))
                 painter.drawLine(QLineF(x, frame.top(), x, frame.bottom()))
-            painter.setPen(QColor(theme.dim))
+            painter.setPen(QtGui.QColor(theme.dim))
             width = metrics.horizontalAdvance(tick.label)
             # Labels must not overlap.
             if tick.label and x - width / 2 > written:
@@ -244,20 +234,20 @@ class Axes:
         for tick in self.y.ticks(frame.height(), _TICK_Y_PX):
             y = float(self.to_screen(np.array([self.x.shown[0]]), np.array([tick.value]))[0, 1])
             if grid:
-                painter.setPen(QPen(QColor(theme.grid), 1))
+                painter.setPen(QtGui.QPen(QtGui.QColor(theme.grid), 1))
                 painter.drawLine(QLineF(frame.left(), y, frame.right(), y))
-            painter.setPen(QColor(theme.dim))
+            painter.setPen(QtGui.QColor(theme.dim))
             place = QRectF(0.0, y - line / 2, frame.left() - _GAP_PX, line)
             painter.drawText(place, right, tick.label)
-        painter.setPen(QPen(QColor(theme.border), 1))
+        painter.setPen(QtGui.QPen(QtGui.QColor(theme.border), 1))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawRect(frame)
-        painter.setPen(QColor(theme.dim))
+        painter.setPen(QtGui.QColor(theme.dim))
         self._paint_titles(painter, line)
 
-    def _paint_titles(self, painter: QPainter, line: float) -> None:
+    def _paint_titles(self, painter: QtGui.QPainter, line: float) -> None:
         """Write titles in the middle of their axes; where these are short, beside labels too."""
-        frame, metrics = self.frame, QFontMetricsF(painter.font())
+        frame, metrics = self.frame, QtGui.QFontMetricsF(painter.font())
         below = self.title_place(metrics)
         title = self.x.title_in(metrics, below.width())
         painter.save()
@@ -274,13 +264,13 @@ class Axes:
         painter.restore()
 
 
-def _paint_title(painter: QPainter, room: QRectF, title: str) -> None:
+def _paint_title(painter: QtGui.QPainter, room: QRectF, title: str) -> None:
     """Write a title, in smaller letters where it would be cut."""
     painter.setFont(shrunk(painter.font(), (title,), room.width()))
     painter.drawText(room, Qt.AlignmentFlag.AlignCenter, title)
 
 
-def fitted_axes(room: QRectF, x: Axis, y: Axis, metrics: QFontMetricsF) -> Axes:
+def fitted_axes(room: QRectF, x: Axis, y: Axis, metrics: QtGui.QFontMetricsF) -> Axes:
     """Return axes in ``room``, with the space around the frame that their labels need.
 
     The left edge of the room is that of the widget: labels of y begin there.
@@ -298,7 +288,7 @@ def fitted_axes(room: QRectF, x: Axis, y: Axis, metrics: QFontMetricsF) -> Axes:
     return Axes(frame=frame, x=x, y=y)
 
 
-def _beyond(x: Axis, width: float, metrics: QFontMetricsF) -> float:
+def _beyond(x: Axis, width: float, metrics: QtGui.QFontMetricsF) -> float:
     """Return how far the last label of x reaches beyond a frame of that width, px."""
     ticks = x.ticks(width, _TICK_X_PX)
     parts = x.part(np.array([tick.value for tick in ticks]))
@@ -308,8 +298,8 @@ def _beyond(x: Axis, width: float, metrics: QFontMetricsF) -> float:
 
 
 def open_figure_menu(
-    parent: QWidget, at: QPoint, save: Callable[[], None], copy: Callable[[], None] | None
-) -> QMenu:
+    parent: QtWidgets.QWidget, at: QPoint, save: Callable[[], None], copy: Callable[[], None] | None
+) -> QtWidgets.QMenu:
     """Open the menu of a figure; ``copy`` is None where there are no numbers to copy."""
     menu = passing_menu(parent, "figure_menu")
     if copy is not None:
@@ -323,7 +313,7 @@ _TEXT = 0.92
 _LEAST_LINES = 6
 
 
-class Figure(QWidget):
+class Figure(QtWidgets.QWidget):
     """A picture with a cursor, or a message why it is empty; subclasses draw and read it.
 
     Attributes
@@ -335,7 +325,9 @@ class Figure(QWidget):
     #: What the cursor reads; "" without a cursor.
     reading = Signal(str)
 
-    def __init__(self, name: str, accessible_name: str, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, name: str, accessible_name: str, parent: QtWidgets.QWidget | None = None
+    ) -> None:
         super().__init__(parent)
         self.cursor_at: QPointF | None = None
         self.message = ""
@@ -349,7 +341,7 @@ class Figure(QWidget):
         # Some of the frame is left between letters of any size.
         return QSize(200, max(120, _LEAST_LINES * self.fontMetrics().height()))
 
-    def draw(self, painter: QPainter, room: QRectF) -> None:
+    def draw(self, painter: QtGui.QPainter, room: QRectF) -> None:
         """Draw the picture in ``room``."""
         raise NotImplementedError
 
@@ -386,10 +378,10 @@ class Figure(QWidget):
         """Read again after the picture has changed."""
         self.move_cursor(self.cursor_at)
 
-    def paint(self, painter: QPainter, room: QRectF) -> None:
+    def paint(self, painter: QtGui.QPainter, room: QRectF) -> None:
         """Draw the picture or the message, on the screen or on a page."""
         if self.message:
-            painter.setPen(QColor(current_theme().dim))
+            painter.setPen(QtGui.QColor(current_theme().dim))
             inner = room.adjusted(2 * UNIT_PX, UNIT_PX, -2 * UNIT_PX, -UNIT_PX)
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.drawText(inner, flags, self.message)
@@ -400,13 +392,13 @@ class Figure(QWidget):
         painter.setOpacity(1.0)
         if self._stale:
             theme = current_theme()
-            paint_updating(painter, room, QColor(theme.base), QColor(theme.text))
+            paint_updating(painter, room, QtGui.QColor(theme.base), QtGui.QColor(theme.text))
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        painter = QtGui.QPainter(self)
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
         room = QRectF(self.rect())
-        painter.fillRect(room, QColor(current_theme().base))
+        painter.fillRect(room, QtGui.QColor(current_theme().base))
         self.paint(painter, room)
         if self.hasFocus():
             paint_focus_frame(painter, room, current_theme())
@@ -415,7 +407,7 @@ class Figure(QWidget):
     def event(self, event: QEvent) -> bool:
         return claims_shortcut(event, self._meaning_of) or super().event(event)
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         meaning, area = self._meaning_of(event), self.keys_area()
         if not meaning:
             super().keyPressEvent(event)
@@ -432,24 +424,26 @@ class Figure(QWidget):
             across = at.x() + (step if event.key() == Qt.Key.Key_Right else -step)
             self.move_cursor(QPointF(min(max(across, area.left()), area.right()), at.y()))
 
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+    def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
         self.move_cursor(event.position())
 
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
         self.move_cursor(None)
 
-    def _meaning_of(self, event: QKeyEvent) -> str:
+    def _meaning_of(self, event: QtGui.QKeyEvent) -> str:
         meaning = meaning_of("plot", event)
         if meaning not in ("step", "jump", "give_up") or self.keys_area().isEmpty():
             return ""
         return meaning if meaning != "give_up" or self.cursor_at is not None else ""
 
 
-def draw_figure(painter: QPainter, room: QRectF, figure: Figure, above: str, below: str) -> None:
+def draw_figure(
+    painter: QtGui.QPainter, room: QRectF, figure: Figure, above: str, below: str
+) -> None:
     """Draw a figure on a page, with the texts above and below it, in ``room``."""
     painter.save()
-    painter.fillRect(room, QColor(current_theme().base))
+    painter.fillRect(room, QtGui.QColor(current_theme().base))
     painter.setFont(tabular(figure.font()))
     inner = room.adjusted(UNIT_PX, 1.0, -UNIT_PX, -2.0)
     top = inner.top() + _write(painter, inner, above, Qt.AlignmentFlag.AlignTop, figure)
@@ -466,14 +460,14 @@ def draw_figure(painter: QPainter, room: QRectF, figure: Figure, above: str, bel
 
 
 def _write(
-    painter: QPainter, room: QRectF, text: str, side: Qt.AlignmentFlag, figure: Figure
+    painter: QtGui.QPainter, room: QRectF, text: str, side: Qt.AlignmentFlag, figure: Figure
 ) -> float:
     """Write text at a side of a room; return its height."""
     if not text:
         return 0.0
     flags = int(Qt.AlignmentFlag.AlignLeft | side | Qt.TextFlag.TextWordWrap)
     endless = QRectF(0.0, 0.0, room.width(), _NO_END_PX)
-    painter.setPen(QColor(current_theme().dim))
+    painter.setPen(QtGui.QColor(current_theme().dim))
     painter.drawText(room, flags, text)
     return painter.boundingRect(endless, flags, text).height()
 
@@ -482,7 +476,7 @@ def _write(
 _STROKE_PX, _WIDE_PX, _LEGEND_GAP_PX = 3.0, 12.0, 5.0
 
 
-def legend_texts(outputs: tuple[int, ...], room_px: float, painter: QPainter) -> list[str]:
+def legend_texts(outputs: tuple[int, ...], room_px: float, painter: QtGui.QPainter) -> list[str]:
     """Return the texts of a legend: head, numbers of outputs, and how many more do not fit."""
     head = "Output" if len(outputs) == 1 else "Outputs"
     numbers = [str(output) for output in outputs]
@@ -495,7 +489,7 @@ def legend_texts(outputs: tuple[int, ...], room_px: float, painter: QPainter) ->
 
 
 def draw_legend(
-    painter: QPainter,
+    painter: QtGui.QPainter,
     room: QRectF,
     outputs: tuple[int, ...],
     theme: Theme,
@@ -518,14 +512,14 @@ def draw_legend(
             painter.drawLine(QLineF(at, room.center().y(), at + _WIDE_PX, room.center().y()))
             at += _WIDE_PX + _LEGEND_GAP_PX
         width = float(metrics.horizontalAdvance(word))
-        painter.setPen(QColor(theme.text))
+        painter.setPen(QtGui.QColor(theme.text))
         painter.drawText(
             QRectF(at, room.top(), width + 1.0, room.height()), Qt.AlignmentFlag.AlignVCenter, word
         )
         at += width + 2.0 * _LEGEND_GAP_PX
 
 
-def _legend_px(texts: list[str], painter: QPainter) -> float:
+def _legend_px(texts: list[str], painter: QtGui.QPainter) -> float:
     metrics = painter.fontMetrics()
     strokes = (_WIDE_PX + _LEGEND_GAP_PX) * sum(word.isdigit() for word in texts)
     return strokes + sum(metrics.horizontalAdvance(word) + 2.0 * _LEGEND_GAP_PX for word in texts)

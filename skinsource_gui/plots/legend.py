@@ -6,18 +6,8 @@
 from dataclasses import dataclass, replace
 from itertools import accumulate, islice
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPointF, QRect, QSize, Qt
-from PySide6.QtGui import (
-    QColor,
-    QFont,
-    QFontMetrics,
-    QHelpEvent,
-    QPainter,
-    QPaintEvent,
-    QPen,
-    QResizeEvent,
-)
-from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from skinsource_gui.plots.curves import CurveName
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, scaled, tabular
@@ -129,7 +119,7 @@ class LegendLayout:
     """
 
     text: LegendText
-    metrics: QFontMetrics
+    metrics: QtGui.QFontMetrics
     width_px: int
 
     def where(self, where: str, detail: Detail) -> str:
@@ -218,7 +208,7 @@ _TEXT, _AROUND_PX = 0.9, 7
 _AT_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
-class LegendStrip(QWidget):
+class LegendStrip(QtWidgets.QWidget):
     """A line with colour, number, place and reading of each curve, and where they are read.
 
     A narrow line leaves out units, then places, then numbers, then curves; peaks are left out
@@ -226,11 +216,11 @@ class LegendStrip(QWidget):
     more lines.
     """
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("legend")
         self.setAccessibleName("Curves and readings")
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Fixed)
         self._text = LegendText()
         self._n_lines = 1
 
@@ -248,7 +238,7 @@ class LegendStrip(QWidget):
             self.update()
 
     @property
-    def text_font(self) -> QFont:
+    def text_font(self) -> QtGui.QFont:
         """Font of the legend; it follows the font of the studio."""
         return scaled(tabular(self.font()), _TEXT)
 
@@ -258,20 +248,20 @@ class LegendStrip(QWidget):
     def minimumSizeHint(self) -> QSize:
         return self.sizeHint()
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         self._make_room()
 
     def event(self, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
-            QToolTip.showText(event.globalPos(), self._text.lines(), self)
+        if event.type() == QEvent.Type.ToolTip and isinstance(event, QtGui.QHelpEvent):
+            QtWidgets.QToolTip.showText(event.globalPos(), self._text.lines(), self)
             return True
         return super().event(event)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         if not self._text.names:
             return
-        painter, layout = QPainter(self), self.text_layout
+        painter, layout = QtGui.QPainter(self), self.text_layout
         painter.setFont(self.text_font)
         detail, places, last = layout.placed()
         row_px = self._line_px if self._n_lines > 1 else self.height()
@@ -286,7 +276,7 @@ class LegendStrip(QWidget):
             self._write(painter, QRect(end, 0, 0, row_px), f"+{hidden}", current_theme().dim)
         painter.resetTransform()
         if self._text.where:
-            painter.setPen(QColor(current_theme().text))
+            painter.setPen(QtGui.QColor(current_theme().text))
             room = QRect(0, last * advance, self.width() - UNIT_PX // 2, row_px)
             painter.drawText(room, _AT_RIGHT, layout.where(self._text.where, detail))
         painter.end()
@@ -294,12 +284,12 @@ class LegendStrip(QWidget):
     @property
     def text_layout(self) -> LegendLayout:
         """The layout for the present size."""
-        metrics = QFontMetrics(self.text_font)
+        metrics = QtGui.QFontMetrics(self.text_font)
         return LegendLayout(self._text, metrics, self.width())
 
     @property
     def _line_px(self) -> int:
-        return max(QFontMetrics(self.text_font).height() + _AROUND_PX, STRIP_HEIGHT_PX)
+        return max(QtGui.QFontMetrics(self.text_font).height() + _AROUND_PX, STRIP_HEIGHT_PX)
 
     def _make_room(self) -> None:
         n_lines = self.text_layout.n_lines
@@ -307,14 +297,14 @@ class LegendStrip(QWidget):
             self._n_lines = n_lines
             self.updateGeometry()
 
-    def _paint_entry(self, painter: QPainter, place: QRect, rank: int, detail: Detail) -> int:
+    def _paint_entry(self, painter: QtGui.QPainter, place: QRect, rank: int, detail: Detail) -> int:
         """Paint an entry at the left end of ``place``; return where the next one begins."""
         text, theme, metrics = self._text, current_theme(), painter.fontMetrics()
         name, x = text.names[rank], place.x()
         end = x + self.text_layout.entry_px(rank, detail)
         by_axis = text.by_axis
         painter.setPen(
-            QPen(theme.axis_colour(rank), 2.0) if by_axis else theme.output_pen(rank, 2.0)
+            QtGui.QPen(theme.axis_colour(rank), 2.0) if by_axis else theme.output_pen(rank, 2.0)
         )
         middle = place.height() / 2
         painter.drawLine(QPointF(x, middle), QPointF(x + SWATCH_PX - 1, middle))
@@ -336,9 +326,9 @@ class LegendStrip(QWidget):
             self._write(painter, place, text.unit, theme.dim)
         return end
 
-    def _write(self, painter: QPainter, place: QRect, text: str, colour: str) -> None:
+    def _write(self, painter: QtGui.QPainter, place: QRect, text: str, colour: str) -> None:
         """Write text at the left end of ``place``, which moves to the end of the text."""
-        painter.setPen(QColor(colour))
+        painter.setPen(QtGui.QColor(colour))
         width = painter.fontMetrics().horizontalAdvance(text)
         place.setWidth(width + 1)
         painter.drawText(place, Qt.AlignmentFlag.AlignVCenter, text)

@@ -1,8 +1,8 @@
 """Selecting outputs on a map by clicks, rubber bands and keys."""
 
 import numpy as np
+from PySide6 import QtGui
 from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent
 
 from skinsource.base.arrays import Floats
 from skinsource_gui.qt.keys import meaning_of
@@ -118,13 +118,13 @@ class OutputPicker(QObject):
             return self.hovered
         return self.cursor_output if focused else None
 
-    def claims(self, event: QKeyEvent) -> bool:
+    def claims(self, event: QtGui.QKeyEvent) -> bool:
         """Return whether this key is handled here, before any shortcut of the window."""
         # Until keys are used here, Space is a shortcut of the window.
         is_used = self._uses_keys or event.key() != Qt.Key.Key_Space
         return is_used and bool(meaning_of("skin", event))
 
-    def press(self, event: QMouseEvent) -> None:
+    def press(self, event: QtGui.QMouseEvent) -> None:
         """Handle a button that goes down: a click or a rubber band begins."""
         self._uses_keys = False
         if event.button() == Qt.MouseButton.LeftButton:
@@ -139,7 +139,7 @@ class OutputPicker(QObject):
             if self.band is not None or max(band.width(), band.height()) >= _CLICK_PX:
                 self.band = band
 
-    def release(self, event: QMouseEvent, points: Floats) -> None:
+    def release(self, event: QtGui.QMouseEvent, points: Floats) -> None:
         """Handle the left button that goes up: select outputs, or add them to the others."""
         if self._pressed is None:
             return
@@ -163,7 +163,7 @@ class OutputPicker(QObject):
         return pressed is not None
 
     def press_key(
-        self, event: QKeyEvent, points: Floats, unplaced: Outputs, middle: QPointF
+        self, event: QtGui.QKeyEvent, points: Floats, unplaced: Outputs, middle: QPointF
     ) -> bool:
         """Handle a key; return whether it has a meaning for outputs.
 

@@ -13,6 +13,7 @@ from math import ceil
 from pathlib import Path
 from typing import Any
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import (
     QBuffer,
     QEvent,
@@ -26,28 +27,7 @@ from PySide6.QtCore import (
     QSize,
     QSizeF,
 )
-from PySide6.QtGui import (
-    QColor,
-    QFont,
-    QFontMetricsF,
-    QImage,
-    QKeyEvent,
-    QPageSize,
-    QPainter,
-    QPdfWriter,
-    QPixmap,
-    QRegion,
-)
 from PySide6.QtSvg import QSvgGenerator
-from PySide6.QtWidgets import (
-    QDialog,
-    QDialogButtonBox,
-    QFormLayout,
-    QGraphicsItem,
-    QGraphicsView,
-    QLabel,
-    QWidget,
-)
 
 from skinsource.base.errors import StorageError
 from skinsource.base.files import write_bytes
@@ -132,7 +112,7 @@ _POINTS = 72
 _INCHES_IN_METRE = 1 / 0.0254
 
 
-def save_picture(path: Path, picture: QImage | QPixmap) -> None:
+def save_picture(path: Path, picture: QtGui.QImage | QtGui.QPixmap) -> None:
     """Write ``picture`` to ``path`` as PNG.
 
     Raises
@@ -188,11 +168,11 @@ def save_drawing(
     write_bytes(path, bytes(buffer.data().data()))
 
 
-def drawn_image(draw: Draw, width: int, height: int, dpi: int = PER_INCH) -> QImage:
+def drawn_image(draw: Draw, width: int, height: int, dpi: int = PER_INCH) -> QtGui.QImage:
     """Return a drawing of ``width`` by ``height`` px as an image with ``dpi`` dots per inch."""
     scale = dpi / PER_INCH
     size = QSize(max(round(width * scale), 1), max(round(height * scale), 1))
-    image = QImage(size, QImage.Format.Format_RGB32)
+    image = QtGui.QImage(size, QtGui.QImage.Format.Format_RGB32)
     if image.isNull():
         raise StorageError(
             f"A picture of {size.width()} x {size.height()} pixels does not fit into memory. "
@@ -201,7 +181,7 @@ def drawn_image(draw: Draw, width: int, height: int, dpi: int = PER_INCH) -> QIm
     # Letters are sized in points by the resolution of the image: with that of the file they would
     # grow twice.
     _set_resolution(image, PER_INCH)
-    painter = QPainter(image)
+    painter = QtGui.QPainter(image)
     painter.scale(size.width() / width, size.height() / height)
     draw(painter, width, height)
     painter.end()
@@ -209,7 +189,7 @@ def drawn_image(draw: Draw, width: int, height: int, dpi: int = PER_INCH) -> QIm
     return image
 
 
-def _set_resolution(image: QImage, dpi: int) -> None:
+def _set_resolution(image: QtGui.QImage, dpi: int) -> None:
     dots = round(dpi * _INCHES_IN_METRE)
     image.setDotsPerMeterX(dots)
     image.setDotsPerMeterY(dots)
@@ -222,30 +202,30 @@ def _svg(device: QIODevice, draw: Draw, width: int, height: int, title: str) -> 
     drawing.setSize(QSize(width, height))
     drawing.setViewBox(QRect(0, 0, width, height))
     drawing.setTitle(title)
-    painter = QPainter(drawing)
+    painter = QtGui.QPainter(drawing)
     draw(painter, width, height)
     painter.end()
 
 
 def _pdf(device: QIODevice, draw: Draw, width: int, height: int, title: str) -> None:
-    page = QPdfWriter(device)
+    page = QtGui.QPdfWriter(device)
     page.setTitle(title)
     page.setResolution(PER_INCH)
     points = QSizeF(width, height) * (_POINTS / PER_INCH)
-    page.setPageSize(QPageSize(points, QPageSize.Unit.Point))
+    page.setPageSize(QtGui.QPageSize(points, QtGui.QPageSize.Unit.Point))
     page.setPageMargins(QMarginsF())
-    painter = QPainter(page)
+    painter = QtGui.QPainter(page)
     # Colours of a map are levels: JPEG would change them.
-    painter.setRenderHint(QPainter.RenderHint.LosslessImageRendering)
+    painter.setRenderHint(QtGui.QPainter.RenderHint.LosslessImageRendering)
     draw(painter, width, height)
     painter.end()
 
 
-class DrawableWidget(QWidget):
+class DrawableWidget(QtWidgets.QWidget):
     """A widget that can be drawn for a page or a slide."""
 
     def draw_picture(
-        self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
+        self, painter: QtGui.QPainter, width: int, height: int, theme: Theme = LIGHT
     ) -> None:
         """Draw what the widget shows; size in px.
 
@@ -253,30 +233,33 @@ class DrawableWidget(QWidget):
         """
         scale = min(width / max(self.width(), 1), height / max(self.height(), 1))
         painter.save()
-        painter.fillRect(QRectF(0, 0, width, height), QColor(theme.base))
+        painter.fillRect(QRectF(0, 0, width, height), QtGui.QColor(theme.base))
         painter.translate((width - scale * self.width()) / 2, 0.0)
         painter.scale(scale, scale)
-        flags = QWidget.RenderFlag.DrawWindowBackground | QWidget.RenderFlag.DrawChildren
+        flags = (
+            QtWidgets.QWidget.RenderFlag.DrawWindowBackground
+            | QtWidgets.QWidget.RenderFlag.DrawChildren
+        )
         with on_paper(), _without_cache(self):
-            self.render(painter, QPoint(), QRegion(), flags)
+            self.render(painter, QPoint(), QtGui.QRegion(), flags)
         painter.restore()
 
 
 @contextmanager
-def _without_cache(widget: QWidget) -> Iterator[None]:
+def _without_cache(widget: QtWidgets.QWidget) -> Iterator[None]:
     """Draw scenes as lines and letters, not as the pixels that views and items cache."""
-    views = widget.findChildren(QGraphicsView)
+    views = widget.findChildren(QtWidgets.QGraphicsView)
     view_modes = {view: view.cacheMode() for view in views}
     item_modes = {
         item: item.cacheMode()
         for view in views
         for item in view.scene().items()
-        if item.cacheMode() != QGraphicsItem.CacheMode.NoCache
+        if item.cacheMode() != QtWidgets.QGraphicsItem.CacheMode.NoCache
     }
     for view in views:
-        view.setCacheMode(QGraphicsView.CacheModeFlag.CacheNone)
+        view.setCacheMode(QtWidgets.QGraphicsView.CacheModeFlag.CacheNone)
     for item in item_modes:
-        item.setCacheMode(QGraphicsItem.CacheMode.NoCache)
+        item.setCacheMode(QtWidgets.QGraphicsItem.CacheMode.NoCache)
     try:
         yield
     finally:
@@ -438,7 +421,7 @@ def caption_of(
     return minus(f"{first}{stimuli_text(named)}. {limb}; scaling: {scaling}{driven}.{remarks}")
 
 
-def lines_of(text: str, metrics: QFontMetricsF, room_px: float) -> list[str]:
+def lines_of(text: str, metrics: QtGui.QFontMetricsF, room_px: float) -> list[str]:
     """Break ``text`` into lines that fit ``room_px``; a number and its unit stay together."""
     lines: list[str] = []
     for part in BREAKS.split(text):
@@ -459,12 +442,12 @@ def caption_px(caption: str, width: int, height: int) -> int:
     """Return by how much ``caption`` makes a picture of this size higher, px."""
     if not caption:
         return 0
-    font, more = QFont(), 0
+    font, more = QtGui.QFont(), 0
     for _ in range(4):
         # Letters and edges grow with the page, by less each time.
         edge = _edge_px(width, height + more)
         font.setPixelSize(_letters_px(width, height + more))
-        lines = lines_of(caption, QFontMetricsF(font), width - 2 * edge)
+        lines = lines_of(caption, QtGui.QFontMetricsF(font), width - 2 * edge)
         more = ceil(_height(lines, font) + 1.5 * edge)
     return more
 
@@ -472,41 +455,41 @@ def caption_px(caption: str, width: int, height: int) -> int:
 def _draw(
     draw: Draw,
     caption: str,
-    painter: QPainter,
+    painter: QtGui.QPainter,
     width: int,
     height: int,
     theme: Theme = LIGHT,
 ) -> None:
     lines, font, left, edge = _laid_out(caption, painter.font(), width, height)
-    painter.fillRect(QRectF(0, 0, width, height), QColor(theme.base))
+    painter.fillRect(QRectF(0, 0, width, height), QtGui.QColor(theme.base))
     painter.save()
     draw(painter, width, left, theme=theme)
     painter.restore()
     painter.setFont(font)
-    painter.setPen(QColor(theme.dim))
+    painter.setPen(QtGui.QColor(theme.dim))
     # Line by line: at a higher resolution Qt would space the lines of one text differently.
-    metrics = QFontMetricsF(font)
+    metrics = QtGui.QFontMetricsF(font)
     first = left + edge / 2 + metrics.ascent()
     for row, line in enumerate(lines):
         painter.drawText(QPointF(edge, first + row * metrics.lineSpacing()), line)
 
 
 def _laid_out(
-    caption: str, font: QFont, width: int, height: int
-) -> tuple[list[str], QFont, int, float]:
+    caption: str, font: QtGui.QFont, width: int, height: int
+) -> tuple[list[str], QtGui.QFont, int, float]:
     """Return lines and font of the caption, its top, and its margin; px."""
-    font = QFont(font)
+    font = QtGui.QFont(font)
     edge = _edge_px(width, height)
     room_px = width - 2 * edge
     font.setPixelSize(_letters_px(width, height))
-    lines = lines_of(caption, QFontMetricsF(font), room_px)
+    lines = lines_of(caption, QtGui.QFontMetricsF(font), room_px)
     for part, least_px in ((_PART_OF_HEIGHT, _SMALLEST_PX), (_MOST_OF_HEIGHT, _LEAST_PX)):
         while _height(lines, font) > part * height and font.pixelSize() > least_px:
             font.setPixelSize(font.pixelSize() - 1)
-            lines = lines_of(caption, QFontMetricsF(font), room_px)
+            lines = lines_of(caption, QtGui.QFontMetricsF(font), room_px)
     while _height(lines, font) > _MOST_OF_HEIGHT * height and len(caption) > 1:
         caption = f"{caption[: int(0.9 * len(caption)) - 1].rstrip('…')}…"
-        lines = lines_of(caption, QFontMetricsF(font), room_px)
+        lines = lines_of(caption, QtGui.QFontMetricsF(font), room_px)
     left = max(int(height - _height(lines, font) - 1.5 * edge), 1)
     return lines, font, left, edge
 
@@ -519,8 +502,8 @@ def _letters_px(width: float, height: float) -> int:
     return min(max(round(min(width, height) * _PART), _SMALLEST_PX), _LARGEST_PX)
 
 
-def _height(lines: Sequence[str], font: QFont) -> float:
-    return len(lines) * QFontMetricsF(font).lineSpacing()
+def _height(lines: Sequence[str], font: QtGui.QFont) -> float:
+    return len(lines) * QtGui.QFontMetricsF(font).lineSpacing()
 
 
 LAYOUT = ChoiceSpec(
@@ -615,7 +598,7 @@ class Remark:
 RemarkOf = Callable[[Any], Remark]
 
 
-class PictureDialog(QDialog):
+class PictureDialog(QtWidgets.QDialog):
     """Lets the user change `PictureOptions`, or a subclass of them.
 
     Parameters
@@ -644,7 +627,7 @@ class PictureDialog(QDialog):
     def __init__(
         self,
         options: PictureOptions,
-        parent: QWidget | None = None,
+        parent: QtWidgets.QWidget | None = None,
         *,
         title: str = "Picture",
         kinds: str = "PNG, SVG or PDF",
@@ -658,17 +641,17 @@ class PictureDialog(QDialog):
         self._usual, self._below = shape or (options.width_px, options.height_px), below
         self._cells: dict[str, FieldCell] = {}
         self.setWindowTitle(title)
-        self._form = form = QFormLayout(self)
+        self._form = form = QtWidgets.QFormLayout(self)
         for name, spec in _specs(options).items():
             self._cells[name] = self._cell(name, spec)
-        self.pixels = QLabel()
+        self.pixels = QtWidgets.QLabel()
         form.addRow(self.pixels)
         self.remark_label = page_label("picture_remark")
         form.addRow(self.remark_label)
         whether = f", and whether as {kinds}" if kinds else ""
-        form.addRow(QLabel(f"The next step asks where to{whether}."))
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
-        self._save = buttons.addButton("Save as…", QDialogButtonBox.ButtonRole.AcceptRole)
+        form.addRow(QtWidgets.QLabel(f"The next step asks where to{whether}."))
+        buttons = QtWidgets.QDialogButtonBox(QtWidgets.QDialogButtonBox.StandardButton.Cancel)
+        self._save = buttons.addButton("Save as…", QtWidgets.QDialogButtonBox.ButtonRole.AcceptRole)
         self._save.setDefault(True)
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
@@ -686,7 +669,7 @@ class PictureDialog(QDialog):
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         # In the studio's panels Enter begins to type; in a dialog it accepts.
         if (
-            isinstance(event, QKeyEvent)
+            isinstance(event, QtGui.QKeyEvent)
             and event.type() == QEvent.Type.KeyPress
             and event.key() in FINISHERS
             and isinstance(watched, NumberField)
@@ -742,13 +725,13 @@ def _specs(options: PictureOptions) -> dict[str, Spec]:
 
 
 def ask_picture_options(
-    parent: QWidget, options: PictureOptions, **about: Any
+    parent: QtWidgets.QWidget, options: PictureOptions, **about: Any
 ) -> PictureOptions | None:
     """Let the user change ``options``; return None if the dialog is cancelled.
 
     ``about`` are the other arguments of `PictureDialog`.
     """
     dialog = PictureDialog(options, parent, **about)
-    accepted = dialog.exec() == QDialog.DialogCode.Accepted
+    accepted = dialog.exec() == QtWidgets.QDialog.DialogCode.Accepted
     dialog.deleteLater()
     return dialog.options if accepted else None

@@ -10,23 +10,8 @@ from typing import Any, ClassVar
 
 import numpy as np
 import pyqtgraph
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import (
-    QColor,
-    QContextMenuEvent,
-    QFocusEvent,
-    QFontMetricsF,
-    QHelpEvent,
-    QKeyEvent,
-    QMouseEvent,
-    QPainter,
-    QPaintEvent,
-    QPen,
-    QResizeEvent,
-    QShowEvent,
-    QWheelEvent,
-)
-from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from skinsource.design.design import Design
 from skinsource_gui.plots.axis import PlotViewBox, Stack
@@ -74,7 +59,7 @@ class Canvas(pyqtgraph.GraphicsView):
 
     key_place: ClassVar[str] = ""
 
-    def __init__(self, parent: QWidget | None = None, **options: Any) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None, **options: Any) -> None:
         # No move of the mouse may be skipped: the last one is where it stopped.
         pyqtgraph.setConfigOption("mouseRateLimit", 0)
         super().__init__(parent, **options)
@@ -82,11 +67,11 @@ class Canvas(pyqtgraph.GraphicsView):
 
     def update_style(self) -> None:
         """Use the present colours and font, also in items that cache a picture."""
-        self.setBackground(QColor(current_theme().base))
+        self.setBackground(QtGui.QColor(current_theme().base))
         for item in self.scene().items():
             item.update()
 
-    def claims(self, event: QKeyEvent) -> bool:
+    def claims(self, event: QtGui.QKeyEvent) -> bool:
         """Return whether the view handles this key, before any shortcut of the window."""
         return bool(meaning_of(self.key_place, event))
 
@@ -97,7 +82,7 @@ class Canvas(pyqtgraph.GraphicsView):
         return claims_shortcut(event, self.claims) or super().event(event)
 
     def viewportEvent(self, event: QEvent) -> bool:
-        if isinstance(event, QWheelEvent) and self.scrolling_on.passes(event):
+        if isinstance(event, QtGui.QWheelEvent) and self.scrolling_on.passes(event):
             event.ignore()
             return False
         return super().viewportEvent(event)
@@ -108,26 +93,26 @@ class Canvas(pyqtgraph.GraphicsView):
         if event.type() in (QEvent.Type.StyleChange, QEvent.Type.FontChange):
             self.update_style()
 
-    def showEvent(self, event: QShowEvent) -> None:
+    def showEvent(self, event: QtGui.QShowEvent) -> None:
         super().showEvent(event)
         self.scrolling_on.watch()
 
-    def focusInEvent(self, event: QFocusEvent) -> None:
+    def focusInEvent(self, event: QtGui.QFocusEvent) -> None:
         super().focusInEvent(event)
         self.viewport().update()
 
-    def focusOutEvent(self, event: QFocusEvent) -> None:
+    def focusOutEvent(self, event: QtGui.QFocusEvent) -> None:
         super().focusOutEvent(event)
         self.viewport().update()
 
-    def paintEvent(self, event: QPaintEvent) -> None:
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         super().paintEvent(event)
         if self.hasFocus():
-            painter = QPainter(self.viewport())
+            painter = QtGui.QPainter(self.viewport())
             paint_focus_frame(painter, QRectF(self.rect()), current_theme())
             painter.end()
 
-    def resizeEvent(self, event: QResizeEvent | None) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent | None) -> None:
         super().resizeEvent(event)
         # pyqtgraph's constructor calls this too, without an event.
         if event is not None:
@@ -202,8 +187,8 @@ class PlayheadLine(pyqtgraph.InfiniteLine):
     def update_colours(self) -> None:
         """Use the present colours."""
         theme = current_theme()
-        self.setPen(QPen(QColor(theme.error), 0))
-        self.setHoverPen(QPen(QColor(theme.accent), 0))
+        self.setPen(QtGui.QPen(QtGui.QColor(theme.error), 0))
+        self.setHoverPen(QtGui.QPen(QtGui.QColor(theme.accent), 0))
 
 
 class Playhead(QObject):
@@ -357,7 +342,7 @@ class Navigation(QObject):
         position, (low, high) = self._plot.x_window.axis.position(value), self._plot.x_window.shown
         self._pan(min(position - low, 0.0) + max(position - high, 0.0))
 
-    def press(self, event: QKeyEvent) -> None:
+    def press(self, event: QtGui.QKeyEvent) -> None:
         """Do what a key means, or ignore the event."""
         plot, key, meaning = self._plot, Qt.Key(event.key()), meaning_of("plot", event)
         if plot.curves is None or not meaning:
@@ -421,7 +406,7 @@ class Navigation(QObject):
         self._plot.crosshair.put(index)
         self.bring(float(curves.x[index]))
 
-    def _escape(self, event: QKeyEvent) -> None:
+    def _escape(self, event: QtGui.QKeyEvent) -> None:
         if self._covering:
             self._covering, self._cancelled = False, True
             self._plot.show_band(None)
@@ -439,7 +424,7 @@ STEP_S = 0.001
 _BACK = (Qt.Key.Key_Left, Qt.Key.Key_PageUp)
 
 
-def moved_playhead(event: QKeyEvent, design: Design, playhead_s: float) -> float | None:
+def moved_playhead(event: QtGui.QKeyEvent, design: Design, playhead_s: float) -> float | None:
     """Return where a key moves the playhead, s; None where the key does not move it."""
     meaning, back = meaning_of(PLAYHEAD, event), Qt.Key(event.key()) in _BACK
     if meaning == "step":
@@ -508,10 +493,12 @@ class Plot(Canvas):
     #: A key event for the playhead, see `moved_playhead`.
     playhead_key = Signal(object)
 
-    def __init__(self, parent: QWidget | None = None, *, on_paper: bool = False) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None, *, on_paper: bool = False) -> None:
         super().__init__(parent)
         self._on_paper = on_paper
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setSizePolicy(
+            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Expanding
+        )
         self.setCursor(Qt.CursorShape.CrossCursor)
         self.scene().setMoveDistance(_DRAG_PX)
         self.curves: Curves | None = None
@@ -543,7 +530,7 @@ class Plot(Canvas):
         return QSize(256, 192)
 
     def minimumSizeHint(self) -> QSize:
-        return least_size(QFontMetricsF(self.text_font))
+        return least_size(QtGui.QFontMetricsF(self.text_font))
 
     def update_style(self) -> None:
         super().update_style()
@@ -618,16 +605,16 @@ class Plot(Canvas):
         start, end = (area.left() + area.width() * self.x_window.part(at) for at in covered)
         self.stack.show_band(QRectF(start, area.top(), end - start, area.height()))
 
-    def claims(self, event: QKeyEvent) -> bool:
+    def claims(self, event: QtGui.QKeyEvent) -> bool:
         return self.curves is not None and (super().claims(event) or self._moves_playhead(event))
 
     def viewportEvent(self, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
-            QToolTip.showText(event.globalPos(), self._hint_at(event.y()), self)
+        if event.type() == QEvent.Type.ToolTip and isinstance(event, QtGui.QHelpEvent):
+            QtWidgets.QToolTip.showText(event.globalPos(), self._hint_at(event.y()), self)
             return True
         return super().viewportEvent(event)
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape and self.playhead.cancel():
             return
         if self._moves_playhead(event):
@@ -635,29 +622,29 @@ class Plot(Canvas):
         else:
             self.navigation.press(event)
 
-    def mousePressEvent(self, event: QMouseEvent) -> None:
+    def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
         # The right button opens the menu, which gets its release: the scene must not see the press.
         if event.button() == Qt.MouseButton.RightButton:
             event.accept()
         else:
             super().mousePressEvent(event)
 
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+    def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:
         if event.button() != Qt.MouseButton.RightButton:
             super().mouseReleaseEvent(event)
 
-    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+    def mouseDoubleClickEvent(self, event: QtGui.QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
             self.navigation.show_everything()
 
-    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+    def contextMenuEvent(self, event: QtGui.QContextMenuEvent) -> None:
         self.menu_requested.emit(event.globalPos())
 
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
         self.navigation.leave()
 
-    def _moves_playhead(self, event: QKeyEvent) -> bool:
+    def _moves_playhead(self, event: QtGui.QKeyEvent) -> bool:
         return self.playhead.time_s is not None and bool(meaning_of(PLAYHEAD, event))
 
     def _hint_at(self, y_px: float) -> str:
@@ -717,7 +704,7 @@ class Plot(Canvas):
         other_rows = self._content is None or self._content[0].n_rows != count
         if (content, self.x_window) != self._content:
             self._content = (content, self.x_window)
-            self.places = laid_out(content, QFontMetricsF(self.text_font), self.places.left)
+            self.places = laid_out(content, QtGui.QFontMetricsF(self.text_font), self.places.left)
             self.stack.place(self.places, self.x_window)
         return other_rows
 

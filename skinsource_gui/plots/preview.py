@@ -6,17 +6,8 @@ from functools import partial
 
 import numpy as np
 from pyqtgraph.functions import arrayToQPath
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import (
-    QColor,
-    QFontMetrics,
-    QFontMetricsF,
-    QPainter,
-    QPainterPath,
-    QPaintEvent,
-    QPen,
-)
-from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.base.arrays import Floats
 from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ, Band
@@ -46,13 +37,13 @@ _LOWEST_HZ, _FLOOR_DB = 10.0, -80.0
 _BAND_ALPHA = 24
 
 
-class SpectrumPreview(QWidget):
+class SpectrumPreview(QtWidgets.QWidget):
     """A spectrum from 10 Hz to half the rate: the largest line of each pixel, in dB below the peak.
 
     The measured band of the limb is shaded.
     """
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._lines: tuple[Floats, Floats] | None = None
         self._highest_hz = SAMPLE_RATE_HZ / 2.0
@@ -60,7 +51,9 @@ class SpectrumPreview(QWidget):
         self.setObjectName("spectrum_preview")
         self.setAccessibleName("Spectrum")
         self.setFont(tabular(self.font()))
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setSizePolicy(
+            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Expanding
+        )
 
     def show_samples(
         self,
@@ -74,13 +67,15 @@ class SpectrumPreview(QWidget):
         self._lines = None if samples is None else _lines(samples, sample_rate_hz)
         self.update()
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter, theme = QPainter(self), current_theme()
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        painter, theme = QtGui.QPainter(self), current_theme()
         frequency = Axis(shown=(_LOWEST_HZ, self._highest_hz), title="Hz", log=True)
         level = Axis(shown=(_FLOOR_DB, 0.0), title="dB")
-        axes = fitted_axes(QRectF(self.rect()), frequency, level, QFontMetricsF(painter.font()))
+        axes = fitted_axes(
+            QRectF(self.rect()), frequency, level, QtGui.QFontMetricsF(painter.font())
+        )
         if self._band_hz is not None:
-            band = QColor(theme.accent)
+            band = QtGui.QColor(theme.accent)
             band.setAlpha(_BAND_ALPHA)
             ends_hz = np.clip(self._band_hz, _LOWEST_HZ, self._highest_hz)
             (left, top), (right, bottom) = axes.to_screen(ends_hz, np.array(level.shown[::-1]))
@@ -89,7 +84,7 @@ class SpectrumPreview(QWidget):
         if self._lines is not None:
             self._paint_lines(painter, axes, *self._lines)
 
-    def _paint_lines(self, painter: QPainter, axes: Axes, hz: Floats, db: Floats) -> None:
+    def _paint_lines(self, painter: QtGui.QPainter, axes: Axes, hz: Floats, db: Floats) -> None:
         inside = (hz >= _LOWEST_HZ) & (hz <= self._highest_hz)
         if not inside.any():
             return
@@ -97,8 +92,8 @@ class SpectrumPreview(QWidget):
         column = across.astype(np.intp)
         firsts = np.flatnonzero(np.diff(column, prepend=-1))
         highest = np.minimum.reduceat(up, firsts)
-        painter.setPen(thin_pen(QColor(current_theme().text)))
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(thin_pen(QtGui.QColor(current_theme().text)))
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
         painter.drawPath(arrayToQPath(across[firsts], highest, finiteCheck=False))
 
 
@@ -123,13 +118,13 @@ _SHORTEST_S = 0.005
 _PALE = 0.35
 
 
-class WaveformPreview(QWidget):
+class WaveformPreview(QtWidgets.QWidget):
     """Samples over time, optionally with an axis in milliseconds or seconds.
 
     The height is 1, or the peak where that is larger.
     """
 
-    def __init__(self, parent: QWidget | None = None, *, axis: bool = False) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None, *, axis: bool = False) -> None:
         super().__init__(parent)
         self._has_axis = axis
         self._samples: Floats | None = None
@@ -144,7 +139,9 @@ class WaveformPreview(QWidget):
         self.setFont(tabular(self.font()))
         # With an axis it paints all of itself: nothing behind is visible.
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent, axis)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setSizePolicy(
+            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Expanding
+        )
 
     def minimumSizeHint(self) -> QSize:
         return QSize(0, _CURVE_PX + self._axis_px if self._has_axis else 0)
@@ -197,14 +194,14 @@ class WaveformPreview(QWidget):
             self._pale = pale
             self.update()
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        painter = QtGui.QPainter(self)
         drawn = not self._message and self._samples is not None and self._samples.size > 0
         ground = self.palette().window().color()
         if self._has_axis and not drawn:
             painter.fillRect(self.rect(), ground)
         if self._message:
-            painter.setPen(QColor(current_theme().dim))
+            painter.setPen(QtGui.QColor(current_theme().dim))
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.drawText(self.rect(), flags, self._fitting_message(flags))
             return
@@ -222,7 +219,7 @@ class WaveformPreview(QWidget):
                 partial(self._paint_axis, plot=plot, span_s=span_s),
                 ground,
             )
-        painter.setPen(QPen(QColor(current_theme().border), 1))
+        painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().border), 1))
         painter.drawLine(QLineF(plot.left(), plot.center().y(), plot.right(), plot.center().y()))
         self._paint_curve(painter, plot, self._samples)
 
@@ -238,17 +235,17 @@ class WaveformPreview(QWidget):
     def _span_s(self, samples: Floats) -> float:
         return max(samples.size / self._sample_rate_hz, _SHORTEST_S)
 
-    def _drawn_colour(self) -> QColor:
+    def _drawn_colour(self) -> QtGui.QColor:
         theme, number = current_theme(), self._colour
         if self._problem:
-            return QColor(theme.error)
-        return QColor(theme.text) if number is None else theme.input_colour(number)
+            return QtGui.QColor(theme.error)
+        return QtGui.QColor(theme.text) if number is None else theme.input_colour(number)
 
-    def _paint_curve(self, painter: QPainter, plot: QRectF, drawn: Floats) -> None:
+    def _paint_curve(self, painter: QtGui.QPainter, plot: QRectF, drawn: Floats) -> None:
         if self._pale:
             painter.setOpacity(_PALE)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setPen(QPen(self._drawn_colour(), 1))
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
+        painter.setPen(QtGui.QPen(self._drawn_colour(), 1))
         sign = -1 if self._flipped else 1
         shown_px = plot.width() * drawn.size / self._sample_rate_hz / self._span_s(drawn)
         ratio = dots_in_px(painter)
@@ -265,7 +262,7 @@ class WaveformPreview(QWidget):
         middle, reach = plot.center().y(), sign * plot.height() / 2 / highest
         if points.strokes and not is_on_paper():
             block = bool(np.mean(np.abs(samples[1::2] - samples[::2])) > _BLOCK)
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing, not block)
+            painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing, not block)
         x = plot.left() + shown_px * points.x / end_s
         y = middle - reach * samples
         if samples.size == 1:
@@ -278,7 +275,7 @@ class WaveformPreview(QWidget):
         painter.setPen(thin_pen(self._drawn_colour()))
         painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
 
-    def _paint_axis(self, painter: QPainter, plot: QRectF, span_s: float) -> None:
+    def _paint_axis(self, painter: QtGui.QPainter, plot: QRectF, span_s: float) -> None:
         spacing_px = _TICK_SPACING_PX * letter_scale(self.font())
         baseline = self.height() - 5
         _paint_time_axis(painter, plot, self.fontMetrics(), (0.0, span_s), spacing_px, baseline)
@@ -349,20 +346,22 @@ def strip_lanes(fragment: Fragment, sample_rate_hz: float) -> tuple[Lane, ...]:
     )
 
 
-class ClipStrip(QWidget):
+class ClipStrip(QtWidgets.QWidget):
     """A lane for each track above an axis of time, or a message."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._lanes: tuple[Lane, ...] = ()
         self._message = ""
         self._picture = CachedPicture()
         # Outlines of the clips being painted, by samples and size.
-        self._outlines: dict[tuple[int, float, float], QPainterPath] = {}
+        self._outlines: dict[tuple[int, float, float], QtGui.QPainterPath] = {}
         self.setObjectName("clip_strip")
         self.setAccessibleName("Clips")
         self.setFont(tabular(self.font()))
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setSizePolicy(
+            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Expanding
+        )
 
     @property
     def lanes(self) -> tuple[Lane, ...]:
@@ -393,10 +392,10 @@ class ClipStrip(QWidget):
         lanes = max(len(self._lanes), 3)
         return QSize(520, round(lanes * _LANE_PX[1]) + _STRIP_AXIS_PX + 4)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        painter = QtGui.QPainter(self)
         if self._message:
-            painter.setPen(QColor(current_theme().warning))
+            painter.setPen(QtGui.QColor(current_theme().warning))
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.drawText(self.rect(), flags, self._message)
             return
@@ -407,7 +406,7 @@ class ClipStrip(QWidget):
                 painter, area, shown, self._paint_all, self.palette().window().color()
             )
 
-    def _paint_all(self, painter: QPainter) -> None:
+    def _paint_all(self, painter: QtGui.QPainter) -> None:
         start_s = min(clip.start_s for lane in self._lanes for clip in lane.clips)
         end_s = max(clip.start_s + clip.duration_s for lane in self._lanes for clip in lane.clips)
         span_s = max(end_s - start_s, 1e-3)
@@ -424,38 +423,42 @@ class ClipStrip(QWidget):
             area = QRectF(plot.left(), plot.top() + row * height, plot.width(), height)
             colour = current_theme().input_colour(lane.colour)
             self._paint_head(painter, area, lane, colour)
-            painter.setPen(QPen(QColor(current_theme().border), 1))
+            painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().border), 1))
             painter.drawLine(QLineF(area.left(), area.bottom(), area.right(), area.bottom()))
             for clip in lane.clips:
                 self._paint_clip(painter, area, colour, clip, x_of)
         self._outlines.clear()
 
-    def _paint_head(self, painter: QPainter, area: QRectF, lane: Lane, colour: QColor) -> None:
+    def _paint_head(
+        self, painter: QtGui.QPainter, area: QRectF, lane: Lane, colour: QtGui.QColor
+    ) -> None:
         height = min(area.height() - 2.0, _SWATCH_PX)
         place = QRectF(0.0, area.center().y() - height / 2, _SWATCH_PX, height)
-        paint_swatch(painter, place, lane.place, colour, QColor(current_theme().text), silent=False)
+        paint_swatch(
+            painter, place, lane.place, colour, QtGui.QColor(current_theme().text), silent=False
+        )
 
     def _paint_clip(
         self,
-        painter: QPainter,
+        painter: QtGui.QPainter,
         area: QRectF,
-        colour: QColor,
+        colour: QtGui.QColor,
         clip: StripClip,
         x_of: Callable[[float], float],
     ) -> None:
         left, right = x_of(clip.start_s), x_of(clip.start_s + clip.duration_s)
         box = QRectF(left, area.top() + 2, max(right - left, 2.0), area.height() - 4)
-        ground = QColor(colour)
+        ground = QtGui.QColor(colour)
         ground.setAlphaF(0.22)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setPen(QPen(colour, 1))
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
+        painter.setPen(QtGui.QPen(colour, 1))
         painter.setBrush(ground)
         painter.drawRoundedRect(box, 3, 3)
         painter.setBrush(colour)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.drawPath(self._outline(clip.samples, box))
 
-    def _outline(self, samples: Floats, box: QRectF) -> QPainterPath:
+    def _outline(self, samples: Floats, box: QRectF) -> QtGui.QPainterPath:
         size = QRectF(0.0, 0.0, round(box.width(), 3), round(box.height(), 3))
         key = (id(samples), size.width(), size.height())
         if key not in self._outlines:
@@ -464,9 +467,9 @@ class ClipStrip(QWidget):
 
 
 def _paint_time_axis(
-    painter: QPainter,
+    painter: QtGui.QPainter,
     plot: QRectF,
-    metrics: QFontMetrics,
+    metrics: QtGui.QFontMetrics,
     part_s: tuple[float, float],
     spacing_px: float,
     baseline: float,
@@ -478,15 +481,15 @@ def _paint_time_axis(
     unit_px = metrics.horizontalAdvance(f" {unit}") + 2
     for tick in linear_ticks(start_s, end_s, int(plot.width() / spacing_px), per_s):
         x = _x_at(plot, start_s, span_s, tick.value)
-        painter.setPen(QPen(QColor(current_theme().grid), 1))
+        painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().grid), 1))
         painter.drawLine(QLineF(x, plot.top(), x, plot.bottom() + 3))
         width = metrics.horizontalAdvance(tick.label)
         left = min(max(x - width / 2, plot.left()), plot.right() - width)
         # The last tick makes room for the unit of all.
         if left + width <= plot.right() - unit_px:
-            painter.setPen(QColor(current_theme().dim))
+            painter.setPen(QtGui.QColor(current_theme().dim))
             painter.drawText(QPointF(left, baseline), tick.label)
-    painter.setPen(QColor(current_theme().dim))
+    painter.setPen(QtGui.QColor(current_theme().dim))
     painter.drawText(QPointF(plot.right() - unit_px + 2, baseline), f" {unit}")
 
 
@@ -494,19 +497,19 @@ def _x_at(plot: QRectF, start_s: float, span_s: float, time_s: float) -> float:
     return plot.left() + (time_s - start_s) / span_s * plot.width()
 
 
-def _outline(samples: Floats, box: QRectF) -> QPainterPath:
+def _outline(samples: Floats, box: QRectF) -> QtGui.QPainterPath:
     """Return the area between the highest and the lowest sample of each pixel."""
     columns = max(int(box.width()), 1)
     edges = np.linspace(0, samples.size, min(columns, max(samples.size, 1)) + 1).astype(int)
     if samples.size == 0:
-        return QPainterPath()
+        return QtGui.QPainterPath()
     starts = edges[:-1]
     high = np.maximum(np.maximum.reduceat(samples, starts), 0.0)
     low = np.minimum(np.minimum.reduceat(samples, starts), 0.0)
     x = box.left() + box.width() * (np.arange(starts.size) + 0.5) / starts.size
     reach = box.height() / 2 - 1
     middle = box.center().y()
-    path = QPainterPath(QPointF(x[0] - 0.5, middle))
+    path = QtGui.QPainterPath(QPointF(x[0] - 0.5, middle))
     for across, value in zip(x, high, strict=True):
         path.lineTo(across, middle - reach * value - 0.3)
     for across, value in zip(x[::-1], low[::-1], strict=True):

@@ -13,9 +13,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QPoint, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
-from PySide6.QtWidgets import QApplication, QFileDialog, QToolButton, QWidget
 
 from skinsource.base.decibels import levels_for_tables
 from skinsource.base.errors import SkinSourceError
@@ -59,21 +58,21 @@ def usual_size(plot: Plot) -> QSize:
 
 
 def draw_signals(
-    painter: QPainter, width: int, height: int, *, plot: Plot, theme: Theme = LIGHT
+    painter: QtGui.QPainter, width: int, height: int, *, plot: Plot, theme: Theme = LIGHT
 ) -> None:
     """Draw what ``plot`` shows, ``width`` by ``height`` px; letters grow with the picture."""
     with drawn_in(theme):
         _draw(painter, width, height, plot)
 
 
-def _draw(painter: QPainter, width: int, height: int, plot: Plot) -> None:
+def _draw(painter: QtGui.QPainter, width: int, height: int, plot: Plot) -> None:
     usual = usual_size(plot).toSizeF() * (1.0 / _SCALE)
     scale = min(width / usual.width(), height / usual.height())
     room = QSize(round(width / scale), round(height / scale))
     head_px = _head_px(plot, room.width())
     paper_plot = copy_of(plot, QSize(room.width(), max(room.height() - head_px, 1)))
     painter.save()
-    painter.fillRect(QRectF(0, 0, width, height), QColor(current_theme().base))
+    painter.fillRect(QRectF(0, 0, width, height), QtGui.QColor(current_theme().base))
     painter.scale(scale, scale)
     _paint_head(painter, paper_plot)
     painter.translate(0, head_px)
@@ -107,10 +106,10 @@ def _head_px(plot: Plot, width_px: int) -> int:
     return ceil(n_lines * _line_px(plot)) + UNIT_PX // 2
 
 
-def _paint_head(painter: QPainter, plot: Plot) -> None:
+def _paint_head(painter: QtGui.QPainter, plot: Plot) -> None:
     line_px = _line_px(plot)
     painter.setFont(plot.text_font)
-    painter.setPen(QColor(current_theme().text))
+    painter.setPen(QtGui.QColor(current_theme().text))
     heading = _heading_lines(plot, plot.width())
     for row, words in enumerate(heading):
         room = QRectF(UNIT_PX, row * line_px, plot.width(), line_px)
@@ -122,13 +121,13 @@ def _paint_head(painter: QPainter, plot: Plot) -> None:
                 painter.setPen(pen)
                 painter.drawLine(left, int(middle), left + _SWATCH_PX, int(middle))
                 left += _SWATCH_PX + _GAP_PX
-            painter.setPen(QColor(current_theme().text))
+            painter.setPen(QtGui.QColor(current_theme().text))
             room = QRectF(left, row * line_px, plot.width(), line_px)
             painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, text)
 
 
 def _line_px(plot: Plot) -> float:
-    return QFontMetricsF(plot.text_font).height() + 2
+    return QtGui.QFontMetricsF(plot.text_font).height() + 2
 
 
 def _heading_lines(plot: Plot, width_px: int) -> list[str]:
@@ -136,13 +135,13 @@ def _heading_lines(plot: Plot, width_px: int) -> list[str]:
     if plot.curves is None or not plot.curves.heading:
         return []
     heading = "\N{NO-BREAK SPACE}· ".join(plot.curves.heading)
-    return lines_of(heading, QFontMetricsF(plot.text_font), width_px - 2 * UNIT_PX)
+    return lines_of(heading, QtGui.QFontMetricsF(plot.text_font), width_px - 2 * UNIT_PX)
 
 
-def _legend_lines(plot: Plot, width_px: int) -> list[list[tuple[int, QPen | None, str]]]:
+def _legend_lines(plot: Plot, width_px: int) -> list[list[tuple[int, QtGui.QPen | None, str]]]:
     """Return left edge, pen and text of each entry of the legend, line by line."""
-    metrics = QFontMetricsF(plot.text_font)
-    lines: list[list[tuple[int, QPen | None, str]]] = [[]]
+    metrics = QtGui.QFontMetricsF(plot.text_font)
+    lines: list[list[tuple[int, QtGui.QPen | None, str]]] = [[]]
     left = UNIT_PX
     for pen, text in _entries(plot):
         swatch_px = 0 if pen is None else _SWATCH_PX + _GAP_PX
@@ -155,13 +154,13 @@ def _legend_lines(plot: Plot, width_px: int) -> list[list[tuple[int, QPen | None
     return lines
 
 
-def _entries(plot: Plot) -> Iterator[tuple[QPen | None, str]]:
+def _entries(plot: Plot) -> Iterator[tuple[QtGui.QPen | None, str]]:
     """Return pens and texts; where axes have the pens, outputs are named by the numbers of rows."""
     curves = plot.curves
     if curves is None:
         return
     for rank, axis in enumerate(curves.axes):
-        yield QPen(current_theme().axis_colour(rank), 2.0), axis
+        yield QtGui.QPen(current_theme().axis_colour(rank), 2.0), axis
     for rank, name in enumerate(curves.names):
         text = f"{name.number}  {name.short}" if name.number else name.short
         if curves.peaks:
@@ -234,7 +233,7 @@ class SignalExports(QObject):
     #: Sentence that says why a file was not written.
     failed = Signal(str)
 
-    def __init__(self, plot: Plot, title: str, parent: QWidget) -> None:
+    def __init__(self, plot: Plot, title: str, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
         self._plot, self._title, self._parent = plot, title, parent
         self.folder = Path()
@@ -250,7 +249,7 @@ class SignalExports(QObject):
         height = size.height() + caption_px(caption, size.width(), size.height())
         with self.as_stored():
             picture = drawn_image(with_caption(draw, caption), size.width(), height)
-        QApplication.clipboard().setImage(picture)
+        QtWidgets.QApplication.clipboard().setImage(picture)
 
     def save_picture(self) -> None:
         """Ask for size, colours and a file, and write a picture to it."""
@@ -279,7 +278,7 @@ class SignalExports(QObject):
             self._write(path, partial(save_table, path, self._plot, self._title, lines))
 
     def _ask(self, title: str, name: str, kinds: str) -> Path | None:
-        chosen, kind = QFileDialog.getSaveFileName(
+        chosen, kind = QtWidgets.QFileDialog.getSaveFileName(
             self._parent, title, str(self.folder / name), kinds
         )
         if not chosen:
@@ -305,7 +304,7 @@ _COMPUTING = "Computing…"
 _LINES_OF_TWO_ROWS = 12
 
 
-class SignalView(QWidget):
+class SignalView(QtWidgets.QWidget):
     """A toolbar, a legend with readings, and a plot with zoom, crosshair and menu.
 
     It shows what panels tell it, and its signals tell what the user wants.
@@ -325,7 +324,7 @@ class SignalView(QWidget):
         self,
         name: str,
         accessible_name: str,
-        parent: QWidget | None = None,
+        parent: QtWidgets.QWidget | None = None,
         lateness: Staleness | None = None,
     ) -> None:
         super().__init__(parent)
@@ -339,7 +338,7 @@ class SignalView(QWidget):
         )
         in_column(self.toolbar, self.legend, (self.plot, 1), of=self, margins=0, gap_px=0)
         self.exports = SignalExports(self.plot, accessible_name, self)
-        self._in_menu: list[QToolButton] = []
+        self._in_menu: list[QtWidgets.QToolButton] = []
         self._staleness = lateness or Staleness(self)
         self._staleness.changed.connect(self._mark_stale)
         self.plot.navigation.zoom_requested.connect(self.zoom_requested)
@@ -351,14 +350,14 @@ class SignalView(QWidget):
 
     def add_switch_in_menu(
         self, name: str, text: str, hint: str, toggled: Callable[[bool], None]
-    ) -> QToolButton:
+    ) -> QtWidgets.QToolButton:
         """Return a new switch of the menu, which the toolbar shows too while it is on."""
         button = self.toolbar.add_switch(name, text, hint, toggled)
         self._in_menu.append(button)
         self.show_switch(button, False)
         return button
 
-    def show_switch(self, button: QToolButton, on: bool) -> None:
+    def show_switch(self, button: QtWidgets.QToolButton, on: bool) -> None:
         """Show whether a switch is on; one of the menu is seen only then."""
         if button in self._in_menu:
             self.toolbar.show_passing(button, on)

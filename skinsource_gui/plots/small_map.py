@@ -8,17 +8,8 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from PySide6 import QtGui
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
-from PySide6.QtGui import (
-    QBrush,
-    QColor,
-    QFontMetricsF,
-    QImage,
-    QPainter,
-    QPainterPath,
-    QPen,
-    QPolygonF,
-)
 
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import FLOOR_DB
@@ -40,30 +31,30 @@ from skinsource_gui.qt.theme import Theme, is_on_paper, scaled
 
 Range = tuple[float, float]
 
-_DARK, _LIGHT = QColor(0, 0, 0, 150), QColor(255, 255, 255, 150)
+_DARK, _LIGHT = QtGui.QColor(0, 0, 0, 150), QtGui.QColor(255, 255, 255, 150)
 
 
 def paint_strokes(
-    painter: QPainter, places: Sequence[QPointF], reach_px: float, outline: QPainterPath
+    painter: QtGui.QPainter, places: Sequence[QPointF], reach_px: float, outline: QtGui.QPainterPath
 ) -> None:
     """Hatch the surroundings of places inside an outline, visibly on any colour."""
     area = around(places, reach_px)
     painter.save()
     painter.setClipPath(outline, Qt.ClipOperation.IntersectClip)
-    painter.fillPath(area, QBrush(_LIGHT, Qt.BrushStyle.BDiagPattern))
+    painter.fillPath(area, QtGui.QBrush(_LIGHT, Qt.BrushStyle.BDiagPattern))
     painter.setBrushOrigin(1, 0)
-    painter.fillPath(area, QBrush(_DARK, Qt.BrushStyle.BDiagPattern))
+    painter.fillPath(area, QtGui.QBrush(_DARK, Qt.BrushStyle.BDiagPattern))
     painter.restore()
 
 
-def paint_dark_strokes(painter: QPainter, places: Sequence[QPointF], reach_px: float) -> None:
+def paint_dark_strokes(painter: QtGui.QPainter, places: Sequence[QPointF], reach_px: float) -> None:
     """Hatch discs."""
-    painter.fillPath(around(places, reach_px), QBrush(_DARK, Qt.BrushStyle.BDiagPattern))
+    painter.fillPath(around(places, reach_px), QtGui.QBrush(_DARK, Qt.BrushStyle.BDiagPattern))
 
 
-def around(places: Sequence[QPointF], reach_px: float) -> QPainterPath:
+def around(places: Sequence[QPointF], reach_px: float) -> QtGui.QPainterPath:
     """Return the union of discs around places."""
-    area = QPainterPath()
+    area = QtGui.QPainterPath()
     area.setFillRule(Qt.FillRule.WindingFill)
     for place in places:
         area.addEllipse(place, reach_px, reach_px)
@@ -119,7 +110,7 @@ class FieldImage:
 
     def image(
         self, levels_db: Floats, range_db: tuple[float, float], table: NDArray[np.uint32]
-    ) -> QImage:
+    ) -> QtGui.QImage:
         """Return the image of levels, (rows, columns); its first line is the highest y.
 
         The next call changes its pixels.
@@ -137,11 +128,11 @@ class FieldImage:
             self._image = self._of_pixels()
         return self._image
 
-    def _of_pixels(self) -> QImage:
+    def _of_pixels(self) -> QtGui.QImage:
         """Return a new image of the pixels: a PDF takes images with one key for the same."""
         rows, columns = self._size
-        depth = QImage.Format.Format_ARGB32_Premultiplied
-        return QImage(self._pixels.data, columns, rows, 4 * columns, depth)
+        depth = QtGui.QImage.Format.Format_ARGB32_Premultiplied
+        return QtGui.QImage(self._pixels.data, columns, rows, 4 * columns, depth)
 
     def level_at(self, levels_db: Floats, x_px: float, y_px: float) -> float | None:
         """Return the level of the pixel at a place of the outline, dB; None outside."""
@@ -236,7 +227,7 @@ class SmallMaps:
 
 
 def paint_small_map(
-    painter: QPainter,
+    painter: QtGui.QPainter,
     area: QRectF,
     shown: SmallMap,
     design: Design | None,
@@ -261,19 +252,21 @@ def paint_small_map(
     """
     limb_map = shown.limb_map
     frame = small_frame(limb_map, area)
-    outline = QPainterPath()
-    outline.addPolygon(QPolygonF([QPointF(x, y) for x, y in frame.to_screen(limb_map.outline)]))
+    outline = QtGui.QPainterPath()
+    outline.addPolygon(
+        QtGui.QPolygonF([QPointF(x, y) for x, y in frame.to_screen(limb_map.outline)])
+    )
     outline.closeSubpath()
     painter.save()
     painter.setRenderHints(
-        QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
+        QtGui.QPainter.RenderHint.Antialiasing | QtGui.QPainter.RenderHint.SmoothPixmapTransform
     )
-    painter.fillPath(outline, QColor(theme.skin))
+    painter.fillPath(outline, QtGui.QColor(theme.skin))
     _paint_levels(painter, frame, outline, shown, range_db or shown.range_db, table)
     if shown.noisy:
         _paint_noise(painter, frame, outline, shown)
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.setPen(QPen(QColor(theme.skin_line), 1))
+    painter.setPen(QtGui.QPen(QtGui.QColor(theme.skin_line), 1))
     painter.drawPath(outline)
     if design is not None:
         _paint_inputs(painter, frame, limb_map, design, theme)
@@ -323,9 +316,9 @@ def small_frame(limb_map: LimbMap, area: QRectF) -> Frame:
 
 
 def _paint_levels(
-    painter: QPainter,
+    painter: QtGui.QPainter,
     frame: Frame,
-    outline: QPainterPath,
+    outline: QtGui.QPainterPath,
     shown: SmallMap,
     range_db: Range,
     table: NDArray[np.uint32] | None,
@@ -357,7 +350,9 @@ def smallest_spacing(limb_map: LimbMap) -> float:
     return float(distances[distances > 0].min(initial=np.inf)) if distances.any() else 0.0
 
 
-def _paint_noise(painter: QPainter, frame: Frame, outline: QPainterPath, shown: SmallMap) -> None:
+def _paint_noise(
+    painter: QtGui.QPainter, frame: Frame, outline: QtGui.QPainterPath, shown: SmallMap
+) -> None:
     places = frame.to_screen(shown.limb_map.output_positions)
     placed = [QPointF(*places[number - 1]) for number in shown.noisy if is_placed(places, number)]
     reach = max(_NOISE_SPACINGS * smallest_spacing(shown.limb_map) * frame.scale, _DISC_PX)
@@ -365,30 +360,32 @@ def _paint_noise(painter: QPainter, frame: Frame, outline: QPainterPath, shown: 
 
 
 def _paint_inputs(
-    painter: QPainter, frame: Frame, limb_map: LimbMap, design: Design, theme: Theme
+    painter: QtGui.QPainter, frame: Frame, limb_map: LimbMap, design: Design, theme: Theme
 ) -> None:
     audible = set(audible_indices(design.inputs))
     places = frame.to_screen(limb_map.input_positions)
     for index, track in enumerate(design.inputs):
         if index in audible and is_placed(places, track.location):
             centre = QPointF(*places[track.location - 1])
-            pen = QPen(theme.input_colour(track.colour), 1.5)
+            pen = QtGui.QPen(theme.input_colour(track.colour), 1.5)
             paint_ring(painter, centre, _RING_PX, pen, theme)
 
 
-def paint_ring(painter: QPainter, centre: QPointF, radius: float, pen: QPen, theme: Theme) -> None:
+def paint_ring(
+    painter: QtGui.QPainter, centre: QPointF, radius: float, pen: QtGui.QPen, theme: Theme
+) -> None:
     """Draw a ring on a wider one in the colour of the background, to be visible on any colour."""
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.setPen(QPen(QColor(theme.base), 2.0 * pen.widthF()))
+    painter.setPen(QtGui.QPen(QtGui.QColor(theme.base), 2.0 * pen.widthF()))
     painter.drawEllipse(centre, radius, radius)
     painter.setPen(pen)
     painter.drawEllipse(centre, radius, radius)
 
 
-def paint_band(painter: QPainter, band: QRectF, theme: Theme) -> None:
+def paint_band(painter: QtGui.QPainter, band: QRectF, theme: Theme) -> None:
     """Draw a rubber band."""
-    fill = QColor(theme.accent)
-    painter.setPen(QPen(fill, 1))
+    fill = QtGui.QColor(theme.accent)
+    painter.setPen(QtGui.QPen(fill, 1))
     fill.setAlphaF(0.15)
     painter.setBrush(fill)
     painter.drawRect(band)
@@ -476,7 +473,7 @@ def bar_length_mm(px_per_mm: float, width_px: float) -> int:
 
 
 def paint_small_bar(
-    painter: QPainter, area: QRectF, shown: SmallMap, limb: str, theme: Theme
+    painter: QtGui.QPainter, area: QRectF, shown: SmallMap, limb: str, theme: Theme
 ) -> None:
     """Draw the scale bar of a small map, only on paper, into the lower right corner of ``area``.
 
@@ -490,17 +487,17 @@ def paint_small_bar(
     bar_mm = bar_length_mm(px_per_mm, area.width())
     text, plain = f"{bar_mm} mm", painter.font()
     painter.setFont(scaled(plain, _BAR_TEXT))
-    metrics = QFontMetricsF(painter.font())
+    metrics = QtGui.QFontMetricsF(painter.font())
     width, text_width = bar_mm * px_per_mm, metrics.horizontalAdvance(text)
     middle = area.right() - max(width, text_width) / 2 - 2.0
     bottom = area.bottom() - 2.0
     above = QRectF(middle - text_width / 2 - 1.0, 0.0, text_width + 2.0, metrics.height())
     above.moveBottom(bottom - 1.0)
     # The text has to be readable on the arm, too.
-    ground = QColor(theme.base)
+    ground = QtGui.QColor(theme.base)
     ground.setAlphaF(0.88)
     painter.fillRect(above, ground)
-    pen = QPen(QColor(theme.text), 2.0)
+    pen = QtGui.QPen(QtGui.QColor(theme.text), 2.0)
     pen.setCapStyle(Qt.PenCapStyle.FlatCap)
     painter.setPen(pen)
     painter.drawLine(QLineF(middle - width / 2, bottom, middle + width / 2, bottom))
@@ -521,7 +518,7 @@ def ring_size(n: int, spacing_px: float) -> tuple[float, float]:
 
 
 def paint_rings(
-    painter: QPainter,
+    painter: QtGui.QPainter,
     small: SmallMap,
     area: QRectF,
     outputs: tuple[int, ...],
@@ -536,7 +533,7 @@ def paint_rings(
     radius, width = ring_size(len(outputs), smallest_spacing(limb_map) * frame.scale)
     rings = [(number, theme.output_pen(rank, width), radius) for rank, number in enumerate(outputs)]
     if pointed_at is not None:
-        rings.append((pointed_at, QPen(QColor(theme.text), 1.5), _WIDE_PX))
+        rings.append((pointed_at, QtGui.QPen(QtGui.QColor(theme.text), 1.5), _WIDE_PX))
     for number, pen, radius in rings:
         if is_placed(points, number):
             paint_ring(painter, QPointF(*points[number - 1]), radius, pen, theme)
@@ -637,19 +634,21 @@ def scale_row_px(line_px: float) -> float:
     return _ABOVE_PX + _RAMP_PX + 2.0 * line_px
 
 
-def paint_scale_row(painter: QPainter, area: QRectF, scale: ColourScale, theme: Theme) -> None:
+def paint_scale_row(
+    painter: QtGui.QPainter, area: QRectF, scale: ColourScale, theme: Theme
+) -> None:
     """Draw the colours in the middle of ``area``, with numbers and a text below them."""
     line = painter.fontMetrics().height()
     width = max(min(area.width() - 4.0 * line, 20.0 * line), 4.0 * line)
     ramp = QRectF(area.center().x() - width / 2.0, area.top() + _ABOVE_PX, width, _RAMP_PX)
     row = np.ascontiguousarray(colour_table(scale.colours))
-    image = QImage(row.data, len(row), 1, 4 * len(row), QImage.Format.Format_RGB32)
+    image = QtGui.QImage(row.data, len(row), 1, 4 * len(row), QtGui.QImage.Format.Format_RGB32)
     painter.drawImage(ramp, image)
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.setPen(QPen(QColor(theme.border), 1))
+    painter.setPen(QtGui.QPen(QtGui.QColor(theme.border), 1))
     painter.drawRect(ramp)
     low, high = scale.range_db
-    painter.setPen(QColor(theme.text))
+    painter.setPen(QtGui.QColor(theme.text))
     n_ticks = _SIGNED_TICKS if scale.signed else _TICKS
     if ramp.width() < 3.0 * line * n_ticks:
         n_ticks = _FEW_TICKS
@@ -658,6 +657,6 @@ def paint_scale_row(painter: QPainter, area: QRectF, scale: ColourScale, theme: 
         text_area = QRectF(x - 3.0 * line, ramp.bottom(), 6.0 * line, line)
         number = tick_text(value, scale.range_db, scale.reached_db, signed=scale.signed)
         painter.drawText(text_area, _CENTRE, number)
-    painter.setPen(QColor(theme.dim))
+    painter.setPen(QtGui.QColor(theme.dim))
     below = QRectF(area.left(), ramp.bottom() + line, area.width(), line)
     painter.drawText(below, _CENTRE, scale.text_below)

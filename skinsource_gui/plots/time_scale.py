@@ -7,8 +7,8 @@ from functools import cached_property
 from math import inf
 from operator import itemgetter
 
+from PySide6 import QtGui
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QWheelEvent
 
 from skinsource_gui.plots import ranges
 from skinsource_gui.plots.ranges import round_step
@@ -144,7 +144,7 @@ def within(wanted_s: Range, whole_s: Range) -> Range | None:
     return ranges.within(wanted_s, whole_s, 0.0)
 
 
-def range_by_wheel(event: QWheelEvent, scale: TimeScale, whole_s: Range) -> Range | None:
+def range_by_wheel(event: QtGui.QWheelEvent, scale: TimeScale, whole_s: Range) -> Range | None:
     """Return the visible range after a turn of the wheel; None where it is the whole.
 
     With Shift, or sideways, the wheel pans; otherwise, and with Ctrl, it zooms at the pointer.

@@ -2,15 +2,8 @@
 
 from collections.abc import Callable, Sequence
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtWidgets import (
-    QBoxLayout,
-    QButtonGroup,
-    QHBoxLayout,
-    QSizePolicy,
-    QToolButton,
-    QWidget,
-)
 
 from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.fitting import (
@@ -25,14 +18,17 @@ from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.qt.wheel import bars_px
 
 TOOLBAR_HEIGHT_PX = 28
-_BESIDE, _BELOW = QBoxLayout.Direction.LeftToRight, QBoxLayout.Direction.TopToBottom
+_BESIDE, _BELOW = (
+    QtWidgets.QBoxLayout.Direction.LeftToRight,
+    QtWidgets.QBoxLayout.Direction.TopToBottom,
+)
 _LAYOUTS = (
     ("overlaid", "Overlaid", "All curves over each other"),
     ("stacked", "Stacked", "Each curve in its own row, all with the same scale"),
 )
 
 
-class PlotToolbar(QWidget):
+class PlotToolbar(QtWidgets.QWidget):
     """Buttons for the layout, switches of one plot, and a button that leaves a zoom.
 
     Signals tell what the user wants; the owner sets what the buttons show.  In a narrow toolbar
@@ -44,18 +40,18 @@ class PlotToolbar(QWidget):
     layout_chosen = Signal(str)
     everything_requested = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._may_fold = True
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self._rows = QBoxLayout(_BESIDE, self)
+        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Fixed)
+        self._rows = QtWidgets.QBoxLayout(_BESIDE, self)
         self._rows.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, 1)
         self._rows.setSpacing(UNIT_PX // 2)
-        self._row = QHBoxLayout()
+        self._row = QtWidgets.QHBoxLayout()
         self._row.setSpacing(UNIT_PX // 2)
-        self._layouts = QButtonGroup(self)
-        self._layout_buttons: dict[str, QToolButton] = {}
-        self._segments = QHBoxLayout()
+        self._layouts = QtWidgets.QButtonGroup(self)
+        self._layout_buttons: dict[str, QtWidgets.QToolButton] = {}
+        self._segments = QtWidgets.QHBoxLayout()
         self._segments.setSpacing(0)
         self._segments.addStretch(1)
         for name, text, hint in _LAYOUTS:
@@ -79,23 +75,23 @@ class PlotToolbar(QWidget):
         others = list(self._layout_buttons.values())
         if others:
             # Tab goes from left to right, also if the plot is older than this button.
-            QWidget.setTabOrder(others[-1], button)
+            QtWidgets.QWidget.setTabOrder(others[-1], button)
         self._layout_buttons[name] = button
         self._last_before_switches = button
 
     def add_switch(
         self, name: str, text: str, hint: str, toggled: Callable[[bool], None]
-    ) -> QToolButton:
+    ) -> QtWidgets.QToolButton:
         """Return a new switch; ``toggled`` is called with the state that the user wants."""
         button = self._button(name, text, hint)
         button.clicked.connect(toggled)
         self._row.insertWidget(self._row.count() - 2, button)
         # Tab goes from left to right, in any order of creation.
-        QWidget.setTabOrder(self._last_before_switches, button)
+        QtWidgets.QWidget.setTabOrder(self._last_before_switches, button)
         self._last_before_switches = button
         return button
 
-    def show_passing(self, button: QToolButton, on: bool) -> None:
+    def show_passing(self, button: QtWidgets.QToolButton, on: bool) -> None:
         """Show a switch only while it is on."""
         button.setChecked(on)
         self._show(button, on)
@@ -118,7 +114,7 @@ class PlotToolbar(QWidget):
         self._layout_buttons[layout].setChecked(True)
         self._show(self._everything, zoomed)
 
-    def _show(self, button: QToolButton, shown: bool) -> None:
+    def _show(self, button: QtWidgets.QToolButton, shown: bool) -> None:
         """Show or hide a button; the focus stays in the toolbar."""
         chosen = self._layouts.checkedButton()
         if not shown and button.hasFocus() and chosen is not None:
@@ -132,7 +128,11 @@ class PlotToolbar(QWidget):
         a row fold.
         """
         first = list(self._layout_buttons.values())
-        visible = [button for button in self.findChildren(QToolButton) if button.isVisibleTo(self)]
+        visible = [
+            button
+            for button in self.findChildren(QtWidgets.QToolButton)
+            if button.isVisibleTo(self)
+        ]
         shown = [button for button in visible if button not in first]
         others = [button for button in shown if button is not self._everything]
         with_exit = [*others, self._everything]
@@ -153,16 +153,16 @@ class PlotToolbar(QWidget):
         least = max(width_in(smallest, row) for row in (first, with_exit))
         self.setMinimumWidth(least + self.width() - self._room_px(with_exit))
 
-    def _room_px(self, others: Sequence[QToolButton]) -> int:
+    def _room_px(self, others: Sequence[QtWidgets.QToolButton]) -> int:
         """Return the width for texts of the layouts, which have no gaps, and ``others`` beside."""
         margins, gap = self._rows.contentsMargins(), self._rows.spacing()
         return self.width() - margins.left() - margins.right() - gap * len(others)
 
-    def _button(self, name: str, text: str, hint: str) -> QToolButton:
+    def _button(self, name: str, text: str, hint: str) -> QtWidgets.QToolButton:
         button = tool_button(self, name, text, hint, checkable=True)
         button.setAccessibleName(text)
         button.setAccessibleDescription(hint)
         return button
 
-    def _choose_layout(self, button: QToolButton) -> None:
+    def _choose_layout(self, button: QtWidgets.QToolButton) -> None:
         self.layout_chosen.emit(button.objectName())

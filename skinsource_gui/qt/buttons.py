@@ -1,35 +1,26 @@
 """Buttons, labels and scroll areas of pages, buttons of panels, and the swatch of an input."""
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetrics, QKeyEvent, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import (
-    QAbstractButton,
-    QFrame,
-    QLabel,
-    QMenu,
-    QPushButton,
-    QScrollArea,
-    QSizePolicy,
-    QToolButton,
-    QWidget,
-)
 
 from skinsource_gui.qt.keys import key_text
 from skinsource_gui.qt.theme import current_theme, letter_scale, set_tone, tabular
 
 
-def page_button(name: str, text: str, hint: str = "") -> QPushButton:
+def page_button(name: str, text: str, hint: str = "") -> QtWidgets.QPushButton:
     """Return a button that Enter elsewhere on the page does not press."""
-    button = QPushButton(text)
+    button = QtWidgets.QPushButton(text)
     button.setObjectName(name)
     button.setToolTip(hint)
     button.setAutoDefault(False)
     return button
 
 
-def page_label(name: str, text: str = "", *, tone: str = "", centred: bool = False) -> QLabel:
+def page_label(
+    name: str, text: str = "", *, tone: str = "", centred: bool = False
+) -> QtWidgets.QLabel:
     """Return a label for sentences, which breaks lines."""
-    label = QLabel(text)
+    label = QtWidgets.QLabel(text)
     label.setObjectName(name)
     label.setWordWrap(True)
     if tone:
@@ -39,11 +30,11 @@ def page_label(name: str, text: str = "", *, tone: str = "", centred: bool = Fal
     return label
 
 
-def scrolled(content: QWidget, name: str) -> QScrollArea:
+def scrolled(content: QtWidgets.QWidget, name: str) -> QtWidgets.QScrollArea:
     """Return an area without a frame in which ``content`` scrolls up and down."""
-    area = QScrollArea()
+    area = QtWidgets.QScrollArea()
     area.setObjectName(name)
-    area.setFrameShape(QFrame.Shape.NoFrame)
+    area.setFrameShape(QtWidgets.QFrame.Shape.NoFrame)
     area.setWidgetResizable(True)
     area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
     area.setWidget(content)
@@ -51,10 +42,15 @@ def scrolled(content: QWidget, name: str) -> QScrollArea:
 
 
 def tool_button(
-    parent: QWidget | None, name: str, text: str, hint: str = "", *, checkable: bool = False
-) -> QToolButton:
+    parent: QtWidgets.QWidget | None,
+    name: str,
+    text: str,
+    hint: str = "",
+    *,
+    checkable: bool = False,
+) -> QtWidgets.QToolButton:
     """Return a button as narrow as its text, which the Tab key reaches."""
-    button = QToolButton(parent)
+    button = QtWidgets.QToolButton(parent)
     button.setObjectName(name)
     button.setText(text)
     button.setToolTip(hint)
@@ -63,9 +59,9 @@ def tool_button(
     return button
 
 
-def passing_menu(parent: QWidget, name: str = "") -> QMenu:
+def passing_menu(parent: QtWidgets.QWidget, name: str = "") -> QtWidgets.QMenu:
     """Return a menu that is deleted when it is closed."""
-    menu = QMenu(parent)
+    menu = QtWidgets.QMenu(parent)
     menu.setObjectName(name)
     menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     return menu
@@ -75,25 +71,31 @@ SWATCH_PX = 24
 _ROUNDING_PX = 5
 
 
-def text_colour_on(colour: QColor) -> QColor:
+def text_colour_on(colour: QtGui.QColor) -> QtGui.QColor:
     """Return black or white, whichever is easier to read on ``colour`` (WCAG 2 contrast)."""
     parts = (colour.redF(), colour.greenF(), colour.blueF())
     linear = [
         part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts
     ]
     luminance = 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
-    return QColor("black") if luminance > 0.179 else QColor("white")
+    return QtGui.QColor("black") if luminance > 0.179 else QtGui.QColor("white")
 
 
 def paint_swatch(
-    painter: QPainter, place: QRectF, number: int, colour: QColor, text: QColor, *, silent: bool
+    painter: QtGui.QPainter,
+    place: QRectF,
+    number: int,
+    colour: QtGui.QColor,
+    text: QtGui.QColor,
+    *,
+    silent: bool,
 ) -> None:
     """Paint a rounded square with a number; that of a silent input is hollow."""
     painter.save()
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
     painter.setFont(_number_font(painter.font()))
     if silent:
-        painter.setPen(QPen(colour, 1.5))
+        painter.setPen(QtGui.QPen(colour, 1.5))
         painter.setBrush(Qt.BrushStyle.NoBrush)
     else:
         painter.setPen(Qt.PenStyle.NoPen)
@@ -104,19 +106,19 @@ def paint_swatch(
     painter.restore()
 
 
-def _number_font(font: QFont) -> QFont:
+def _number_font(font: QtGui.QFont) -> QtGui.QFont:
     bold = tabular(font)
-    bold.setWeight(QFont.Weight.DemiBold)
+    bold.setWeight(QtGui.QFont.Weight.DemiBold)
     return bold
 
 
-class Swatch(QWidget):
+class Swatch(QtWidgets.QWidget):
     """The colour of an input with the number of its place."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("swatch")
-        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Fixed, QtWidgets.QSizePolicy.Policy.Fixed)
         self._number = 0
         self._colour_number = 0
         self._silent = False
@@ -131,7 +133,7 @@ class Swatch(QWidget):
 
     def sizeHint(self) -> QSize:
         # The number must fit in letters of any size.
-        metrics = QFontMetrics(_number_font(self.font()))
+        metrics = QtGui.QFontMetrics(_number_font(self.font()))
         height = max(SWATCH_PX, metrics.height() + _ROUNDING_PX)
         return QSize(
             max(height, metrics.horizontalAdvance(str(self._number)) + _ROUNDING_PX), height
@@ -142,13 +144,13 @@ class Swatch(QWidget):
         if event.type() == QEvent.Type.FontChange:
             self.updateGeometry()
 
-    def paintEvent(self, event: QPaintEvent) -> None:
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         paint_swatch(
-            QPainter(self),
+            QtGui.QPainter(self),
             QRectF(self.rect()),
             self._number,
             current_theme().input_colour(self._colour_number),
-            QColor(current_theme().text),
+            QtGui.QColor(current_theme().text),
             silent=self._silent,
         )
 
@@ -159,7 +161,7 @@ _FAINT = 0.35
 _ARROWS = frozenset({Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_Left, Qt.Key.Key_Right})
 
 
-class LetterButton(QAbstractButton):
+class LetterButton(QtWidgets.QAbstractButton):
     """A small button with one letter, such as mute or solo; a checked one is filled with a colour.
 
     Parameters
@@ -171,21 +173,21 @@ class LetterButton(QAbstractButton):
     """
 
     def __init__(
-        self, letter: str, name: str, colour_name: str = "", parent: QWidget | None = None
+        self, letter: str, name: str, colour_name: str = "", parent: QtWidgets.QWidget | None = None
     ) -> None:
         super().__init__(parent)
         self._colour_name = colour_name
         self.setText(letter)
         self.setAccessibleName(name)
         self.setCheckable(bool(colour_name))
-        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Fixed, QtWidgets.QSizePolicy.Policy.Fixed)
         self.setAttribute(Qt.WidgetAttribute.WA_Hover)
 
     def sizeHint(self) -> QSize:
         side = round(BUTTON_PX * letter_scale(self.font()))
         return QSize(side, side)
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         if event.key() in _ARROWS:
             # In a list the arrow keys choose another row.
             event.ignore()
@@ -194,36 +196,36 @@ class LetterButton(QAbstractButton):
         else:
             super().keyPressEvent(event)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        painter = QtGui.QPainter(self)
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
         painter.setOpacity(1.0 if self.isEnabled() else _FAINT)
         place = QRectF(self.rect()).adjusted(1.5, 1.5, -1.5, -1.5)
         lit = self.isChecked()
-        fill = QColor(getattr(current_theme(), self._colour_name)) if lit else None
+        fill = QtGui.QColor(getattr(current_theme(), self._colour_name)) if lit else None
         if fill is None and self.isEnabled() and (self.underMouse() or self.isDown()):
-            fill = QColor(current_theme().grid)
+            fill = QtGui.QColor(current_theme().grid)
         if fill is not None:
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(fill)
             painter.drawRoundedRect(place, 4, 4)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         if self.hasFocus():
-            painter.setPen(QPen(QColor(current_theme().accent), 2))
+            painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().accent), 2))
             painter.drawRoundedRect(place, 4, 4)
         elif self.isCheckable() and not lit:
-            painter.setPen(QPen(QColor(current_theme().border), 1))
+            painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().border), 1))
             painter.drawRoundedRect(place, 4, 4)
-        font = QFont(painter.font())
-        font.setWeight(QFont.Weight.DemiBold)
+        font = QtGui.QFont(painter.font())
+        font.setWeight(QtGui.QFont.Weight.DemiBold)
         painter.setFont(font)
         painter.setPen(
-            text_colour_on(fill) if fill is not None and lit else QColor(current_theme().dim)
+            text_colour_on(fill) if fill is not None and lit else QtGui.QColor(current_theme().dim)
         )
         painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, self.text())
 
 
-def mute_button(parent: QWidget | None = None) -> LetterButton:
+def mute_button(parent: QtWidgets.QWidget | None = None) -> LetterButton:
     """Return the button that silences an input."""
     button = LetterButton("M", "Mute", "warning", parent)
     button.setObjectName("mute_button")
@@ -231,7 +233,7 @@ def mute_button(parent: QWidget | None = None) -> LetterButton:
     return button
 
 
-def solo_button(parent: QWidget | None = None) -> LetterButton:
+def solo_button(parent: QtWidgets.QWidget | None = None) -> LetterButton:
     """Return the button that silences all other inputs."""
     button = LetterButton("S", "Solo", "accent", parent)
     button.setObjectName("solo_button")
@@ -239,7 +241,7 @@ def solo_button(parent: QWidget | None = None) -> LetterButton:
     return button
 
 
-def remove_button(parent: QWidget | None = None) -> LetterButton:
+def remove_button(parent: QtWidgets.QWidget | None = None) -> LetterButton:
     """Return the button that removes an input."""
     button = LetterButton("×", "Remove", parent=parent)
     button.setObjectName("remove_button")

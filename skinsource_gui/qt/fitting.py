@@ -2,18 +2,8 @@
 
 from collections.abc import Sequence
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QFont, QFontInfo, QFontMetrics, QHideEvent, QResizeEvent, QShowEvent
-from PySide6.QtWidgets import (
-    QAbstractButton,
-    QBoxLayout,
-    QGridLayout,
-    QHBoxLayout,
-    QScrollArea,
-    QSizePolicy,
-    QToolButton,
-    QWidget,
-)
 
 from skinsource_gui.qt.layouts import in_row
 from skinsource_gui.qt.theme import UNIT_PX, letter_scale, scaled
@@ -33,7 +23,7 @@ class LetterWidth(QObject):
         Whether it may be narrower.
     """
 
-    def __init__(self, widget: QWidget, usual_px: int, *, at_most: bool = False) -> None:
+    def __init__(self, widget: QtWidgets.QWidget, usual_px: int, *, at_most: bool = False) -> None:
         super().__init__(widget)
         self._widget, self._usual_px, self._at_most = widget, usual_px, at_most
         widget.installEventFilter(self)
@@ -68,7 +58,7 @@ class LayoutWatcher(QObject):
 
     changed = Signal()
 
-    def __init__(self, widget: QWidget) -> None:
+    def __init__(self, widget: QtWidgets.QWidget) -> None:
         super().__init__(widget)
         widget.installEventFilter(self)
 
@@ -89,14 +79,14 @@ _AS_NEEDED, _ALWAYS = (
 )
 
 
-class SteadyArea(QScrollArea):
+class SteadyArea(QtWidgets.QScrollArea):
     """A scroll area that keeps its vertical bar where the bar would come and go without end.
 
     A content that is lower in less width, because letters shrink there, fits beside the bar but not
     without it: Qt would show and hide the bar for ever.  The bar stays until the area is resized.
     """
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._times, self._depth, self._in_sight = 0, 0, False
         self._room = QSize()
@@ -105,15 +95,15 @@ class SteadyArea(QScrollArea):
         self.setWidgetResizable(True)
         self.verticalScrollBar().installEventFilter(self)
 
-    def showEvent(self, event: QShowEvent) -> None:
+    def showEvent(self, event: QtGui.QShowEvent) -> None:
         super().showEvent(event)
         self._in_sight = True
 
-    def hideEvent(self, event: QHideEvent) -> None:
+    def hideEvent(self, event: QtGui.QHideEvent) -> None:
         super().hideEvent(event)
         self._in_sight = False
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         # These are also events of the viewport, which the bar resizes; the area keeps its size.
         if self.size() != self._room:
             self._room = self.size()
@@ -159,19 +149,21 @@ _WORTH_READING = 0.7
 _READABLE = 0.8
 
 
-def fitting_font(rows: Sequence[Sequence[QAbstractButton]], font: QFont, room_px: int) -> QFont:
+def fitting_font(
+    rows: Sequence[Sequence[QtWidgets.QAbstractButton]], font: QtGui.QFont, room_px: int
+) -> QtGui.QFont:
     """Return the largest font, up to ``font``, in which the texts of each row fit."""
     fonts = shrinking_fonts(font)
     fit = (smaller for smaller in fonts if max(width_in(smaller, row) for row in rows) <= room_px)
     return next(fit, fonts[-1])
 
 
-def width_in(font: QFont, buttons: Sequence[QAbstractButton]) -> int:
+def width_in(font: QtGui.QFont, buttons: Sequence[QtWidgets.QAbstractButton]) -> int:
     """Return the width of buttons in ``font``, px, whatever their present font is.
 
     If it depended on the present font, fonts would change back and forth without end.
     """
-    metrics = QFontMetrics(font)
+    metrics = QtGui.QFontMetrics(font)
     # The space that the style leaves around a text does not depend on the text.
     return sum(
         _text_px(button, metrics)
@@ -181,55 +173,61 @@ def width_in(font: QFont, buttons: Sequence[QAbstractButton]) -> int:
     )
 
 
-def _text_px(button: QAbstractButton, metrics: QFontMetrics) -> int:
+def _text_px(button: QtWidgets.QAbstractButton, metrics: QtGui.QFontMetrics) -> int:
     """Return the width that Qt gives to the text: that of a tool button has blanks around it."""
     text_px = metrics.size(int(Qt.TextFlag.TextShowMnemonic), button.text()).width()
-    if isinstance(button, QToolButton):
+    if isinstance(button, QtWidgets.QToolButton):
         text_px += 2 * metrics.horizontalAdvance(" ")
     return text_px
 
 
-def readable_in(text: str, font: QFont, room_px: float) -> QFont:
+def readable_in(text: str, font: QtGui.QFont, room_px: float) -> QtGui.QFont:
     """Return the largest readable font in which a text fits, or the smallest readable one.
 
     For texts that may be cut.
     """
     fonts = [scaled(font, scale) for scale in _SCALES if scale >= _WORTH_READING]
-    fit = (smaller for smaller in fonts if QFontMetrics(smaller).horizontalAdvance(text) <= room_px)
+    fit = (
+        smaller
+        for smaller in fonts
+        if QtGui.QFontMetrics(smaller).horizontalAdvance(text) <= room_px
+    )
     return next(fit, fonts[-1])
 
 
-def smallest_font(font: QFont) -> QFont:
+def smallest_font(font: QtGui.QFont) -> QtGui.QFont:
     """Return the smallest font to which ``font`` may shrink."""
     return shrinking_fonts(font)[-1]
 
 
-def readable_of(font: QFont) -> QFont:
+def readable_of(font: QtGui.QFont) -> QtGui.QFont:
     """Return the smallest font for a single row, as long as a second row is possible."""
     return scaled(font, _READABLE)
 
 
-def set_fonts(font: QFont, buttons: Sequence[QAbstractButton]) -> None:
+def set_fonts(font: QtGui.QFont, buttons: Sequence[QtWidgets.QAbstractButton]) -> None:
     """Set the font of buttons."""
     for button in buttons:
         if button.font() != font:
             button.setFont(font)
 
 
-def shrinking_fonts(font: QFont) -> list[QFont]:
+def shrinking_fonts(font: QtGui.QFont) -> list[QtGui.QFont]:
     """Return the fonts to which ``font`` may shrink, from large to small."""
     large = (scaled(font, scale) for scale in _SCALES_OF_LARGE)
-    readable = [smaller for smaller in large if QFontInfo(smaller).pixelSize() >= _LEAST_PX]
+    readable = [smaller for smaller in large if QtGui.QFontInfo(smaller).pixelSize() >= _LEAST_PX]
     return [*(scaled(font, scale) for scale in _SCALES), *readable]
 
 
-class ButtonRow(QWidget):
+class ButtonRow(QtWidgets.QWidget):
     """A row of buttons, aligned left, whose letters shrink where there is little room."""
 
-    def __init__(self, buttons: Sequence[QAbstractButton], parent: QWidget | None = None) -> None:
+    def __init__(
+        self, buttons: Sequence[QtWidgets.QAbstractButton], parent: QtWidgets.QWidget | None = None
+    ) -> None:
         super().__init__(parent)
         self._buttons = tuple(buttons)
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Fixed)
         row = in_row(*self._buttons, None, of=self, margins=0, gap_px=UNIT_PX // 2)
         self._gap_px = row.spacing()
         LayoutWatcher(self).changed.connect(self._fit)
@@ -252,7 +250,7 @@ class VisibleHeight(LayoutWatcher):
         The widget; also the parent.
     """
 
-    def __init__(self, widget: QWidget) -> None:
+    def __init__(self, widget: QtWidgets.QWidget) -> None:
         super().__init__(widget)
         self._widget = widget
 
@@ -271,10 +269,13 @@ class VisibleHeight(LayoutWatcher):
         return super().eventFilter(watched, event)
 
 
-_BESIDE, _BELOW = QBoxLayout.Direction.LeftToRight, QBoxLayout.Direction.TopToBottom
+_BESIDE, _BELOW = (
+    QtWidgets.QBoxLayout.Direction.LeftToRight,
+    QtWidgets.QBoxLayout.Direction.TopToBottom,
+)
 
 
-class FoldingGroups(QWidget):
+class FoldingGroups(QtWidgets.QWidget):
     """Puts groups of widgets beside each other, or in a narrow room below each other.
 
     Parameters
@@ -285,12 +286,12 @@ class FoldingGroups(QWidget):
         Space between widgets, groups and rows.
     """
 
-    def __init__(self, *groups: Sequence[QWidget | None], spacing_px: int) -> None:
+    def __init__(self, *groups: Sequence[QtWidgets.QWidget | None], spacing_px: int) -> None:
         super().__init__()
-        self._box = QBoxLayout(_BESIDE, self)
+        self._box = QtWidgets.QBoxLayout(_BESIDE, self)
         self._box.setContentsMargins(0, 0, 0, 0)
         self._box.setSpacing(spacing_px)
-        self._rows: list[QHBoxLayout] = []
+        self._rows: list[QtWidgets.QHBoxLayout] = []
         for group in groups:
             row = in_row(*group, gap_px=spacing_px)
             self._rows.append(row)
@@ -314,7 +315,7 @@ class FoldingGroups(QWidget):
             self.updateGeometry()
 
 
-class FoldingRow(QWidget):
+class FoldingRow(QtWidgets.QWidget):
     """Puts widgets beside each other, in several rows where it is narrow.
 
     The row does not fold for the width of a scroll bar: it would become higher, and keep the bar.
@@ -331,16 +332,16 @@ class FoldingRow(QWidget):
 
     def __init__(
         self,
-        widgets: Sequence[QWidget],
+        widgets: Sequence[QtWidgets.QWidget],
         spacing_px: int,
         *,
         left: bool = False,
-        parent: QWidget | None = None,
+        parent: QtWidgets.QWidget | None = None,
     ) -> None:
         super().__init__(parent)
         self._widgets, self._spacing_px, self._left = tuple(widgets), spacing_px, left
-        self._placed: tuple[tuple[QWidget, ...], int] = ((), 0)
-        self._grid = QGridLayout(self)
+        self._placed: tuple[tuple[QtWidgets.QWidget, ...], int] = ((), 0)
+        self._grid = QtWidgets.QGridLayout(self)
         self._grid.setContentsMargins(0, 0, 0, 0)
         self._grid.setSpacing(spacing_px)
         for widget in self._widgets:
@@ -351,7 +352,7 @@ class FoldingRow(QWidget):
     def minimumSizeHint(self) -> QSize:
         return QSize(self._widest_px, self._grid.minimumSize().height())
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         self.fold()
 

@@ -4,8 +4,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
+from PySide6 import QtGui
 from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QImage, QPainter, QPen, QPolygonF, QTransform
 
 from skinsource.base.arrays import Floats
 from skinsource_gui.qt.theme import Theme, is_on_paper
@@ -33,9 +33,9 @@ class Frame:
     top: float
     up: bool = False
 
-    def transform(self) -> QTransform:
+    def transform(self) -> QtGui.QTransform:
         """Return the map as a transformation of Qt."""
-        return QTransform(self.scale, 0, 0, self._y_scale, self.left, self.top)
+        return QtGui.QTransform(self.scale, 0, 0, self._y_scale, self.left, self.top)
 
     def to_screen(self, places: Floats) -> Floats:
         """Return the screen places, (n, 2), of places of the drawing, (n, 2)."""
@@ -69,7 +69,7 @@ class Frame:
             Area on the screen.
         """
         middle = QPointF(*self.to_drawing(room.center()))
-        polygon = QPolygonF([QPointF(x, y) for x, y in outline])
+        polygon = QtGui.QPolygonF([QPointF(x, y) for x, y in outline])
         if polygon.containsPoint(middle, Qt.FillRule.OddEvenFill):
             return self
         offsets = self.to_screen(outline) - (room.center().x(), room.center().y())
@@ -97,11 +97,11 @@ def fitted(bounds: QRectF, room: QRectF, *, up: bool = False) -> Frame:
     )
 
 
-def paint_focus_frame(painter: QPainter, area: QRectF, theme: Theme) -> None:
+def paint_focus_frame(painter: QtGui.QPainter, area: QRectF, theme: Theme) -> None:
     """Draw the focus frame just inside ``area``; on paper there is none."""
     if is_on_paper():
         return
-    painter.setPen(QPen(QColor(theme.accent), 1))
+    painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 1))
     painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.drawRect(area.adjusted(0.5, 0.5, -0.5, -0.5))
 
@@ -126,10 +126,10 @@ class UncachedPicture:
 
     def paint(
         self,
-        painter: QPainter,
+        painter: QtGui.QPainter,
         room: QRectF,
         depends_on: tuple[object, ...],
-        paint_anew: Callable[[QPainter], None],
+        paint_anew: Callable[[QtGui.QPainter], None],
     ) -> None:
         """Call ``paint_anew``; arguments are those of `CachedPicture.paint`."""
         painter.save()
@@ -142,15 +142,15 @@ class CachedPicture:
 
     def __init__(self) -> None:
         self._key: tuple[object, ...] = ()
-        self._image, self._at = QImage(), QPointF()
+        self._image, self._at = QtGui.QImage(), QPointF()
 
     def paint(
         self,
-        painter: QPainter,
+        painter: QtGui.QPainter,
         room: QRectF,
         depends_on: tuple[object, ...],
-        paint_anew: Callable[[QPainter], None],
-        ground: QColor | None = None,
+        paint_anew: Callable[[QtGui.QPainter], None],
+        ground: QtGui.QColor | None = None,
     ) -> None:
         """Paint into ``room`` what ``paint_anew`` paints there.
 
@@ -175,13 +175,13 @@ class CachedPicture:
         ratio, font = painter.device().devicePixelRatioF(), painter.font()
         key = (*depends_on, room, ratio, font, ground)
         if key != self._key:
-            self._key, self._at, self._image = key, QPointF(), QImage()
+            self._key, self._at, self._image = key, QPointF(), QtGui.QImage()
             size = (room.size() * ratio).toSize()
             # A room that is nearly scrolled out of sight may have no pixels; Qt cannot paint then.
             if not size.isEmpty():
                 self._image = _blank(size, ground)
                 self._image.setDevicePixelRatio(ratio)
-                on_image = QPainter(self._image)
+                on_image = QtGui.QPainter(self._image)
                 on_image.setRenderHints(painter.renderHints())
                 on_image.setFont(font)
                 on_image.translate(-room.topLeft())
@@ -196,10 +196,10 @@ class CachedPicture:
         """Remove transparent margins: they would cost as much as the rest."""
         painted = _painted(self._image)
         self._at = QPointF(painted.x() / ratio, painted.y() / ratio)
-        self._image = self._image.copy(painted) if painted.isValid() else QImage()
+        self._image = self._image.copy(painted) if painted.isValid() else QtGui.QImage()
 
 
-def _painted(image: QImage) -> QRect:
+def _painted(image: QtGui.QImage) -> QRect:
     """Return the smallest area with all opaque pixels; not valid where there is none."""
     pixels = np.frombuffer(image.constBits(), np.uint32).reshape(image.height(), -1)
     rows, columns = np.flatnonzero(pixels.any(axis=1)), np.flatnonzero(pixels.any(axis=0))
@@ -209,10 +209,14 @@ def _painted(image: QImage) -> QRect:
     return QRect(left, top, int(columns[-1]) - left + 1, int(rows[-1]) - top + 1)
 
 
-def _blank(size: QSize, ground: QColor | None) -> QImage:
+def _blank(size: QSize, ground: QtGui.QColor | None) -> QtGui.QImage:
     opaque = ground is not None
-    shape = QImage.Format.Format_RGB32 if opaque else QImage.Format.Format_ARGB32_Premultiplied
-    image = QImage(size, shape)
+    shape = (
+        QtGui.QImage.Format.Format_RGB32
+        if opaque
+        else QtGui.QImage.Format.Format_ARGB32_Premultiplied
+    )
+    image = QtGui.QImage(size, shape)
     image.fill(ground if opaque else Qt.GlobalColor.transparent)
     return image
 

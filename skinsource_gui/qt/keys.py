@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
+from PySide6 import QtGui
 from PySide6.QtCore import QEvent, QKeyCombination, Qt
-from PySide6.QtGui import QKeyEvent, QKeySequence
 
 from skinsource_gui.qt.resources import read_text
 
@@ -68,7 +68,7 @@ KEYS, MOUSE = _places(_TABLE["keys"]), _places(_TABLE["mouse"])
 SHORTCUTS: dict[str, tuple[str, ...]] = {}
 
 
-def meaning_of(place: str, event: QKeyEvent) -> str:
+def meaning_of(place: str, event: QtGui.QKeyEvent) -> str:
     """Return the name of the meaning of a key at a place; "" where it has none."""
     modifiers = event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
     return _meanings(place).get(QKeyCombination(modifiers, Qt.Key(event.key())).toCombined(), "")
@@ -89,25 +89,25 @@ def native_text(keys: tuple[str, ...]) -> str:
     return ", ".join(_native(key) for key in keys)
 
 
-def claims_shortcut(event: QEvent, wanted: Callable[[QKeyEvent], object]) -> bool:
+def claims_shortcut(event: QEvent, wanted: Callable[[QtGui.QKeyEvent], object]) -> bool:
     """Accept a ShortcutOverride event for a key that is ``wanted``; return whether it is one.
 
     Qt sends this event to the widget with the focus before it looks for a shortcut; if the widget
     accepts it, the widget gets the key press.
     """
     is_requested = event.type() == QEvent.Type.ShortcutOverride
-    if not is_requested or not isinstance(event, QKeyEvent) or not wanted(event):
+    if not is_requested or not isinstance(event, QtGui.QKeyEvent) or not wanted(event):
         return False
     event.accept()
     return True
 
 
 def _native(key: str) -> str:
-    return QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText)
+    return QtGui.QKeySequence(key).toString(QtGui.QKeySequence.SequenceFormat.NativeText)
 
 
 def _combined(key: str) -> int:
-    first: QKeyCombination = QKeySequence(key)[0]  # type: ignore[index]  # PySide's stubs forget it
+    first: QKeyCombination = QtGui.QKeySequence(key)[0]  # type: ignore[index]  # PySide's stubs forget it
     return first.toCombined()
 
 

@@ -2,19 +2,8 @@
 
 from collections.abc import Sequence
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QModelIndex, QObject, QPersistentModelIndex, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFocusEvent, QMouseEvent, QPainter, QPaintEvent, QResizeEvent
-from PySide6.QtWidgets import (
-    QHeaderView,
-    QLabel,
-    QLineEdit,
-    QSizePolicy,
-    QStyle,
-    QStyledItemDelegate,
-    QStyleOptionViewItem,
-    QTableView,
-    QWidget,
-)
 from shiboken6 import isValid
 
 from skinsource_gui.qt.keys import shortcut_text
@@ -31,15 +20,17 @@ def how_to_add(what: str = "an input") -> str:
     return f"Click a place on the hand, or press {shortcut_text('add_input')}, to add {what}"
 
 
-class FittingLabel(QLabel):
+class FittingLabel(QtWidgets.QLabel):
     """Shows the first of several phrases that fits, or the last one with dots at its end."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._phrases: tuple[str, ...] = ("",)
         # A shorter phrase stays beside what is on its right.
         self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
+        self.setSizePolicy(
+            QtWidgets.QSizePolicy.Policy.Preferred, QtWidgets.QSizePolicy.Policy.Preferred
+        )
 
     def show_phrases(self, phrases: Sequence[str]) -> None:
         """Set the phrases, longest first."""
@@ -54,7 +45,7 @@ class FittingLabel(QLabel):
     def minimumSizeHint(self) -> QSize:
         return QSize(self._width_of(self._phrases[-1]), super().minimumSizeHint().height())
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         self._choose()
 
@@ -84,17 +75,22 @@ _REFITTED = (QEvent.Type.Resize, QEvent.Type.FontChange, QEvent.Type.StyleChange
 _LETTERS = 7
 
 
-class NameDelegate(QStyledItemDelegate):
+class NameDelegate(QtWidgets.QStyledItemDelegate):
     """Paints as much of a name as fits, or its short form where almost nothing fits."""
 
     def initStyleOption(
-        self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
+        self, option: QtWidgets.QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
     ) -> None:
         super().initStyleOption(option, index)
         style = option.widget.style() if option.widget is not None else None
         if style is None:
             return
-        edge = style.pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin, option, option.widget) + 1
+        edge = (
+            style.pixelMetric(
+                QtWidgets.QStyle.PixelMetric.PM_FocusFrameHMargin, option, option.widget
+            )
+            + 1
+        )
         short, room = index.data(SHORT_NAME), option.rect.width() - 2 * edge
         if short is None:
             return
@@ -104,7 +100,7 @@ class NameDelegate(QStyledItemDelegate):
             option.text = str(short)
 
 
-def set_table_look(table: QTableView) -> None:
+def set_table_look(table: QtWidgets.QTableView) -> None:
     """Set the look of a table of numbers: dense rows, a name column that shrinks, no grid.
 
     The first column gets the room that the numbers leave, so that the table scrolls sideways only
@@ -117,15 +113,15 @@ def set_table_look(table: QTableView) -> None:
     rows.hide()
     rows.setMinimumSectionSize(1)
     rows.setDefaultSectionSize(table.fontMetrics().height() + UNIT_PX // 2)
-    rows.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+    rows.setSectionResizeMode(QtWidgets.QHeaderView.ResizeMode.Fixed)
     sections = table.horizontalHeader()
     sections.setMinimumSectionSize(_LEAST_PX)
-    sections.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+    sections.setSectionResizeMode(QtWidgets.QHeaderView.ResizeMode.ResizeToContents)
     sections.setHighlightSections(False)
     table.setItemDelegateForColumn(0, NameDelegate(table))
 
 
-def fit_name_column(table: QTableView) -> None:
+def fit_name_column(table: QtWidgets.QTableView) -> None:
     """Give the first column the room that the others leave, but no more than its names need.
 
     There must be such a column.  In a wider one, numbers would be too far from their names.
@@ -137,7 +133,7 @@ def fit_name_column(table: QTableView) -> None:
 class _NameWidth(QObject):
     """Sets the width of the first column of a table, which owns this object."""
 
-    def __init__(self, table: QTableView) -> None:
+    def __init__(self, table: QtWidgets.QTableView) -> None:
         super().__init__(table)
         self._table, model, header = table, table.model(), table.horizontalHeader()
         header.sectionResized.connect(self._follow)
@@ -147,7 +143,9 @@ class _NameWidth(QObject):
 
     def begin(self) -> None:
         """Set the width of the first column, which may be a new one."""
-        self._table.horizontalHeader().setSectionResizeMode(0, QHeaderView.ResizeMode.Fixed)
+        self._table.horizontalHeader().setSectionResizeMode(
+            0, QtWidgets.QHeaderView.ResizeMode.Fixed
+        )
         self._fit()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
@@ -170,14 +168,19 @@ class _NameWidth(QObject):
     def _names_px(self) -> int:
         """Return the width of the longest name or of the header."""
         table, model = self._table, self._table.model()
-        margin = table.style().pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin, None, table) + 1
+        margin = (
+            table.style().pixelMetric(
+                QtWidgets.QStyle.PixelMetric.PM_FocusFrameHMargin, None, table
+            )
+            + 1
+        )
         names = (str(model.index(row, 0).data() or "") for row in range(model.rowCount()))
         metrics = table.fontMetrics()
         longest = max((metrics.horizontalAdvance(name) for name in names), default=0)
         return max(longest + 2 * margin + UNIT_PX, table.horizontalHeader().sectionSizeHint(0))
 
 
-class NameLine(QLineEdit):
+class NameLine(QtWidgets.QLineEdit):
     """A line for a name, which a first click selects, as the Tab key does in Qt.
 
     Typing then replaces the name; a further click sets the cursor.
@@ -187,11 +190,11 @@ class NameLine(QLineEdit):
         super().__init__()
         self._entered = False
 
-    def focusInEvent(self, event: QFocusEvent) -> None:
+    def focusInEvent(self, event: QtGui.QFocusEvent) -> None:
         super().focusInEvent(event)
         self._entered = event.reason() == Qt.FocusReason.MouseFocusReason
 
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+    def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:
         super().mouseReleaseEvent(event)
         # Only now, because the press sets the cursor.
         if self._entered and not self.hasSelectedText():
@@ -206,13 +209,15 @@ _NEAR_DB = -3.0
 _TICK_PX = 2.0
 
 
-class LevelMeter(QWidget):
+class LevelMeter(QtWidgets.QWidget):
     """Shows how loud an output is: RMS as a bar, the peak as a tick, in dB of full scale."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.rms_db = self.peak_db = -200.0
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(
+            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Fixed
+        )
         self.show_level(-200.0, -200.0)
 
     def sizeHint(self) -> QSize:
@@ -227,18 +232,18 @@ class LevelMeter(QWidget):
         if any(abs(a - b) >= 0.5 for a, b in zip(after, before, strict=True)):
             self.update()
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        painter = QtGui.QPainter(self)
         room = QRectF(self.rect())
-        painter.fillRect(room, QColor(current_theme().grid))
+        painter.fillRect(room, QtGui.QColor(current_theme().grid))
         colour = current_theme().warning if self.peak_db > _NEAR_DB else current_theme().accent
         bar = QRectF(room)
         bar.setWidth(_bar_part(self.rms_db) * room.width())
-        painter.fillRect(bar, QColor(colour))
+        painter.fillRect(bar, QtGui.QColor(colour))
         peak = _bar_part(self.peak_db)
         if peak > 0.0:
             x = max(peak * room.width() - _TICK_PX, 0.0)
-            painter.fillRect(QRectF(x, 0.0, _TICK_PX, room.height()), QColor(colour))
+            painter.fillRect(QRectF(x, 0.0, _TICK_PX, room.height()), QtGui.QColor(colour))
 
 
 def _bar_part(level_db: float) -> float:

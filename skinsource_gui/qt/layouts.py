@@ -2,21 +2,23 @@
 
 from typing import TypeVar
 
-from PySide6.QtWidgets import QBoxLayout, QHBoxLayout, QLayout, QVBoxLayout, QWidget
+from PySide6 import QtWidgets
 
 #: A widget or a layout, with its share of the spare room if it gets some; None: empty room.
-Part = QWidget | QLayout | tuple[QWidget | QLayout, int] | None
+Part = (
+    QtWidgets.QWidget | QtWidgets.QLayout | tuple[QtWidgets.QWidget | QtWidgets.QLayout, int] | None
+)
 #: Left, top, right and bottom, px, or the same at all sides.
 Margins = int | tuple[int, int, int, int]
-Box = TypeVar("Box", bound=QBoxLayout)
+Box = TypeVar("Box", bound=QtWidgets.QBoxLayout)
 
 
 def in_column(
     *parts: Part,
-    of: QWidget | None = None,
+    of: QtWidgets.QWidget | None = None,
     margins: Margins | None = None,
     gap_px: int | None = None,
-) -> QVBoxLayout:
+) -> QtWidgets.QVBoxLayout:
     """Lay out parts below each other.
 
     Parameters
@@ -28,17 +30,21 @@ def in_column(
     margins, gap_px
         Around the parts and between them; None: those of the style.
     """
-    return _filled(QVBoxLayout() if of is None else QVBoxLayout(of), parts, margins, gap_px)
+    return _filled(
+        QtWidgets.QVBoxLayout() if of is None else QtWidgets.QVBoxLayout(of), parts, margins, gap_px
+    )
 
 
 def in_row(
     *parts: Part,
-    of: QWidget | None = None,
+    of: QtWidgets.QWidget | None = None,
     margins: Margins | None = None,
     gap_px: int | None = None,
-) -> QHBoxLayout:
+) -> QtWidgets.QHBoxLayout:
     """Lay out parts from left to right, see `in_column`."""
-    return _filled(QHBoxLayout() if of is None else QHBoxLayout(of), parts, margins, gap_px)
+    return _filled(
+        QtWidgets.QHBoxLayout() if of is None else QtWidgets.QHBoxLayout(of), parts, margins, gap_px
+    )
 
 
 def _filled(
@@ -52,7 +58,7 @@ def _filled(
         item, share = part if isinstance(part, tuple) else (part, 0)
         if item is None:
             layout.addStretch(1)
-        elif isinstance(item, QLayout):
+        elif isinstance(item, QtWidgets.QLayout):
             layout.addLayout(item, share)
         else:
             layout.addWidget(item, share)

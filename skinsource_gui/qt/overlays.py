@@ -1,8 +1,7 @@
 """Overlays of widgets that are out of date or covered, and the delay before they appear."""
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QRectF, Qt, QTimer, Signal
-from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPalette
-from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.qt.theme import UNIT_PX
 
@@ -57,10 +56,10 @@ class Staleness(QObject):
         self.changed.emit(True)
 
 
-class Overlay(QWidget):
+class Overlay(QtWidgets.QWidget):
     """Base of overlays, which cover all of the widget ``part``, their parent."""
 
-    def __init__(self, part: QWidget) -> None:
+    def __init__(self, part: QtWidgets.QWidget) -> None:
         super().__init__(part)
         self._part = part
         part.installEventFilter(self)
@@ -88,7 +87,7 @@ _LEAST_LINES = 2
 class Cover(Overlay):
     """Hides a picture from an audience that shall guess first; it blocks the mouse, too."""
 
-    def __init__(self, part: QWidget) -> None:
+    def __init__(self, part: QtWidgets.QWidget) -> None:
         super().__init__(part)
         self.setObjectName("cover")
         self.setAccessibleName(COVERED)
@@ -99,12 +98,12 @@ class Cover(Overlay):
             return True  # the tooltip of the picture would reveal it
         return super().event(event)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter, palette = QPainter(self), self.palette()
-        painter.fillRect(self.rect(), palette.color(QPalette.ColorRole.Window))
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        painter, palette = QtGui.QPainter(self), self.palette()
+        painter.fillRect(self.rect(), palette.color(QtGui.QPalette.ColorRole.Window))
         # A widget that is too low for a text stands beside one that has it.
         if self.height() >= _LEAST_LINES * self.fontMetrics().height():
-            painter.setPen(palette.color(QPalette.ColorRole.WindowText))
+            painter.setPen(palette.color(QtGui.QPalette.ColorRole.WindowText))
             painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, COVERED)
         painter.end()
 
@@ -120,26 +119,28 @@ _RADIUS_PX = 4.0
 class StaleOverlay(Overlay):
     """Marks results of an older design, which stay readable and can be used."""
 
-    def __init__(self, part: QWidget) -> None:
+    def __init__(self, part: QtWidgets.QWidget) -> None:
         super().__init__(part)
         self.setObjectName("veil")
         self.setAccessibleName(UPDATING)
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter, palette = QPainter(self), self.palette()
-        ground = palette.color(QPalette.ColorRole.Base)
-        thin = QColor(ground)
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        painter, palette = QtGui.QPainter(self), self.palette()
+        ground = palette.color(QtGui.QPalette.ColorRole.Base)
+        thin = QtGui.QColor(ground)
         thin.setAlphaF(1.0 - PALE)
         painter.fillRect(self.rect(), thin)
         # A widget that is too low for a text stands beside one that has it.
         if self.height() >= _LEAST_LINES * self.fontMetrics().height():
-            text_colour = palette.color(QPalette.ColorRole.Text)
+            text_colour = palette.color(QtGui.QPalette.ColorRole.Text)
             paint_updating(painter, QRectF(self.rect()), ground, text_colour)
         painter.end()
 
 
-def paint_updating(painter: QPainter, room: QRectF, ground: QColor, text_colour: QColor) -> None:
+def paint_updating(
+    painter: QtGui.QPainter, room: QRectF, ground: QtGui.QColor, text_colour: QtGui.QColor
+) -> None:
     """Write in the middle of ``room``, on a card, that its content is being updated."""
     metrics = painter.fontMetrics()
     card = QRectF(0, 0, metrics.horizontalAdvance(UPDATING) + 2 * UNIT_PX, 1.6 * metrics.height())

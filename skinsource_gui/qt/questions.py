@@ -5,26 +5,27 @@ from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QMessageBox, QToolButton, QWidget
 
 from skinsource.base.decibels import levels_for_tables
 
-_Answer = QMessageBox.StandardButton
+_Answer = QtWidgets.QMessageBox.StandardButton
 #: A question lists so many names of files.
 _NAMED = 3
 
 
 def ask_yes(
-    parent: QWidget, title: str, question: str, *, otherwise: _Answer = _Answer.Cancel
+    parent: QtWidgets.QWidget, title: str, question: str, *, otherwise: _Answer = _Answer.Cancel
 ) -> bool:
     """Ask in front of ``parent``; return whether the user says Yes instead of ``otherwise``."""
-    answer = QMessageBox.question(parent, title, question, _Answer.Yes | otherwise, otherwise)
+    answer = QtWidgets.QMessageBox.question(
+        parent, title, question, _Answer.Yes | otherwise, otherwise
+    )
     return answer == _Answer.Yes
 
 
-def ask_to_replace(parent: QWidget, existing: Sequence[Path]) -> bool:
+def ask_to_replace(parent: QtWidgets.QWidget, existing: Sequence[Path]) -> bool:
     """Ask whether existing files may be replaced."""
     if len(existing) == 1:
         question = f"{existing[0].name} exists already. Replace it?"
@@ -35,10 +36,12 @@ def ask_to_replace(parent: QWidget, existing: Sequence[Path]) -> bool:
     return ask_yes(parent, "Replace the files?", question)
 
 
-def ask_to_save(parent: QWidget, title: str, question: str, save: Callable[[], bool]) -> bool:
+def ask_to_save(
+    parent: QtWidgets.QWidget, title: str, question: str, save: Callable[[], bool]
+) -> bool:
     """Ask whether to save changes; return whether they are saved or discarded."""
     buttons = _Answer.Save | _Answer.Discard | _Answer.Cancel
-    answer = QMessageBox.question(parent, title, question, buttons, _Answer.Save)
+    answer = QtWidgets.QMessageBox.question(parent, title, question, buttons, _Answer.Save)
     return save() if answer == _Answer.Save else answer == _Answer.Discard
 
 
@@ -52,7 +55,7 @@ def copied_level(level_db: float) -> str:
     return copied_number(float(levels_for_tables(level_db)))
 
 
-class CopyButton(QToolButton):
+class CopyButton(QtWidgets.QToolButton):
     """Copies the numbers of a panel as text, while there are some of the present design.
 
     Parameters
@@ -70,7 +73,9 @@ class CopyButton(QToolButton):
         Returns a context in which the numbers have no matched levels.
     """
 
-    def __init__(self, panel: str, table: Callable[[], str], parent: QWidget | None = None) -> None:
+    def __init__(
+        self, panel: str, table: Callable[[], str], parent: QtWidgets.QWidget | None = None
+    ) -> None:
         super().__init__(parent)
         self._table = table
         self.lines: Callable[[], Sequence[str]] = tuple
@@ -102,4 +107,4 @@ class CopyButton(QToolButton):
             lines = self.lines()
             table = self._table()
         below = [f"# {line}\n" for line in lines] if table else []
-        QGuiApplication.clipboard().setText(f"{table}{''.join(below)}")
+        QtGui.QGuiApplication.clipboard().setText(f"{table}{''.join(below)}")

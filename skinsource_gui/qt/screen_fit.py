@@ -1,7 +1,7 @@
 """Keeps windows with their frames on the screen."""
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QEvent, QMargins, QObject, QRect, QSize
-from PySide6.QtWidgets import QStyle, QWidget
 
 
 def fitted(inside: QRect, available: QRect, frame: QMargins) -> QRect:
@@ -23,14 +23,14 @@ def fitted(inside: QRect, available: QRect, frame: QMargins) -> QRect:
     return QRect(left, top, size.width(), size.height())
 
 
-def fit_by_guess(window: QWidget) -> None:
+def fit_by_guess(window: QtWidgets.QWidget) -> None:
     """Fit a window onto its screen before it is shown, with a usual frame."""
-    bar = window.style().pixelMetric(QStyle.PixelMetric.PM_TitleBarHeight)
-    edge = window.style().pixelMetric(QStyle.PixelMetric.PM_DefaultFrameWidth)
+    bar = window.style().pixelMetric(QtWidgets.QStyle.PixelMetric.PM_TitleBarHeight)
+    edge = window.style().pixelMetric(QtWidgets.QStyle.PixelMetric.PM_DefaultFrameWidth)
     _fit(window, QMargins(edge, bar + edge, edge, 2 * edge))
 
 
-def _fit(window: QWidget, frame: QMargins) -> None:
+def _fit(window: QtWidgets.QWidget, frame: QMargins) -> None:
     inside = window.geometry()
     best = fitted(inside, window.screen().availableGeometry(), frame)
     if best != inside:
@@ -43,7 +43,7 @@ class ScreenFit(QObject):
     The window manager adds a frame some time later; until then a usual frame is assumed.
     """
 
-    def __init__(self, window: QWidget) -> None:
+    def __init__(self, window: QtWidgets.QWidget) -> None:
         super().__init__(window)
         self._window = window
         window.installEventFilter(self)

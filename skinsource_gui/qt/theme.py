@@ -12,21 +12,8 @@ from dataclasses import dataclass
 from string import Template
 from typing import Any
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import (
-    QColor,
-    QFont,
-    QFontDatabase,
-    QFontMetrics,
-    QIcon,
-    QPainter,
-    QPainterPath,
-    QPalette,
-    QPen,
-    QPixmap,
-    QPolygonF,
-)
-from PySide6.QtWidgets import QApplication, QWidget
 
 from skinsource_gui.qt.resources import read_text
 
@@ -79,15 +66,15 @@ class Theme:
     inputs: tuple[str, ...]
     outputs: tuple[str, ...]
 
-    def input_colour(self, number: int) -> QColor:
+    def input_colour(self, number: int) -> QtGui.QColor:
         """Return the colour of an input, by `Input.colour`."""
-        return QColor(self.inputs[number % len(self.inputs)])
+        return QtGui.QColor(self.inputs[number % len(self.inputs)])
 
-    def output_colour(self, rank: int) -> QColor:
+    def output_colour(self, rank: int) -> QtGui.QColor:
         """Return the colour of a selected output, by its rank in the selection."""
-        return QColor(self.outputs[rank % len(self.outputs)])
+        return QtGui.QColor(self.outputs[rank % len(self.outputs)])
 
-    def output_pen(self, rank: int, width_px: float, unit_px: float = 1.0) -> QPen:
+    def output_pen(self, rank: int, width_px: float, unit_px: float = 1.0) -> QtGui.QPen:
         """Return the pen of a selected output; where colours repeat, dashes differ.
 
         Parameters
@@ -99,7 +86,7 @@ class Theme:
         unit_px
             Factor of the lengths of dashes.
         """
-        pen = QPen(self.output_colour(rank), width_px)
+        pen = QtGui.QPen(self.output_colour(rank), width_px)
         strokes = _STROKES[rank // len(self.outputs) % len(_STROKES)]
         if strokes:
             # Qt measures dashes in widths of the pen.
@@ -107,9 +94,9 @@ class Theme:
             pen.setCapStyle(Qt.PenCapStyle.FlatCap)
         return pen
 
-    def axis_colour(self, rank: int) -> QColor:
+    def axis_colour(self, rank: int) -> QtGui.QColor:
         """Return the colour of an axis of the sensors, which differs from those of outputs."""
-        return QColor((*self.inputs[:2], self.text)[rank % 3])
+        return QtGui.QColor((*self.inputs[:2], self.text)[rank % 3])
 
 
 def _theme(name: str, row: Mapping[str, Any]) -> Theme:
@@ -142,7 +129,7 @@ def drawn_in(theme: Theme) -> Iterator[None]:
         _in_use = before
 
 
-def set_tone(widget: QWidget, tone: str) -> None:
+def set_tone(widget: QtWidgets.QWidget, tone: str) -> None:
     """Give the text of a widget a colour: ``"dim"``, ``"warning"``, ``"error"``, or "": usual."""
     if (widget.property("tone") or "") != tone:
         widget.setProperty("tone", tone)
@@ -156,7 +143,7 @@ def theme_label(name: str) -> str:
     return "High contrast" if name == CONTRAST.name else name.capitalize()
 
 
-def apply_theme(app: QApplication, theme: Theme, text_scale: float = 1.0) -> None:
+def apply_theme(app: QtWidgets.QApplication, theme: Theme, text_scale: float = 1.0) -> None:
     """Give every widget of ``app`` the colours of ``theme`` and the size of letters.
 
     ``text_scale`` is 1 for the size of the desktop.  Without a change nothing is done, because Qt
@@ -164,7 +151,9 @@ def apply_theme(app: QApplication, theme: Theme, text_scale: float = 1.0) -> Non
     """
     global _in_use
     _in_use = theme
-    font = scaled(QFontDatabase.systemFont(QFontDatabase.SystemFont.GeneralFont), text_scale)
+    font = scaled(
+        QtGui.QFontDatabase.systemFont(QtGui.QFontDatabase.SystemFont.GeneralFont), text_scale
+    )
     font = letter_by_letter(font)
     sheet = _sheet(theme)
     if sheet == app.styleSheet() and font == app.font():
@@ -177,9 +166,9 @@ def apply_theme(app: QApplication, theme: Theme, text_scale: float = 1.0) -> Non
     app.setStyleSheet(sheet)
 
 
-def scaled(font: QFont, scale: float) -> QFont:
+def scaled(font: QtGui.QFont, scale: float) -> QtGui.QFont:
     """Return a copy of ``font`` that is ``scale`` times as large."""
-    copy = QFont(font)
+    copy = QtGui.QFont(font)
     if copy.pointSizeF() > 0:
         copy.setPointSizeF(copy.pointSizeF() * scale)
     else:
@@ -187,22 +176,22 @@ def scaled(font: QFont, scale: float) -> QFont:
     return copy
 
 
-def letter_scale(font: QFont) -> float:
+def letter_scale(font: QtGui.QFont) -> float:
     """Return how much larger than usual the letters of ``font`` are; at least 1."""
-    return max(QFontMetrics(font).height() / _USUAL_LINE_PX, 1.0)
+    return max(QtGui.QFontMetrics(font).height() / _USUAL_LINE_PX, 1.0)
 
 
-def letter_by_letter(font: QFont) -> QFont:
+def letter_by_letter(font: QtGui.QFont) -> QtGui.QFont:
     """Return a copy of ``font`` without ligatures, which a search on a PDF page does not find."""
-    copy = QFont(font)
-    copy.setFeature(QFont.Tag("liga"), 0)
+    copy = QtGui.QFont(font)
+    copy.setFeature(QtGui.QFont.Tag("liga"), 0)
     return copy
 
 
-def tabular(font: QFont) -> QFont:
+def tabular(font: QtGui.QFont) -> QtGui.QFont:
     """Return a copy of ``font`` in which all digits have the same width."""
     copy = letter_by_letter(font)
-    copy.setFeature(QFont.Tag("tnum"), 1)
+    copy.setFeature(QtGui.QFont.Tag("tnum"), 1)
     return copy
 
 
@@ -212,9 +201,9 @@ def _sheet(theme: Theme) -> str:
     return Template(read_text("theme.qss")).substitute(values)
 
 
-def _palette(theme: Theme) -> QPalette:
-    role = QPalette.ColorRole
-    palette = QPalette()
+def _palette(theme: Theme) -> QtGui.QPalette:
+    role = QtGui.QPalette.ColorRole
+    palette = QtGui.QPalette()
     for part, colour in {
         role.Window: theme.window,
         role.WindowText: theme.text,
@@ -231,10 +220,10 @@ def _palette(theme: Theme) -> QPalette:
         role.Link: theme.accent,
         role.Mid: theme.border,
     }.items():
-        palette.setColor(part, QColor(colour))
-    disabled = QPalette.ColorGroup.Disabled
+        palette.setColor(part, QtGui.QColor(colour))
+    disabled = QtGui.QPalette.ColorGroup.Disabled
     for part in (role.WindowText, role.Text, role.ButtonText):
-        palette.setColor(disabled, part, QColor(theme.disabled))
+        palette.setColor(disabled, part, QtGui.QColor(theme.disabled))
     return palette
 
 
@@ -245,13 +234,13 @@ _OVERSAMPLED = 3
 
 
 def drawn_icon(
-    path: QPainterPath,
+    path: QtGui.QPainterPath,
     theme: Theme,
     *,
     filled: bool = False,
     line_px: float = 1.2,
     greyed: bool = True,
-) -> QIcon:
+) -> QtGui.QIcon:
     """Return an icon of a path in a square of 16 units, for buttons that are on or off.
 
     Parameters
@@ -261,42 +250,45 @@ def drawn_icon(
     greyed
         Whether it is grey on a button that is disabled.
     """
-    icon = QIcon()
-    for state, name in ((QIcon.State.Off, theme.text), (QIcon.State.On, theme.on_accent)):
-        pixmap = QPixmap(_SIZE * _OVERSAMPLED, _SIZE * _OVERSAMPLED)
+    icon = QtGui.QIcon()
+    for state, name in (
+        (QtGui.QIcon.State.Off, theme.text),
+        (QtGui.QIcon.State.On, theme.on_accent),
+    ):
+        pixmap = QtGui.QPixmap(_SIZE * _OVERSAMPLED, _SIZE * _OVERSAMPLED)
         pixmap.fill(Qt.GlobalColor.transparent)
-        painter = QPainter(pixmap)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter = QtGui.QPainter(pixmap)
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
         painter.scale(_OVERSAMPLED, _OVERSAMPLED)
         if filled:
-            painter.fillPath(path, QColor(name))
+            painter.fillPath(path, QtGui.QColor(name))
         else:
-            painter.strokePath(path, QPen(QColor(name), line_px))
+            painter.strokePath(path, QtGui.QPen(QtGui.QColor(name), line_px))
         painter.end()
-        icon.addPixmap(pixmap, QIcon.Mode.Normal, state)
+        icon.addPixmap(pixmap, QtGui.QIcon.Mode.Normal, state)
         if not greyed:
-            icon.addPixmap(pixmap, QIcon.Mode.Disabled, state)
+            icon.addPixmap(pixmap, QtGui.QIcon.Mode.Disabled, state)
     return icon
 
 
-def play_icon() -> QIcon:
+def play_icon() -> QtGui.QIcon:
     """Return a triangle."""
-    path = QPainterPath()
-    path.addPolygon(QPolygonF((QPointF(4, 2.5), QPointF(13.5, 8), QPointF(4, 13.5))))
+    path = QtGui.QPainterPath()
+    path.addPolygon(QtGui.QPolygonF((QPointF(4, 2.5), QPointF(13.5, 8), QPointF(4, 13.5))))
     path.closeSubpath()
     return drawn_icon(path, current_theme(), filled=True)
 
 
-def stop_icon() -> QIcon:
+def stop_icon() -> QtGui.QIcon:
     """Return a square."""
-    path = QPainterPath()
+    path = QtGui.QPainterPath()
     path.addRoundedRect(QRectF(3.5, 3.5, 9, 9), 1, 1)
     return drawn_icon(path, current_theme(), filled=True)
 
 
-def repeat_icon() -> QIcon:
+def repeat_icon() -> QtGui.QIcon:
     """Return two arrows that follow each other."""
-    path = QPainterPath()
+    path = QtGui.QPainterPath()
     for sign in (1, -1):
         at = QPointF(8, 8)
         path.moveTo(at + QPointF(-5.5, -0.5) * sign)
@@ -330,14 +322,14 @@ def is_on_paper() -> bool:
     return _paper.get()
 
 
-def dots_in_px(painter: QPainter) -> float:
+def dots_in_px(painter: QtGui.QPainter) -> float:
     """Return the dots per px: pixels of the screen, or dots of a printer."""
     return PAPER_DOTS if is_on_paper() else painter.device().devicePixelRatioF()
 
 
-def thin_pen(colour: QColor) -> QPen:
+def thin_pen(colour: QtGui.QColor) -> QtGui.QPen:
     """Return a pen of one pixel of the screen; any wider line takes a hundred times as long.
 
     On paper it would be invisible: there it is as wide as other lines.
     """
-    return QPen(colour, _LINE_PX if is_on_paper() else 0.0)
+    return QtGui.QPen(colour, _LINE_PX if is_on_paper() else 0.0)

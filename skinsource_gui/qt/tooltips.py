@@ -3,8 +3,8 @@
 from functools import lru_cache
 from textwrap import fill
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QPoint
-from PySide6.QtWidgets import QToolTip, QWidget
 
 # Characters in a line: about as wide as a panel.
 _LINE = 64
@@ -15,16 +15,16 @@ def tooltip(*sentences: str) -> str:
     return "\n".join(_in_lines(sentence) for sentence in sentences if sentence)
 
 
-def show_tooltip(widget: QWidget, text: str) -> None:
+def show_tooltip(widget: QtWidgets.QWidget, text: str) -> None:
     """Set the tooltip of a widget, unless it is the same, which would cause an event."""
     if widget.toolTip() != text:
         widget.setToolTip(text)
 
 
-def show_tip_below(widget: QWidget, text: str) -> None:
+def show_tip_below(widget: QtWidgets.QWidget, text: str) -> None:
     """Show a tooltip below a widget at once, if the widget is visible."""
     if widget.isVisible():
-        QToolTip.showText(widget.mapToGlobal(QPoint(0, widget.height())), text, widget)
+        QtWidgets.QToolTip.showText(widget.mapToGlobal(QPoint(0, widget.height())), text, widget)
 
 
 @lru_cache(maxsize=512)

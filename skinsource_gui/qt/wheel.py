@@ -4,24 +4,23 @@ from collections.abc import Callable, Iterator, Mapping
 from time import monotonic
 
 import numpy as np
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QPoint, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QCursor, QMouseEvent, QWheelEvent
-from PySide6.QtWidgets import QScrollArea, QScrollBar, QWidget
 
 from skinsource.base.arrays import Floats
 from skinsource_gui.qt.frames import Frame
 
 
-def areas_around(widget: QWidget) -> Iterator[QScrollArea]:
+def areas_around(widget: QtWidgets.QWidget) -> Iterator[QtWidgets.QScrollArea]:
     """Yield the scroll areas around a widget, the innermost first."""
     parent = widget.parentWidget()
     while parent is not None:
-        if isinstance(parent, QScrollArea):
+        if isinstance(parent, QtWidgets.QScrollArea):
             yield parent
         parent = parent.parentWidget()
 
 
-def bars_px(widget: QWidget) -> int:
+def bars_px(widget: QtWidgets.QWidget) -> int:
     """Return the width of the scroll bars around a widget."""
     return sum(
         max(area.maximumViewportSize().width() - area.viewport().width(), 0)
@@ -29,7 +28,7 @@ def bars_px(widget: QWidget) -> int:
     )
 
 
-def scroll_to(widget: QWidget) -> None:
+def scroll_to(widget: QtWidgets.QWidget) -> None:
     """Scroll the areas around a widget until it is visible."""
     for area in areas_around(widget):
         area.ensureWidgetVisible(widget)
@@ -61,10 +60,10 @@ class ScrollGesture(QObject):
         Returns seconds.
     """
 
-    def __init__(self, widget: QWidget, clock: Callable[[], float] = monotonic) -> None:
+    def __init__(self, widget: QtWidgets.QWidget, clock: Callable[[], float] = monotonic) -> None:
         super().__init__(widget)
         self._widget, self._clock = widget, clock
-        self._bars: list[QScrollBar] = []
+        self._bars: list[QtWidgets.QScrollBar] = []
         self._last_s, self._pointer = -PAUSE_S, QPoint()
         self._used_s = -PAUSE_S
 
@@ -76,10 +75,10 @@ class ScrollGesture(QObject):
                     self._bars.append(bar)
                     bar.valueChanged.connect(self._note)
 
-    def passes(self, event: QWheelEvent) -> bool:
+    def passes(self, event: QtGui.QWheelEvent) -> bool:
         """Return whether this turn of the wheel is for the areas around the widget."""
         # With a modifier it is a new gesture.
-        moved = (QCursor.pos() - self._pointer).manhattanLength() > _STILL_PX
+        moved = (QtGui.QCursor.pos() - self._pointer).manhattanLength() > _STILL_PX
         rested = self._clock() - self._last_s >= PAUSE_S
         if moved or rested or event.modifiers().value:
             return False
@@ -99,7 +98,7 @@ class ScrollGesture(QObject):
         return recent
 
     def _note(self, _value: int = 0) -> None:
-        self._last_s, self._pointer = self._clock(), QCursor.pos()
+        self._last_s, self._pointer = self._clock(), QtGui.QCursor.pos()
 
 
 #: The fit that shows everything, and the name for a free zoom.
@@ -136,7 +135,7 @@ class PanZoom(QObject):
     #: There is another frame.
     changed = Signal()
 
-    def __init__(self, widget: QWidget) -> None:
+    def __init__(self, widget: QtWidgets.QWidget) -> None:
         super().__init__(widget)
         self._widget = widget
         self._fits: Mapping[str, Frame] = {}
@@ -206,7 +205,7 @@ class PanZoom(QObject):
         if dx or dy:
             self.pan(dx, dy)
 
-    def wheel(self, event: QWheelEvent) -> None:
+    def wheel(self, event: QtGui.QWheelEvent) -> None:
         """Handle a turn of the wheel."""
         if self.scrolling_on.passes(event) or self._leaves(event):
             event.ignore()
@@ -222,20 +221,20 @@ class PanZoom(QObject):
                 self.pan(right * _PAN_PER_NOTCH_PX, 0)
         event.accept()
 
-    def press(self, event: QMouseEvent) -> None:
+    def press(self, event: QtGui.QMouseEvent) -> None:
         """Handle a button that goes down: the middle one grips the drawing."""
         if event.button() == Qt.MouseButton.MiddleButton:
             self._grip = event.position()
             self._widget.setCursor(Qt.CursorShape.ClosedHandCursor)
 
-    def move(self, event: QMouseEvent) -> None:
+    def move(self, event: QtGui.QMouseEvent) -> None:
         """Handle a move of the mouse, with or without a button."""
         if self._grip is not None:
             by = event.position() - self._grip
             self._grip = event.position()
             self.pan(by.x(), by.y())
 
-    def release(self, event: QMouseEvent) -> None:
+    def release(self, event: QtGui.QMouseEvent) -> None:
         """Handle a button that goes up."""
         if event.button() == Qt.MouseButton.MiddleButton and self._grip is not None:
             self._grip = None
@@ -248,7 +247,7 @@ class PanZoom(QObject):
             self.zoom(factor, self._room.center())
         return factor is not None
 
-    def _leaves(self, event: QWheelEvent) -> bool:
+    def _leaves(self, event: QtGui.QWheelEvent) -> bool:
         """Return whether the wheel zooms out of the whole drawing, and did not begin by zooming."""
         turned, modifiers = event.angleDelta(), event.modifiers().value
         out = turned.y() < 0 and not turned.x() and not modifiers

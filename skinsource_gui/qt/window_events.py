@@ -3,8 +3,8 @@
 from collections.abc import Callable
 from typing import Any
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QEvent, QObject, Qt
-from PySide6.QtWidgets import QWidget
 
 
 class WindowEvents(QObject):
@@ -13,7 +13,7 @@ class WindowEvents(QObject):
     All of Python's filters see each event of the window: one filter for all costs as much as one.
     """
 
-    def __init__(self, window: QWidget) -> None:
+    def __init__(self, window: QtWidgets.QWidget) -> None:
         super().__init__(window)
         self._handlers: dict[QEvent.Type, tuple[Callable[[Any], object], ...]] = {}
         window.installEventFilter(self)
@@ -25,7 +25,9 @@ class WindowEvents(QObject):
         return handled
 
     @classmethod
-    def follow(cls, window: QWidget, handle: Callable[[Any], object], *kinds: QEvent.Type) -> None:
+    def follow(
+        cls, window: QtWidgets.QWidget, handle: Callable[[Any], object], *kinds: QEvent.Type
+    ) -> None:
         """Call a function with each event of some kinds, until the window is deleted.
 
         Where it returns True the window does not get the event.

@@ -2,9 +2,8 @@
 
 from collections.abc import Sequence
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QRect, Qt, QTimer, Signal
-from PySide6.QtGui import QGuiApplication, QScreen
-from PySide6.QtWidgets import QApplication, QWidget
 
 from skinsource.base.quoting import printable
 from skinsource.design.design import Design
@@ -36,7 +35,7 @@ class Appearance(QObject):
         super().__init__(parent)
         self._preferences = preferences
         self._room_scale = 1.0
-        QGuiApplication.styleHints().colorSchemeChanged.connect(self._follow_desktop)
+        QtGui.QGuiApplication.styleHints().colorSchemeChanged.connect(self._follow_desktop)
         # Some widgets that are made before the first time would keep their font.
         self.apply()
 
@@ -71,11 +70,11 @@ class Appearance(QObject):
     def apply(self) -> None:
         """Give the whole application theme and size of words."""
         self.changing.emit()
-        dark = QGuiApplication.styleHints().colorScheme() == Qt.ColorScheme.Dark
+        dark = QtGui.QGuiApplication.styleHints().colorScheme() == Qt.ColorScheme.Dark
         system = THEMES["dark" if dark else "light"]
         theme = THEMES.get(self._preferences.theme_name, system)
-        application = QApplication.instance()
-        if isinstance(application, QApplication):
+        application = QtWidgets.QApplication.instance()
+        if isinstance(application, QtWidgets.QApplication):
             apply_theme(application, theme, self.text_scale)
         self.changed.emit()
 
@@ -107,24 +106,24 @@ class WindowsInSight(QObject):
         That of the studio; also the parent.
     """
 
-    def __init__(self, window: QWidget) -> None:
+    def __init__(self, window: QtWidgets.QWidget) -> None:
         super().__init__(window)
         self._window = window
         self._timer = QTimer(self, interval=_DESKTOP_MS, singleShot=True)
         self._timer.timeout.connect(self.bring)
-        application = QApplication.instance()
-        if isinstance(application, QGuiApplication):
+        application = QtWidgets.QApplication.instance()
+        if isinstance(application, QtGui.QGuiApplication):
             application.screenRemoved.connect(self._follow)
 
     def bring(self) -> None:
         """Move what is out of sight onto the screen that is nearest."""
-        rooms = [screen.availableGeometry() for screen in QGuiApplication.screens()]
-        for window in (self._window, *self._window.findChildren(QWidget)):
+        rooms = [screen.availableGeometry() for screen in QtGui.QGuiApplication.screens()]
+        for window in (self._window, *self._window.findChildren(QtWidgets.QWidget)):
             whole = window.windowState() & _WHOLE
             if window.isWindow() and window.isVisible() and not whole:
                 _bring(window, rooms)
 
-    def _follow(self, _gone: QScreen) -> None:
+    def _follow(self, _gone: QtGui.QScreen) -> None:
         self._timer.start()
 
 
@@ -144,7 +143,7 @@ def place_in_sight(frame: QRect, rooms: Sequence[QRect]) -> QRect:
     return QRect(left, top, width, height)
 
 
-def _bring(window: QWidget, rooms: Sequence[QRect]) -> None:
+def _bring(window: QtWidgets.QWidget, rooms: Sequence[QRect]) -> None:
     frame = window.frameGeometry()
     target = place_in_sight(frame, rooms)
     if target == frame:
@@ -161,7 +160,7 @@ def _area(of: QRect) -> int:
 class WindowFrame(QObject):
     """Closes ``window``, lays it over the whole screen, and names ``document`` in its title."""
 
-    def __init__(self, window: QWidget, document: Document) -> None:
+    def __init__(self, window: QtWidgets.QWidget, document: Document) -> None:
         super().__init__(window)
         self._window, self._document = window, document
         WindowsInSight(window)

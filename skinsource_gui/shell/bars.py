@@ -3,20 +3,8 @@
 from collections.abc import Callable, Sequence
 from functools import partial
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
-from PySide6.QtGui import QAction, QResizeEvent
-from PySide6.QtWidgets import (
-    QComboBox,
-    QFrame,
-    QHBoxLayout,
-    QLabel,
-    QMainWindow,
-    QMenu,
-    QSizePolicy,
-    QToolBar,
-    QToolButton,
-    QWidget,
-)
 
 from skinsource.design import edits
 from skinsource.design.design import Design
@@ -38,13 +26,13 @@ _FLAGS = Qt.ItemDataRole.UserRole - 1
 _ENABLED = Qt.ItemFlag.ItemIsEnabled
 
 
-class SetupBar(QWidget):
+class SetupBar(QtWidgets.QWidget):
     """Choices for what the whole window shows."""
 
     #: `Edit` or `Refusal`, number of the gesture or None.
     edited = Signal(object, object)
 
-    def __init__(self, parent: QWidget | None = None):
+    def __init__(self, parent: QtWidgets.QWidget | None = None):
         super().__init__(parent)
         self._design: Design | None = None
         self._view: View | None = None
@@ -56,7 +44,7 @@ class SetupBar(QWidget):
         )
         self._method_hint = self._method.toolTip()
         self._row.addStretch(1)
-        self._titles = self.findChildren(QLabel)
+        self._titles = self.findChildren(QtWidgets.QLabel)
         for field, edit in (
             (self._limb, edits.change_limb),
             (self._scaling, edits.change_scaling),
@@ -88,7 +76,7 @@ class SetupBar(QWidget):
         """Take over a view in which the playhead alone has moved."""
         self._view = view
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         # Where there is too little room, the labels are hidden rather than the choices.
         named = sum(title.sizeHint().width() + self._row.spacing() for title in self._titles)
@@ -137,13 +125,13 @@ class SetupBar(QWidget):
         self._drive_unit_known = unit_known
         _explain(self._scaling, scalings_on(drive_unit_known=unit_known))
 
-    def choices(self, parent: QObject | None) -> list[QAction]:
+    def choices(self, parent: QObject | None) -> list[QtGui.QAction]:
         """Return an action for each choice, owned by ``parent``."""
         actions = []
         for field in (self._limb, self._scaling, self._axes, self._method, self._span):
             model = field.model()
             for index in range(field.count()):
-                action = QAction(f"{field.accessibleName()}: {field.itemText(index)}", parent)
+                action = QtGui.QAction(f"{field.accessibleName()}: {field.itemText(index)}", parent)
                 action.setToolTip(field.itemData(index, Qt.ItemDataRole.ToolTipRole) or "")
                 action.setEnabled(
                     field.isEnabled() and bool(model.flags(model.index(index, 0)) & _ENABLED)
@@ -155,10 +143,12 @@ class SetupBar(QWidget):
     def _choice(self, label: str, sentence: str, options: tuple[Word, ...]) -> ChoiceField:
         field = ChoiceField(_spec(label, sentence, options))
         field.setObjectName(label.lower())
-        field.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
-        field.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
+        field.setSizeAdjustPolicy(QtWidgets.QComboBox.SizeAdjustPolicy.AdjustToContents)
+        field.setSizePolicy(
+            QtWidgets.QSizePolicy.Policy.Maximum, QtWidgets.QSizePolicy.Policy.Fixed
+        )
         _explain(field, options)
-        title = QLabel(label)
+        title = QtWidgets.QLabel(label)
         title.setBuddy(field)
         self._row.addWidget(title)
         self._row.addWidget(field)
@@ -178,13 +168,13 @@ def _spec(label: str, sentence: str, words: tuple[Word, ...]) -> ChoiceSpec:
     return ChoiceSpec(label=label, options=options, hint=sentence)
 
 
-def _explain(field: QComboBox, options: tuple[Word, ...]) -> None:
+def _explain(field: QtWidgets.QComboBox, options: tuple[Word, ...]) -> None:
     """Set a tooltip on what each entry means."""
     for index, word in enumerate(options):
         field.setItemData(index, tooltip(word.sentence), Qt.ItemDataRole.ToolTipRole)
 
 
-def _set_enabled(field: QComboBox, index: int, *, there: bool) -> None:
+def _set_enabled(field: QtWidgets.QComboBox, index: int, *, there: bool) -> None:
     """Let an entry be chosen, or not.
 
     The item of the model is not used: its Python wrapper outlives it, and PySide then takes another
@@ -198,7 +188,7 @@ _CHOICES_SHARE = 0.8
 _REFITTED = (QEvent.Type.LayoutRequest, QEvent.Type.FontChange, QEvent.Type.StyleChange)
 
 
-class FoldedActions(QWidget):
+class FoldedActions(QtWidgets.QWidget):
     """Buttons of actions; where there is no room for them, one button with a menu of all.
 
     Attributes
@@ -207,27 +197,29 @@ class FoldedActions(QWidget):
         The button with the menu.
     """
 
-    def __init__(self, groups: Sequence[Sequence[QAction]], parent: QWidget | None = None) -> None:
+    def __init__(
+        self, groups: Sequence[Sequence[QtGui.QAction]], parent: QtWidgets.QWidget | None = None
+    ) -> None:
         super().__init__(parent)
-        self._buttons, row = QWidget(self), QHBoxLayout(self)
-        buttons = QHBoxLayout(self._buttons)
+        self._buttons, row = QtWidgets.QWidget(self), QtWidgets.QHBoxLayout(self)
+        buttons = QtWidgets.QHBoxLayout(self._buttons)
         for layout in (row, buttons):
             layout.setContentsMargins(0, 0, 0, 0)
             layout.setSpacing(6)
-        self.more = QToolButton(self)
+        self.more = QtWidgets.QToolButton(self)
         self.more.setObjectName("more_actions")
         self.more.setText("»")
-        self.more.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.more.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
         self.more.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        menu = QMenu(self.more)
+        menu = QtWidgets.QMenu(self.more)
         for group in groups:
-            line = QFrame(self._buttons)
+            line = QtWidgets.QFrame(self._buttons)
             line.setObjectName("bar_line")
             line.setFixedWidth(1)
             buttons.addWidget(line)
             menu.addSeparator()
             for action in group:
-                button = QToolButton(self._buttons)
+                button = QtWidgets.QToolButton(self._buttons)
                 button.setDefaultAction(action)
                 button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
                 buttons.addWidget(button)
@@ -252,20 +244,20 @@ class FoldedActions(QWidget):
         self.setFixedWidth((self.more if folded else self._buttons).sizeHint().width())
 
 
-class WorkspaceButtons(QWidget):
+class WorkspaceButtons(QtWidgets.QWidget):
     """Buttons beside each other, one for each workspace."""
 
-    def __init__(self, actions: Sequence[QAction], parent: QWidget) -> None:
+    def __init__(self, actions: Sequence[QtGui.QAction], parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("workspaces")
-        buttons = [QToolButton(self) for _ in actions]
+        buttons = [QtWidgets.QToolButton(self) for _ in actions]
         for button, action in zip(buttons, actions, strict=True):
             button.setDefaultAction(action)
             button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         in_row(*buttons, of=self, margins=0, gap_px=2).setContentsMargins(0, 2, UNIT_PX, 2)
 
 
-class StudioBar(QToolBar):
+class StudioBar(QtWidgets.QToolBar):
     """Choices, transport and a few actions; the actions fold before the choices are cut short.
 
     Parameters
@@ -286,9 +278,9 @@ class StudioBar(QToolBar):
     def __init__(
         self,
         choices: SetupBar,
-        transport: QWidget,
-        groups: Sequence[Sequence[QAction]],
-        window: QMainWindow,
+        transport: QtWidgets.QWidget,
+        groups: Sequence[Sequence[QtGui.QAction]],
+        window: QtWidgets.QMainWindow,
     ) -> None:
         super().__init__("Setup", window)
         self._choices, self._transport = choices, transport
@@ -306,7 +298,7 @@ class StudioBar(QToolBar):
             self._fit()
         return super().event(event)
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         self._fit()
 

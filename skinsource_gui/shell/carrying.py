@@ -6,9 +6,8 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEventLoop, QPoint, QRect, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFont, QPainter
-from PySide6.QtWidgets import QApplication, QScrollArea, QVBoxLayout, QWidget
 
 from skinsource.design.comparing import EDITED, Snapshot, shown_snapshot, with_edited
 from skinsource.design.labels import short_limb_title
@@ -236,7 +235,7 @@ class PanelPictures:
         self,
         panel: Panel,
         view: str,
-        painter: QPainter,
+        painter: QtGui.QPainter,
         width: int,
         height: int,
         theme: Theme = LIGHT,
@@ -250,16 +249,22 @@ class PanelPictures:
         with panel.showing(view), self._metadata.as_stored(), stage as make_room:
             self._catch_up()
             # Parts that depend on results take their room now.
-            QApplication.processEvents(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)
+            QtWidgets.QApplication.processEvents(
+                QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents
+            )
             make_room()
-            QApplication.processEvents(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)
+            QtWidgets.QApplication.processEvents(
+                QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents
+            )
             with self._in_colours(theme):
                 panel.draw_picture(painter, width, height, theme)
 
-    def _draw_all(self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT) -> None:
+    def _draw_all(
+        self, painter: QtGui.QPainter, width: int, height: int, theme: Theme = LIGHT
+    ) -> None:
         """Draw all panels in sight, each where it is, with its title."""
         places, bounds = self._places()
-        painter.fillRect(QRectF(0, 0, width, height), QColor(theme.base))
+        painter.fillRect(QRectF(0, 0, width, height), QtGui.QColor(theme.base))
         if bounds.isEmpty():
             return
         scale = min(width / bounds.width(), height / bounds.height())
@@ -285,8 +290,8 @@ class PanelPictures:
     @contextmanager
     def _in_colours(self, theme: Theme) -> Iterator[None]:
         """Put the studio in other colours for a while; nothing of that is painted on the screen."""
-        application, before = QApplication.instance(), current_theme()
-        if theme == before or not isinstance(application, QApplication):
+        application, before = QtWidgets.QApplication.instance(), current_theme()
+        if theme == before or not isinstance(application, QtWidgets.QApplication):
             yield
             return
         text_scale = self._appearance.text_scale
@@ -297,17 +302,17 @@ class PanelPictures:
             apply_theme(application, before, text_scale)
 
 
-def _draw_titled(painter: QPainter, panel: Panel, area: QRect, theme: Theme) -> None:
-    font = QFont(QApplication.font())
+def _draw_titled(painter: QtGui.QPainter, panel: Panel, area: QRect, theme: Theme) -> None:
+    font = QtGui.QFont(QtWidgets.QApplication.font())
     font.setBold(True)
     painter.setFont(font)
-    painter.setPen(QColor(theme.text))
+    painter.setPen(QtGui.QColor(theme.text))
     head = QRectF(area.left() + _EDGE_PX, area.top() - _TITLE_PX, area.width(), _TITLE_PX)
     painter.drawText(head, Qt.AlignmentFlag.AlignVCenter, panel.title)
     painter.save()
     painter.translate(area.topLeft())
     painter.setClipRect(QRectF(0, 0, area.width(), area.height()))
-    painter.setFont(QApplication.font())
+    painter.setFont(QtWidgets.QApplication.font())
     panel.draw_picture(painter, area.width(), area.height(), theme)
     painter.restore()
 
@@ -334,10 +339,10 @@ def _shown_off_screen(dock: Dock, width: int, height: int) -> Iterator[Callable[
     size = _usual_size(dock.panel)
     wide = max(size.width(), round(size.height() * width / max(height, 1)))
     high = max(size.height(), round(wide * height / max(width, 1)))
-    stage = QWidget()
+    stage = QtWidgets.QWidget()
     stage.setAttribute(Qt.WidgetAttribute.WA_DontShowOnScreen)
     stage.setAttribute(Qt.WidgetAttribute.WA_ShowWithoutActivating)
-    column = QVBoxLayout(stage)
+    column = QtWidgets.QVBoxLayout(stage)
     column.setContentsMargins(0, 0, 0, 0)
     with dock.lent() as panel:
         column.addWidget(panel)
@@ -352,9 +357,10 @@ def _shown_off_screen(dock: Dock, width: int, height: int) -> Iterator[Callable[
             stage.deleteLater()
 
 
-def _make_room(stage: QWidget) -> None:
+def _make_room(stage: QtWidgets.QWidget) -> None:
     hidden = max(
-        (area.verticalScrollBar().maximum() for area in stage.findChildren(QScrollArea)), default=0
+        (area.verticalScrollBar().maximum() for area in stage.findChildren(QtWidgets.QScrollArea)),
+        default=0,
     )
     high = stage.height() + hidden
     # The shape stays the same.

@@ -8,16 +8,8 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QObject, QPoint, Qt, QTimer, Signal
-from PySide6.QtWidgets import (
-    QFrame,
-    QGridLayout,
-    QLabel,
-    QPushButton,
-    QStatusBar,
-    QToolButton,
-    QWidget,
-)
 
 from skinsource.design import edits
 from skinsource.perception.validity import Finding, Findings
@@ -68,10 +60,10 @@ def chip_text(findings: Findings) -> str:
     return "✓ Within measured limits"
 
 
-class ConditionsChip(QToolButton):
+class ConditionsChip(QtWidgets.QToolButton):
     """Says which conditions the design leaves; pale while that is of an older design."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("conditions")
         self.setAutoRaise(True)
@@ -130,18 +122,18 @@ _REPAIRS = {
 _TEXT_EM = 28
 
 
-class ConditionsCard(QFrame):
+class ConditionsCard(QtWidgets.QFrame):
     """A card over the status bar; it closes at the next click elsewhere, or with Esc."""
 
     #: The `Finding` whose cause is to be repaired.
     repair_requested = Signal(object)
 
-    def __init__(self, findings: Findings, first: str, parent: QWidget) -> None:
+    def __init__(self, findings: Findings, first: str, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent, Qt.WindowType.Popup)
         self.setObjectName("conditions_card")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setFrameShape(QFrame.Shape.StyledPanel)
-        grid = QGridLayout(self)
+        self.setFrameShape(QtWidgets.QFrame.Shape.StyledPanel)
+        grid = QtWidgets.QGridLayout(self)
         grid.setContentsMargins(UNIT_PX, UNIT_PX, UNIT_PX, UNIT_PX)
         grid.setHorizontalSpacing(2 * UNIT_PX)
         grid.setVerticalSpacing(UNIT_PX)
@@ -157,13 +149,15 @@ class ConditionsCard(QFrame):
         self.move(left, max(position.y() - self.height() - 2, screen.top()))
         self.show()
 
-    def _add(self, grid: QGridLayout, row: int, finding: Finding, *, chosen: bool) -> None:
-        title = QLabel(f"{_TITLES[finding.name]}\n{STATES[finding.state]}")
+    def _add(
+        self, grid: QtWidgets.QGridLayout, row: int, finding: Finding, *, chosen: bool
+    ) -> None:
+        title = QtWidgets.QLabel(f"{_TITLES[finding.name]}\n{STATES[finding.state]}")
         set_tone(title, "warning" if finding.state == "left" else "dim")
         font = title.font()
         font.setBold(chosen)
         title.setFont(font)
-        label = QLabel(finding.sentence)
+        label = QtWidgets.QLabel(finding.sentence)
         label.setObjectName(f"validity_{finding.name}")
         label.setWordWrap(True)
         # Grids do not take the height of wrapped text into account.
@@ -174,7 +168,7 @@ class ConditionsCard(QFrame):
         grid.addWidget(title, row, 0, top)
         grid.addWidget(label, row, 1, top)
         if finding.repair:
-            button = QPushButton(_REPAIRS[finding.repair])
+            button = QtWidgets.QPushButton(_REPAIRS[finding.repair])
             button.setObjectName(f"mend_{finding.name}")
             button.clicked.connect(partial(self._repair, finding))
             grid.addWidget(button, row, 2, top)
@@ -206,7 +200,7 @@ class Conditions(QObject):
         document: Document,
         engine: Engine,
         panels: PanelRegistry,
-        status_bar: QStatusBar,
+        status_bar: QtWidgets.QStatusBar,
     ) -> None:
         super().__init__(document)
         self._document, self._engine = document, engine

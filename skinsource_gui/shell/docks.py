@@ -10,29 +10,8 @@ from functools import cache, partial
 from typing import Any
 from weakref import ref
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QChildEvent, QEvent, QObject, QPoint, QRectF, Qt, QTimer, Signal
-from PySide6.QtGui import (
-    QAction,
-    QHideEvent,
-    QIcon,
-    QMouseEvent,
-    QMoveEvent,
-    QPainterPath,
-    QShowEvent,
-    QWindow,
-)
-from PySide6.QtWidgets import (
-    QAbstractButton,
-    QApplication,
-    QDockWidget,
-    QFrame,
-    QMainWindow,
-    QMenu,
-    QMenuBar,
-    QTabBar,
-    QTabWidget,
-    QWidget,
-)
 from shiboken6 import isValid
 
 from skinsource_gui.qt.fitting import SteadyArea
@@ -46,9 +25,9 @@ _LINE_PX = 1.6
 
 
 @cache
-def close_icon(theme: Theme) -> QIcon:
+def close_icon(theme: Theme) -> QtGui.QIcon:
     """Return the icon of a cross."""
-    path = QPainterPath()
+    path = QtGui.QPainterPath()
     path.moveTo(3.5, 3.5)
     path.lineTo(12.5, 12.5)
     path.moveTo(12.5, 3.5)
@@ -57,9 +36,9 @@ def close_icon(theme: Theme) -> QIcon:
 
 
 @cache
-def float_icon(theme: Theme) -> QIcon:
+def float_icon(theme: Theme) -> QtGui.QIcon:
     """Return the icon of a window in front of another."""
-    path = QPainterPath()
+    path = QtGui.QPainterPath()
     path.addRect(QRectF(2.5, 6.0, 7.5, 7.5))
     path.moveTo(6.0, 3.0)
     path.lineTo(13.0, 3.0)
@@ -80,7 +59,7 @@ _BUTTONS = {
 _OTHER_LOOK = (QEvent.Type.StyleChange, QEvent.Type.PaletteChange)
 
 
-class Dock(QDockWidget):
+class Dock(QtWidgets.QDockWidget):
     """Holds a panel, which scrolls where there is too little room.
 
     The panel is made when the dock first comes into sight.  A panel behind another one, as a tab,
@@ -101,16 +80,18 @@ class Dock(QDockWidget):
     #: The panel came into sight, or left it.
     sight_changed = Signal()
 
-    def __init__(self, name: str, title: str, panels: PanelRegistry, window: QWidget) -> None:
+    def __init__(
+        self, name: str, title: str, panels: PanelRegistry, window: QtWidgets.QWidget
+    ) -> None:
         super().__init__(title, window)
         self._panels = panels
         self._behind = False
-        self._no_title = QWidget(self)
+        self._no_title = QtWidgets.QWidget(self)
         self._no_title.hide()
         self.setObjectName(name)
         self._area = area = SteadyArea()
         area.setObjectName(f"{name}_area")
-        area.setFrameShape(QFrame.Shape.NoFrame)
+        area.setFrameShape(QtWidgets.QFrame.Shape.NoFrame)
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setWidget(area)
         _draw_buttons(self)
@@ -167,15 +148,15 @@ class Dock(QDockWidget):
         if event.type() in _OTHER_LOOK:
             _draw_buttons(self)
 
-    def moveEvent(self, event: QMoveEvent) -> None:
+    def moveEvent(self, event: QtGui.QMoveEvent) -> None:
         super().moveEvent(event)
         self._follow()
 
-    def showEvent(self, event: QShowEvent) -> None:
+    def showEvent(self, event: QtGui.QShowEvent) -> None:
         super().showEvent(event)
         self._follow()
 
-    def hideEvent(self, event: QHideEvent) -> None:
+    def hideEvent(self, event: QtGui.QHideEvent) -> None:
         super().hideEvent(event)
         self.sight_changed.emit()
 
@@ -201,11 +182,11 @@ class Dock(QDockWidget):
             self.raise_()
 
 
-def _draw_buttons(dock: QDockWidget) -> None:
+def _draw_buttons(dock: QtWidgets.QDockWidget) -> None:
     """Say what the buttons of the title do; those of the style are grey, whatever is behind."""
     direct = Qt.FindChildOption.FindDirectChildrenOnly  # a panel has hundreds of widgets
     for name, (hint, icon) in _BUTTONS.items():
-        for button in dock.findChildren(QAbstractButton, name, direct):
+        for button in dock.findChildren(QtWidgets.QAbstractButton, name, direct):
             button.setToolTip(hint)
             drawn = icon(current_theme())
             if button.icon().cacheKey() != drawn.cacheKey():
@@ -231,10 +212,12 @@ class DockTabs(QObject):
     #: The name of a panel that was brought to the front, or whose tab was clicked.
     used = Signal(str)
 
-    def __init__(self, window: QMainWindow, docks: Mapping[str, Dock]) -> None:
+    def __init__(self, window: QtWidgets.QMainWindow, docks: Mapping[str, Dock]) -> None:
         super().__init__(window)
         self._window, self._docks = window, docks
-        window.setTabPosition(Qt.DockWidgetArea.AllDockWidgetAreas, QTabWidget.TabPosition.North)
+        window.setTabPosition(
+            Qt.DockWidgetArea.AllDockWidgetAreas, QtWidgets.QTabWidget.TabPosition.North
+        )
         # Qt makes a bar when it needs one, and says nothing else of it.
         WindowEvents.follow(window, self._note_child, QEvent.Type.ChildPolished)
         for dock in docks.values():
@@ -257,7 +240,7 @@ class DockTabs(QObject):
 
     def _note_child(self, event: QChildEvent) -> None:
         bar = event.child()
-        if isinstance(bar, QTabBar):
+        if isinstance(bar, QtWidgets.QTabBar):
             _prepare(bar)
             bar.customContextMenuRequested.connect(self._open_list_at)
             bar.tabBarClicked.connect(self._note_click)
@@ -265,7 +248,7 @@ class DockTabs(QObject):
     def _note_click(self, index: int) -> None:
         """Give the keyboard to the panel of a clicked tab, also where it was in front before."""
         bar = self.sender()
-        if isinstance(bar, QTabBar) and index >= 0:
+        if isinstance(bar, QtWidgets.QTabBar) and index >= 0:
             # Pressed; it comes to the front next.  Of the bar nothing is kept: Qt may delete it.
             QTimer.singleShot(0, self, partial(self._take_keyboard, bar.tabText(index)))
 
@@ -288,12 +271,12 @@ class DockTabs(QObject):
     def _open_list_at(self, at: QPoint) -> None:
         # Of the bar nothing is kept: Qt may delete it.
         bar = self.sender()
-        if isinstance(bar, QTabBar):
+        if isinstance(bar, QtWidgets.QTabBar):
             self._open_list(bar, at, bar.tabAt(at))
 
-    def _open_list(self, bar: QTabBar, at: QPoint, index: int) -> None:
+    def _open_list(self, bar: QtWidgets.QTabBar, at: QPoint, index: int) -> None:
         """List all tabs of a bar, the front one ticked, and what can be done with one of them."""
-        menu = QMenu(self._window)
+        menu = QtWidgets.QMenu(self._window)
         menu.setObjectName("tab_menu")
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         for other in range(bar.count()):
@@ -323,10 +306,10 @@ class DockTabs(QObject):
     def _dock_titled(self, title: str) -> Dock:
         return next(dock for dock in self._docks.values() if dock.windowTitle() == title)
 
-    def _bar_in_use(self) -> QTabBar | None:
+    def _bar_in_use(self) -> QtWidgets.QTabBar | None:
         """The bar where the keyboard is; else the first there is, if any."""
         docks = [dock for dock in self._docks.values() if dock.in_sight]
-        focused = QApplication.focusWidget()
+        focused = QtWidgets.QApplication.focusWidget()
         docks.sort(key=lambda dock: focused is None or not dock.isAncestorOf(focused))
         for dock in docks:
             if (bar := self._bar_of(dock)) is not None:
@@ -334,17 +317,17 @@ class DockTabs(QObject):
         self.done.emit(_NOTHING)
         return None
 
-    def _bar_of(self, dock: Dock) -> QTabBar | None:
+    def _bar_of(self, dock: Dock) -> QtWidgets.QTabBar | None:
         """The bar in which a dock is in front of others."""
         direct = Qt.FindChildOption.FindDirectChildrenOnly
         # A bar that Qt is about to delete still holds what it held: the newest is the one.
-        for bar in reversed(self._window.findChildren(QTabBar, options=direct)):
+        for bar in reversed(self._window.findChildren(QtWidgets.QTabBar, options=direct)):
             if bar.count() > 1 and bar.tabText(bar.currentIndex()) == dock.windowTitle():
                 return bar
         return None
 
 
-def _prepare(bar: QTabBar) -> None:
+def _prepare(bar: QtWidgets.QTabBar) -> None:
     bar.setAccessibleName("Panels in one place")
     bar.setToolTip(
         f"Panels in one place; {shortcut_text('next_tab')} shows the next, the right button lists "
@@ -360,14 +343,14 @@ def _prepare(bar: QTabBar) -> None:
     bar.setUsesScrollButtons(True)
 
 
-def menu_toggles(docks: Iterable[Dock], parent: QObject) -> list[QAction]:
+def menu_toggles(docks: Iterable[Dock], parent: QObject) -> list[QtGui.QAction]:
     """Return an action for each dock, on while it is in the window: in front, or behind as a tab.
 
     It brings it into sight, or hides what is.
     """
     actions = []
     for dock in docks:
-        action = QAction(dock.windowTitle(), parent)
+        action = QtGui.QAction(dock.windowTitle(), parent)
         action.setCheckable(True)
         action.triggered.connect(partial(_turn, dock, action))
         dock.sight_changed.connect(partial(_tick, dock, action))
@@ -376,7 +359,7 @@ def menu_toggles(docks: Iterable[Dock], parent: QObject) -> list[QAction]:
     return actions
 
 
-def toggles(docks: Iterable[Dock]) -> list[QAction]:
+def toggles(docks: Iterable[Dock]) -> list[QtGui.QAction]:
     """Return new actions that bring each dock into sight, and that hide those in the window.
 
     For the palette: what says that it shows a panel never hides it.
@@ -387,13 +370,13 @@ def toggles(docks: Iterable[Dock]) -> list[QAction]:
         if not dock.isHidden():
             ways.append(("Hide", dock.hide))
         for word, act in ways:
-            action = QAction(f"{word} panel: {dock.windowTitle()}")
+            action = QtGui.QAction(f"{word} panel: {dock.windowTitle()}")
             action.triggered.connect(act)
             actions.append(action)
     return actions
 
 
-def _turn(dock: Dock, action: QAction) -> None:
+def _turn(dock: Dock, action: QtGui.QAction) -> None:
     if dock.in_sight:
         dock.hide()
     else:
@@ -402,7 +385,7 @@ def _turn(dock: Dock, action: QAction) -> None:
     _tick(dock, action)
 
 
-def _tick(dock: Dock, action: QAction) -> None:
+def _tick(dock: Dock, action: QtGui.QAction) -> None:
     action.setChecked(not dock.isHidden())
 
 
@@ -425,18 +408,22 @@ class PanelInUse(QObject):
     """
 
     def __init__(
-        self, window: QMainWindow, docks: Mapping[str, Dock], panels: PanelRegistry, tabs: DockTabs
+        self,
+        window: QtWidgets.QMainWindow,
+        docks: Mapping[str, Dock],
+        panels: PanelRegistry,
+        tabs: DockTabs,
     ) -> None:
         super().__init__(window)
         self._window, self._docks, self._panels = window, docks, panels
         self._last = ""
         # The last widget of the window with the keyboard; it may be deleted meanwhile.
-        self._focused = ref[QWidget](window)
+        self._focused = ref[QtWidgets.QWidget](window)
         tabs.used.connect(self._use)
         for dock in docks.values():
             dock.sight_changed.connect(partial(self._watch_window_of, dock))
-        application = QApplication.instance()
-        if isinstance(application, QApplication):
+        application = QtWidgets.QApplication.instance()
+        if isinstance(application, QtWidgets.QApplication):
             application.focusChanged.connect(self._follow_keyboard)
 
     @property
@@ -446,21 +433,24 @@ class PanelInUse(QObject):
         for panel in in_sight:
             if panel.name == self._last:
                 return panel
-        for focused in (QApplication.focusWidget(), self._window.focusWidget()):
+        for focused in (QtWidgets.QApplication.focusWidget(), self._window.focusWidget()):
             for panel in in_sight:
                 if focused is not None and panel.isAncestorOf(focused):
                     return panel
         return (in_sight or list(self._panels))[0]
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if not isinstance(watched, QWindow) or not isinstance(event, QMouseEvent):
+        if not isinstance(watched, QtGui.QWindow) or not isinstance(event, QtGui.QMouseEvent):
             return False
         # With a menu open, a press beside it does no more than close that.
-        if event.type() == QEvent.Type.MouseButtonPress and not QApplication.activePopupWidget():
+        if (
+            event.type() == QEvent.Type.MouseButtonPress
+            and not QtWidgets.QApplication.activePopupWidget()
+        ):
             self._press(watched, event)
         return False
 
-    def _press(self, handle: QWindow, event: QMouseEvent) -> None:
+    def _press(self, handle: QtGui.QWindow, event: QtGui.QMouseEvent) -> None:
         for top in (self._window, *self._docks.values()):
             if top.windowHandle() is handle:
                 self._use_dock_of(top.childAt(event.position().toPoint()) or top)
@@ -472,8 +462,10 @@ class PanelInUse(QObject):
         if handle is not None:
             handle.installEventFilter(self)
 
-    def _follow_keyboard(self, _old: QWidget | None, new: QWidget | None) -> None:
-        if new is None or isinstance(new, QMenuBar):
+    def _follow_keyboard(
+        self, _old: QtWidgets.QWidget | None, new: QtWidgets.QWidget | None
+    ) -> None:
+        if new is None or isinstance(new, QtWidgets.QMenuBar):
             return
         if new.window() is self._window:
             # From a menu, a page, a panel taken out or another program it comes back to where it
@@ -484,7 +476,7 @@ class PanelInUse(QObject):
                 return
         self._use_dock_of(new)
 
-    def _use_dock_of(self, part: QWidget) -> None:
+    def _use_dock_of(self, part: QtWidgets.QWidget) -> None:
         for name, dock in self._docks.items():
             if dock is part or dock.isAncestorOf(part):
                 self._use(name)
@@ -509,11 +501,11 @@ class KeyboardKeeper(QObject):
         Its docks, in the order in which their panels are asked.
     """
 
-    def __init__(self, window: QMainWindow, docks: Mapping[str, Dock]) -> None:
+    def __init__(self, window: QtWidgets.QMainWindow, docks: Mapping[str, Dock]) -> None:
         super().__init__(window)
         self._window, self._docks = window, docks
         # The widget that had the keyboard, and its dock.
-        self._last_widget: QWidget | None = None
+        self._last_widget: QtWidgets.QWidget | None = None
         self._last_dock: Dock | None = None
         # Docks come and go while they are arranged: only where they stand at the end counts.
         self._arranged = QTimer(self, singleShot=True, interval=0)
@@ -543,7 +535,7 @@ class KeyboardKeeper(QObject):
     def _take_from(self, dock: Dock) -> None:
         if dock.in_sight and dock.isVisible():
             return
-        for focused in (self._window.focusWidget(), QApplication.focusWidget()):
+        for focused in (self._window.focusWidget(), QtWidgets.QApplication.focusWidget()):
             if focused is not None and self._window.isVisible() and dock.isAncestorOf(focused):
                 if not self._arranged.isActive():
                     self._last_widget, self._last_dock = focused, dock

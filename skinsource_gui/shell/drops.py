@@ -2,9 +2,8 @@
 
 from functools import partial
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QPoint
-from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QApplication
 
 from skinsource.design import edits
 from skinsource.design.waveforms import kinds
@@ -33,7 +32,7 @@ class ClipDrops(QObject):
 
     def _find(self, dragged_from: Panel, at: QPoint | None) -> DropPlace | None:
         """Where something goes that is held over a place of the screen; None: it is let go."""
-        below = None if at is None else QApplication.widgetAt(at)
+        below = None if at is None else QtWidgets.QApplication.widgetAt(at)
         drop_place = None
         for panel in self._panels:
             if panel is dragged_from:
@@ -77,11 +76,11 @@ class ClipsAndClipboard(QObject):
         self._document.apply(paste_clips(self._document.design, self._document.view))
 
 
-def kind_choices(document: Document) -> list[QAction]:
+def kind_choices(document: Document) -> list[QtGui.QAction]:
     """Return one new action for each kind of waveform, which lets the selected inputs play it."""
     actions = []
     for kind in kinds():
-        action = QAction(f"Waveform: {kind.title}")
+        action = QtGui.QAction(f"Waveform: {kind.title}")
         action.setToolTip("Let the selected inputs play this")
         action.setEnabled(bool(document.view.selected_inputs))
         action.triggered.connect(partial(_play, document, kind.__name__))

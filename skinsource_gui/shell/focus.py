@@ -12,18 +12,8 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, cast
 
 import shiboken6
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QSize, Qt
-from PySide6.QtGui import QAction, QKeyEvent, QKeySequence
-from PySide6.QtWidgets import (
-    QAbstractButton,
-    QAbstractItemView,
-    QApplication,
-    QComboBox,
-    QLineEdit,
-    QMainWindow,
-    QPlainTextEdit,
-    QWidget,
-)
 
 from skinsource_gui.qt.wheel import scroll_to
 from skinsource_gui.state.panel import PanelRegistry
@@ -32,7 +22,9 @@ if TYPE_CHECKING:
     from skinsource_gui.panels.clip_editor.panel import ClipEditorPanel
 
 
-def tab_stops(top: QWidget, regions: Sequence[QWidget]) -> list[QWidget]:
+def tab_stops(
+    top: QtWidgets.QWidget, regions: Sequence[QtWidgets.QWidget]
+) -> list[QtWidgets.QWidget]:
     """Widgets inside ``top`` that Tab reaches now, region by region.
 
     Parameters
@@ -47,11 +39,11 @@ def tab_stops(top: QWidget, regions: Sequence[QWidget]) -> list[QWidget]:
     ]
     _restore_parents(top.window())
 
-    def region_of(stop: QWidget) -> int:
+    def region_of(stop: QtWidgets.QWidget) -> int:
         inside = (k for k, part in enumerate(regions) if part is stop or part.isAncestorOf(stop))
         return next(inside, len(regions))
 
-    groups: list[list[QWidget]] = [[] for _ in range(len(regions) + 1)]
+    groups: list[list[QtWidgets.QWidget]] = [[] for _ in range(len(regions) + 1)]
     for stop in stops:
         groups[region_of(stop)].append(stop)
     for part in (top, *regions):
@@ -60,12 +52,14 @@ def tab_stops(top: QWidget, regions: Sequence[QWidget]) -> list[QWidget]:
     return [stop for group in groups for stop in group]
 
 
-def move_focus(window: QMainWindow, regions: Sequence[QWidget], *, forward: bool) -> bool:
+def move_focus(
+    window: QtWidgets.QMainWindow, regions: Sequence[QtWidgets.QWidget], *, forward: bool
+) -> bool:
     """Give the keyboard to the next stop, or the one before; return whether there is any."""
     stops = tab_stops(window, regions)
     if not stops:
         return False
-    here: QWidget | None = window.focusWidget()
+    here: QtWidgets.QWidget | None = window.focusWidget()
     while here is not None and here not in stops:
         # A clicked widget may be no stop, such as a number in a row that is not selected.
         here = here.parentWidget()
@@ -79,7 +73,7 @@ def move_focus(window: QMainWindow, regions: Sequence[QWidget], *, forward: bool
     return True
 
 
-def focus_into(part: QWidget, reason: Qt.FocusReason) -> bool:
+def focus_into(part: QtWidgets.QWidget, reason: Qt.FocusReason) -> bool:
     """Focus the proxy or the first stop of ``part``; return whether it has a stop."""
     stops = tab_stops(part, ())
     if stops:
@@ -88,11 +82,11 @@ def focus_into(part: QWidget, reason: Qt.FocusReason) -> bool:
     return bool(stops)
 
 
-def _focus_chain(top: QWidget) -> list[QWidget]:
+def _focus_chain(top: QtWidgets.QWidget) -> list[QtWidgets.QWidget]:
     # Within one region, Qt's order is the right one.
     window = top.window()
     last = window.previousInFocusChain()
-    ring: list[QWidget] = [window]
+    ring: list[QtWidgets.QWidget] = [window]
     # Stop at the last: PySide would take the window for a child of it.
     while ring[-1] is not last and (after := ring[-1].nextInFocusChain()) is not None:
         ring.append(after)
@@ -100,12 +94,14 @@ def _focus_chain(top: QWidget) -> list[QWidget]:
     return ring[start:] + ring[:start]
 
 
-def _as_read(stops: Sequence[QWidget], part: QWidget) -> list[QWidget]:
+def _as_read(
+    stops: Sequence[QtWidgets.QWidget], part: QtWidgets.QWidget
+) -> list[QtWidgets.QWidget]:
     """Return stops inside ``part`` from top to bottom, and from left to right in a line."""
     if not all(part.isAncestorOf(stop) for stop in stops):
         return list(stops)
     places = {stop: _place(stop, stops, part) for stop in stops}
-    lines: list[list[QWidget]] = []
+    lines: list[list[QtWidgets.QWidget]] = []
     for stop in sorted(stops, key=lambda widget: places[widget].center().y()):
         above = places[lines[-1][0]] if lines else None
         if above is not None and places[stop].center().y() <= above.bottom():
@@ -115,24 +111,30 @@ def _as_read(stops: Sequence[QWidget], part: QWidget) -> list[QWidget]:
     return [stop for line in lines for stop in sorted(line, key=lambda widget: places[widget].x())]
 
 
-def _place(stop: QWidget, stops: Sequence[QWidget], part: QWidget) -> QRect:
+def _place(
+    stop: QtWidgets.QWidget, stops: Sequence[QtWidgets.QWidget], part: QtWidgets.QWidget
+) -> QRect:
     # A widget that holds other stops comes before them, not half way down.
     holds = any(stop is not other and stop.isAncestorOf(other) for other in stops)
     return QRect(stop.mapTo(part, QPoint()), QSize() if holds else stop.size())
 
 
-def _restore_parents(window: QWidget) -> None:
+def _restore_parents(window: QtWidgets.QWidget) -> None:
     # PySide takes a widget for a child of the one that was asked for it - its neighbour in the
     # chain, what hands its focus on, a group - and takes it for deleted as soon as that one is.
     # What a window finds among its children it takes for a child of the window again.
-    window.findChildren(QWidget)
+    window.findChildren(QtWidgets.QWidget)
 
 
-def _takes_tab(widget: QWidget) -> bool:
+def _takes_tab(widget: QtWidgets.QWidget) -> bool:
     tab = Qt.FocusPolicy.TabFocus
     if widget.focusPolicy() & tab != tab or widget.focusProxy() is not None:
         return False
-    if isinstance(widget, QAbstractButton) and widget.isCheckable() and not widget.isChecked():
+    if (
+        isinstance(widget, QtWidgets.QAbstractButton)
+        and widget.isCheckable()
+        and not widget.isChecked()
+    ):
         # Of buttons that exclude each other Tab reaches the one that is on; arrows do the rest.
         group = widget.group()
         if group is not None and group.exclusive() and group.checkedButton() is not None:
@@ -185,19 +187,19 @@ class PanelFocus(QObject):
 
     def _in_sight(self) -> frozenset[str]:
         # A dock that comes to the front moves the one behind it away a moment later.
-        QApplication.sendPostedEvents()
+        QtWidgets.QApplication.sendPostedEvents()
         return frozenset(panel.name for panel in self._panels if panel.isVisible())
 
     def _here(self) -> str | None:
         """Return the name of the panel with the keyboard."""
-        focused = QApplication.focusWidget()
+        focused = QtWidgets.QApplication.focusWidget()
         names = (panel.name for panel in self._panels if focused and panel.isAncestorOf(focused))
         return next(names, None)
 
     def _go(self, step: int) -> None:
         # A panel that only says what to do has nothing for the keyboard.
         panels = [panel for panel in self._panels if tab_stops(panel, ())]
-        focused = QApplication.focusWidget()
+        focused = QtWidgets.QApplication.focusWidget()
         here = [k for k, panel in enumerate(panels) if focused and panel.isAncestorOf(focused)]
         if panels:
             start = here[0] if here else -min(step, 0) - 1
@@ -227,7 +229,7 @@ class ClipDrawing(QObject):
     def begin(self) -> None:
         """Take the pen; a clip that is not drawn asks whether it may become samples."""
         panel = cast("ClipEditorPanel", self._panels[_PANEL])
-        focused = QApplication.focusWidget()
+        focused = QtWidgets.QApplication.focusWidget()
         if not panel.isVisible() or focused is None or not panel.isAncestorOf(focused):
             self._focus.show(_PANEL)
         panel.use("pen")
@@ -241,25 +243,25 @@ class KeyboardFilter(QObject):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._watched: QWidget | None = None
+        self._watched: QtWidgets.QWidget | None = None
 
     def follow(self, on: bool) -> None:
         """Begin or end to filter."""
-        application = QApplication.instance()
-        if not isinstance(application, QApplication):
+        application = QtWidgets.QApplication.instance()
+        if not isinstance(application, QtWidgets.QApplication):
             return
         if on:
             application.focusChanged.connect(self._note_focus)
-            self._note_focus(None, QApplication.focusWidget())
+            self._note_focus(None, QtWidgets.QApplication.focusWidget())
         else:
             application.focusChanged.disconnect(self._note_focus)
             self.watch(None)
 
-    def wanted(self, focused: QWidget | None) -> QWidget | None:
+    def wanted(self, focused: QtWidgets.QWidget | None) -> QtWidgets.QWidget | None:
         """Return the widget to be filtered while one has the keyboard; by default that one."""
         return focused
 
-    def watch(self, widget: QWidget | None) -> None:
+    def watch(self, widget: QtWidgets.QWidget | None) -> None:
         """Filter the events of another widget."""
         # While a widget with the keyboard is deleted, the next one gets it before that is told.
         if self._watched is not None and shiboken6.isValid(self._watched):
@@ -270,7 +272,7 @@ class KeyboardFilter(QObject):
             widget.installEventFilter(self)
             widget.destroyed.connect(self._forget)
 
-    def _note_focus(self, _old: QWidget | None, new: QWidget | None) -> None:
+    def _note_focus(self, _old: QtWidgets.QWidget | None, new: QtWidgets.QWidget | None) -> None:
         self.watch(self.wanted(new))
 
     def _forget(self) -> None:
@@ -278,7 +280,7 @@ class KeyboardFilter(QObject):
             self._watched = None
 
 
-_Standard = QKeySequence.StandardKey
+_Standard = QtGui.QKeySequence.StandardKey
 #: Keys that edit a text while it is typed.
 _WHILE_TYPING = (
     _Standard.Copy,
@@ -292,9 +294,9 @@ _WHILE_TYPING = (
 )
 #: Keys that work on a text that is only shown.
 _WHILE_RESTING = (_Standard.Copy, _Standard.Paste)
-_TEXTS = (QLineEdit, QPlainTextEdit)
+_TEXTS = (QtWidgets.QLineEdit, QtWidgets.QPlainTextEdit)
 #: Widgets that Space presses or opens.
-_PRESSED = (QAbstractButton, QComboBox, QAbstractItemView)
+_PRESSED = (QtWidgets.QAbstractButton, QtWidgets.QComboBox, QtWidgets.QAbstractItemView)
 _HELD = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
 
 
@@ -312,21 +314,21 @@ class ShortcutsInFields(KeyboardFilter):
         In which they work; also the parent.
     """
 
-    def __init__(self, actions: Iterable[QAction], window: QWidget) -> None:
+    def __init__(self, actions: Iterable[QtGui.QAction], window: QtWidgets.QWidget) -> None:
         super().__init__(window)
         self._window = window
         self._shortcuts = [key for action in actions for key in action.shortcuts()]
         # The list that was clicked, or chosen from, and still has the keyboard.
-        self._used: QComboBox | None = None
+        self._used: QtWidgets.QComboBox | None = None
         self.follow(True)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() != QEvent.Type.ShortcutOverride or not isinstance(event, QKeyEvent):
+        if event.type() != QEvent.Type.ShortcutOverride or not isinstance(event, QtGui.QKeyEvent):
             return super().eventFilter(watched, event)
         if isinstance(watched, _TEXTS):
             own = _WHILE_RESTING if watched.isReadOnly() else _WHILE_TYPING
             typed = not watched.isReadOnly() and _is_typed(event)
-            pressed = QKeySequence(event.keyCombination())
+            pressed = QtGui.QKeySequence(event.keyCombination())
             if (
                 pressed in self._shortcuts
                 and not typed
@@ -343,7 +345,7 @@ class ShortcutsInFields(KeyboardFilter):
             return True
         return super().eventFilter(watched, event)
 
-    def wanted(self, focused: QWidget | None) -> QWidget | None:
+    def wanted(self, focused: QtWidgets.QWidget | None) -> QtWidgets.QWidget | None:
         if (
             focused is not None
             and focused is not self._used
@@ -351,35 +353,35 @@ class ShortcutsInFields(KeyboardFilter):
         ):
             self._used = None
         # A clicked button has the keyboard too, but the next key is not meant for it.
-        clicked = bool(QApplication.mouseButtons())
+        clicked = bool(QtWidgets.QApplication.mouseButtons())
         is_field = isinstance(focused, (*_TEXTS, *_PRESSED))
         if focused is None or not is_field or not self._window.isAncestorOf(focused):
             return None
-        if isinstance(focused, QAbstractButton) and clicked:
+        if isinstance(focused, QtWidgets.QAbstractButton) and clicked:
             return None
-        if isinstance(focused, QComboBox) and clicked:
+        if isinstance(focused, QtWidgets.QComboBox) and clicked:
             self._used = focused
         return focused
 
-    def watch(self, widget: QWidget | None) -> None:
+    def watch(self, widget: QtWidgets.QWidget | None) -> None:
         before = self._watched
-        if isinstance(before, QComboBox) and shiboken6.isValid(before):
+        if isinstance(before, QtWidgets.QComboBox) and shiboken6.isValid(before):
             before.activated.disconnect(self._note_used)
         super().watch(widget)
-        if isinstance(widget, QComboBox):
+        if isinstance(widget, QtWidgets.QComboBox):
             widget.activated.connect(self._note_used)
 
     def _note_used(self) -> None:
-        if isinstance(self._watched, QComboBox):
+        if isinstance(self._watched, QtWidgets.QComboBox):
             self._used = self._watched
 
 
-def _is_popup_of(field: QComboBox | None, widget: QWidget) -> bool:
+def _is_popup_of(field: QtWidgets.QComboBox | None, widget: QtWidgets.QWidget) -> bool:
     """Return whether a widget belongs to the list that drops down from a field."""
     # A field may be gone that was used last, and is watched no more.
     return field is not None and shiboken6.isValid(field) and field.isAncestorOf(widget)
 
 
-def _is_typed(event: QKeyEvent) -> bool:
+def _is_typed(event: QtGui.QKeyEvent) -> bool:
     """Return whether a key types into a text."""
     return event.text().isprintable() and event.text() != "" and not event.modifiers() & _HELD

@@ -5,14 +5,8 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QSize, Qt
-from PySide6.QtGui import QIcon, QPixmap
-from PySide6.QtWidgets import (
-    QDialogButtonBox,
-    QListWidget,
-    QListWidgetItem,
-    QWidget,
-)
 
 from skinsource.base.assets import user_folder
 from skinsource.base.crash_log import MOST_BYTES, crashed_logs, note_offered
@@ -30,12 +24,12 @@ from skinsource_gui.state.engine import Outcome
 from skinsource_gui.state.services import Services
 
 _ICON = QSize(60, 90)
-_ROLE = QDialogButtonBox.ButtonRole
+_ROLE = QtWidgets.QDialogButtonBox.ButtonRole
 
 
-def picture_of(left: UnsavedWork) -> QPixmap:
+def picture_of(left: UnsavedWork) -> QtGui.QPixmap:
     """Return the picture of the work; empty without one."""
-    picture = QPixmap()
+    picture = QtGui.QPixmap()
     # The stubs of PySide ask for bytes, which it does not take.
     loaded: Any = picture
     loaded.loadFromData(left.picture(), "PNG")
@@ -69,23 +63,23 @@ class UnsavedWorkPage(ToolPage):
         look: Callable[[], tuple[UnsavedWork, ...]],
         open_it: Callable[[UnsavedWork], None],
         discard: Callable[[UnsavedWork], None],
-        parent: QWidget,
+        parent: QtWidgets.QWidget,
     ) -> None:
         super().__init__(
             parent, "unsaved_work_page", "Unsaved work of earlier sessions", (560, 420)
         )
         self._look, self._open_it, self._discard = look, open_it, discard
         self._left: tuple[UnsavedWork, ...] = ()
-        self.rows = QListWidget()
+        self.rows = QtWidgets.QListWidget()
         self.rows.setObjectName("left_over_rows")
         self.rows.setAccessibleName("Unsaved work")
         self.rows.setIconSize(_ICON)
         self.rows.itemActivated.connect(self._open)
         self.rows.currentRowChanged.connect(self._follow)
-        buttons = QDialogButtonBox()
+        buttons = QtWidgets.QDialogButtonBox()
         self.open_button = buttons.addButton("Open it", _ROLE.ActionRole)
         self.discard_button = buttons.addButton("Discard it", _ROLE.DestructiveRole)
-        buttons.addButton(QDialogButtonBox.StandardButton.Close)
+        buttons.addButton(QtWidgets.QDialogButtonBox.StandardButton.Close)
         self.open_button.clicked.connect(self._open)
         self.discard_button.clicked.connect(self._give_up)
         buttons.rejected.connect(self.reject)
@@ -101,7 +95,7 @@ class UnsavedWorkPage(ToolPage):
         )
         self.rows.clear()
         for left in self._left:
-            item = QListWidgetItem(QIcon(picture_of(left)), work_description(left))
+            item = QtWidgets.QListWidgetItem(QtGui.QIcon(picture_of(left)), work_description(left))
             item.setSizeHint(_ICON + QSize(0, 12))
             self.rows.addItem(item)
         self.rows.setCurrentRow(0 if self._left else -1)

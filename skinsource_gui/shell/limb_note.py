@@ -1,8 +1,7 @@
 """The line that says that a limb is not a measured one, or not made from the published files."""
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QSize, Qt, Signal
-from PySide6.QtGui import QFocusEvent, QFont, QFontMetrics, QResizeEvent
-from PySide6.QtWidgets import QLabel, QWidget
 
 from skinsource.limbs.dataset.store import NOT_INSTALLED
 from skinsource.limbs.own_limbs import facts_of, missing_limb
@@ -16,7 +15,7 @@ _SYNTHETIC = "Computed from a model of the arm, not measured on a person"
 _TAB_REASONS = (Qt.FocusReason.TabFocusReason, Qt.FocusReason.BacktabFocusReason)
 
 
-class LimbNote(QLabel):
+class LimbNote(QtWidgets.QLabel):
     """Says SYNTHETIC LIMB where it is one, and the way to the measured ones if they are missing.
 
     Of a measured limb it says what there is to note, such as that it was not made from the
@@ -25,7 +24,7 @@ class LimbNote(QLabel):
 
     help_requested = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("limb_note")
         self._measured = False
@@ -65,7 +64,7 @@ class LimbNote(QLabel):
         if event.type() == QEvent.Type.PaletteChange:
             self._show_text()
 
-    def focusInEvent(self, event: QFocusEvent) -> None:
+    def focusInEvent(self, event: QtGui.QFocusEvent) -> None:
         super().focusInEvent(event)
         if event.reason() in _TAB_REASONS:
             # Straight to the link, which Enter follows then.
@@ -118,7 +117,7 @@ class LimbNote(QLabel):
     def minimumSizeHint(self) -> QSize:
         return QSize(self._width_of(self._phrases[-1][0]), super().minimumSizeHint().height())
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         self._choose()
 
@@ -131,6 +130,6 @@ class LimbNote(QLabel):
 
     def _width_of(self, text: str) -> int:
         # As if all of it were bold: rather a little too wide.
-        font = QFont(self.font())
+        font = QtGui.QFont(self.font())
         font.setBold(True)
-        return QFontMetrics(font).horizontalAdvance(text) + 4
+        return QtGui.QFontMetrics(font).horizontalAdvance(text) + 4

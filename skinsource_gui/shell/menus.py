@@ -4,29 +4,8 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QModelIndex, QObject, QPersistentModelIndex, QSize, Qt, Signal
-from PySide6.QtGui import (
-    QAction,
-    QActionGroup,
-    QKeyEvent,
-    QKeySequence,
-    QPainter,
-    QPalette,
-    QShortcut,
-    QUndoStack,
-)
-from PySide6.QtWidgets import (
-    QDialog,
-    QLineEdit,
-    QListWidget,
-    QListWidgetItem,
-    QMenu,
-    QMenuBar,
-    QStyle,
-    QStyledItemDelegate,
-    QStyleOptionViewItem,
-    QWidget,
-)
 
 from skinsource_gui.pages.files.file_actions import RecentFiles
 from skinsource_gui.qt.keys import shortcut_text
@@ -40,11 +19,11 @@ MENU_KEY = "F10"
 
 
 def fill_menu_bar(
-    bar: QMenuBar,
+    bar: QtWidgets.QMenuBar,
     specs: Sequence[ActionSpec],
-    actions: Mapping[str, QAction],
-    recent: QMenu,
-    panels: Iterable[QAction],
+    actions: Mapping[str, QtGui.QAction],
+    recent: QtWidgets.QMenu,
+    panels: Iterable[QtGui.QAction],
 ) -> None:
     """Fill ``bar``.
 
@@ -61,7 +40,7 @@ def fill_menu_bar(
     """
     # A letter of its own for each: Alt and the letter open it, F10 the first.
     menus = {title: bar.addMenu(f"&{title}") for title in MENUS}
-    within: dict[tuple[str, str], QMenu] = {}
+    within: dict[tuple[str, str], QtWidgets.QMenu] = {}
     for spec in specs:
         menu = menus[spec.menu]
         if spec.separated:
@@ -77,17 +56,17 @@ def fill_menu_bar(
     shown = menus["View"].addMenu("Panels")
     for action in panels:
         shown.addAction(action)
-    first = QShortcut(QKeySequence(MENU_KEY), bar)
+    first = QtGui.QShortcut(QtGui.QKeySequence(MENU_KEY), bar)
     first.activated.connect(lambda: bar.setActiveAction(menus["File"].menuAction()))
 
 
-class RecentMenu(QMenu):
+class RecentMenu(QtWidgets.QMenu):
     """Lists the recent files, newest first, each time it is shown."""
 
     #: The path of the file that was chosen.
     chosen = Signal(object)
 
-    def __init__(self, recent: RecentFiles, parent: QWidget) -> None:
+    def __init__(self, recent: RecentFiles, parent: QtWidgets.QWidget) -> None:
         super().__init__("Open recent", parent)
         self.setObjectName("open_recent")
         self.setToolTipsVisible(True)
@@ -104,7 +83,7 @@ class RecentMenu(QMenu):
         if self.isEmpty():
             self.addAction("Nothing opened or saved yet").setEnabled(False)
 
-    def _choose(self, entry: QAction) -> None:
+    def _choose(self, entry: QtGui.QAction) -> None:
         if entry.data():
             self.chosen.emit(Path(entry.data()))
 
@@ -119,7 +98,7 @@ KEYWORDS = "keywords"
 BESIDES = "besides"
 
 
-class Palette(QDialog):
+class Palette(QtWidgets.QDialog):
     """A list of actions that narrows while one types; Enter runs the marked one.
 
     Parameters
@@ -130,8 +109,8 @@ class Palette(QDialog):
 
     def __init__(
         self,
-        actions: Sequence[QAction],
-        parent: QWidget | None = None,
+        actions: Sequence[QtGui.QAction],
+        parent: QtWidgets.QWidget | None = None,
     ):
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -142,10 +121,10 @@ class Palette(QDialog):
         for action in actions:
             if action.parent() is None:
                 action.setParent(self)
-        self.line = QLineEdit()
+        self.line = QtWidgets.QLineEdit()
         self.line.setPlaceholderText("Type a few letters…")
         self.line.setAccessibleName("Search actions")
-        self.list = QListWidget()
+        self.list = QtWidgets.QListWidget()
         self.list.setAccessibleName("Matching actions")
         self.list.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.list.setItemDelegate(_KeysAtTheRight(self.list))
@@ -161,7 +140,7 @@ class Palette(QDialog):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         # Up and Down move in the list while the line keeps the keyboard.
-        if event.type() == QEvent.Type.KeyPress and isinstance(event, QKeyEvent):
+        if event.type() == QEvent.Type.KeyPress and isinstance(event, QtGui.QKeyEvent):
             step = {Qt.Key.Key_Down: 1, Qt.Key.Key_Up: -1}.get(Qt.Key(event.key()))
             if step:
                 row = self.list.currentRow() + step
@@ -172,7 +151,7 @@ class Palette(QDialog):
     def _narrow(self, letters: str) -> None:
         self.list.clear()
         for action in matching([action for action in self._actions if action.isEnabled()], letters):
-            item = QListWidgetItem(_label(action))
+            item = QtWidgets.QListWidgetItem(_label(action))
             item.setToolTip(action.toolTip())
             item.setData(Qt.ItemDataRole.UserRole, action)
             self.list.addItem(item)
@@ -183,7 +162,7 @@ class Palette(QDialog):
 
     def _say_nothing_found(self) -> None:
         for text in (_NOTHING_FOUND, _HINT, f"{shortcut_text('show_keys')} shows all keys"):
-            item = QListWidgetItem(text)
+            item = QtWidgets.QListWidgetItem(text)
             item.setFlags(Qt.ItemFlag.NoItemFlags)
             self.list.addItem(item)
 
@@ -198,16 +177,16 @@ class Palette(QDialog):
             self.deleteLater()
 
 
-class _KeysAtTheRight(QStyledItemDelegate):
+class _KeysAtTheRight(QtWidgets.QStyledItemDelegate):
     """Draws an action with its shortcut at the right, and whether it is on."""
 
     def sizeHint(
-        self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
+        self, option: QtWidgets.QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
     ) -> QSize:
         return QSize(0, super().sizeHint(option, index).height() + 10)
 
     def initStyleOption(
-        self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
+        self, option: QtWidgets.QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
     ) -> None:
         super().initStyleOption(option, index)
         # While the size is computed there is no width yet.
@@ -220,14 +199,18 @@ class _KeysAtTheRight(QStyledItemDelegate):
 
     def paint(
         self,
-        painter: QPainter,
-        option: QStyleOptionViewItem,
+        painter: QtGui.QPainter,
+        option: QtWidgets.QStyleOptionViewItem,
         index: QModelIndex | QPersistentModelIndex,
     ) -> None:
         super().paint(painter, option, index)
         text = _state_and_keys(index)
-        chosen = option.state & QStyle.StateFlag.State_Selected
-        role = QPalette.ColorRole.HighlightedText if chosen else QPalette.ColorRole.PlaceholderText
+        chosen = option.state & QtWidgets.QStyle.StateFlag.State_Selected
+        role = (
+            QtGui.QPalette.ColorRole.HighlightedText
+            if chosen
+            else QtGui.QPalette.ColorRole.PlaceholderText
+        )
         painter.save()
         painter.setPen(option.palette.color(role))
         area = option.rect.adjusted(0, 0, -_EDGE_PX, 0)
@@ -242,12 +225,12 @@ def _state_and_keys(index: QModelIndex | QPersistentModelIndex) -> str:
     if action is None:
         return ""
     state = "on   " if action.isCheckable() and action.isChecked() else ""
-    keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+    keys = action.shortcut().toString(QtGui.QKeySequence.SequenceFormat.NativeText)
     # That of a panel, which its menu has after its name.
     return state + str(keys or action.text().partition("\t")[2])
 
 
-def matching(actions: Sequence[QAction], letters: str) -> list[QAction]:
+def matching(actions: Sequence[QtGui.QAction], letters: str) -> list[QtGui.QAction]:
     """Return the actions that are meant by ``letters``, the likeliest first.
 
     First come those that say the letters in one piece: as their whole name, at its beginning, at
@@ -266,12 +249,12 @@ def matching(actions: Sequence[QAction], letters: str) -> list[QAction]:
     return [*sorted(by_name, key=lambda action: _nearness(action, typed)), *by_keyword, *besides]
 
 
-def _label(action: QAction) -> str:
+def _label(action: QtGui.QAction) -> str:
     """Return the name of an action without the key that a menu has after it."""
     return action.text().partition("\t")[0]
 
 
-def _nearness(action: QAction, typed: str) -> tuple[int, int]:
+def _nearness(action: QtGui.QAction, typed: str) -> tuple[int, int]:
     """Return the distance of the name of an action from what is typed."""
     text = _label(action).lower().rstrip("…")
     # "Show panel: Library" is called "Library" by who looks for it.
@@ -284,7 +267,7 @@ def _nearness(action: QAction, typed: str) -> tuple[int, int]:
     return (2 if text[position - 1] in " (" else 3), position
 
 
-def _is_keyword(action: QAction, typed: str) -> bool:
+def _is_keyword(action: QtGui.QAction, typed: str) -> bool:
     return any(word.startswith(typed) for word in str(action.property(KEYWORDS) or "").split())
 
 
@@ -314,13 +297,13 @@ class ActionSet(QObject):
         specs: Sequence[ActionSpec],
         document: Document,
         capabilities: Capabilities,
-        window: QWidget,
+        window: QtWidgets.QWidget,
     ) -> None:
         super().__init__(window)
         self._specs, self._document = specs, document
         self.by_name = {spec.name: self._action(spec, capabilities, window) for spec in specs}
         for name in sorted({spec.group for spec in specs if spec.group}):
-            group = QActionGroup(self)
+            group = QtGui.QActionGroup(self)
             for spec in specs:
                 if spec.group == name:
                     group.addAction(self.by_name[spec.name])
@@ -328,7 +311,7 @@ class ActionSet(QObject):
         document.changed.connect(self.show_state)
         self.show_state()
 
-    def __getitem__(self, name: str) -> QAction:
+    def __getitem__(self, name: str) -> QtGui.QAction:
         return self.by_name[name]
 
     def show_state(self) -> None:
@@ -344,15 +327,17 @@ class ActionSet(QObject):
             if spec.checked is not None:
                 self.by_name[spec.name].setChecked(holds[spec.checked])
 
-    def _action(self, spec: ActionSpec, capabilities: Capabilities, window: QWidget) -> QAction:
+    def _action(
+        self, spec: ActionSpec, capabilities: Capabilities, window: QtWidgets.QWidget
+    ) -> QtGui.QAction:
         # A menu shows the text after a tab in its column of keys.
         key_column = f"\t{spec.key_elsewhere}" if spec.key_elsewhere else ""
-        action = QAction(f"{spec.text}{key_column}", window)
+        action = QtGui.QAction(f"{spec.text}{key_column}", window)
         action.setObjectName(spec.name)
         if spec.short:
             action.setIconText(spec.short)
-        action.setShortcuts([QKeySequence(key) for key in spec.keys])
-        keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+        action.setShortcuts([QtGui.QKeySequence(key) for key in spec.keys])
+        keys = action.shortcut().toString(QtGui.QKeySequence.SequenceFormat.NativeText)
         action.setToolTip(f"{spec.hint} ({keys})" if keys else spec.hint)
         action.setStatusTip(spec.hint)
         action.setProperty(KEYWORDS, spec.keywords)
@@ -373,7 +358,7 @@ class ActionSet(QObject):
         # A switch whose edit was refused goes back.
         self.show_state()
 
-    def _follow_steps(self, steps: QUndoStack) -> None:
+    def _follow_steps(self, steps: QtGui.QUndoStack) -> None:
         for action, can_change, text_change in (
             (self.by_name["undo"], steps.canUndoChanged, steps.undoTextChanged),
             (self.by_name["redo"], steps.canRedoChanged, steps.redoTextChanged),
@@ -389,7 +374,7 @@ def _run(
     command(*arguments)
 
 
-def _name_step(action: QAction, step: str) -> None:
+def _name_step(action: QtGui.QAction, step: str) -> None:
     word = action.objectName().capitalize()
     action.setText(f"{word} {step[:1].lower()}{step[1:]}" if step else word)
     action.setIconText(word)

@@ -5,17 +5,8 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QAction, QPixmap
-from PySide6.QtWidgets import (
-    QApplication,
-    QLabel,
-    QMainWindow,
-    QPushButton,
-    QStatusBar,
-    QToolButton,
-    QWidget,
-)
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.job import Job
@@ -64,20 +55,20 @@ class Notice(QObject):
     #: The user has closed it with its cross.
     closed = Signal()
 
-    def __init__(self, window: QMainWindow) -> None:
+    def __init__(self, window: QtWidgets.QMainWindow) -> None:
         super().__init__(window)
         self._window = window
         self._kind, self._passes = "info", False
-        self._label = QLabel(window)
+        self._label = QtWidgets.QLabel(window)
         self._label.setObjectName("notice")
         self._label.setWordWrap(True)
         self._label.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        self._picture = QLabel(window)
+        self._picture = QtWidgets.QLabel(window)
         self._picture.setObjectName("notice_picture")
-        self.buttons = QWidget(window)
+        self.buttons = QtWidgets.QWidget(window)
         self.buttons.setObjectName("notice_buttons")
-        self._choices: list[QPushButton] = []
-        self._close = QToolButton()
+        self._choices: list[QtWidgets.QPushButton] = []
+        self._close = QtWidgets.QToolButton()
         self._close.setText("✕")
         self._close.setObjectName("close_notice")
         self._close.setToolTip("Close this notice")
@@ -101,7 +92,7 @@ class Notice(QObject):
         text: str,
         kind: str = "info",
         choices: Sequence[Choice] = (),
-        picture: QPixmap | None = None,
+        picture: QtGui.QPixmap | None = None,
         *,
         passes: bool = False,
     ) -> None:
@@ -112,7 +103,7 @@ class Notice(QObject):
         """
         self._kind, self._passes = kind, passes
         self._offer(choices)
-        self._picture.setPixmap(picture or QPixmap())
+        self._picture.setPixmap(picture or QtGui.QPixmap())
         self._picture.setHidden(picture is None or picture.isNull())
         self._label.setText(text)
         set_tone(self._label, self._kind)
@@ -151,7 +142,7 @@ class Notice(QObject):
 
     def _let_pass(self, after_ms: int | None) -> None:
         """Hide it after a while, or at a click; None: let it stay."""
-        application = QApplication.instance()
+        application = QtWidgets.QApplication.instance()
         # A filter on all events of the studio is installed for some seconds only.
         if application is not None and self._watches:
             application.removeEventFilter(self)
@@ -337,7 +328,7 @@ class Reports(QObject):
         self,
         document: Document,
         notice: Notice,
-        status_bar: QStatusBar,
+        status_bar: QtWidgets.QStatusBar,
         status_line: StatusLine,
         accuracy: Accuracy,
     ) -> None:
@@ -467,12 +458,12 @@ class RunningJobs(QObject):
         In front of which questions are asked; also the parent.
     """
 
-    def __init__(self, runner: JobRunner, window: QWidget) -> None:
+    def __init__(self, runner: JobRunner, window: QtWidgets.QWidget) -> None:
         super().__init__(window)
         self._runner, self._window = runner, window
         self._ended = False
 
-    def show_on(self, cancel: QAction) -> None:
+    def show_on(self, cancel: QtGui.QAction) -> None:
         """Enable that action only while there is something to cancel."""
 
         def show() -> None:

@@ -5,9 +5,8 @@ from functools import partial
 from html import escape
 from typing import Any
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, Qt, QTimer
-from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTextBrowser, QWidget
 
 from skinsource.version import __version__
 from skinsource_gui import pages
@@ -30,7 +29,9 @@ and its dataset,
 """
 
 
-def keys_page(actions: Iterable[ActionSpec], parent: QWidget, heading: str = "") -> QDialog:
+def keys_page(
+    actions: Iterable[ActionSpec], parent: QtWidgets.QWidget, heading: str = ""
+) -> QtWidgets.QDialog:
     """Return the page of all shortcuts and of what the mouse does, scrolled to ``heading``."""
     rows: list[tuple[str, str | None]] = []
     for group in (*MOUSE.values(), *KEYS.values()):
@@ -54,22 +55,22 @@ def keys_page(actions: Iterable[ActionSpec], parent: QWidget, heading: str = "")
     return page
 
 
-def _scroll_to(page: QDialog, heading: str) -> None:
+def _scroll_to(page: QtWidgets.QDialog, heading: str) -> None:
     if heading:
-        for text in page.findChildren(QTextBrowser, "page_text"):
+        for text in page.findChildren(QtWidgets.QTextBrowser, "page_text"):
             text.scrollToAnchor(heading)
 
 
-def _page(title: str, html: str, parent: QWidget) -> QDialog:
-    dialog = QDialog(parent)
+def _page(title: str, html: str, parent: QtWidgets.QWidget) -> QtWidgets.QDialog:
+    dialog = QtWidgets.QDialog(parent)
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     dialog.setWindowTitle(title)
     dialog.resize(720, 560)
-    browser = QTextBrowser()
+    browser = QtWidgets.QTextBrowser()
     browser.setObjectName("page_text")
     browser.setHtml(html)
     browser.setOpenExternalLinks(True)
-    buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+    buttons = QtWidgets.QDialogButtonBox(QtWidgets.QDialogButtonBox.StandardButton.Close)
     buttons.rejected.connect(dialog.reject)
     in_column(browser, buttons, of=dialog)
     return dialog
@@ -91,7 +92,7 @@ class Pages(QObject):
     def __init__(
         self,
         services: Services,
-        findable: Callable[[], list[QAction]],
+        findable: Callable[[], list[QtGui.QAction]],
         status_line: StatusLine,
     ) -> None:
         super().__init__(services.window)
@@ -141,13 +142,13 @@ class Pages(QObject):
         """Open the page on version, licence and citation."""
         _page("About SkinSource studio", _ABOUT, self._window).open()
 
-    def _gestures(self) -> list[QAction]:
+    def _gestures(self) -> list[QtGui.QAction]:
         """Return an action for each gesture of the mouse, which opens the keys page there."""
         entries = []
         for group in MOUSE.values():
             for gesture in group.gestures.values():
                 movement = f"{gesture.shown[:1].lower()}{gesture.shown[1:]}"
-                entry = QAction(f"Mouse: {gesture.effect} – {movement}")
+                entry = QtGui.QAction(f"Mouse: {gesture.effect} – {movement}")
                 entry.setToolTip(f"{group.heading}; Enter shows all of them")
                 entry.setProperty(BESIDES, True)
                 entry.triggered.connect(partial(self._show_gestures, group.heading))

@@ -5,14 +5,8 @@ from pathlib import Path
 from time import monotonic
 from typing import TYPE_CHECKING, cast
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import (
-    QFileDialog,
-    QSizePolicy,
-    QToolButton,
-    QWidget,
-)
 
 from skinsource import actuators
 from skinsource.base.quoting import printable
@@ -69,7 +63,7 @@ class EscapeTwice(KeyboardFilter):
     #: Esc was pressed twice within 0.6 s.
     pressed = Signal()
 
-    def __init__(self, window: QWidget) -> None:
+    def __init__(self, window: QtWidgets.QWidget) -> None:
         super().__init__(window)
         self._window = window
         self._on = False
@@ -82,14 +76,14 @@ class EscapeTwice(KeyboardFilter):
         self._on, self._last_s = on, -_WITHIN_S
         self.follow(on)
 
-    def wanted(self, focused: QWidget | None) -> QWidget | None:
+    def wanted(self, focused: QtWidgets.QWidget | None) -> QtWidgets.QWidget | None:
         return focused or self._window
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         # Each press sends one of these, wherever it goes then.
         if (
             event.type() == QEvent.Type.ShortcutOverride
-            and isinstance(event, QKeyEvent)
+            and isinstance(event, QtGui.QKeyEvent)
             and not event.isAutoRepeat()
         ):
             self._press(event.key() == Qt.Key.Key_Escape)
@@ -115,7 +109,9 @@ class RigPages(QObject):
     #: A message on what was opened.
     opened = Signal(str)
 
-    def __init__(self, document: Document, settings: SoundSettings, window: QWidget) -> None:
+    def __init__(
+        self, document: Document, settings: SoundSettings, window: QtWidgets.QWidget
+    ) -> None:
         super().__init__(window)
         self._document, self._settings, self._window = document, settings, window
         self._thread = sound_worker(self)
@@ -126,7 +122,7 @@ class RigPages(QObject):
 
     def open_response(self) -> None:
         """Ask for a measured response, and show it in the panel of the actuator."""
-        name, _ = QFileDialog.getOpenFileName(
+        name, _ = QtWidgets.QFileDialog.getOpenFileName(
             self._window, "Response of the actuator", "", RESPONSE_FILES
         )
         if name:
@@ -182,7 +178,7 @@ _REPEAT = (
 )
 
 
-class Transport(QWidget):
+class Transport(QtWidgets.QWidget):
     """Play, repeat and gain, in the bar above the panels."""
 
     play_requested = Signal()
@@ -190,7 +186,7 @@ class Transport(QWidget):
     #: The new gain, dB.
     gain_requested = Signal(float)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("transport")
         self._played = Played()
@@ -207,7 +203,7 @@ class Transport(QWidget):
         self.meter.setFixedHeight(_METER_PX)
         column = in_column(self.gain, self.meter, gap_px=0)
         in_row(self.play, self.repeat, column, of=self, margins=0, gap_px=0)
-        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Fixed, QtWidgets.QSizePolicy.Policy.Fixed)
         self._show_icons()
 
     def show_played(self, played: Played) -> None:
@@ -234,8 +230,8 @@ class Transport(QWidget):
         self.play.setAccessibleName("Stop" if playing else "Play")
         self.repeat.setIcon(repeat_icon())
 
-    def _button(self, name: str, action: str, title: str, hint: str) -> QToolButton:
-        button = QToolButton(self)
+    def _button(self, name: str, action: str, title: str, hint: str) -> QtWidgets.QToolButton:
+        button = QtWidgets.QToolButton(self)
         button.setObjectName(name)
         button.setIconSize(QSize(16, 16))
         title = f"{title} ({shortcut_text(action)})"
@@ -271,7 +267,9 @@ class Playback(QObject):
         opens the matching page.
     """
 
-    def __init__(self, document: Document, preferences: Preferences, window: QWidget) -> None:
+    def __init__(
+        self, document: Document, preferences: Preferences, window: QtWidgets.QWidget
+    ) -> None:
         super().__init__(window)
         self._document = document
         self.player = Player(document, preferences, self)

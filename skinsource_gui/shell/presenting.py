@@ -4,29 +4,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import (
-    QAction,
-    QCloseEvent,
-    QFont,
-    QGuiApplication,
-    QKeyEvent,
-    QKeySequence,
-    QShortcut,
-)
-from PySide6.QtWidgets import (
-    QAbstractButton,
-    QAbstractItemView,
-    QApplication,
-    QComboBox,
-    QLabel,
-    QLineEdit,
-    QPlainTextEdit,
-    QTextBrowser,
-    QTextEdit,
-    QToolBar,
-    QWidget,
-)
 from shiboken6 import isValid
 
 from skinsource.base.errors import SkinSourceError
@@ -80,7 +59,7 @@ _LARGE = 1.6
 _SIZE = 560, 420
 
 
-class NotesWindow(QWidget):
+class NotesWindow(QtWidgets.QWidget):
     """Title, notes, and what comes next.
 
     Parameters
@@ -92,20 +71,20 @@ class NotesWindow(QWidget):
     #: It was closed by hand.
     closed = Signal()
 
-    def __init__(self, window: QWidget) -> None:
+    def __init__(self, window: QtWidgets.QWidget) -> None:
         super().__init__(window, Qt.WindowType.Window)
         self.setObjectName("notes_window")
         self.setWindowTitle("Notes – SkinSource studio")
-        self.heading, self.next = QLabel(self), QLabel(self)
-        self.notes = QTextBrowser(self)
+        self.heading, self.next = QtWidgets.QLabel(self), QtWidgets.QLabel(self)
+        self.notes = QtWidgets.QTextBrowser(self)
         self.notes.setOpenExternalLinks(True)
-        large = QFont(self.font())
+        large = QtGui.QFont(self.font())
         large.setPointSizeF(self.font().pointSizeF() * _LARGE)
         for part in (self.heading, self.notes, self.next):
             part.setFont(large)
         self.heading.setWordWrap(True)
         self.next.setWordWrap(True)
-        bold = QFont(large)
+        bold = QtGui.QFont(large)
         bold.setBold(True)
         self.heading.setFont(bold)
         in_column(self.heading, (self.notes, 1), self.next, of=self, margins=2 * UNIT_PX)
@@ -117,23 +96,25 @@ class NotesWindow(QWidget):
         self.notes.setPlainText(notes or "No notes: a design carries them, see its properties.")
         self.next.setText(f"Next: {following}" if following else "This is the last one.")
 
-    def show_beside(self, window: QWidget) -> None:
+    def show_beside(self, window: QtWidgets.QWidget) -> None:
         """Show it on another screen than ``window``, where there is one."""
-        others = [screen for screen in QGuiApplication.screens() if screen is not window.screen()]
+        others = [
+            screen for screen in QtGui.QGuiApplication.screens() if screen is not window.screen()
+        ]
         if others:
             self.move(others[0].availableGeometry().center() - self.rect().center())
         self.show()
 
-    def closeEvent(self, event: QCloseEvent) -> None:
+    def closeEvent(self, event: QtGui.QCloseEvent) -> None:
         super().closeEvent(event)
         self.closed.emit()
 
 
 _OVERRIDE, _PRESSED = QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress
 # Widgets that have the keyboard by chance, after a mouse edit: the key of Play plays there.
-_PUSHED = (QAbstractButton, QComboBox, QAbstractItemView)
+_PUSHED = (QtWidgets.QAbstractButton, QtWidgets.QComboBox, QtWidgets.QAbstractItemView)
 # These widgets decide whether Esc gives up what is typed.
-_TEXTS = (QLineEdit, QPlainTextEdit, QTextEdit)
+_TEXTS = (QtWidgets.QLineEdit, QtWidgets.QPlainTextEdit, QtWidgets.QTextEdit)
 
 
 class PresentingKeys(KeyboardFilter):
@@ -157,7 +138,7 @@ class PresentingKeys(KeyboardFilter):
     def __init__(
         self,
         handlers: Mapping[str, Callable[[], None]],
-        play: QAction,
+        play: QtGui.QAction,
         parent: QObject,
     ) -> None:
         super().__init__(parent)
@@ -171,12 +152,14 @@ class PresentingKeys(KeyboardFilter):
         self.deleteLater()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() not in (_OVERRIDE, _PRESSED) or not isinstance(event, QKeyEvent):
+        if event.type() not in (_OVERRIDE, _PRESSED) or not isinstance(event, QtGui.QKeyEvent):
             return super().eventFilter(watched, event)
-        plays = QKeySequence(event.keyCombination()) in self._play.shortcuts()
+        plays = QtGui.QKeySequence(event.keyCombination()) in self._play.shortcuts()
         meaning = "play" if plays else meaning_of("presenting", event)
         do = self._handlers.get(meaning)
-        elsewhere = QApplication.activeModalWidget() or QApplication.activePopupWidget()
+        elsewhere = (
+            QtWidgets.QApplication.activeModalWidget() or QtWidgets.QApplication.activePopupWidget()
+        )
         if do is None or elsewhere or not _belongs_to_presenter(watched, meaning):
             return super().eventFilter(watched, event)
         if event.type() == _PRESSED:
@@ -193,7 +176,7 @@ def _belongs_to_presenter(watched: QObject, meaning: str) -> bool:
     if meaning == "play":
         return isinstance(watched, _PUSHED)
     if meaning == "leave":
-        return not isinstance(watched, _TEXTS) and not QApplication.mouseButtons()
+        return not isinstance(watched, _TEXTS) and not QtWidgets.QApplication.mouseButtons()
     return True
 
 
@@ -285,7 +268,7 @@ class Presenter(QObject):
         services: Services,
         files: FileActions,
         workspaces: Workspaces,
-        actions: Callable[[], Mapping[str, QAction]],
+        actions: Callable[[], Mapping[str, QtGui.QAction]],
     ) -> None:
         window, document, panels = services.window, services.document, services.panels
         super().__init__(window)
@@ -295,7 +278,7 @@ class Presenter(QObject):
         self.presenting = self.covered = False
         self._made = panels
         panels.each(lambda panel: panel.show_covered(self.covered))
-        self._focused: QWidget | None = None
+        self._focused: QtWidgets.QWidget | None = None
         self._steps: tuple[Step, ...] = ()
         self._at = -1
         self._panels: tuple[str, ...] = ()
@@ -305,7 +288,7 @@ class Presenter(QObject):
         self._opening = False
         self._colours = ChosenColours(document.view)
         self._notes: NotesWindow | None = None
-        self._keys: list[QShortcut] = []
+        self._keys: list[QtGui.QShortcut] = []
         self._presenting_keys: PresentingKeys | None = None
         document.jumped.connect(self._look)
 
@@ -395,16 +378,20 @@ class Presenter(QObject):
         self._show_notes()
         self._notes.show_beside(self._window)
 
-    def _bars(self) -> list[QWidget]:
+    def _bars(self) -> list[QtWidgets.QWidget]:
         window = self._window
-        return [window.menuBar(), window.statusBar(), *window.findChildren(QToolBar, "setup")]
+        return [
+            window.menuBar(),
+            window.statusBar(),
+            *window.findChildren(QtWidgets.QToolBar, "setup"),
+        ]
 
     def _end_unless_dragging(self) -> None:
         # During a drag Esc is meant for what is dragged.
-        if not QApplication.mouseButtons():
+        if not QtWidgets.QApplication.mouseButtons():
             self.end()
 
-    def _listen(self, widget: QWidget) -> None:
+    def _listen(self, widget: QtWidgets.QWidget) -> None:
         doing: dict[str, Callable[[], None]] = {
             "next": self.next_scene,
             "previous": self.previous_scene,
@@ -413,7 +400,7 @@ class Presenter(QObject):
         }
         for name, do in doing.items():
             for text in KEYS["presenting"].gestures[name].keys:
-                key = QShortcut(QKeySequence(text), widget)
+                key = QtGui.QShortcut(QtGui.QKeySequence(text), widget)
                 key.activated.connect(do)
                 self._keys.append(key)
 

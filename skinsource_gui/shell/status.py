@@ -4,17 +4,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 from time import perf_counter
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
-from PySide6.QtGui import QAction, QShowEvent
-from PySide6.QtWidgets import (
-    QLabel,
-    QMenu,
-    QProgressBar,
-    QSizePolicy,
-    QStatusBar,
-    QToolButton,
-    QWidget,
-)
 
 from skinsource.base.job import time_left_text
 from skinsource.design.comparing import match_text
@@ -81,7 +72,7 @@ class EditClock(QObject):
     #: An edit was painted: there is another time.
     noted = Signal()
 
-    def __init__(self, window: QWidget) -> None:
+    def __init__(self, window: QtWidgets.QWidget) -> None:
         super().__init__(window)
         self.times = EditTimes()
         self._window = window
@@ -144,7 +135,7 @@ class StatusLine(FittingLabel):
     #: Its text, the times or the error have changed; at most some times a second.
     changed = Signal()
 
-    def __init__(self, window: QWidget) -> None:
+    def __init__(self, window: QtWidgets.QWidget) -> None:
         super().__init__(window)
         self.setObjectName("status_line")
         self.setAccessibleName("State of the results")
@@ -195,14 +186,14 @@ class StatusLine(FittingLabel):
         known = "" if self.error is None else f" Traces that are shown: {error_text(self.error)}."
         return f"{times}{known}"
 
-    def showEvent(self, event: QShowEvent) -> None:
+    def showEvent(self, event: QtGui.QShowEvent) -> None:
         super().showEvent(event)
         QTimer.singleShot(0, self, self._give_way)
 
     def _give_way(self) -> None:
         """Leave the bar to a message: Qt shows both when it lays the bar out anew."""
         bar = self.parent()
-        if isinstance(bar, QStatusBar) and bar.currentMessage():
+        if isinstance(bar, QtWidgets.QStatusBar) and bar.currentMessage():
             self.hide()
             # As the bar itself hides it, so that it comes back with the end of the message.
             self.setAttribute(Qt.WidgetAttribute.WA_WState_ExplicitShowHide, False)
@@ -235,21 +226,21 @@ _WORDS = "Preparing the sound…"
 _HINT = "It is brought to the rate of the device from beginning to end, and plays then"
 
 
-class PreparingNote(QWidget):
+class PreparingNote(QtWidgets.QWidget):
     """A text and Cancel, shown while the sound of a long design is prepared."""
 
     cancel_requested = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("preparing_sound")
-        label = QLabel(_WORDS)
+        label = QtWidgets.QLabel(_WORDS)
         label.setToolTip(_HINT)
         hint = f"Do not play ({shortcut_text('play')})"
         self._cancel = page_button("cancel_preparing", "Cancel", hint)
         self._cancel.setAccessibleName("Cancel preparing the sound")
         self._cancel.clicked.connect(self.cancel_requested)
-        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Fixed, QtWidgets.QSizePolicy.Policy.Fixed)
         in_row(label, self._cancel, of=self, margins=(UNIT_PX, 0, 0, 0), gap_px=UNIT_PX)
         self._staleness = Staleness(self)
         self._staleness.changed.connect(self._follow)
@@ -272,7 +263,7 @@ _ABOUT = (
 )
 
 
-class MatchNote(QToolButton):
+class MatchNote(QtWidgets.QToolButton):
     """The gain of a matched snapshot; its menu keeps or removes it.  Hidden where there is none.
 
     Parameters
@@ -283,13 +274,15 @@ class MatchNote(QToolButton):
         As in Qt.
     """
 
-    def __init__(self, actions: Sequence[QAction], parent: QWidget | None = None) -> None:
+    def __init__(
+        self, actions: Sequence[QtGui.QAction], parent: QtWidgets.QWidget | None = None
+    ) -> None:
         super().__init__(parent)
         self.setObjectName("match_note")
         self.setAutoRaise(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        menu = QMenu(self)
+        self.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
+        menu = QtWidgets.QMenu(self)
         menu.addActions(list(actions))
         self.setMenu(menu)
         self.hide()
@@ -309,22 +302,22 @@ _BAR_PX, _NAME_PX = 96, 200
 _STEPS = 1000
 
 
-class JobBar(QWidget):
+class JobBar(QtWidgets.QWidget):
     """The running job: title, progress, time left, and Cancel; hidden while no job runs."""
 
-    def __init__(self, runner: JobRunner, parent: QWidget | None = None) -> None:
+    def __init__(self, runner: JobRunner, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("job")
         self._runner = runner
-        self._name = QLabel()
+        self._name = QtWidgets.QLabel()
         self._name.setObjectName("job_name")
         self._name.setAccessibleName("What is being done")
-        self._percent = QLabel()
+        self._percent = QtWidgets.QLabel()
         self._percent.setObjectName("job_percent")
         self._percent.setFont(tabular(self.font()))
         self._percent.setMinimumWidth(self._percent.fontMetrics().horizontalAdvance("100 %"))
         self._percent.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        self._bar = QProgressBar()
+        self._bar = QtWidgets.QProgressBar()
         self._bar.setObjectName("job_progress")
         self._bar.setAccessibleName("Progress")
         self._bar.setTextVisible(False)
@@ -334,7 +327,7 @@ class JobBar(QWidget):
         self._cancel.setAccessibleName("Cancel what is being done")
         self._cancel.clicked.connect(lambda: runner.cancel())
         # It does not grow where the status bar has room to spare.
-        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Fixed, QtWidgets.QSizePolicy.Policy.Fixed)
         parts = self._name, self._bar, self._percent, self._cancel
         in_row(*parts, of=self, margins=(UNIT_PX, 0, 0, 0), gap_px=UNIT_PX)
         self._shown: object = None

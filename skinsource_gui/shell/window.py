@@ -2,9 +2,8 @@
 
 from collections.abc import Sequence
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEventLoop, QObject
-from PySide6.QtGui import QAction, QCloseEvent
-from PySide6.QtWidgets import QMainWindow, QMenu
 
 from skinsource.design.design import Design
 from skinsource.design.view import View
@@ -49,7 +48,7 @@ from skinsource_gui.state.services import Services
 _LARGEST_AT_FIRST = (1600, 940)
 
 
-class MainWindow(QMainWindow):
+class MainWindow(QtWidgets.QMainWindow):
     """Connects document, engine, panels and actions; decides nothing else."""
 
     def __init__(
@@ -254,7 +253,7 @@ class MainWindow(QMainWindow):
         for follow in (self._show_limbs, self.comparison.forget_problems, document.changed):
             self.limbs.changed.connect(follow)
 
-    def _findable(self) -> list[QAction]:
+    def _findable(self) -> list[QtGui.QAction]:
         others = [action for name, action in self.actions_by_name.items() if name != "find_action"]
         panels = docks.toggles(self.docks.values())
         return [*others, *panels, *self.setup_bar.choices(None), *kind_choices(self.document)]
@@ -278,9 +277,9 @@ class MainWindow(QMainWindow):
         self.setup_bar.show_available(self.limbs.names)
         self._limb_note.show_available(self.limbs.names)
 
-    def createPopupMenu(self) -> QMenu:
+    def createPopupMenu(self) -> QtWidgets.QMenu:
         # Qt's own menu lists docks in the order in which they were added to the window.
-        menu = QMenu(self)
+        menu = QtWidgets.QMenu(self)
         menu.addActions(self._panel_toggles)
         return menu
 
@@ -289,7 +288,7 @@ class MainWindow(QMainWindow):
         regions = (*bars, *self.panels, self.statusBar())
         return move_focus(self, regions, forward=forward)
 
-    def closeEvent(self, event: QCloseEvent) -> None:
+    def closeEvent(self, event: QtGui.QCloseEvent) -> None:
         if not (self.files.may_lose_changes() and self.running_jobs.may_close()):
             event.ignore()
             return

@@ -6,9 +6,8 @@ from dataclasses import dataclass, field
 from functools import reduce
 from itertools import pairwise
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QByteArray, QEvent, QObject, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QGuiApplication, QScreen
-from PySide6.QtWidgets import QMainWindow, QStyle, QToolBar
 
 from skinsource_gui.qt.window_events import WindowEvents
 from skinsource_gui.shell.appearance import Appearance
@@ -137,7 +136,7 @@ WORKSPACES: tuple[Workspace, ...] = (
 
 # Around the letters of a dock's title; the frame of a dock.
 _TITLE_PX, _EDGE_PX = 16, 4
-_GAP = QStyle.PixelMetric.PM_DockWidgetSeparatorExtent
+_GAP = QtWidgets.QStyle.PixelMetric.PM_DockWidgetSeparatorExtent
 _PRESS, _RELEASE = QEvent.Type.MouseButtonPress, QEvent.Type.MouseButtonRelease
 
 
@@ -186,7 +185,7 @@ class Workspaces(QObject):
 
     def __init__(
         self,
-        window: QMainWindow,
+        window: QtWidgets.QMainWindow,
         docks: Mapping[str, Dock],
         preferences: Preferences,
         appearance: Appearance,
@@ -325,7 +324,7 @@ class Workspaces(QObject):
     def restore(self) -> None:
         """Restore the last session; its sizes only where its screen is there."""
         screen = self._preferences.screen
-        fits = not screen or screen in map(screen_key, QGuiApplication.screens())
+        fits = not screen or screen in map(screen_key, QtGui.QGuiApplication.screens())
         if fits:
             self._window.restoreGeometry(self._preferences.geometry)
         name, own = self._preferences.arrangement, self._preferences.own_arrangements
@@ -401,7 +400,7 @@ class Workspaces(QObject):
 
     def _room(self) -> QSize:
         window = self._window
-        bars = [window.menuBar(), window.statusBar(), *window.findChildren(QToolBar)]
+        bars = [window.menuBar(), window.statusBar(), *window.findChildren(QtWidgets.QToolBar)]
         around = sum(bar.sizeHint().height() for bar in bars if not bar.isHidden())
         return window.size() - QSize(0, around)
 
@@ -540,7 +539,7 @@ def _edge(part: str | Split) -> str:
     return next(inner for inner, _ in part.parts if isinstance(inner, str))
 
 
-def screen_key(screen: QScreen) -> str:
+def screen_key(screen: QtGui.QScreen) -> str:
     """Return a key of what window sizes depend on: the room on a screen and its scale."""
     room = screen.availableGeometry()
     return f"{room.width()} x {room.height()} at {screen.devicePixelRatio():g}"

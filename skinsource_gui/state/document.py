@@ -7,8 +7,8 @@ from pathlib import Path
 from time import time
 from typing import Any
 
+from PySide6 import QtGui
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from skinsource.design.comparing import restored_snapshots
 from skinsource.design.design import Design
@@ -101,7 +101,7 @@ class Document(QObject):
         self._as_stored = False
         # Whether the design was edited since it was saved, and the edit not undone.
         self._edited = False
-        self.undo_stack = QUndoStack(self)
+        self.undo_stack = QtGui.QUndoStack(self)
         self.undo_stack.setUndoLimit(MOST_STEPS)
         self.undo_stack.cleanChanged.connect(self._emit_title)
 
@@ -270,7 +270,7 @@ class Document(QObject):
             self.title_changed.emit()
 
 
-class ReplaceDesign(QUndoCommand):
+class ReplaceDesign(QtGui.QUndoCommand):
     """The only undo command: it replaces design and view."""
 
     def __init__(
@@ -307,7 +307,7 @@ class ReplaceDesign(QUndoCommand):
     def id(self) -> int:
         return self._gesture
 
-    def mergeWith(self, newer: QUndoCommand) -> bool:
+    def mergeWith(self, newer: QtGui.QUndoCommand) -> bool:
         if not isinstance(newer, ReplaceDesign) or not self._after.is_before(newer._before):
             return False
         self._after, self.at_s = newer._after, newer.at_s

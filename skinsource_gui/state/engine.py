@@ -13,8 +13,8 @@ from threading import Event
 from time import perf_counter
 from typing import Any
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QEvent, QObject, QTimer, Signal
-from PySide6.QtWidgets import QWidget
 
 from skinsource.base.errors import Stopped
 from skinsource.base.work import Work, counted
@@ -238,7 +238,7 @@ class FirstPaintEngine(Engine):
         What is painted first; also the parent.
     """
 
-    def __init__(self, new_graph: Callable[[], Graph], window: QWidget) -> None:
+    def __init__(self, new_graph: Callable[[], Graph], window: QtWidgets.QWidget) -> None:
         super().__init__(new_graph, window)
         self._painted = False
         self._first: dict[tuple[Slot, Purpose], Request] = {}

@@ -8,9 +8,8 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any, ClassVar
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QPoint, Signal
-from PySide6.QtGui import QHideEvent, QShowEvent
-from PySide6.QtWidgets import QWidget
 
 from skinsource.design.comparing import Snapshot
 from skinsource.design.design import Design
@@ -33,10 +32,10 @@ class ShowsStaleness(SharesPointedInput):
     sight with stale results gets it at once.
     """
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         #: Parts that get the overlay, as they do not show themselves that they are stale.
-        self.computed: tuple[QWidget, ...] = ()
+        self.computed: tuple[QtWidgets.QWidget, ...] = ()
         #: Whether it comes into sight just now.
         self.comes_into_sight = False
         self._overlays: list[StaleOverlay] = []
@@ -113,10 +112,10 @@ class Panel(ShowsStaleness):
     #: `Path` of a file that this panel wrote for the user.
     written = Signal(object)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         #: Parts that show what the skin map shows: they are covered together with it.
-        self.guessed: tuple[QWidget, ...] = ()
+        self.guessed: tuple[QtWidgets.QWidget, ...] = ()
         self._covers: list[Cover] = []
         # Without it, each change would paint the window behind again.
         self.setAutoFillBackground(True)
@@ -207,13 +206,13 @@ class Panel(ShowsStaleness):
     def show_drop(self, at: QPoint | None) -> None:
         """Show where something held over ``at`` would go; None: it is elsewhere."""
 
-    def showEvent(self, event: QShowEvent) -> None:
+    def showEvent(self, event: QtGui.QShowEvent) -> None:
         super().showEvent(event)
         self.comes_into_sight = True
         self.visibility_changed.emit()
         self.comes_into_sight = False
 
-    def hideEvent(self, event: QHideEvent) -> None:
+    def hideEvent(self, event: QtGui.QHideEvent) -> None:
         super().hideEvent(event)
         self.visibility_changed.emit()
 
@@ -231,7 +230,7 @@ class OutputsPanel(Panel):
         Those of the panel, a frozen dataclass, if it has any.
     """
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._view = View()
         self.settings: Any = None

@@ -5,8 +5,8 @@ from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QByteArray, QEvent, QObject, QSettings, Signal
-from PySide6.QtWidgets import QWidget
 
 from skinsource.base.assets import config_folder
 from skinsource.base.errors import SkinSourceError
@@ -195,7 +195,9 @@ class InstalledLimbs(QObject):
     #: Limbs came or went.
     changed = Signal()
 
-    def __init__(self, names: tuple[str, ...], document: Document, window: QWidget) -> None:
+    def __init__(
+        self, names: tuple[str, ...], document: Document, window: QtWidgets.QWidget
+    ) -> None:
         super().__init__(window)
         self.names = names
         # A limb may be imported anew, or mirrored, under its name.

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from PySide6.QtWidgets import QMainWindow
+from PySide6 import QtWidgets
 
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import Engine
@@ -27,7 +27,7 @@ class Services:
         What the user chose, and which limbs are installed.
     """
 
-    window: QMainWindow
+    window: QtWidgets.QMainWindow
     document: Document
     engine: Engine
     panels: PanelRegistry

@@ -6,7 +6,6 @@ import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt
 from PySide6.QtWidgets import QApplication
 
-from skinsource_gui.app import app
 from skinsource_gui.app.app import GarbageCollector
 
 
@@ -54,7 +53,7 @@ def test_older_objects_are_looked_through_seldom_and_never_while_something_is_dr
 ):
     # Not the real buttons: tests before this one may have left another one down.
     pressed = [Qt.MouseButton.NoButton]
-    monkeypatch.setattr(app.QApplication, "mouseButtons", lambda: pressed[0])
+    monkeypatch.setattr(QApplication, "mouseButtons", lambda: pressed[0])
     generations = []
 
     def collect(times):

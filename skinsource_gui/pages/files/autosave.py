@@ -11,8 +11,8 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from PySide6 import QtGui
 from PySide6.QtCore import QBuffer, QByteArray, QObject, QRectF, QSize, QTimer, Signal
-from PySide6.QtGui import QColor, QImage, QPainter
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.files import path_text
@@ -45,20 +45,20 @@ class WorkPicture:
         if "limb_map" in results:
             self._map = self._maps.map_of(results)
 
-    def image(self, design: Design) -> QImage:
+    def image(self, design: Design) -> QtGui.QImage:
         """Return a picture of ``design``; an empty image before anything was predicted."""
         if self._map is None:
-            return QImage()
-        image = QImage(SIZE, QImage.Format.Format_RGB32)
-        image.fill(QColor(LIGHT.base))
-        painter = QPainter(image)
+            return QtGui.QImage()
+        image = QtGui.QImage(SIZE, QtGui.QImage.Format.Format_RGB32)
+        image.fill(QtGui.QColor(LIGHT.base))
+        painter = QtGui.QPainter(image)
         area = QRectF(image.rect()).adjusted(_EDGE_PX, _EDGE_PX, -_EDGE_PX, -_EDGE_PX)
         paint_small_map(painter, area, self._map, design, LIGHT)
         painter.end()
         return image
 
 
-def png_of(image: QImage) -> bytes:
+def png_of(image: QtGui.QImage) -> bytes:
     """Return an image as PNG; empty for an empty image."""
     if image.isNull():
         return b""
@@ -114,7 +114,7 @@ class Autosave(QObject):
         folder: Path,
         interval_s: float,
         layout: Callable[[], bytes],
-        picture: Callable[[Design], QImage],
+        picture: Callable[[Design], QtGui.QImage],
         parent: QObject,
         first_s: float = FIRST_S,
     ) -> None:
@@ -180,7 +180,7 @@ class Autosave(QObject):
         write = partial(self._write, state, self._layout(), self._picture(state.design))
         return self._worker.run(write)
 
-    def _write(self, state: _State, layout: bytes, picture: QImage) -> bool:
+    def _write(self, state: _State, layout: bytes, picture: QtGui.QImage) -> bool:
         try:
             content = DesignFile(design=state.design, view=state.view, layout=layout)
             self._session.keep(content, state.path, png_of(picture))

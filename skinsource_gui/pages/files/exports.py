@@ -11,8 +11,8 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from PySide6 import QtGui
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtGui import QGuiApplication
 
 from skinsource.actuators import rigs
 from skinsource.base.errors import MissingExtraError, SkinSourceError, TooInaccurateError
@@ -360,7 +360,7 @@ class ExportActions(QObject):
 
     def copy_citation(self) -> None:
         """Put what to cite for the open design on the clipboard."""
-        QGuiApplication.clipboard().setText(packing.citation(self._document.design))
+        QtGui.QGuiApplication.clipboard().setText(packing.citation(self._document.design))
         self._files.done.emit("Copied what to cite")
 
     def _ask_film(self, spec: ExportSpec, design: Design, view: View) -> Any:

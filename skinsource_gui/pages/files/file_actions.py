@@ -9,8 +9,8 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Literal
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QEvent, QObject, Signal
-from PySide6.QtWidgets import QFileDialog, QWidget
 
 from skinsource.base.errors import SkinSourceError, StorageError
 from skinsource.base.files import path_exists, path_text, read_bytes
@@ -177,7 +177,7 @@ class FileActions(QObject):
         self,
         document: Document,
         preferences: Preferences,
-        window: QWidget,
+        window: QtWidgets.QWidget,
         arrangement: Callable[[], bytes],
     ):
         super().__init__(window)
@@ -211,7 +211,7 @@ class FileActions(QObject):
 
     def _ask_which(self, title: str) -> Path | None:
         folder = self._document.path.parent if self._document.path else self._preferences.folder
-        name, _ = QFileDialog.getOpenFileName(self._window, title, str(folder), _FILTER)
+        name, _ = QtWidgets.QFileDialog.getOpenFileName(self._window, title, str(folder), _FILTER)
         return Path(name) if name else None
 
     def take_snapshot(self) -> None:
@@ -289,7 +289,7 @@ class FileActions(QObject):
         The path has one of the ``endings`` or that of ``start``.  Other names get ``ending``, which
         may be longer than a suffix, as ``_stim.tsv.gz``, or else that of ``start``.
         """
-        name, _ = QFileDialog.getSaveFileName(self._window, title, str(start), kinds)
+        name, _ = QtWidgets.QFileDialog.getSaveFileName(self._window, title, str(start), kinds)
         if not name:
             return None
         path = Path(name)

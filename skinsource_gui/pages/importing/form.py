@@ -8,9 +8,8 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QLineF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QCheckBox, QFormLayout, QLabel, QSizePolicy, QWidget
 
 from skinsource.base.arrays import Floats
 from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ, Band
@@ -72,13 +71,13 @@ _DURATION = NumberSpec(
 )
 
 
-class ChoiceForm(QWidget):
+class ChoiceForm(QtWidgets.QWidget):
     """Asks for what a file leaves open about a recording."""
 
     #: The present `ImportChoice`.
     changed = Signal(object)
 
-    def __init__(self, contents: Found, parent: QWidget | None = None) -> None:
+    def __init__(self, contents: Found, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("import_form")
         self._contents = contents
@@ -96,9 +95,9 @@ class ChoiceForm(QWidget):
         self._scale = ChoiceField(_SCALE)
         self._rate, self._start = NumberField(_RATE), NumberField(_START)
         self._duration = NumberField(_DURATION)
-        self._offset = QCheckBox("Take the offset off")
-        self._missing = QCheckBox("Count missing numbers as 0")
-        self._widgets: dict[str, QWidget] = {
+        self._offset = QtWidgets.QCheckBox("Take the offset off")
+        self._missing = QtWidgets.QCheckBox("Count missing numbers as 0")
+        self._widgets: dict[str, QtWidgets.QWidget] = {
             "signal": self._signal,
             "axes": self._axes,
             "timing": self._timing,
@@ -154,9 +153,11 @@ class ChoiceForm(QWidget):
         self._form.setRowVisible(self._missing, visible)
 
     def _lay_out(self) -> None:
-        self._form = QFormLayout(self)
+        self._form = QtWidgets.QFormLayout(self)
         self._form.setContentsMargins(0, 0, 0, 0)
-        self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        self._form.setFieldGrowthPolicy(
+            QtWidgets.QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow
+        )
         for widget in self._widgets.values():
             self._form.addRow(widget.accessibleName(), widget)
         self._form.setRowVisible(self._missing, False)
@@ -272,22 +273,22 @@ class ChoiceForm(QWidget):
         )
 
 
-def _fill(form: QFormLayout, field: ChoiceField, options: list[tuple[str, str]]) -> None:
+def _fill(form: QtWidgets.QFormLayout, field: ChoiceField, options: list[tuple[str, str]]) -> None:
     field.clear()
     for option, label in options:
         field.addItem(label, option)
     form.setRowVisible(field, len(options) > 1)
 
 
-class ImportPreview(QWidget):
+class ImportPreview(QtWidgets.QWidget):
     """Shows waveform, spectrum and numbers of a `Taken`, or why there is none."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("import_preview")
         self._waveform = WaveformPreview(axis=True)
         self._spectrum = SpectrumPreview()
-        self._numbers, self._notes = QLabel(), QLabel()
+        self._numbers, self._notes = QtWidgets.QLabel(), QtWidgets.QLabel()
         self._numbers.setObjectName("import_numbers")
         self._numbers.setFont(tabular(self._numbers.font()))
         self._notes.setObjectName("import_notes")
@@ -465,7 +466,7 @@ _HEIGHT_PX = 44
 _SHADE_ALPHA = 46
 
 
-class OverviewStrip(QWidget):
+class OverviewStrip(QtWidgets.QWidget):
     """Shows a whole recording; a drag moves the imported part or one of its ends.
 
     Where the part is the whole recording, a drag chooses a new part.  A double click chooses the
@@ -480,7 +481,7 @@ class OverviewStrip(QWidget):
     #: Start and length of the chosen part, s.
     part_chosen = Signal(float, float)
 
-    def __init__(self, longest_s: float, parent: QWidget | None = None) -> None:
+    def __init__(self, longest_s: float, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.extremes: Floats | None = None
         self._landmarks_s: Floats | None = None
@@ -492,7 +493,9 @@ class OverviewStrip(QWidget):
             "change it; double click to take all"
         )
         self.setMouseTracking(True)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(
+            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Fixed
+        )
 
     def sizeHint(self) -> QSize:
         return QSize(400, _HEIGHT_PX)
@@ -516,25 +519,25 @@ class OverviewStrip(QWidget):
         """Return the position of a time, px."""
         return self._part.x_of(time_s)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.fillRect(self.rect(), QColor(current_theme().base))
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        painter = QtGui.QPainter(self)
+        painter.fillRect(self.rect(), QtGui.QColor(current_theme().base))
         if self.extremes is not None:
             self._paint_extremes(painter, self.extremes)
         start, end = self.x_of(self._part.start_s), self.x_of(self._part.end_s)
         part = QRectF(start, 0.0, max(end - start, _LEAST_PX), self.height())
-        shade = QColor(current_theme().accent)
-        painter.setPen(QPen(shade, 2))
+        shade = QtGui.QColor(current_theme().accent)
+        painter.setPen(QtGui.QPen(shade, 2))
         shade.setAlpha(_SHADE_ALPHA)
         painter.fillRect(part, shade)
         painter.drawLine(QLineF(part.topLeft(), part.bottomLeft()))
         painter.drawLine(QLineF(part.topRight(), part.bottomRight()))
 
-    def mousePressEvent(self, event: QMouseEvent) -> None:
+    def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton and self._part.hold(event.position().x()):
             self._tell()
 
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+    def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
         x = event.position().x()
         if not self._part.held:
             over_end = bool(self._part.end_at(x))
@@ -542,10 +545,10 @@ class OverviewStrip(QWidget):
         elif self._part.drag(x):
             self._tell()
 
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+    def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:
         self._part.release()
 
-    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+    def mouseDoubleClickEvent(self, event: QtGui.QMouseEvent) -> None:
         self._part.release()
         self._part.take_all()
         self._tell()
@@ -555,7 +558,7 @@ class OverviewStrip(QWidget):
         start_s, end_s = self._part.start_s, self._part.end_s
         self.part_chosen.emit(start_s, end_s - start_s)
 
-    def _paint_extremes(self, painter: QPainter, extremes: Floats) -> None:
+    def _paint_extremes(self, painter: QtGui.QPainter, extremes: Floats) -> None:
         # An offset would leave little height for the signal.
         known = np.nan_to_num(extremes - np.nanmean(np.nan_to_num(extremes)))
         largest = max(float(np.abs(known).max()), np.finfo(np.float64).tiny)
@@ -567,7 +570,7 @@ class OverviewStrip(QWidget):
             share = np.interp(share, among, self._landmarks_s) / self._part.lasts_s
         x = share * self.width()
         tops, bottoms = middle - reach * known[1] / largest, middle - reach * known[0] / largest
-        painter.setPen(QPen(QColor(current_theme().dim), 1))
+        painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().dim), 1))
         painter.drawLines(
             [
                 QLineF(at, top, at, max(bottom, top + 1.0))

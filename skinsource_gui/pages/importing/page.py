@@ -7,14 +7,8 @@ from functools import partial
 from pathlib import Path
 from time import monotonic
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtWidgets import (
-    QDialog,
-    QDialogButtonBox,
-    QLabel,
-    QProgressBar,
-    QWidget,
-)
 
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import SkinSourceError, Stopped
@@ -187,20 +181,21 @@ class ImportPage(ToolPage):
         path: Path,
         limb: LimbFacts,
         places: tuple[tuple[str, str], ...],
-        parent: QWidget | None = None,
+        parent: QtWidgets.QWidget | None = None,
     ) -> None:
         super().__init__(parent, "import_page", f"Import {path_text(Path(path.name))}", (820, 520))
         self._band_hz = limb.band_hz
         self.form: ChoiceForm | None = None
         self._taken: Taken | None = None
         self._surveyed = ""
-        self._about, self._warning = QLabel(_READING), QLabel(_ASSUMED)
+        self._about, self._warning = QtWidgets.QLabel(_READING), QtWidgets.QLabel(_ASSUMED)
         self._place = ChoiceField(ChoiceSpec(label="Goes to", options=places))
         self.preview, self._strip = ImportPreview(), OverviewStrip(MOST_PART_S)
         self._strip.hide()
-        self._bar = QProgressBar()
-        self._buttons = QDialogButtonBox(
-            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
+        self._bar = QtWidgets.QProgressBar()
+        self._buttons = QtWidgets.QDialogButtonBox(
+            QtWidgets.QDialogButtonBox.StandardButton.Ok
+            | QtWidgets.QDialogButtonBox.StandardButton.Cancel
         )
         self._name_parts()
         self._lay_out()
@@ -223,11 +218,11 @@ class ImportPage(ToolPage):
         taken, place = self._taken, self._place.value
         self._worker.end()
         super().done(result)
-        if result == QDialog.DialogCode.Accepted and taken is not None:
+        if result == QtWidgets.QDialog.DialogCode.Accepted and taken is not None:
             self.chosen.emit(taken.waveform, place)
 
     def _name_parts(self) -> None:
-        self._import_button = self._buttons.button(QDialogButtonBox.StandardButton.Ok)
+        self._import_button = self._buttons.button(QtWidgets.QDialogButtonBox.StandardButton.Ok)
         self._import_button.setText("Import")
         self._import_button.setEnabled(False)
         self._about.setObjectName("import_about")
@@ -247,9 +242,9 @@ class ImportPage(ToolPage):
         self._bar.setSizePolicy(policy)
 
     def _lay_out(self) -> None:
-        left = QWidget()
+        left = QtWidgets.QWidget()
         left.setFixedWidth(_LEFT_PX)
-        parts = self._about, self._warning, None, QLabel("Goes to"), self._place
+        parts = self._about, self._warning, None, QtWidgets.QLabel("Goes to"), self._place
         self._left = in_column(*parts, of=left, margins=0, gap_px=UNIT_PX)
         right = in_column(self._strip, (self.preview, 1), gap_px=UNIT_PX)
         columns = in_row(left, (right, 1), gap_px=2 * UNIT_PX)

@@ -8,25 +8,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import (
-    QColor,
-    QImage,
-    QMouseEvent,
-    QPainter,
-    QPaintEvent,
-    QPen,
-    QPolygonF,
-    QTransform,
-)
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QFormLayout,
-    QLabel,
-    QLineEdit,
-    QPushButton,
-    QWidget,
-)
 
 from skinsource.base.arrays import Floats
 from skinsource.base.run_limited import LimitedProcess
@@ -175,21 +158,21 @@ _OF_SPACING, _CROWDED_PX, _NUMBERED_PX = 0.44, 2.0, 7.0
 _NOTHING = "Outline and places appear here. Open a photograph to click them."
 
 
-class PlacesCanvas(QWidget):
+class PlacesCanvas(QtWidgets.QWidget):
     """Shows photograph, outline and places of a draft, and emits clicks in its coordinates."""
 
     #: x, y
     clicked = Signal(float, float)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._draft = Draft()
-        self._photograph = QImage()
+        self._photograph = QtGui.QImage()
         self.setObjectName("places_canvas")
         self.setAccessibleName("Outline and places of the limb")
         self.setMinimumSize(260, 320)
 
-    def show_photograph(self, photograph: QImage) -> None:
+    def show_photograph(self, photograph: QtGui.QImage) -> None:
         """Show a photograph under the places."""
         self._photograph = photograph
         can_click = not photograph.isNull()
@@ -208,7 +191,7 @@ class PlacesCanvas(QWidget):
     def sizeHint(self) -> QSize:
         return QSize(380, 460)
 
-    def mousePressEvent(self, event: QMouseEvent) -> None:
+    def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
         if event.button() != Qt.MouseButton.LeftButton or self._photograph.isNull():
             return
         back, can_turn = self._transform().inverted()
@@ -220,11 +203,11 @@ class PlacesCanvas(QWidget):
         """Return the position of a point of the draft on the screen."""
         return self._transform().map(QPointF(x, y))
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter, theme, draft = QPainter(self), current_theme(), self._draft
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
-        painter.fillRect(self.rect(), QColor(theme.base))
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        painter, theme, draft = QtGui.QPainter(self), current_theme(), self._draft
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
+        painter.setRenderHint(QtGui.QPainter.RenderHint.SmoothPixmapTransform)
+        painter.fillRect(self.rect(), QtGui.QColor(theme.base))
         transform = self._transform()
         if not self._photograph.isNull():
             painter.save()
@@ -232,7 +215,7 @@ class PlacesCanvas(QWidget):
             painter.drawImage(0, 0, self._photograph)
             painter.restore()
         if self._bounds().isEmpty():
-            painter.setPen(QColor(theme.dim))
+            painter.setPen(QtGui.QColor(theme.dim))
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.drawText(self.rect().adjusted(8, 8, -8, -8), int(flags), _NOTHING)
         self._paint_outline(painter, transform, draft.outline)
@@ -244,17 +227,21 @@ class PlacesCanvas(QWidget):
             (draft.outputs, theme.text, _DOT_PX),
             (draft.inputs, theme.accent, _RADIUS_PX),
         ):
-            self._paint_points(painter, transform, points, QColor(colour), radius)
+            self._paint_points(painter, transform, points, QtGui.QColor(colour), radius)
         painter.end()
 
-    def _paint_outline(self, painter: QPainter, transform: QTransform, outline: Floats) -> None:
-        line = QPolygonF([transform.map(QPointF(x, y)) for x, y in outline])
-        painter.setPen(QPen(QColor(current_theme().accent), 2.0))
+    def _paint_outline(
+        self, painter: QtGui.QPainter, transform: QtGui.QTransform, outline: Floats
+    ) -> None:
+        line = QtGui.QPolygonF([transform.map(QPointF(x, y)) for x, y in outline])
+        painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().accent), 2.0))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawPolygon(line)
 
-    def _paint_hand(self, painter: QPainter, transform: QTransform, hand: Floats) -> None:
-        painter.setPen(QPen(QColor(current_theme().error), 2.0))
+    def _paint_hand(
+        self, painter: QtGui.QPainter, transform: QtGui.QTransform, hand: Floats
+    ) -> None:
+        painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().error), 2.0))
         ends = [transform.map(QPointF(x, y)) for x, y in hand]
         for end in ends:
             painter.drawEllipse(end, 3.0, 3.0)
@@ -262,9 +249,14 @@ class PlacesCanvas(QWidget):
             painter.drawLine(ends[0], ends[1])
 
     def _paint_points(
-        self, painter: QPainter, transform: QTransform, points: Floats, fill: QColor, radius: float
+        self,
+        painter: QtGui.QPainter,
+        transform: QtGui.QTransform,
+        points: Floats,
+        fill: QtGui.QColor,
+        radius: float,
     ) -> None:
-        painter.setPen(QPen(QColor(current_theme().base), 1.0))
+        painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().base), 1.0))
         painter.setBrush(fill)
         scale = abs(transform.m11())
         radii = np.clip(_OF_SPACING * scale * spacing_of(points), _CROWDED_PX, radius)
@@ -288,16 +280,16 @@ class PlacesCanvas(QWidget):
         low, high = points.min(axis=0), points.max(axis=0)
         return QRectF(QPointF(*low), QPointF(*np.maximum(high, low + 1e-6)))
 
-    def _transform(self) -> QTransform:
+    def _transform(self) -> QtGui.QTransform:
         """Return the transform from the coordinates of the draft to pixels."""
         bounds = self._bounds()
         room = QRectF(self.rect()).adjusted(UNIT_PX, UNIT_PX, -UNIT_PX, -UNIT_PX)
         if bounds.isEmpty():
-            return QTransform()
+            return QtGui.QTransform()
         scale = min(room.width() / bounds.width(), room.height() / bounds.height())
         up = -1.0 if not self._draft.y_down and self._photograph.isNull() else 1.0
         middle, centre = room.center(), bounds.center()
-        transform = QTransform.fromTranslate(middle.x(), middle.y())
+        transform = QtGui.QTransform.fromTranslate(middle.x(), middle.y())
         transform.scale(scale, up * scale)
         transform.translate(-centre.x(), -centre.y())
         return transform
@@ -360,12 +352,12 @@ _FILES = {
 }
 
 # Fields that a file in the layout fills, and their values.
-_Field = QLineEdit | NumberField | ChoiceField | QCheckBox
+_Field = QtWidgets.QLineEdit | NumberField | ChoiceField | QtWidgets.QCheckBox
 _Value = str | float | bool
 
 
 def _value_of(field: _Field) -> _Value:
-    if isinstance(field, QCheckBox):
+    if isinstance(field, QtWidgets.QCheckBox):
         return field.isChecked()
     if isinstance(field, NumberField):
         return field.value_si
@@ -380,21 +372,24 @@ class LimbForm(QObject):
     #: A file is to be chosen: "responses", "outline", "inputs", "outputs" or "photograph".
     file_requested = Signal(str)
 
-    def __init__(self, parent: QWidget) -> None:
+    def __init__(self, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
-        self.widget = QWidget(parent)
-        self._rows = QFormLayout(self.widget)
+        self.widget = QtWidgets.QWidget(parent)
+        self._rows = QtWidgets.QFormLayout(self.widget)
         self._rows.setContentsMargins(0, 0, 0, 0)
-        self._chosen: dict[str, QLabel] = {}
-        lines: list[QLineEdit] = [NameLine() for _ in range(4)]
+        self._chosen: dict[str, QtWidgets.QLabel] = {}
+        lines: list[QtWidgets.QLineEdit] = [NameLine() for _ in range(4)]
         self.name, self.title, self.note, self.order = lines
         self.axes = ChoiceField(_AXES)
         self.axes.set_value(_STARTING_AXES)
         self.numbers = {name: NumberField(spec) for name, spec in _NUMBERS.items()}
         # Values from a file, by field: they go with that file unless they were changed since.
         self._from_file: dict[_Field, _Value] = {}
-        self.left, self.mirrored = QCheckBox("Left hand"), QCheckBox("Show mirrored")
-        self.synthetic = QCheckBox("Computed, not measured")
+        self.left, self.mirrored = (
+            QtWidgets.QCheckBox("Left hand"),
+            QtWidgets.QCheckBox("Show mirrored"),
+        )
+        self.synthetic = QtWidgets.QCheckBox("Computed, not measured")
         self.mirrored.setToolTip(tooltip("Show mirrored", "A left hand as a right one"))
         self._lay_out()
 
@@ -497,10 +492,10 @@ class LimbForm(QObject):
 
     def _add_file(self, what: str) -> None:
         label, hint = _FILES[what]
-        button: QPushButton = page_button(f"choose_{what}", "Choose…", hint)
+        button: QtWidgets.QPushButton = page_button(f"choose_{what}", "Choose…", hint)
         button.setAccessibleName(f"Choose {label.lower()}")
         button.clicked.connect(lambda: self.file_requested.emit(what))
-        chosen = QLabel("none")
+        chosen = QtWidgets.QLabel("none")
         chosen.setObjectName(f"chosen_{what}")
         set_tone(chosen, "dim")
         self._chosen[what] = chosen

@@ -9,16 +9,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import Signal
-from PySide6.QtGui import QImage
-from PySide6.QtWidgets import (
-    QFileDialog,
-    QHBoxLayout,
-    QLabel,
-    QListWidget,
-    QMessageBox,
-    QWidget,
-)
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.job import Job
@@ -37,11 +29,11 @@ from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.job_runner import JobProgress, JobRunner, PageJobs
 from skinsource_gui.state.preferences import InstalledLimbs
 
-_NO = QMessageBox.StandardButton.No
+_NO = QtWidgets.QMessageBox.StandardButton.No
 _LOST = "Its responses cannot be had back from here"
 
 
-def ask_to_replace(parent: QWidget, name: str) -> bool:
+def ask_to_replace(parent: QtWidgets.QWidget, name: str) -> bool:
     """Return whether the user gives up the limb of this name for the one that is imported."""
     return ask_yes(
         parent,
@@ -52,7 +44,7 @@ def ask_to_replace(parent: QWidget, name: str) -> bool:
     )
 
 
-def may_remove(parent: QWidget, name: str) -> bool:
+def may_remove(parent: QtWidgets.QWidget, name: str) -> bool:
     """Return whether the user gives up the limb of this name."""
     return ask_yes(
         parent,
@@ -71,7 +63,7 @@ _NONE = "No limb was imported yet."
 _DAMAGED = "Damaged: import it again."
 
 
-class OwnList(QWidget):
+class OwnList(QtWidgets.QWidget):
     """Lists the imported limbs; mirrors, exports and removes the chosen one."""
 
     #: A limb was removed.
@@ -81,9 +73,9 @@ class OwnList(QWidget):
     #: A sentence.
     failed = Signal(str)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self.list, self.message = QListWidget(), page_label("own_limb_words")
+        self.list, self.message = QtWidgets.QListWidget(), page_label("own_limb_words")
         self.list.setObjectName("own_limbs")
         self.list.setAccessibleName("Imported limbs")
         self.list.setMaximumHeight(96)
@@ -91,7 +83,7 @@ class OwnList(QWidget):
         self._mirror = page_button("mirror_limb", "Mirror", "Show a left hand as a right one")
         self._export = page_button("export_limb", "Export…", "Write it as docs/limbs.md says")
         self._remove = page_button("remove_limb", "Remove", "Delete it from this computer")
-        row = QHBoxLayout()
+        row = QtWidgets.QHBoxLayout()
         for button, action in (
             (self._mirror, self._turn),
             (self._export, self._ask_and_export),
@@ -141,7 +133,9 @@ class OwnList(QWidget):
 
     def _ask_and_export(self) -> None:
         name = self.chosen
-        path, _ = QFileDialog.getSaveFileName(self, "Export limb", f"{name}.h5", "HDF5 (*.h5)")
+        path, _ = QtWidgets.QFileDialog.getSaveFileName(
+            self, "Export limb", f"{name}.h5", "HDF5 (*.h5)"
+        )
         if path:
             work = partial(export_limb, name, Path(path))
             self.job_requested.emit(Job(f"Exporting {name}", work))
@@ -186,7 +180,7 @@ class LimbPage(ToolPage):
         self,
         runner: JobRunner,
         limbs: InstalledLimbs,
-        parent: QWidget,
+        parent: QtWidgets.QWidget,
     ) -> None:
         super().__init__(parent, "limb_page", TITLE, (940, 640))
         self._limbs, self._jobs = limbs, PageJobs(runner, self, (IMPORTING,))
@@ -215,7 +209,7 @@ class LimbPage(ToolPage):
 
     def _lay_out(self) -> None:
         left = in_column(self.form.widget, None, self.own)
-        clicks = in_row(QLabel(_CLICKS.label), (self.click, 1), self._back)
+        clicks = in_row(QtWidgets.QLabel(_CLICKS.label), (self.click, 1), self._back)
         # Cancel is left of Import, so that a double click on Import does not cancel the import.
         ends = in_row(None, self._cancel, self._import, self._close)
         right = in_column(clicks, (self.canvas, 1), self.message, ends)
@@ -290,7 +284,7 @@ class LimbPage(ToolPage):
         self.draft = replace(draft, **names)
         self._show()
 
-    def _take_photograph(self, path: Path, image: QImage) -> None:
+    def _take_photograph(self, path: Path, image: QtGui.QImage) -> None:
         self.form.show_file("photograph", path.name)
         # Points are pixels of the photograph from now on; points in other units are removed.
         nothing = Draft()

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
+from PySide6 import QtGui
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QImage, QImageReader
 
 from skinsource.base.errors import RecordingError
 from skinsource.base.files import path_text
@@ -19,7 +19,7 @@ _ALLOCATION_MB = 512
 _EXPECTED = "a photograph as PNG, JPEG, BMP or WebP. Save it again as one of these."
 
 
-def read(path: Path, process: LimitedProcess) -> QImage:
+def read(path: Path, process: LimitedProcess) -> QtGui.QImage:
     """Return a photograph, upright.
 
     Raises
@@ -32,13 +32,15 @@ def read(path: Path, process: LimitedProcess) -> QImage:
     (pixels,) = run_limited(f"{__name__}:pixels_of", path, expected=_EXPECTED, process=process)
     rows, columns = pixels.shape
     # A copy, since the image outlives the array of its pixels.
-    return QImage(pixels.data, columns, rows, 4 * columns, QImage.Format.Format_RGB32).copy()
+    return QtGui.QImage(
+        pixels.data, columns, rows, 4 * columns, QtGui.QImage.Format.Format_RGB32
+    ).copy()
 
 
 def pixels_of(path: Path) -> NDArray[np.uint32]:
     """Return the pixels of a photograph, 0xffrrggbb, (rows, columns)."""
-    QImageReader.setAllocationLimit(_ALLOCATION_MB)
-    reader = QImageReader(str(path))
+    QtGui.QImageReader.setAllocationLimit(_ALLOCATION_MB)
+    reader = QtGui.QImageReader(str(path))
     reader.setDecideFormatFromContent(True)
     reader.setAutoTransform(True)
     if not reader.canRead() or reader.format().toStdString() not in FORMATS:
@@ -47,7 +49,7 @@ def pixels_of(path: Path) -> NDArray[np.uint32]:
     if max(size.width(), size.height()) > LONGEST_SIDE_PX:
         longest = QSize(LONGEST_SIDE_PX, LONGEST_SIDE_PX)
         reader.setScaledSize(size.scaled(longest, Qt.AspectRatioMode.KeepAspectRatio))
-    image = reader.read().convertToFormat(QImage.Format.Format_RGB32)
+    image = reader.read().convertToFormat(QtGui.QImage.Format.Format_RGB32)
     if image.isNull():
         raise _refusal(path, f"no picture can be read of it ({reader.errorString()})")
     pixels = np.frombuffer(image.constBits(), np.uint32)

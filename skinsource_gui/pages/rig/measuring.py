@@ -12,9 +12,8 @@ from threading import Event
 from typing import Any
 
 import numpy as np
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, Qt, Signal
-from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QProgressBar, QWidget
 
 from skinsource.actuators.actuator import Actuator
 from skinsource.actuators.catalog import names, profile
@@ -187,7 +186,7 @@ _NOTHING = "Nothing is measured yet"
 class MeasuredView(SignalView):
     """Plots gain over frequency: measured now, of the model, and measured before."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__("measured-plot", "Measured response", parent)
         self._measurement: ChannelMeasurement | None = None
         self._zoom: tuple[float, float] | None = None
@@ -258,7 +257,7 @@ class MeasurePage(ToolPage):
         self,
         channel: RigChannel,
         settings: SoundSettings,
-        parent: QWidget,
+        parent: QtWidgets.QWidget,
     ) -> None:
         super().__init__(parent, "measure_page", f"Measure place {channel.place}", (760, 640))
         self._channel, self._settings = channel, settings
@@ -267,7 +266,7 @@ class MeasurePage(ToolPage):
         self.measurement: ChannelMeasurement | None = None
         self.fields = MeasureFields(setup_of(settings.sensor_text), self)
         self.plot = MeasuredView()
-        self._bar = QProgressBar()
+        self._bar = QtWidgets.QProgressBar()
         self.start = self.add_button("measure_start", "Start", _START, self._start)
         self.stop = self.add_button(
             "measure_stop", "Stop", "Silence at once; nothing is kept", self._stop.set
@@ -288,7 +287,7 @@ class MeasurePage(ToolPage):
         end_sound(self._thread)
         super().done(result)
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape and self._running:
             # The first press ends the measurement, the next one closes the page.
             self._stop.set()

@@ -6,14 +6,8 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QObject, QSignalBlocker, Qt, Signal
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QLabel,
-    QLineEdit,
-    QListWidget,
-    QWidget,
-)
 
 from skinsource.actuators.catalog import names, profile, shape_names
 from skinsource.actuators.equalising import RegularisedInverse
@@ -111,12 +105,12 @@ class ChannelFields(QObject):
         )
         self.forget.setEnabled(bool(points))
 
-    def _laid_out(self) -> QWidget:
-        widget = QWidget()
+    def _laid_out(self) -> QtWidgets.QWidget:
+        widget = QtWidgets.QWidget()
         own, limits = FieldGrid(), FieldGrid()
         own.show_cells([self._cells[name] for name in _FIELDS])
         limits.show_cells([cell for name, cell in self._cells.items() if name.startswith(_LIMIT)])
-        heading = QLabel("Limits at the actuator; 0: not known")
+        heading = QtWidgets.QLabel("Limits at the actuator; 0: not known")
         parts = (own, self.measured, self.measure, self.from_file, self.forget, heading, limits)
         in_column(*parts, None, of=widget, margins=(0, 0, UNIT_PX, 0))
         return widget
@@ -304,22 +298,22 @@ class RigPage(ToolPage):
         self,
         document: Document,
         settings: SoundSettings,
-        parent: QWidget,
+        parent: QtWidgets.QWidget,
     ) -> None:
         super().__init__(parent, "rig_page", "Rig", (860, 640))
         self._document, self._settings, self._thread = document, settings, sound_worker(self)
         settings.look_for_rig()
         path = settings.rig_path if settings.rig is not None else None
         self.draft = RigDraft(settings.rig, path, document.design, self)
-        self._title = QLineEdit()
+        self._title = QtWidgets.QLineEdit()
         self._title.setObjectName("rig_title")
         self._title.setAccessibleName("Title")
         self._title.setPlaceholderText("Title of the rig")
-        self.channels = QListWidget()
+        self.channels = QtWidgets.QListWidget()
         self.channels.setObjectName("rig_channels")
         self.channels.setAccessibleName("Channels")
         self.fields = ChannelFields(self)
-        self._use = QCheckBox("Play for it on this machine")
+        self._use = QtWidgets.QCheckBox("Play for it on this machine")
         self._use.setObjectName("rig_use")
         self._use.setChecked(True)
         self._lay_out()

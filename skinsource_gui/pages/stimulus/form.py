@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QObject, QSignalBlocker, Signal
-from PySide6.QtWidgets import QCheckBox, QFormLayout, QLineEdit, QWidget
 
 from skinsource.actuators.actuation import Actuation, ActuatorAt
 from skinsource.actuators.catalog import load, names, profile
@@ -190,7 +190,7 @@ class RigFields(QObject):
     #: Why a file was not opened.
     refused = Signal(str)
 
-    def __init__(self, design: Design, view: View, parent: QWidget) -> None:
+    def __init__(self, design: Design, view: View, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
         self._volts = drive_unit(design) == "V"
         self.chosen = design.actuated or _chosen_in_panel(view)
@@ -294,7 +294,7 @@ _ROWS = (
 _CONTINUED = ("other_rate", "full_scale")
 
 
-class StimulusForm(QWidget):
+class StimulusForm(QtWidgets.QWidget):
     """Fields for format, rate and options; rows that do not apply now are hidden.
 
     Parameters
@@ -308,7 +308,7 @@ class StimulusForm(QWidget):
     #: Why the fields make no order.
     refused = Signal(str)
 
-    def __init__(self, design: Design, view: View, parent: QWidget | None = None) -> None:
+    def __init__(self, design: Design, view: View, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._design, self._view = design, view
         self._about = page_label("stimulus_format_hint", tone="dim")
@@ -334,16 +334,21 @@ class StimulusForm(QWidget):
         for name, value in (("to", longest_s), ("other_rate", 48_000), ("full_scale", 1.0)):
             self._numbers[name].set_value(value)
         self.rigs = RigFields(design, view, self)
-        self._map = QLineEdit()
+        self._map = QtWidgets.QLineEdit()
         self._map.setAccessibleName("Channel map")
         self._map.setPlaceholderText("as they are")
         self._map.setToolTip(tooltip("Channel map", _MAP_HINT))
-        self._boxes = {"sync": QCheckBox("Sync channel"), "dither": QCheckBox("Dither")}
+        self._boxes = {
+            "sync": QtWidgets.QCheckBox("Sync channel"),
+            "dither": QtWidgets.QCheckBox("Dither"),
+        }
         for name, box in self._boxes.items():
             box.setToolTip(_BOX_HINTS[name])
-        self._form = QFormLayout(self)
+        self._form = QtWidgets.QFormLayout(self)
         self._form.setContentsMargins(0, 0, 0, 0)
-        self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        self._form.setFieldGrowthPolicy(
+            QtWidgets.QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow
+        )
         for name in _ROWS:
             widget = self._about if name == "about" else self.field(name)
             if widget is not self._about:
@@ -357,10 +362,10 @@ class StimulusForm(QWidget):
         """The chosen format."""
         return format_named(self._fields["format"].value)
 
-    def field(self, name: str) -> QWidget:
+    def field(self, name: str) -> QtWidgets.QWidget:
         """Return the widget of a row."""
         rigs = self.rigs
-        rows: dict[str, QWidget] = {"map": self._map, "rig": rigs.rig_field}
+        rows: dict[str, QtWidgets.QWidget] = {"map": self._map, "rig": rigs.rig_field}
         rows |= {"actuator": rigs.actuator_field, "equaliser": rigs.equaliser_field}
         return {**rows, **self._fields, **self._numbers, **self._choices, **self._boxes}[name]
 
@@ -402,7 +407,7 @@ class StimulusForm(QWidget):
             self._form.insertRow(row, spec.label, field)
             self._choices[name] = field
         self._fields["rate"].set_value(str(format.rate_hz or RATES_HZ[0]))
-        before: QWidget = self._fields["format"]
+        before: QtWidgets.QWidget = self._fields["format"]
         for field in self._choices.values():
             self.setTabOrder(before, field)
             before = field
@@ -549,15 +554,15 @@ def _settings_in(text: str) -> dict[str, Any]:
     return settings if isinstance(settings, dict) else {}
 
 
-def _value(widget: QWidget) -> Any:
+def _value(widget: QtWidgets.QWidget) -> Any:
     if isinstance(widget, ChoiceField):
         return widget.value
     if isinstance(widget, NumberField):
         return widget.value_si
-    return isinstance(widget, QCheckBox) and widget.isChecked()
+    return isinstance(widget, QtWidgets.QCheckBox) and widget.isChecked()
 
 
-def _put(widget: QWidget, value: Any) -> None:
+def _put(widget: QtWidgets.QWidget, value: Any) -> None:
     with QSignalBlocker(widget):
         if isinstance(widget, ChoiceField):
             if isinstance(value, str) and widget.findData(value) >= 0:
@@ -567,5 +572,5 @@ def _put(widget: QWidget, value: Any) -> None:
                 spec = widget.spec
                 if spec.minimum <= value <= spec.maximum:
                     widget.set_value(value)
-        elif isinstance(widget, QCheckBox) and isinstance(value, bool):
+        elif isinstance(widget, QtWidgets.QCheckBox) and isinstance(value, bool):
             widget.setChecked(value)

@@ -8,19 +8,8 @@ from collections.abc import Mapping
 from functools import partial
 
 import numpy as np
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QLineF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QDialog,
-    QDialogButtonBox,
-    QGraphicsOpacityEffect,
-    QHBoxLayout,
-    QLabel,
-    QProgressBar,
-    QSizePolicy,
-    QWidget,
-)
 
 from skinsource.actuators.rigs import UNCALIBRATED
 from skinsource.base.arrays import Floats
@@ -45,16 +34,18 @@ _TEXT_PX = 208
 _LEAST_PX = 160
 
 
-class ChannelsView(QWidget):
+class ChannelsView(QtWidgets.QWidget):
     """Paints one row for each channel."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("stimulus_channels")
         self._channels: tuple[ChannelOverview, ...] = ()
         self._colours: Mapping[int, int] = {}
         self._pale = False
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(
+            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Fixed
+        )
         self.setAccessibleName("Channels as they will be written")
 
     @property
@@ -83,8 +74,8 @@ class ChannelsView(QWidget):
         self._pale = pale
         self.update()
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        painter = QtGui.QPainter(self)
         painter.setOpacity(PALE if self._pale else 1.0)
         for row, channel in enumerate(self._channels):
             top = row * (_ROW_PX + _GAP_PX)
@@ -93,7 +84,7 @@ class ChannelsView(QWidget):
                 area = QRectF(_TEXT_PX, top, self.width() - _TEXT_PX, _ROW_PX)
                 self._paint_picture(painter, channel, area)
 
-    def _paint_text(self, painter: QPainter, channel: ChannelOverview, top: float) -> None:
+    def _paint_text(self, painter: QtGui.QPainter, channel: ChannelOverview, top: float) -> None:
         title, peak, clipped = (*channel_lines(channel), "")[:3]
         room = QRectF(0, top, _TEXT_PX - UNIT_PX, _ROW_PX / 3)
         left = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
@@ -105,25 +96,27 @@ class ChannelsView(QWidget):
             (clipped, current_theme().error),
         )
         for number, (text, colour) in enumerate(rows):
-            painter.setPen(QColor(colour))
+            painter.setPen(QtGui.QColor(colour))
             elided = metrics.elidedText(text, Qt.TextElideMode.ElideRight, int(room.width()))
             painter.drawText(room.translated(0, number * _ROW_PX / 3), left, elided)
 
-    def _paint_picture(self, painter: QPainter, overview: ChannelOverview, area: QRectF) -> None:
-        painter.fillRect(area, QColor(current_theme().base))
+    def _paint_picture(
+        self, painter: QtGui.QPainter, overview: ChannelOverview, area: QRectF
+    ) -> None:
+        painter.fillRect(area, QtGui.QColor(current_theme().base))
         middle, reach = area.center().y(), area.height() / 2.0 - 3.0
-        painter.setPen(QPen(QColor(current_theme().grid), 1))
+        painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().grid), 1))
         for level in (-1.0, 0.0, 1.0):
             y = middle - reach * level
             painter.drawLine(QLineF(area.left(), y, area.right(), y))
         inputs = overview.channel.inputs
-        colour = QColor(current_theme().dim)
+        colour = QtGui.QColor(current_theme().dim)
         if inputs:
             colour = current_theme().input_colour(self._colours.get(inputs[0], 0))
         low, high = joined(np.clip(overview.extremes, -1.0, 1.0))
         x = area.left() + (np.arange(low.size) + 0.5) * area.width() / low.size
         width = max(area.width() / low.size, 1.0)
-        painter.setPen(QPen(colour, width, c=Qt.PenCapStyle.FlatCap))
+        painter.setPen(QtGui.QPen(colour, width, c=Qt.PenCapStyle.FlatCap))
         tops, bottoms = middle - reach * high, middle - reach * low
         painter.drawLines(
             [
@@ -133,7 +126,7 @@ class ChannelsView(QWidget):
         )
         beyond = np.flatnonzero((abs(overview.extremes) > 1.0).any(axis=0))
         if overview.clipped and beyond.size:
-            painter.setPen(QPen(QColor(current_theme().error), max(width, 2.0)))
+            painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().error), max(width, 2.0)))
             painter.drawLines(
                 [QLineF(at, area.top(), at, area.top() + 5.0) for at in x[beyond].tolist()]
             )
@@ -166,19 +159,19 @@ def channel_lines(overview: ChannelOverview) -> list[str]:
 _BAR_PX = 96
 
 
-class PreparingRow(QWidget):
+class PreparingRow(QtWidgets.QWidget):
     """Shows a label and a bar while a stimulus is computed.
 
     It appears with a delay, so that it does not flicker during short computations.
     """
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("stimulus_preparing")
-        self._label = QLabel()
+        self._label = QtWidgets.QLabel()
         self._label.setObjectName("stimulus_computing")
         self._label.setFont(tabular(self.font()))
-        self._bar = QProgressBar()
+        self._bar = QtWidgets.QProgressBar()
         self._bar.setObjectName("stimulus_progress")
         self._bar.setAccessibleName("Progress")
         self._bar.setTextVisible(False)
@@ -237,7 +230,7 @@ class StimulusPage(ToolPage):
         self,
         design: Design,
         view: View,
-        parent: QWidget | None = None,
+        parent: QtWidgets.QWidget | None = None,
         last_settings: str = "",
         machine_rig: str = "",
     ) -> None:
@@ -248,11 +241,16 @@ class StimulusPage(ToolPage):
         self.prepared: PreparedStimulus | None = None
         self.form = StimulusForm(design, view)
         self.channels = ChannelsView()
-        self._summary, self._loses, self._problem = QLabel(), QLabel(), QLabel()
+        self._summary, self._loses, self._problem = (
+            QtWidgets.QLabel(),
+            QtWidgets.QLabel(),
+            QtWidgets.QLabel(),
+        )
         self._preparing = PreparingRow()
-        self._confirm = QCheckBox("Write it all the same")
-        self._buttons = QDialogButtonBox(
-            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
+        self._confirm = QtWidgets.QCheckBox("Write it all the same")
+        self._buttons = QtWidgets.QDialogButtonBox(
+            QtWidgets.QDialogButtonBox.StandardButton.Ok
+            | QtWidgets.QDialogButtonBox.StandardButton.Cancel
         )
         self._name_parts()
         self._lay_out()
@@ -279,11 +277,11 @@ class StimulusPage(ToolPage):
         # The page closes before the worker, which may take time to stop.
         super().done(result)
         self._worker.close()
-        if result == QDialog.DialogCode.Accepted and prepared is not None:
+        if result == QtWidgets.QDialog.DialogCode.Accepted and prepared is not None:
             self.chosen.emit(prepared, confirmed, settings)
 
     def _name_parts(self) -> None:
-        self._export_button = self._buttons.button(QDialogButtonBox.StandardButton.Ok)
+        self._export_button = self._buttons.button(QtWidgets.QDialogButtonBox.StandardButton.Ok)
         self._export_button.setText("Export…")
         self._export_button.setObjectName("stimulus_export")
         self._export_button.setEnabled(False)
@@ -310,7 +308,7 @@ class StimulusPage(ToolPage):
             (pictures, 1), self._summary, self._loses, self._problem, self._confirm, gap_px=UNIT_PX
         )
         columns = in_row(left, (right, 1), gap_px=2 * UNIT_PX)
-        foot = QHBoxLayout()
+        foot = QtWidgets.QHBoxLayout()
         foot.addSpacing(_LEFT_PX + columns.spacing())
         foot.addWidget(self._preparing, 1)
         foot.addWidget(self._buttons)
@@ -380,8 +378,8 @@ class StimulusPage(ToolPage):
         self.channels.set_pale(pale)
         for label in (self._summary, self._loses, self._problem):
             effect = label.graphicsEffect()
-            if not isinstance(effect, QGraphicsOpacityEffect):
-                effect = QGraphicsOpacityEffect(label, opacity=PALE)
+            if not isinstance(effect, QtWidgets.QGraphicsOpacityEffect):
+                effect = QtWidgets.QGraphicsOpacityEffect(label, opacity=PALE)
                 label.setGraphicsEffect(effect)
             effect.setEnabled(pale)
 

@@ -6,8 +6,8 @@ from math import isnan
 from typing import Any
 
 import numpy as np
+from PySide6 import QtWidgets
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QWidget
 
 from skinsource.actuators.actuator import Actuator, ResponseShape
 from skinsource.actuators.equalising import curves
@@ -200,7 +200,7 @@ def _value_text(value: float, unit: str) -> str:
     return value_text(value, unit, _DIGITS)
 
 
-class FiguresTable(QWidget):
+class FiguresTable(QtWidgets.QWidget):
     """A table of label, value and limit; what exceeds its limit is red.
 
     Attributes
@@ -209,13 +209,13 @@ class FiguresTable(QWidget):
         What it shows.
     """
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("actuator_figures")
         self.setAccessibleName("Predicted figures")
         self.figures: tuple[Figure, ...] = ()
-        self._rows: list[tuple[QLabel, QLabel, QLabel]] = []
-        self._grid = QGridLayout(self)
+        self._rows: list[tuple[QtWidgets.QLabel, QtWidgets.QLabel, QtWidgets.QLabel]] = []
+        self._grid = QtWidgets.QGridLayout(self)
         self._grid.setContentsMargins(0, 0, 0, 0)
         self._grid.setHorizontalSpacing(UNIT_PX)
         self._grid.setVerticalSpacing(0)
@@ -244,7 +244,7 @@ class FiguresTable(QWidget):
         )
 
     def _add_row(self) -> None:
-        labels = (QLabel(self), QLabel(self), QLabel(self))
+        labels = (QtWidgets.QLabel(self), QtWidgets.QLabel(self), QtWidgets.QLabel(self))
         set_tone(labels[0], "dim")
         labels[1].setFont(tabular(labels[1].font()))
         labels[1].setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
@@ -256,7 +256,7 @@ class FiguresTable(QWidget):
 _NOTHING = "Nothing plays: add an input to see what it asks of the actuator"
 
 
-class FiguresView(QWidget):
+class FiguresView(QtWidgets.QWidget):
     """A heading over the table of figures, or the reason why the equaliser refuses the drive.
 
     Attributes
@@ -268,18 +268,22 @@ class FiguresView(QWidget):
     #: The tap shall be replaced by one that leaves no velocity.
     centred_requested = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self.heading, self.refusal, self.table = QLabel(), QLabel(), FiguresTable()
+        self.heading, self.refusal, self.table = (
+            QtWidgets.QLabel(),
+            QtWidgets.QLabel(),
+            FiguresTable(),
+        )
         self.heading.setObjectName("actuator_heading")
         self.refusal.setObjectName("actuator_refusal")
-        self.limits = QLabel()
+        self.limits = QtWidgets.QLabel()
         self.limits.setObjectName("actuator_limits")
         set_tone(self.limits, "error")
         for label in (self.heading, self.refusal, self.limits):
             label.setWordWrap(True)
             label.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
-        self.centred = QPushButton("Use a centred tap")
+        self.centred = QtWidgets.QPushButton("Use a centred tap")
         self.centred.setToolTip("Let the selected clips play a tap that leaves nothing moving")
         self.centred.clicked.connect(self.centred_requested)
         column = in_column(

@@ -9,8 +9,8 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QObject, Qt, Signal
-from PySide6.QtWidgets import QCheckBox, QPushButton, QWidget
 
 from skinsource.actuators.equalising import followed_band
 from skinsource.base.measurement_conditions import Band
@@ -80,14 +80,14 @@ class ActuatorChoices(QObject):
         self._cells: tuple[FieldCell, ...] = ()
         self._cached_cells: dict[tuple[str, Spec], FieldCell] = {}
         self.grid, self._parameters = FieldGrid(), FieldGrid()
-        self.details = QWidget()
+        self.details = QtWidgets.QWidget()
         self.about = page_label("actuator_about", tone="dim")
         self.about.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
-        self.reset = QPushButton("As listed")
+        self.reset = QtWidgets.QPushButton("As listed")
         self.reset.setObjectName("actuator_reset")
         self.reset.setToolTip("Give all parameters back the values that the library lists")
         self.reset.clicked.connect(self._reset)
-        self.open = QPushButton("Measured response…")
+        self.open = QtWidgets.QPushButton("Measured response…")
         self.open.setObjectName("actuator_open")
         self.open.setToolTip(
             "From a table with frequency_hz, gain and phase, or from sound with the voltage of a "
@@ -185,7 +185,7 @@ _SHAPE = (
 _OTHER = "Predictions go through {words}, not through what is shown here."
 
 
-class ThroughSwitch(QWidget):
+class ThroughSwitch(QtWidgets.QWidget):
     """A switch that lets the design be predicted through an actuator.
 
     Attributes
@@ -197,9 +197,9 @@ class ThroughSwitch(QWidget):
     #: Whether predictions shall go through the actuator of the panel.
     requested = Signal(bool)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self.box = QCheckBox(_TITLE)
+        self.box = QtWidgets.QCheckBox(_TITLE)
         self.text = page_label("actuator_through_words", tone="dim")
         self.box.setObjectName("actuator_through")
         self.box.setToolTip(_HINT)
@@ -239,7 +239,7 @@ class ActuatorPanel(Panel):
     name = "actuator"
     reads_down = True
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setMinimumSize(300, 200)
         self._design: Design | None = None
@@ -368,9 +368,9 @@ def _band_of(limb: str) -> Band:
     return followed_band(facts.band_hz, facts.sample_rate_hz)
 
 
-def _scrolled(*parts: QWidget) -> SteadyArea:
+def _scrolled(*parts: QtWidgets.QWidget) -> SteadyArea:
     """Return a scroll area with the parts below each other."""
-    inside = QWidget()
+    inside = QtWidgets.QWidget()
     margins = (UNIT_PX, UNIT_PX // 2, UNIT_PX // 2, UNIT_PX)
     in_column(*parts, None, of=inside, margins=margins, gap_px=UNIT_PX // 2)
     scroll = SteadyArea()

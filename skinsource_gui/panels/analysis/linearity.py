@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
-from PySide6.QtWidgets import QToolButton, QWidget
+from PySide6 import QtWidgets
 
 from skinsource.base.arrays import Floats
 from skinsource.design.amplitudes import amplitude_unit, is_gain
@@ -189,7 +189,7 @@ class LinearityView(FigureView):
     name: ClassVar[str] = "linearity"
     compares: ClassVar[bool] = True
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         self.picture = DiagramsPicture("linearity_picture", "Linearity of snapshots")
         super().__init__(self.picture, parent)
         self.settings = LinearitySettings()
@@ -283,7 +283,9 @@ class LinearityView(FigureView):
             self._drawn = drawn
         return same
 
-    def _new_switch(self, spec: SwitchSpec, chosen: Callable[[bool], None]) -> QToolButton:
+    def _new_switch(
+        self, spec: SwitchSpec, chosen: Callable[[bool], None]
+    ) -> QtWidgets.QToolButton:
         """Return a switch above the diagrams, which is only about strengths."""
         name = f"linearity_{spec.label.split()[-1].replace('/', '_')}"
         switch = tool_button(None, name, spec.label, spec.hint, checkable=True)

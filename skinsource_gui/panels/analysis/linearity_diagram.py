@@ -3,9 +3,8 @@
 from dataclasses import replace
 
 import numpy as np
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFont, QFontInfo, QFontMetricsF, QPainter, QPen
-from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.fields.units import minus
 from skinsource_gui.panels.analysis.linearity_content import DOT_PX, Curve, Diagram
@@ -18,7 +17,9 @@ _LINE_STEP, _LEAST_PART = 0.9, 0.6
 _LEAST_OF_CURVES = 0.3
 
 
-def x_with_room_for_labels(axes: Axes, curves: tuple[Curve, ...], metrics: QFontMetricsF) -> Axis:
+def x_with_room_for_labels(
+    axes: Axes, curves: tuple[Curve, ...], metrics: QtGui.QFontMetricsF
+) -> Axis:
     """Return the x axis, longer, so that the longest label fits behind the ends of the curves."""
     labelled = [curve for curve in curves if curve.label]
     if not labelled:
@@ -31,8 +32,8 @@ def x_with_room_for_labels(axes: Axes, curves: tuple[Curve, ...], metrics: QFont
 
 
 def places_of_labels(
-    axes: Axes, curves: tuple[Curve, ...], font: QFont
-) -> tuple[QFont, list[tuple[QRectF, Curve]]]:
+    axes: Axes, curves: tuple[Curve, ...], font: QtGui.QFont
+) -> tuple[QtGui.QFont, list[tuple[QRectF, Curve]]]:
     """Return where labels are written, and in which font.
 
     Labels that overlap are moved apart, in the order of their curves. Where the frame is too low
@@ -48,13 +49,13 @@ def places_of_labels(
     if not ends:
         return font, []
     frame = axes.frame
-    metrics = QFontMetricsF(font)
+    metrics = QtGui.QFontMetricsF(font)
     fits = frame.height() / (_LINE_STEP * metrics.height() * len(ends))
     for _, x, curve in ends:
         room_px = frame.right() - x - 2.0 * DOT_PX
         fits = min(fits, room_px / (metrics.horizontalAdvance(curve.label) + 1.0))
     letters = scaled(font, max(fits, _LEAST_PART)) if fits < 1.0 else font
-    line = QFontMetricsF(letters).height()
+    line = QtGui.QFontMetricsF(letters).height()
     step = _LINE_STEP * line
     ends = sorted(ends[: max(int(frame.height() / step + 1e-6), 1)], key=lambda end: end[0])
     heights = _moved_apart([end[0] for end in ends], step, frame.top(), frame.bottom())
@@ -64,7 +65,9 @@ def places_of_labels(
     ]
 
 
-def write_labels(painter: QPainter, axes: Axes, curves: tuple[Curve, ...], theme: Theme) -> None:
+def write_labels(
+    painter: QtGui.QPainter, axes: Axes, curves: tuple[Curve, ...], theme: Theme
+) -> None:
     """Write labels in the colours of their curves."""
     letters, places = places_of_labels(axes, curves, painter.font())
     painter.save()
@@ -75,9 +78,9 @@ def write_labels(painter: QPainter, axes: Axes, curves: tuple[Curve, ...], theme
     painter.restore()
 
 
-def colour_of(curve: Curve, theme: Theme) -> QColor:
+def colour_of(curve: Curve, theme: Theme) -> QtGui.QColor:
     """Return the colour of the output of a curve, or that of text."""
-    return QColor(theme.text if curve.rank is None else theme.output_colour(curve.rank))
+    return QtGui.QColor(theme.text if curve.rank is None else theme.output_colour(curve.rank))
 
 
 def _moved_apart(at: list[float], step: float, top: float, bottom: float) -> list[float]:
@@ -99,7 +102,9 @@ _LINES_WIDE, _DIAGRAM_LEAST_PART, _LEAST_PX = 10.0, 0.5, 11.0
 class DiagramsPicture(Figure):
     """Diagrams side by side where there is room, else one above the other."""
 
-    def __init__(self, name: str, accessible_name: str, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, name: str, accessible_name: str, parent: QtWidgets.QWidget | None = None
+    ) -> None:
         super().__init__(name, accessible_name, parent)
         self.diagrams: tuple[Diagram, ...] = ()
         self.outputs: tuple[int, ...] = ()
@@ -111,12 +116,12 @@ class DiagramsPicture(Figure):
         self.say("")
         self.read_again()
 
-    def draw(self, painter: QPainter, room: QRectF) -> None:
+    def draw(self, painter: QtGui.QPainter, room: QRectF) -> None:
         head = room.adjusted(UNIT_PX, 0, -UNIT_PX, 0)
-        head.setHeight(QFontMetricsF(painter.font()).height())
+        head.setHeight(QtGui.QFontMetricsF(painter.font()).height())
         areas = _areas(room.adjusted(0, head.height(), 0, 0), len(self.diagrams))
         painter.setFont(font_in(areas, painter.font()))
-        metrics = QFontMetricsF(painter.font())
+        metrics = QtGui.QFontMetricsF(painter.font())
         draw_legend(painter, head, self.outputs, current_theme())
         self._placed = []
         for area, diagram in zip(areas, self.diagrams, strict=True):
@@ -159,19 +164,19 @@ def _areas(room: QRectF, count: int) -> list[QRectF]:
     return [QRectF(room.left(), room.top() + k * high, room.width(), high) for k in range(count)]
 
 
-def font_in(areas: list[QRectF], font: QFont) -> QFont:
+def font_in(areas: list[QRectF], font: QtGui.QFont) -> QtGui.QFont:
     """Return the font, or a smaller readable one, in which numbers at axes have room."""
     wide = min((area.width() for area in areas), default=0.0)
-    fits = wide / (_LINES_WIDE * QFontMetricsF(font).height())
-    least = max(_DIAGRAM_LEAST_PART, _LEAST_PX / QFontInfo(font).pixelSize())
+    fits = wide / (_LINES_WIDE * QtGui.QFontMetricsF(font).height())
+    least = max(_DIAGRAM_LEAST_PART, _LEAST_PX / QtGui.QFontInfo(font).pixelSize())
     return scaled(font, max(fits, least)) if max(fits, least) < 1.0 else font
 
 
-def _draw(painter: QPainter, axes: Axes, curve: Curve, theme: Theme) -> None:
+def _draw(painter: QtGui.QPainter, axes: Axes, curve: Curve, theme: Theme) -> None:
     colour = colour_of(curve, theme)
     colour.setAlphaF(1.0 - curve.pale)
     if curve.width_px:
-        pen = QPen(colour, curve.width_px)
+        pen = QtGui.QPen(colour, curve.width_px)
         pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
         painter.setPen(pen)
         painter.drawPolyline(axes.polygon(curve.x, curve.y))

@@ -6,9 +6,8 @@ from itertools import combinations
 from typing import Any, ClassVar
 
 import numpy as np
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
-from PySide6.QtWidgets import QWidget
 
 from skinsource.design.design import Design
 from skinsource.design.view import View
@@ -54,7 +53,7 @@ class MainAxisContent:
 class MainAxisPicture(Figure):
     """For each output its ellipse in each plane of two axes, and the main axis through it."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__("main_axis_picture", "Main axes", parent)
         self.content: MainAxisContent | None = None
         self._cells: list[tuple[QRectF, int]] = []
@@ -65,11 +64,11 @@ class MainAxisPicture(Figure):
         self.say("")
         self.read_again()
 
-    def draw(self, painter: QPainter, room: QRectF) -> None:
+    def draw(self, painter: QtGui.QPainter, room: QRectF) -> None:
         content = self.content
         if content is None:
             return
-        metrics = QFontMetricsF(painter.font())
+        metrics = QtGui.QFontMetricsF(painter.font())
         line = metrics.height()
         count = len(content.outputs)
         planes = tuple(combinations(range(len(content.axes)), 2))
@@ -88,7 +87,7 @@ class MainAxisPicture(Figure):
         if n_drawn < count:
             row, column = divmod(n_drawn, across)
             place = QRectF(column * cell[0], row * cell[1], *cell)
-            painter.setPen(QColor(current_theme().dim))
+            painter.setPen(QtGui.QColor(current_theme().dim))
             text = f"and {count - n_drawn} more"
             painter.drawText(place, Qt.AlignmentFlag.AlignCenter, text)
 
@@ -102,9 +101,9 @@ class MainAxisPicture(Figure):
         return QRectF() if self.message or not self._cells else QRectF(self.rect())
 
     def _draw_output(
-        self, painter: QPainter, content: MainAxisContent, place: QRectF, rank: int
+        self, painter: QtGui.QPainter, content: MainAxisContent, place: QRectF, rank: int
     ) -> None:
-        line = QFontMetricsF(painter.font()).height()
+        line = QtGui.QFontMetricsF(painter.font()).height()
         main_axes, theme = content.main_axes, current_theme()
         head = QRectF(place.left(), place.top(), place.width(), line)
         number = content.outputs[rank]
@@ -116,7 +115,7 @@ class MainAxisPicture(Figure):
             text = f"{main_axes.share[rank]:.0%}"
         painter.setPen(theme.output_colour(rank))
         painter.drawText(head, Qt.AlignmentFlag.AlignLeft, f"{number}")
-        painter.setPen(QColor(theme.warning if text == "no main axis" else theme.dim))
+        painter.setPen(QtGui.QColor(theme.warning if text == "no main axis" else theme.dim))
         painter.drawText(head, Qt.AlignmentFlag.AlignRight, text)
         planes = tuple(combinations(range(len(content.axes)), 2))
         each = place.width() / len(planes)
@@ -126,22 +125,22 @@ class MainAxisPicture(Figure):
 
     def _draw_plane(
         self,
-        painter: QPainter,
+        painter: QtGui.QPainter,
         content: MainAxisContent,
         area: QRectF,
         rank: int,
         plane: tuple[int, int],
     ) -> None:
         theme, largest = current_theme(), float(content.main_axes.deviation[rank, 0])
-        metrics = QFontMetricsF(painter.font())
+        metrics = QtGui.QFontMetricsF(painter.font())
         # Beside and above the ellipse there is room for the names of the axes.
         label_px = max(map(metrics.horizontalAdvance, content.axes)) + _GAP_PX
         room = area.adjusted(_GAP_PX, metrics.height(), -label_px, -_GAP_PX)
         centre, radius = room.center(), 0.5 * max(min(room.width(), room.height()), 0.0)
-        painter.setPen(QPen(QColor(theme.grid), 1))
+        painter.setPen(QtGui.QPen(QtGui.QColor(theme.grid), 1))
         painter.drawLine(QLineF(centre.x() - radius, centre.y(), centre.x() + radius, centre.y()))
         painter.drawLine(QLineF(centre.x(), centre.y() - radius, centre.x(), centre.y() + radius))
-        painter.setPen(QColor(theme.dim))
+        painter.setPen(QtGui.QColor(theme.dim))
         height = metrics.height()
         right = QRectF(centre.x() + radius, centre.y() - height / 2.0, label_px, height)
         painter.drawText(right, Qt.AlignmentFlag.AlignCenter, content.axes[plane[0]])
@@ -151,17 +150,17 @@ class MainAxisPicture(Figure):
             return
         scale = radius / largest
         points = ellipse(content.main_axes.covariance[rank], plane) * scale
-        line = QPolygonF([centre + QPointF(x, -y) for x, y in points])
+        line = QtGui.QPolygonF([centre + QPointF(x, -y) for x, y in points])
         colour = theme.output_colour(rank)
-        fill = QColor(colour)
+        fill = QtGui.QColor(colour)
         fill.setAlpha(50)
-        painter.setPen(QPen(colour, 1.2))
+        painter.setPen(QtGui.QPen(colour, 1.2))
         painter.setBrush(fill)
         painter.drawPolygon(line)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         if not content.main_axes.none[rank]:
             x, y = content.main_axes.direction[rank][list(plane)] * radius
-            painter.setPen(QPen(QColor(theme.text), 1.4))
+            painter.setPen(QtGui.QPen(QtGui.QColor(theme.text), 1.4))
             painter.drawLine(QLineF(centre + QPointF(-x, y), centre + QPointF(x, -y)))
 
 
@@ -189,7 +188,7 @@ class MainAxisView(FigureView):
     title: ClassVar[str] = "Main axis"
     name: ClassVar[str] = "main_axis"
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         self.picture = MainAxisPicture()
         super().__init__(self.picture, parent)
         self.about = self.add_above("main_axis_about")

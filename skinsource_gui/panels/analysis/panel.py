@@ -6,9 +6,8 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any, ClassVar
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent
-from PySide6.QtGui import QPainter
-from PySide6.QtWidgets import QWidget
 
 from skinsource.design.comparing import Snapshot
 from skinsource.design.design import Design
@@ -53,7 +52,7 @@ class AnalysisPanel(Panel):
     name: ClassVar[str] = "analysis"
     compares: ClassVar[bool] = True
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._state: tuple[Design, View] | None = None
         self._views: dict[str, AnalysisView] = {}
@@ -152,7 +151,7 @@ class AnalysisPanel(Panel):
         self.view.show_folder(folder)
 
     def draw_picture(
-        self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
+        self, painter: QtGui.QPainter, width: int, height: int, theme: Theme = LIGHT
     ) -> None:
         """Draw the view, without the chooser; size in px."""
         self.view.draw_picture(painter, width, height, theme)

@@ -5,8 +5,8 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 import numpy as np
+from PySide6 import QtWidgets
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtWidgets import QFileDialog, QLabel, QWidget
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.quoting import printable
@@ -155,7 +155,7 @@ class PerceptionView(OutputTableView):
     title: ClassVar[str] = "Perception"
     name: ClassVar[str] = "perception"
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__("Levels above threshold", parent)
         self.setMinimumSize(240, 160)
         self.settings = PerceptionSettings()
@@ -168,7 +168,7 @@ class PerceptionView(OutputTableView):
         self._folder = Path()
         self.area = NumberField(AREA, widest_unit="cm²")
         LetterWidth(self.area, _MOST_AREA_PX, at_most=True)
-        self.area_label = QLabel("Moving area")
+        self.area_label = QtWidgets.QLabel("Moving area")
         self.area_label.setBuddy(self.area)
         set_tone(self.area_label, "dim")
         self.own = tool_button(self, "perception_own", "Own thresholds…")
@@ -258,7 +258,7 @@ class PerceptionView(OutputTableView):
         self.model.clicked.connect(lambda: self._change(message, table=(), source=""))
 
     def _ask(self) -> None:
-        chosen, _ = QFileDialog.getOpenFileName(
+        chosen, _ = QtWidgets.QFileDialog.getOpenFileName(
             self, "Own thresholds", str(self._folder), "CSV (*.csv)"
         )
         if chosen:

@@ -6,16 +6,8 @@ from functools import partial
 from typing import ClassVar
 
 import numpy as np
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QSize, Qt
-from PySide6.QtGui import QFont, QResizeEvent
-from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QBoxLayout,
-    QSizePolicy,
-    QTableWidget,
-    QTableWidgetItem,
-    QWidget,
-)
 
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.design.comparing import (
@@ -199,15 +191,17 @@ _ROW_PX = 1
 _SHORT = {"Back of the hand": "Back", "Wrist, palm side": "W. palm"}
 
 
-class RegionTable(QTableWidget):
+class RegionTable(QtWidgets.QTableWidget):
     """A table with a row for each region; its height fits all rows, the area around it scrolls."""
 
     def __init__(self, name: str, title: str) -> None:
         super().__init__(len(REGION_OUTPUTS), 0)
         self.setObjectName(name)
         self.setAccessibleName(title)
-        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setEditTriggers(QtWidgets.QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setSizePolicy(
+            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Fixed
+        )
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         set_table_look(self)
         # The names stay visible while columns are scrolled.
@@ -224,11 +218,11 @@ class RegionTable(QTableWidget):
         self.setColumnCount(len(columns))
         right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         for k, column in enumerate(columns):
-            head = QTableWidgetItem(column.head or column.title)
+            head = QtWidgets.QTableWidgetItem(column.head or column.title)
             head.setToolTip(column.hint)
             self.setHorizontalHeaderItem(k, head)
             for row, text in enumerate(column.texts()):
-                item = QTableWidgetItem(text)
+                item = QtWidgets.QTableWidgetItem(text)
                 item.setTextAlignment(right)
                 item.setToolTip(column.hint)
                 self.setItem(row, k, item)
@@ -236,7 +230,7 @@ class RegionTable(QTableWidget):
         self._name_rows()
         self._fit_height()
 
-    def fit_font(self, base: QFont) -> None:
+    def fit_font(self, base: QtGui.QFont) -> None:
         """Take over the font of the surroundings."""
         font = scaled(tabular(base), _TEXT)
         for part in (self, self.horizontalHeader(), self.verticalHeader()):
@@ -244,7 +238,7 @@ class RegionTable(QTableWidget):
         self._name_rows()
         self._fit_height()
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         self._name_rows()
 
@@ -294,7 +288,7 @@ class RegionsView(AnalysisView):
     name: ClassVar[str] = "regions"
     compares: ClassVar[bool] = True
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setMinimumSize(240, 120)
         self._limbs: tuple[str, ...] = ()
@@ -352,7 +346,7 @@ class RegionsView(AnalysisView):
     def table_text(self) -> str:
         return tab_separated(self.columns)
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         self._put_in_order()
 
@@ -379,8 +373,8 @@ class RegionsView(AnalysisView):
 
     def _scrolled(self) -> SteadyArea:
         """Return a scroll area with the tables, side by side where they have room."""
-        inside = QWidget()
-        self._box = QBoxLayout(QBoxLayout.Direction.TopToBottom, inside)
+        inside = QtWidgets.QWidget()
+        self._box = QtWidgets.QBoxLayout(QtWidgets.QBoxLayout.Direction.TopToBottom, inside)
         self._box.setContentsMargins(0, 0, 0, 0)
         self._box.setSpacing(UNIT_PX)
         for table in self._tables:
@@ -393,13 +387,15 @@ class RegionsView(AnalysisView):
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         area.setWidget(inside)
         # It takes the room that there is, so that the dock around it does not scroll as well.
-        area.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
+        area.setSizePolicy(
+            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Ignored
+        )
         return area
 
     def _put_in_order(self) -> None:
         needed = sum(table.needed_px for table in self._tables if not table.isHidden()) + UNIT_PX
         beside = needed <= self.width()
-        ways = QBoxLayout.Direction
+        ways = QtWidgets.QBoxLayout.Direction
         self._box.setDirection(ways.LeftToRight if beside else ways.TopToBottom)
         # Side by side the tables share the remaining room; otherwise it stays below them.
         for k in range(self._box.count()):

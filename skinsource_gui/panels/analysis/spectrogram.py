@@ -5,9 +5,8 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter, QPen
-from PySide6.QtWidgets import QComboBox, QLabel, QSizePolicy, QWidget
 
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
@@ -68,7 +67,7 @@ class SpectrogramContent:
 class SpectrogramPicture(Figure):
     """Amplitude as colour, over time and frequency."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__("spectrogram_picture", "Spectrogram", parent)
         self.content: SpectrogramContent | None = None
         self.axes: Axes | None = None
@@ -77,7 +76,7 @@ class SpectrogramPicture(Figure):
         self._steady_range = SteadyRange()
         self._table = colour_table()
         self._pixels: np.ndarray | None = None
-        self._image = QImage()
+        self._image = QtGui.QImage()
 
     def reset_range(self) -> None:
         """Decide the range of the next picture without a look at the one before."""
@@ -93,8 +92,8 @@ class SpectrogramPicture(Figure):
         codes = colour_indices(levels, self.range_db)
         self._pixels = np.ascontiguousarray(self._table[codes[::-1]])
         height, width = self._pixels.shape
-        self._image = QImage(
-            self._pixels.data, width, height, 4 * width, QImage.Format.Format_RGB32
+        self._image = QtGui.QImage(
+            self._pixels.data, width, height, 4 * width, QtGui.QImage.Format.Format_RGB32
         )
         self.say("")
         self.read_again()
@@ -104,11 +103,11 @@ class SpectrogramPicture(Figure):
         self._playhead_s = time_s
         self.update()
 
-    def draw(self, painter: QPainter, room: QRectF) -> None:
+    def draw(self, painter: QtGui.QPainter, room: QRectF) -> None:
         content = self.content
         if content is None:
             return
-        metrics = QFontMetricsF(painter.font())
+        metrics = QtGui.QFontMetricsF(painter.font())
         widest_texts = scale_text(-100.0, top=True, matched=content.matched)
         widest = max(map(metrics.horizontalAdvance, widest_texts))
         scale_px = widest + _SCALE_PX + 2 * UNIT_PX
@@ -116,10 +115,10 @@ class SpectrogramPicture(Figure):
         self.axes = axes = fitted_axes(
             inner, _time_axis(content), _frequency_axis(content), metrics
         )
-        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        painter.setRenderHint(QtGui.QPainter.RenderHint.SmoothPixmapTransform)
         painter.save()
         painter.setClipRect(axes.frame)
-        painter.fillRect(axes.frame, QColor(int(self._table[0])))
+        painter.fillRect(axes.frame, QtGui.QColor(int(self._table[0])))
         painter.drawImage(self._image_place(axes, content), self._image)
         self._draw_lines(painter, axes)
         painter.restore()
@@ -149,17 +148,17 @@ class SpectrogramPicture(Figure):
         corners = axes.to_screen(np.array(x), np.array(y))
         return QRectF(QPointF(*corners[0]), QPointF(*corners[1])).normalized()
 
-    def _draw_lines(self, painter: QPainter, axes: Axes) -> None:
+    def _draw_lines(self, painter: QtGui.QPainter, axes: Axes) -> None:
         frame = axes.frame
         if self._playhead_s is not None:
             x = float(axes.to_screen(np.array([self._playhead_s]), np.zeros(1))[0, 0])
             line = QLineF(x, frame.top(), x, frame.bottom())
             # The colour of every playhead, on a ground that shows it on dark colours too.
             for colour, width_px in ((current_theme().base, 3.5), (current_theme().error, 1.5)):
-                painter.setPen(QPen(QColor(colour), width_px))
+                painter.setPen(QtGui.QPen(QtGui.QColor(colour), width_px))
                 painter.drawLine(line)
         if self.cursor_at is not None:
-            pen = QPen(QColor("#ffffff"), 1, Qt.PenStyle.DashLine)
+            pen = QtGui.QPen(QtGui.QColor("#ffffff"), 1, Qt.PenStyle.DashLine)
             painter.setPen(pen)
             painter.drawLine(
                 QLineF(self.cursor_at.x(), frame.top(), self.cursor_at.x(), frame.bottom())
@@ -169,16 +168,16 @@ class SpectrogramPicture(Figure):
             )
 
     def _draw_scale(
-        self, painter: QPainter, axes: Axes, room: QRectF, metrics: QFontMetricsF
+        self, painter: QtGui.QPainter, axes: Axes, room: QRectF, metrics: QtGui.QFontMetricsF
     ) -> None:
         frame, line = axes.frame, metrics.height()
         ramp = QRectF(frame.right() + 2 * UNIT_PX, frame.top(), _SCALE_PX, frame.height())
         colours = np.ascontiguousarray(self._table[::-1, None])
-        image = QImage(colours.data, 1, len(colours), 4, QImage.Format.Format_RGB32)
+        image = QtGui.QImage(colours.data, 1, len(colours), 4, QtGui.QImage.Format.Format_RGB32)
         painter.drawImage(ramp, image)
-        painter.setPen(QPen(QColor(current_theme().border), 1))
+        painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().border), 1))
         painter.drawRect(ramp)
-        painter.setPen(QColor(current_theme().dim))
+        painter.setPen(QtGui.QColor(current_theme().dim))
         low, high = self.range_db
         matched = "" if self.content is None else self.content.matched
         for part in (0.0, 0.5, 1.0):
@@ -237,7 +236,7 @@ class SpectrogramView(FigureView):
     name: ClassVar[str] = "spectrogram"
     copies: ClassVar[bool] = False
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         self.picture = SpectrogramPicture()
         super().__init__(self.picture, parent)
         self.settings = SpectrogramSettings()
@@ -251,13 +250,15 @@ class SpectrogramView(FigureView):
         for choice in (self.output, self.window_length):
             # Never narrower than its text.
             choice.setMinimumContentsLength(0)
-            choice.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
-        self.window_length.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
+            choice.setSizeAdjustPolicy(QtWidgets.QComboBox.SizeAdjustPolicy.AdjustToContents)
+        self.window_length.setSizePolicy(
+            QtWidgets.QSizePolicy.Policy.Maximum, QtWidgets.QSizePolicy.Policy.Fixed
+        )
         for field in (self.floor, self.ceiling):
             LetterWidth(field, _MOST_NUMBER_PX, at_most=True)
         what, band = (
             (self.output, self.window_length),
-            (self.floor, QLabel("–"), self.ceiling, None),
+            (self.floor, QtWidgets.QLabel("–"), self.ceiling, None),
         )
         self.choices.addWidget(FoldingGroups(what, band, spacing_px=UNIT_PX // 2))
         self.output.edited.connect(lambda number, _: self.change_settings(output=float(number)))

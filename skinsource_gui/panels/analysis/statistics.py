@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
+from PySide6 import QtWidgets
 from PySide6.QtCore import QSize
-from PySide6.QtWidgets import QWidget
 
 from skinsource.base.arrays import Floats
 from skinsource.design.comparing import match_text
@@ -117,7 +117,7 @@ class StatisticsView(OutputTableView):
     title: ClassVar[str] = "Statistics"
     name: ClassVar[str] = "statistics"
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__("Figures of the selected outputs", parent)
         self.setMinimumSize(240, 120)
         self.rows: tuple[StatisticsRow, ...] = ()

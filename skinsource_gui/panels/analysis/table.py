@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import (
     QAbstractTableModel,
     QEvent,
@@ -12,8 +13,6 @@ from PySide6.QtCore import (
     Qt,
     Signal,
 )
-from PySide6.QtGui import QColor, QKeyEvent, QKeySequence
-from PySide6.QtWidgets import QAbstractItemView, QStackedWidget, QTableView, QWidget
 
 from skinsource_gui.panels.analysis.view import AnalysisView
 from skinsource_gui.qt.buttons import page_label
@@ -88,7 +87,7 @@ class OutputTableModel(QAbstractTableModel):
         if role == _Role.ForegroundRole:
             if column == 0:
                 return current_theme().output_colour(index.row())
-            return QColor(current_theme().dim if row.hint else current_theme().text)
+            return QtGui.QColor(current_theme().dim if row.hint else current_theme().text)
         if role == SHORT_NAME and column == 0:
             return row.short
         if role == _Role.ToolTipRole:
@@ -109,7 +108,7 @@ class OutputTableModel(QAbstractTableModel):
         return None
 
 
-class OutputTable(QTableView):
+class OutputTable(QtWidgets.QTableView):
     """The table; the usual key copies all of it."""
 
     copy_requested = Signal()
@@ -121,7 +120,7 @@ class OutputTable(QTableView):
         self.rows_model = OutputTableModel(self)
         self.setModel(self.rows_model)
         set_table_look(self)
-        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectionBehavior.SelectRows)
         self.horizontalHeader().setDefaultAlignment(
             Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         )
@@ -134,7 +133,7 @@ class OutputTable(QTableView):
     def event(self, event: QEvent) -> bool:
         return claims_shortcut(event, _is_copy) or super().event(event)
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         if _is_copy(event):
             self.copy_requested.emit()
         else:
@@ -155,12 +154,12 @@ class OutputTableView(AnalysisView):
         The table, and what shows it or the message.
     """
 
-    def __init__(self, accessible_name: str, parent: QWidget | None = None) -> None:
+    def __init__(self, accessible_name: str, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.table = OutputTable(f"{self.name}_table", accessible_name)
         self.table.copy_requested.connect(self.copy_requested)
         self._message = page_label(f"{self.name}_message", tone="dim", centred=True)
-        self.stack = QStackedWidget()
+        self.stack = QtWidgets.QStackedWidget()
         self.stack.addWidget(self._message)
         self.stack.addWidget(self.table)
         self.computed = (self.table,)
@@ -183,5 +182,5 @@ class OutputTableView(AnalysisView):
         self.stack.setCurrentWidget(self.table)
 
 
-def _is_copy(event: QKeyEvent) -> bool:
-    return event.matches(QKeySequence.StandardKey.Copy)
+def _is_copy(event: QtGui.QKeyEvent) -> bool:
+    return event.matches(QtGui.QKeySequence.StandardKey.Copy)

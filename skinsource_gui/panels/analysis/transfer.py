@@ -5,9 +5,8 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
-from PySide6.QtWidgets import QWidget
 
 from skinsource.base.decibels import decibels
 from skinsource.design.design import Design
@@ -42,7 +41,7 @@ class TransferContent:
 class TransferPicture(Figure):
     """One curve of each output; below, where it is more than noise."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__("transfer_picture", "Transfer functions", parent)
         self.content: TransferContent | None = None
         self.axes: Axes | None = None
@@ -61,7 +60,7 @@ class TransferPicture(Figure):
         self.say("")
         self.read_again()
 
-    def draw(self, painter: QPainter, room: QRectF) -> None:
+    def draw(self, painter: QtGui.QPainter, room: QRectF) -> None:
         content = self.content
         if content is None:
             return
@@ -72,7 +71,7 @@ class TransferPicture(Figure):
         else:
             shown = self._top_db - LEVEL_SPAN_DB, self._top_db
             y = Axis(shown=shown, title=f"dB re {content.unit}")
-        metrics = QFontMetricsF(painter.font())
+        metrics = QtGui.QFontMetricsF(painter.font())
         head = QRectF(room.left(), room.top(), room.width(), metrics.height())
         inner = head.adjusted(UNIT_PX, 0, -UNIT_PX, 0)
         draw_legend(painter, inner, content.outputs, current_theme(), broken=True)
@@ -85,7 +84,7 @@ class TransferPicture(Figure):
         for rank in range(len(content.outputs)):
             self._draw_curve(painter, axes, content, rank)
         if self.cursor_at is not None:
-            painter.setPen(QPen(QColor(current_theme().dim), 1, Qt.PenStyle.DashLine))
+            painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().dim), 1, Qt.PenStyle.DashLine))
             at = self.cursor_at.x()
             painter.drawLine(QLineF(at, axes.frame.top(), at, axes.frame.bottom()))
         painter.restore()
@@ -105,12 +104,12 @@ class TransferPicture(Figure):
     def keys_area(self) -> QRectF:
         return QRectF() if self.axes is None or self.message else self.axes.frame
 
-    def _shade(self, painter: QPainter, axes: Axes, content: TransferContent) -> None:
+    def _shade(self, painter: QtGui.QPainter, axes: Axes, content: TransferContent) -> None:
         """Shade the frequencies that were not measured, where that is known."""
         if content.transfer.band_hz is None:
             return
         band_hz = np.array(content.transfer.band_hz)
-        colour = QColor(current_theme().grid)
+        colour = QtGui.QColor(current_theme().grid)
         colour.setAlpha(140)
         frame = axes.frame
         low, high = (float(p[0]) for p in axes.to_screen(band_hz, np.zeros(1)))
@@ -119,7 +118,7 @@ class TransferPicture(Figure):
             painter.fillRect(QRectF(QPointF(high, frame.top()), frame.bottomRight()), colour)
 
     def _draw_curve(
-        self, painter: QPainter, axes: Axes, content: TransferContent, rank: int
+        self, painter: QtGui.QPainter, axes: Axes, content: TransferContent, rank: int
     ) -> None:
         transfer = content.transfer
         values = (
@@ -128,20 +127,20 @@ class TransferPicture(Figure):
         painter.setPen(current_theme().output_pen(rank, 1.4))
         painter.drawPolyline(axes.polygon(transfer.frequency_hz, values))
         if not content.coherence and transfer.noise[rank].any():
-            pen = QPen(current_theme().output_colour(rank), 1.0, Qt.PenStyle.DotLine)
+            pen = QtGui.QPen(current_theme().output_colour(rank), 1.0, Qt.PenStyle.DotLine)
             painter.setPen(pen)
             painter.drawPolyline(
                 axes.polygon(transfer.frequency_hz, decibels(transfer.noise[rank]))
             )
 
-    def _draw_bars(self, painter: QPainter, axes: Axes, content: TransferContent) -> None:
+    def _draw_bars(self, painter: QtGui.QPainter, axes: Axes, content: TransferContent) -> None:
         """Draw the bands that can be used, as bars at the foot."""
         bands = content.transfer.usable_hz
         step, thick = bar_sizes(len(bands), axes.frame.height())
         foot = axes.frame.bottom() - UNIT_PX / 2
         for rank, (low, high) in enumerate(bands):
             y = foot - rank * step
-            painter.setPen(QPen(current_theme().output_colour(rank), thick))
+            painter.setPen(QtGui.QPen(current_theme().output_colour(rank), thick))
             if np.isfinite(low):
                 left, right = axes.to_screen(np.array([low, high]), np.zeros(1))[:, 0]
                 painter.drawLine(QLineF(left, y, right, y))
@@ -177,7 +176,7 @@ class TransferView(FigureView):
     title: ClassVar[str] = "Transfer"
     name: ClassVar[str] = "transfer"
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         self.picture = TransferPicture()
         super().__init__(self.picture, parent)
         self.settings = TransferSettings()

@@ -2,9 +2,8 @@
 
 from typing import ClassVar
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QPoint, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QPainter
-from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.plots.figure import Figure, NoteLabel, draw_figure, open_figure_menu
 from skinsource_gui.qt.layouts import in_column, in_row
@@ -29,7 +28,7 @@ class AnalysisView(OutputsPanel):
     #: The user wants to copy them.
     copy_requested = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.has_table = False
 
@@ -72,7 +71,7 @@ class FigureView(AnalysisView):
         Its parts; ``heads`` is a row of its own between choices and figure.
     """
 
-    def __init__(self, figure: Figure, parent: QWidget | None = None) -> None:
+    def __init__(self, figure: Figure, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.figure = figure
         self.setMinimumSize(240, 160)
@@ -99,7 +98,7 @@ class FigureView(AnalysisView):
         return "" if self._above is None else self._above.text
 
     def draw_picture(
-        self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
+        self, painter: QtGui.QPainter, width: int, height: int, theme: Theme = LIGHT
     ) -> None:
         """Draw figure and text for a page or a slide, without the controls; size in px."""
         del theme  # the figure has the colours of the theme in use
@@ -107,7 +106,7 @@ class FigureView(AnalysisView):
         scale = min(width / max(self.width(), 1), height / max(self.height(), 1))
         scale = max(scale, 1.0)
         painter.save()
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
         painter.scale(scale, scale)
         room = QRectF(0.0, 0.0, width / scale, height / scale)
         draw_figure(painter, room, self.figure, self.picture_text, self._result)

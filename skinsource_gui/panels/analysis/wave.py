@@ -4,9 +4,8 @@ from collections.abc import Mapping, Sequence
 from typing import Any, ClassVar
 
 import numpy as np
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
-from PySide6.QtWidgets import QWidget
 
 from skinsource.base.arrays import Booleans, Floats
 from skinsource.design.comparing import match_text
@@ -29,7 +28,7 @@ _DISTANCE_TITLE = "Way along the line (mm)"
 class WavePicture(Figure):
     """Two diagrams side by side: delay and level."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__("wave_picture", "Delay and level along the line", parent)
         self.content: LineWave | None = None
         self._ranks: tuple[int, ...] = ()
@@ -45,11 +44,11 @@ class WavePicture(Figure):
         self.say("")
         self.read_again()
 
-    def draw(self, painter: QPainter, room: QRectF) -> None:
+    def draw(self, painter: QtGui.QPainter, room: QRectF) -> None:
         if self.content is None:
             return
         wave = self.content.wave
-        metrics = QFontMetricsF(painter.font())
+        metrics = QtGui.QFontMetricsF(painter.font())
         halves = _halves(room)
         distance = Axis(shown=_range_around(wave.distance_m), title=_DISTANCE_TITLE, factor=1e3)
         delay = Axis(shown=_range_around(wave.delay_s), title="Delay (ms)", factor=1e3)
@@ -91,24 +90,24 @@ class WavePicture(Figure):
         return ""
 
     def _draw_fit(
-        self, painter: QPainter, axes: Axes, values: Floats, x: Floats, slope: float
+        self, painter: QtGui.QPainter, axes: Axes, values: Floats, x: Floats, slope: float
     ) -> None:
         if not np.isfinite(slope):
             return
         ends = np.array([x.min(), x.max()])
         middle = float(values.mean())
-        painter.setPen(QPen(QColor(current_theme().dim), 1.2, Qt.PenStyle.DashLine))
+        painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().dim), 1.2, Qt.PenStyle.DashLine))
         painter.drawPolyline(axes.polygon(ends, middle + slope * (ends - x.mean())))
 
     def _draw_dots(
-        self, painter: QPainter, axes: Axes, x: Floats, values: Floats, used: Booleans
+        self, painter: QtGui.QPainter, axes: Axes, x: Floats, values: Floats, used: Booleans
     ) -> Floats:
         places = axes.to_screen(x, values)
         for rank, place, counted in zip(self._ranks, places, used, strict=True):
             if not np.isfinite(place).all():
                 continue
             colour = current_theme().output_colour(rank)
-            painter.setPen(QPen(colour, 1.5))
+            painter.setPen(QtGui.QPen(colour, 1.5))
             painter.setBrush(colour if counted else Qt.BrushStyle.NoBrush)
             painter.drawEllipse(QPointF(*place), _DOT_PX, _DOT_PX)
         painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -147,7 +146,7 @@ class WaveView(FigureView):
     title: ClassVar[str] = "Wave speed"
     name: ClassVar[str] = "wave"
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         self.picture = WavePicture()
         super().__init__(self.picture, parent)
         self.about = self.add_above("wave_about")

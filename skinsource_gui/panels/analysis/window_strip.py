@@ -4,19 +4,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from math import ceil
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import (
-    QColor,
-    QFocusEvent,
-    QFontMetrics,
-    QHelpEvent,
-    QKeyEvent,
-    QMouseEvent,
-    QPainter,
-    QPaintEvent,
-    QPen,
-)
-from PySide6.QtWidgets import QToolTip, QWidget
 
 from skinsource.base.arrays import Floats
 from skinsource.design.design import Design, audible_inputs
@@ -316,7 +305,7 @@ CURVES = (("mean distance", "90 % of the energy within"), ("mean", "90 %"))
 
 
 def paint_strip(
-    painter: QPainter,
+    painter: QtGui.QPainter,
     content: WindowedContent,
     layout: StripLayout,
     theme: Theme,
@@ -333,14 +322,14 @@ def paint_strip(
     chosen
         The window that is framed; None: none is.
     """
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
     line = float(painter.fontMetrics().height())
     scale = content.scale
     table = colour_table(scale.colours)
     width_of = painter.fontMetrics().horizontalAdvance
     titles = window_titles(content.bounds_s, layout.cells, width_of).texts
     for window, (cell, title) in enumerate(zip(layout.cells, titles, strict=True)):
-        painter.setPen(QColor(theme.text))
+        painter.setPen(QtGui.QColor(theme.text))
         # A begin that stands for several windows may be wider than its map.
         middle = QRectF(cell.left(), cell.top(), cell.width(), line)
         painter.drawText(middle, _CENTRE | Qt.TextFlag.TextDontClip, title)
@@ -353,13 +342,15 @@ def paint_strip(
             paint_small_bar(painter, area, content.map_of(window), limb, theme)
         if window == chosen:
             painter.setBrush(Qt.BrushStyle.NoBrush)
-            painter.setPen(QPen(QColor(theme.accent), 1.5))
+            painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 1.5))
             painter.drawRoundedRect(cell.adjusted(1.0, 0.5, -1.0, -1.0), 3.0, 3.0)
     paint_scale_row(painter, layout.scale, scale, theme)
     _paint_extent(painter, layout.plot, content, theme)
 
 
-def _paint_extent(painter: QPainter, area: QRectF, content: WindowedContent, theme: Theme) -> None:
+def _paint_extent(
+    painter: QtGui.QPainter, area: QRectF, content: WindowedContent, theme: Theme
+) -> None:
     """Paint mean distance and the distance of 90 % of the energy, a dot for each window."""
     extents = [extent for extent in content.shown_extents if extent is not None]
     top = _rounded_up(
@@ -370,7 +361,7 @@ def _paint_extent(painter: QPainter, area: QRectF, content: WindowedContent, the
     n = max(len(content.extents), 1)
     for rank in range(2):
         colour = theme.output_colour(rank)
-        painter.setPen(QPen(colour, 1.5))
+        painter.setPen(QtGui.QPen(colour, 1.5))
         painter.setBrush(colour)
         before: QPointF | None = None
         for window, extent in enumerate(content.shown_extents):
@@ -398,16 +389,18 @@ def curve_names(room: float, width_of: Callable[[str], float], gap: float) -> tu
     return names if sum(map(width_of, names)) + gap <= room else shorter
 
 
-def _paint_axis(painter: QPainter, area: QRectF, top: float, origin: str, theme: Theme) -> None:
+def _paint_axis(
+    painter: QtGui.QPainter, area: QRectF, top: float, origin: str, theme: Theme
+) -> None:
     line = painter.fontMetrics().height()
     for part in (0.0, 0.5, 1.0):
         y = area.bottom() - part * area.height()
-        painter.setPen(QPen(QColor(theme.grid), 1))
+        painter.setPen(QtGui.QPen(QtGui.QColor(theme.grid), 1))
         painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y))
-        painter.setPen(QColor(theme.text))
+        painter.setPen(QtGui.QColor(theme.text))
         beside = QRectF(area.left() - 3.2 * line, y - line / 2.0, 2.9 * line, line)
         painter.drawText(beside, _RIGHT, f"{part * top:g}")
-    painter.setPen(QColor(theme.dim))
+    painter.setPen(QtGui.QColor(theme.dim))
     below = QRectF(area.left(), area.bottom() + 0.15 * line, area.width(), line)
     text = f"mm from {origin}"
     fits = painter.fontMetrics().horizontalAdvance(text) <= below.width()
@@ -423,13 +416,13 @@ _SYNTHETIC = "SYNTHETIC"
 _STEPS = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}
 
 
-class StripView(QWidget):
+class StripView(QtWidgets.QWidget):
     """Shows windows, and tells which one is chosen."""
 
     #: Begin of a window that was chosen, s.
     time_chosen = Signal(float)
 
-    def __init__(self, parent: QWidget) -> None:
+    def __init__(self, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
         self.content: WindowedContent | None = None
         self.message, self.outdated = "", False
@@ -480,28 +473,28 @@ class StripView(QWidget):
             return ""
         if self.outdated:
             return "Computing…"
-        metrics, places = QFontMetrics(tabular(self.font())), self.places
+        metrics, places = QtGui.QFontMetrics(tabular(self.font())), self.places
         room = places.head.width() - metrics.height()
         if self.content.synthetic:
             room -= metrics.horizontalAdvance(_SYNTHETIC)
         return windows_heading(self.content, places.cells, metrics.horizontalAdvance, room)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter, theme = QPainter(self), current_theme()
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        painter, theme = QtGui.QPainter(self), current_theme()
         painter.setFont(tabular(self.font()))
-        painter.fillRect(self.rect(), QColor(theme.base))
+        painter.fillRect(self.rect(), QtGui.QColor(theme.base))
         if self.content is None or self.message:
-            painter.setPen(QColor(theme.dim))
+            painter.setPen(QtGui.QColor(theme.dim))
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.drawText(QRectF(self.rect()).adjusted(8, 8, -8, -8), flags, self.message)
             painter.end()
             return
         places = self.places
-        painter.setPen(QColor(theme.warning if self.content.synthetic else theme.dim))
+        painter.setPen(QtGui.QColor(theme.warning if self.content.synthetic else theme.dim))
         text = _SYNTHETIC if self.content.synthetic else ""
         right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         painter.drawText(places.head, right, text)
-        painter.setPen(QColor(theme.dim))
+        painter.setPen(QtGui.QColor(theme.dim))
         painter.drawText(places.head, Qt.AlignmentFlag.AlignVCenter, self.head_text)
         if self.outdated:
             painter.setOpacity(0.5)
@@ -512,9 +505,9 @@ class StripView(QWidget):
         painter.end()
 
     def event(self, event: QEvent) -> bool:
-        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+        if isinstance(event, QtGui.QHelpEvent) and event.type() == QEvent.Type.ToolTip:
             text = self.text_at(QPointF(event.pos()))
-            QToolTip.showText(event.globalPos(), text, self)
+            QtWidgets.QToolTip.showText(event.globalPos(), text, self)
             return True
         return super().event(event)
 
@@ -527,12 +520,12 @@ class StripView(QWidget):
         bounds_s = self.content.bounds_s
         return f"{window_text(bounds_s[window], bounds_s[-1][1])}\n{extent}"
 
-    def mousePressEvent(self, event: QMouseEvent) -> None:
+    def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
         window = self.window_under(event.position())
         if event.button() == Qt.MouseButton.LeftButton and window is not None:
             self._choose(window)
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         step = _STEPS.get(Qt.Key(event.key()))
         if step is None or self.content is None or event.modifiers():
             super().keyPressEvent(event)
@@ -542,11 +535,11 @@ class StripView(QWidget):
             start = (-1 if step > 0 else n) if self.chosen is None else self.chosen
             self._choose(min(max(start + step, 0), n - 1))
 
-    def focusInEvent(self, event: QFocusEvent) -> None:
+    def focusInEvent(self, event: QtGui.QFocusEvent) -> None:
         super().focusInEvent(event)
         self.update()
 
-    def focusOutEvent(self, event: QFocusEvent) -> None:
+    def focusOutEvent(self, event: QtGui.QFocusEvent) -> None:
         super().focusOutEvent(event)
         self.update()
 

@@ -5,9 +5,8 @@ from dataclasses import replace
 from typing import Any, ClassVar
 
 import numpy as np
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QRectF
-from PySide6.QtGui import QColor, QPainter
-from PySide6.QtWidgets import QWidget
 
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.design.comparing import match_text
@@ -42,7 +41,7 @@ class WindowedView(AnalysisView):
     name: ClassVar[str] = "windowed"
     copies: ClassVar[bool] = False
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._design: Design | None = None
         self._maps = SmallMaps()
@@ -128,16 +127,16 @@ class WindowedView(AnalysisView):
         self.strip.show_content(None, message)
 
     def draw_picture(
-        self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
+        self, painter: QtGui.QPainter, width: int, height: int, theme: Theme = LIGHT
     ) -> None:
         """Draw the strip for a page or a slide, with all that is needed to read it; size in px."""
         font = painter.font()
         font.setFamily(self.font().family())
         font.setPixelSize(max(round(min(width / 62, height / _LINES_OF_PICTURE)), 8))
         painter.setFont(font)
-        painter.fillRect(QRectF(0, 0, width, height), QColor(theme.base))
+        painter.fillRect(QRectF(0, 0, width, height), QtGui.QColor(theme.base))
         content, line = self.strip.content, float(painter.fontMetrics().height())
-        painter.setPen(QColor(theme.text))
+        painter.setPen(QtGui.QColor(theme.text))
         heading = QRectF(line, 0.5 * line, width - 2 * line, 3.4 * line)
         if content is None or self.strip.message:
             painter.drawText(heading, 0, self._heading())

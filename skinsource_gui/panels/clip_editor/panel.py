@@ -3,18 +3,8 @@
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QKeyEvent, QResizeEvent
-from PySide6.QtWidgets import (
-    QBoxLayout,
-    QButtonGroup,
-    QLabel,
-    QMessageBox,
-    QSizePolicy,
-    QStackedLayout,
-    QToolButton,
-    QWidget,
-)
 
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
@@ -50,21 +40,26 @@ _LOW_PX = 300
 _WIDE = 3
 
 
-class EditorBody(QWidget):
+class EditorBody(QtWidgets.QWidget):
     """Canvas and spectrum: where the panel is low and wide, the spectrum is at the right."""
 
-    def __init__(self, canvas: QWidget, spectrum: QWidget, parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        canvas: QtWidgets.QWidget,
+        spectrum: QtWidgets.QWidget,
+        parent: QtWidgets.QWidget | None = None,
+    ) -> None:
         super().__init__(parent)
-        self._layout = QBoxLayout(QBoxLayout.Direction.TopToBottom, self)
+        self._layout = QtWidgets.QBoxLayout(QtWidgets.QBoxLayout.Direction.TopToBottom, self)
         self._layout.setContentsMargins(0, 0, 0, 0)
         self._layout.setSpacing(0)
         self._layout.addWidget(canvas, _CANVAS_PART)
         self._layout.addWidget(spectrum, _SPECTRUM_PART)
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         low = self.height() < _LOW_PX and self.width() >= _WIDE * self.height()
-        ways = QBoxLayout.Direction
+        ways = QtWidgets.QBoxLayout.Direction
         self._layout.setDirection(ways.LeftToRight if low else ways.TopToBottom)
         self._layout.activate()
 
@@ -123,14 +118,14 @@ class PenEdits(ToolEdits):
         """Return whether a clip may become samples; ask, unless it is drawn or was asked before."""
         if self.may_draw(clip):
             return True
-        answer = QMessageBox.question(
+        answer = QtWidgets.QMessageBox.question(
             self._panel,
             "Draw over the waveform?",
             f"The clip plays {figure_text(clip.waveform)}. What you draw turns it into samples: "
             "its numbers can then no longer be changed. Undo brings them back.",
-            QMessageBox.StandardButton.Ok | QMessageBox.StandardButton.Cancel,
+            QtWidgets.QMessageBox.StandardButton.Ok | QtWidgets.QMessageBox.StandardButton.Cancel,
         )
-        if answer == QMessageBox.StandardButton.Ok:
+        if answer == QtWidgets.QMessageBox.StandardButton.Ok:
             self._allowed = clip.waveform
         return self._allowed is clip.waveform
 
@@ -163,7 +158,7 @@ _TOOLS = (
 )
 
 
-class EditorToolbar(QWidget):
+class EditorToolbar(QtWidgets.QWidget):
     """Buttons of the tools, of the band and of the zoom, and a text about the clip.
 
     Attributes
@@ -174,12 +169,12 @@ class EditorToolbar(QWidget):
 
     tool_requested = Signal(str)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setStyleSheet("QToolButton { padding: 2px 8px; }")
         row = in_row(of=self, margins=(4, 2, 4, 2), gap_px=2)
-        self._group = QButtonGroup(self)
-        self._tools: dict[str, QToolButton] = {}
+        self._group = QtWidgets.QButtonGroup(self)
+        self._tools: dict[str, QtWidgets.QToolButton] = {}
         for name, text, hint in _TOOLS:
             button = self._button(text, f"{hint} ({key_text(_PLACE, name)})")
             button.setCheckable(True)
@@ -197,7 +192,9 @@ class EditorToolbar(QWidget):
         self._description.setObjectName("clip_words")
         set_tone(self._description, "dim")
         self._description.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        self._description.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self._description.setSizePolicy(
+            QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Preferred
+        )
         row.addWidget(self._description, 1)
 
     def show_tool(self, name: str) -> None:
@@ -231,8 +228,8 @@ class EditorToolbar(QWidget):
         """Show the tool for glides only where the clip plays one."""
         self._tools["glide"].setVisible(offered)
 
-    def _button(self, text: str, hint: str) -> QToolButton:
-        button = QToolButton(self)
+    def _button(self, text: str, hint: str) -> QtWidgets.QToolButton:
+        button = QtWidgets.QToolButton(self)
         button.setObjectName(f"clip_{text.lower()}")
         button.setText(text)
         button.setToolTip(hint)
@@ -262,7 +259,7 @@ class PointEdits(ToolEdits):
         self,
         tool: EnvelopeTool,
         command: str,
-        event: QKeyEvent,
+        event: QtGui.QKeyEvent,
         points: Points,
         end_s: float,
         step: float,
@@ -303,7 +300,7 @@ class GlideEdits(PointEdits):
         """Return whether a clip plays a glide."""
         return clip is not None and isinstance(clip.waveform, Glide)
 
-    def press(self, command: str, event: QKeyEvent) -> None:
+    def press(self, command: str, event: QtGui.QKeyEvent) -> None:
         """Do what a command does to the points."""
         active = self.tool.active
         if command == "flip":
@@ -354,7 +351,7 @@ class EnvelopeEdits(PointEdits):
     def forget(self) -> None:
         self.tool.chosen = ()
 
-    def press(self, command: str, event: QKeyEvent) -> None:
+    def press(self, command: str, event: QtGui.QKeyEvent) -> None:
         """Do what a command does to the points."""
         if self._panel.clip is not None:
             end_s = self._panel.clip.duration_s
@@ -384,7 +381,7 @@ class ClipEditorPanel(Panel):
     title = "Clip"
     name = "clip_editor"
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.design, self.view = Design(limb=""), View()
         self.rate_hz = facts_of("").sample_rate_hz
@@ -402,14 +399,14 @@ class ClipEditorPanel(Panel):
         }
         self._canvas = EditorView(self._view_tool)
         self._toolbar, self._spectrum = EditorToolbar(), SpectrumStrip()
-        self._empty = QLabel()
+        self._empty = QtWidgets.QLabel()
         set_tone(self._empty, "dim")
         self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._empty.setWordWrap(True)
-        inside = QWidget()
+        inside = QtWidgets.QWidget()
         body = EditorBody(self._canvas, self._spectrum)
         in_column(self._toolbar, (body, 1), of=inside, margins=0, gap_px=0)
-        self._stack = QStackedLayout(self)
+        self._stack = QtWidgets.QStackedLayout(self)
         self._stack.addWidget(self._empty)
         self._stack.addWidget(inside)
         self.setMinimumSize(260, 176)
@@ -520,7 +517,7 @@ class ClipEditorPanel(Panel):
             self._raw = (clip.waveform, self.rate_hz, samples)
         return samples
 
-    def _press(self, event: QKeyEvent) -> None:
+    def _press(self, event: QtGui.QKeyEvent) -> None:
         command = meaning_of("clip_editor", event)
         if command in self._tools:
             self.use(command)

@@ -8,9 +8,8 @@ from math import hypot
 
 import numpy as np
 from pyqtgraph.functions import arrayToQPath
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPixmap
-from PySide6.QtWidgets import QMenu
 
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
@@ -62,7 +61,7 @@ _DOT_PX = 10
 
 
 def paint_points(
-    painter: QPainter,
+    painter: QtGui.QPainter,
     places: tuple[Floats, Floats],
     chosen: Collection[int],
     hovered: int | None,
@@ -72,8 +71,8 @@ def paint_points(
     """Paint points at places in px, (n_points,) each; the chosen ones are filled."""
     x, y = places
     colour = getattr(theme, style.colour)
-    painter.setPen(QPen(QColor(colour), 1.5))
-    painter.setBrush(QColor(theme.base))
+    painter.setPen(QtGui.QPen(QtGui.QColor(colour), 1.5))
+    painter.setBrush(QtGui.QColor(theme.base))
     dot = _dot(colour, theme.base, painter.device().devicePixelRatioF())
     for place in map(QPointF, (x - _DOT_PX / 2).tolist(), (y - _DOT_PX / 2).tolist()):
         painter.drawPixmap(place, dot)
@@ -81,12 +80,16 @@ def paint_points(
     for index in {*chosen, *(() if hovered is None else (hovered,))}:
         if index < len(x):
             radius = _HOVERED_PX if index == hovered else _POINT_PX
-            painter.setBrush(QColor(theme.accent if index in chosen else theme.base))
+            painter.setBrush(QtGui.QColor(theme.accent if index in chosen else theme.base))
             painter.drawEllipse(QPointF(x[index], y[index]), radius, radius)
 
 
 def write_point(
-    painter: QPainter, content: EditorContent, point: Breakpoint, style: CurveStyle, theme: Theme
+    painter: QtGui.QPainter,
+    content: EditorContent,
+    point: Breakpoint,
+    style: CurveStyle,
+    theme: Theme,
 ) -> None:
     """Write where a point is, above it, on ground of its own."""
     time_s, value, kind = point
@@ -96,7 +99,7 @@ def write_point(
     else:
         text = f"{style.label} · {when} · {value:.5g} {style.unit}".rstrip()
     at, area = content.at(time_s, value), content.area
-    line = QFontMetricsF(painter.font())
+    line = QtGui.QFontMetricsF(painter.font())
     width, height = line.horizontalAdvance(text) + 12, line.height() + 4
     left = min(max(at.x() - width / 2, area.left() + 2), area.right() - width - 2)
     # Below the point where there is no room above it.
@@ -105,24 +108,24 @@ def write_point(
     _write_in_box(painter, room, text, theme)
 
 
-def _write_in_box(painter: QPainter, room: QRectF, text: str, theme: Theme) -> None:
-    painter.setBrush(QColor(theme.raised))
-    painter.setPen(QPen(QColor(theme.border), 1))
+def _write_in_box(painter: QtGui.QPainter, room: QRectF, text: str, theme: Theme) -> None:
+    painter.setBrush(QtGui.QColor(theme.raised))
+    painter.setPen(QtGui.QPen(QtGui.QColor(theme.border), 1))
     painter.drawRect(room)
-    painter.setPen(QColor(theme.text))
+    painter.setPen(QtGui.QColor(theme.text))
     painter.drawText(room, Qt.AlignmentFlag.AlignCenter, text)
 
 
 @lru_cache(maxsize=8)
-def _dot(line: str, ground: str, ratio: float) -> QPixmap:
+def _dot(line: str, ground: str, ratio: float) -> QtGui.QPixmap:
     """Return the picture of a point, which is painted once."""
-    dot = QPixmap(round(_DOT_PX * ratio), round(_DOT_PX * ratio))
+    dot = QtGui.QPixmap(round(_DOT_PX * ratio), round(_DOT_PX * ratio))
     dot.setDevicePixelRatio(ratio)
     dot.fill(Qt.GlobalColor.transparent)
-    painter = QPainter(dot)
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    painter.setPen(QPen(QColor(line), 1.5))
-    painter.setBrush(QColor(ground))
+    painter = QtGui.QPainter(dot)
+    painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
+    painter.setPen(QtGui.QPen(QtGui.QColor(line), 1.5))
+    painter.setBrush(QtGui.QColor(ground))
     painter.drawEllipse(QPointF(_DOT_PX / 2, _DOT_PX / 2), _POINT_PX, _POINT_PX)
     painter.end()
     return dot
@@ -169,7 +172,7 @@ def scaled_by(
 
 
 def paint_box(
-    painter: QPainter,
+    painter: QtGui.QPainter,
     content: EditorContent,
     points: Points,
     chosen: tuple[int, ...],
@@ -180,10 +183,10 @@ def paint_box(
     if box is None:
         return
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.setPen(QPen(QColor(theme.accent), 1, Qt.PenStyle.DashLine))
+    painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 1, Qt.PenStyle.DashLine))
     painter.drawRect(box)
-    painter.setPen(QPen(QColor(theme.accent), 1))
-    painter.setBrush(QColor(theme.base))
+    painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 1))
+    painter.setBrush(QtGui.QColor(theme.base))
     for _, place in _handles(content, points, chosen):
         square = QRectF(0, 0, _HANDLE_PX, _HANDLE_PX)
         square.moveCenter(place)
@@ -278,7 +281,7 @@ class ViewTool(Tool):
         had, self._from = self._from is not None, None
         return had
 
-    def paint(self, painter: QPainter, content: EditorContent, theme: Theme) -> None:
+    def paint(self, painter: QtGui.QPainter, content: EditorContent, theme: Theme) -> None:
         """Paint a crosshair with its reading."""
         played = content.played
         if self._at is None or played is None or not content.area.contains(self._at):
@@ -288,17 +291,17 @@ class ViewTool(Tool):
             return
         time_s, value = index / content.sample_rate_hz, float(played[index])
         here = content.at(time_s, value)
-        painter.setPen(QPen(QColor(theme.dim), 1, Qt.PenStyle.DotLine))
+        painter.setPen(QtGui.QPen(QtGui.QColor(theme.dim), 1, Qt.PenStyle.DotLine))
         area = content.area
         painter.drawLine(QPointF(here.x(), area.top()), QPointF(here.x(), area.bottom()))
         text = f"{value_text(time_s, 's', digits=5)}   {number_text(value, 4)}"
-        metrics = QFontMetricsF(painter.font())
+        metrics = QtGui.QFontMetricsF(painter.font())
         width = metrics.horizontalAdvance(text) + 10
         left = min(here.x() + 6, area.right() - width)
         room = QRectF(left, area.top() + 2, width, metrics.height() + 2)
         _write_in_box(painter, room, text, theme)
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(QColor(theme.accent))
+        painter.setBrush(QtGui.QColor(theme.accent))
         painter.drawEllipse(here, 3, 3)
 
 
@@ -372,11 +375,11 @@ class Pen(Tool):
             self.cancelled.emit(self._number)
         return True
 
-    def paint(self, painter: QPainter, content: EditorContent, theme: Theme) -> None:
+    def paint(self, painter: QtGui.QPainter, content: EditorContent, theme: Theme) -> None:
         """Mark the points of the stroke."""
         if self._first is None or self._zeroes:
             return
-        painter.setPen(QPen(QColor(theme.accent), 3))
+        painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 3))
         for time_s, value in self._stroke.points:
             painter.drawPoint(content.at(time_s, value))
 
@@ -509,7 +512,7 @@ class EnvelopeTool(Tool):
         if _point_at(content, self._points(), at) is None:
             self._put(content.place(at))
 
-    def fill_menu(self, menu: QMenu, content: EditorContent, at: QPointF | None) -> None:
+    def fill_menu(self, menu: QtWidgets.QMenu, content: EditorContent, at: QPointF | None) -> None:
         points = self._points()
         if at is not None:
             index = _point_at(content, points, at)
@@ -555,30 +558,30 @@ class EnvelopeTool(Tool):
             self.chosen = (number,)
             self.changed.emit(left, None)
 
-    def paint(self, painter: QPainter, content: EditorContent, theme: Theme) -> None:
+    def paint(self, painter: QtGui.QPainter, content: EditorContent, theme: Theme) -> None:
         """Paint curve, points and box."""
         points = self._points()
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        colour = QColor(getattr(theme, self._style.colour))
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
+        colour = QtGui.QColor(getattr(theme, self._style.colour))
         shown = np.linspace(content.area.left(), content.area.right(), 400)
         times = content.scale.shown_s[0] + (shown - content.scale.left_px) / content.scale.px_per_s
         values = algebra.curve_at(points, times)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         x, y = content.curve(times, values)
         curve = arrayToQPath(x, y, finiteCheck=False)
-        painter.setPen(QPen(colour, 1))
+        painter.setPen(QtGui.QPen(colour, 1))
         # Qt paints four thin lines in a sixth of the time of one line of 2 px.
         for right, down in product((-0.5, 0.5), repeat=2):
             painter.drawPath(curve.translated(right, down))
         if self._style.mirrored:
-            painter.setPen(QPen(colour, 1, Qt.PenStyle.DotLine))
+            painter.setPen(QtGui.QPen(colour, 1, Qt.PenStyle.DotLine))
             painter.drawPath(arrayToQPath(x, content.curve(times, -values)[1], finiteCheck=False))
         near = _point_at(content, points, self._pointer)
         places = _envelope_places(content, points)
         paint_points(painter, places, self.chosen, near, self._style, theme)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         if self._drag is not None and self._drag.box is not None:
-            painter.setPen(QPen(QColor(theme.accent), 1))
+            painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 1))
             painter.drawRect(QRectF(self._drag.box, self._pointer).normalized())
         else:
             paint_box(painter, content, points, self.chosen, theme)
@@ -690,7 +693,7 @@ class GlideTool(Tool):
         self._touch(content, at)
         self.tools[self.active].double_click(of_column(content, self.active), at)
 
-    def fill_menu(self, menu: QMenu, content: EditorContent, at: QPointF | None) -> None:
+    def fill_menu(self, menu: QtWidgets.QMenu, content: EditorContent, at: QPointF | None) -> None:
         if at is not None:
             self._touch(content, at)
         self.tools[self.active].fill_menu(menu, of_column(content, self.active), at)
@@ -706,7 +709,7 @@ class GlideTool(Tool):
         for tool in self.tools.values():
             tool.chosen = ()
 
-    def paint(self, painter: QPainter, content: EditorContent, theme: Theme) -> None:
+    def paint(self, painter: QtGui.QPainter, content: EditorContent, theme: Theme) -> None:
         """Paint both curves, the one that has the keys last, and what frequencies lie where."""
         own = of_column(content, "frequency")
         self._paint_scale(painter, own, theme)
@@ -724,9 +727,9 @@ class GlideTool(Tool):
                 self.active = column
                 return
 
-    def _paint_scale(self, painter: QPainter, content: EditorContent, theme: Theme) -> None:
-        area, metrics = content.area, QFontMetricsF(painter.font())
-        painter.setPen(QColor(theme.error))
+    def _paint_scale(self, painter: QtGui.QPainter, content: EditorContent, theme: Theme) -> None:
+        area, metrics = content.area, QtGui.QFontMetricsF(painter.font())
+        painter.setPen(QtGui.QColor(theme.error))
         top_hz = content.sample_rate_hz / 2.0
         for tick in linear_ticks(0.0, top_hz, max(area.height() / _ROW_PX, 2)):
             y = content.y(tick.value)

@@ -6,19 +6,8 @@ from typing import Any
 import numpy as np
 import pyqtgraph
 from pyqtgraph.functions import arrayToQPath
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QLineF, QObject, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import (
-    QColor,
-    QContextMenuEvent,
-    QFont,
-    QFontMetricsF,
-    QKeyEvent,
-    QMouseEvent,
-    QPainter,
-    QPen,
-    QWheelEvent,
-)
-from PySide6.QtWidgets import QMenu, QSizePolicy, QWidget
 
 from skinsource.base.arrays import Floats
 from skinsource.base.measurement_conditions import Band
@@ -150,7 +139,7 @@ class Tool(QObject):
     def double_click(self, content: EditorContent, at: QPointF) -> None:
         """Do what a double click with the left button does."""
 
-    def fill_menu(self, menu: QMenu, content: EditorContent, at: QPointF | None) -> None:
+    def fill_menu(self, menu: QtWidgets.QMenu, content: EditorContent, at: QPointF | None) -> None:
         """Fill the menu of the right button there, or that of what the keys are about.
 
         A tool that needs the button itself offers nothing.
@@ -160,7 +149,7 @@ class Tool(QObject):
         """Give up what has begun; return whether anything had."""
         return False
 
-    def paint(self, painter: QPainter, content: EditorContent, theme: Theme) -> None:
+    def paint(self, painter: QtGui.QPainter, content: EditorContent, theme: Theme) -> None:
         """Paint what belongs to the tool over the curve."""
 
 
@@ -178,7 +167,7 @@ class EditorItem(pyqtgraph.GraphicsObject):
         super().__init__()
         self._content: EditorContent | None = None
         self._tool: Tool | None = None
-        self._font = QFont()
+        self._font = QtGui.QFont()
         self._rect = QRectF(0, 0, 1, 1)
         self._stale = False
         # What the drag of a point leaves as it is: axes, the waveform, and what it plays.
@@ -192,7 +181,7 @@ class EditorItem(pyqtgraph.GraphicsObject):
         self._content, self._tool = content, tool
         self.update()
 
-    def show_font(self, font: QFont) -> None:
+    def show_font(self, font: QtGui.QFont) -> None:
         """Take over a font."""
         self._font = font
         self.update()
@@ -206,7 +195,7 @@ class EditorItem(pyqtgraph.GraphicsObject):
     def boundingRect(self) -> QRectF:
         return self._rect
 
-    def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
+    def paint(self, painter: QtGui.QPainter, option: Any, widget: Any) -> None:
         content, tool = self._content, self._tool
         if content is None or tool is None:
             return
@@ -217,12 +206,12 @@ class EditorItem(pyqtgraph.GraphicsObject):
         tool.paint(painter, content, current_theme())
         painter.restore()
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.setPen(QPen(QColor(current_theme().border), 1))
+        painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().border), 1))
         painter.drawRect(content.area)
 
-    def _paint_course(self, painter: QPainter, content: EditorContent) -> None:
+    def _paint_course(self, painter: QtGui.QPainter, content: EditorContent) -> None:
         """Paint what the clip plays, over its waveform before any effect."""
-        played, ground = content.played, QColor(current_theme().base)
+        played, ground = content.played, QtGui.QColor(current_theme().base)
         drawn = content.drawn
         n_played = None if played is None else played.size
         place = (current_theme().name, content.scale, content.area, content.high)
@@ -230,15 +219,15 @@ class EditorItem(pyqtgraph.GraphicsObject):
         background_key = (*place, content.sample_rate_hz, n_played, Same(content.drawn))
         is_other = content.drawn is not None and content.drawn is not played
 
-        def paint_background(on_image: QPainter) -> None:
+        def paint_background(on_image: QtGui.QPainter) -> None:
             self._paint_axes(on_image, content)
             on_image.setClipRect(content.area.adjusted(-1, -1, 1, 1))
             self._paint_end(on_image, content)
             if drawn is not None and is_other:
-                dim = QColor(current_theme().dim)
+                dim = QtGui.QColor(current_theme().dim)
                 self._paint_curve(on_image, content, drawn, dim, _PALE)
 
-        def paint_course(on_image: QPainter) -> None:
+        def paint_course(on_image: QtGui.QPainter) -> None:
             self._background.paint(
                 on_image, self._rect, (*background_key, is_other), paint_background, ground
             )
@@ -246,19 +235,22 @@ class EditorItem(pyqtgraph.GraphicsObject):
             if played is not None:
                 opacity = _PALE if self._stale else 1.0
                 self._paint_curve(
-                    on_image, content, played, QColor(current_theme().accent), opacity
+                    on_image, content, played, QtGui.QColor(current_theme().accent), opacity
                 )
             if self._stale:
-                on_image.setPen(QColor(current_theme().dim))
+                on_image.setPen(QtGui.QColor(current_theme().dim))
                 corner = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop
                 on_image.drawText(content.area.adjusted(0, 2, -4, 0), corner, _UPDATING)
 
         key = (*background_key, is_other, Same(played), self._stale)
         self._course.paint(painter, self._rect, key, paint_course, ground)
 
-    def _paint_axes(self, painter: QPainter, content: EditorContent) -> None:
-        area, metrics = content.area, QFontMetricsF(self._font)
-        grid, text_colour = QPen(QColor(current_theme().grid), 1), QColor(current_theme().dim)
+    def _paint_axes(self, painter: QtGui.QPainter, content: EditorContent) -> None:
+        area, metrics = content.area, QtGui.QFontMetricsF(self._font)
+        grid, text_colour = (
+            QtGui.QPen(QtGui.QColor(current_theme().grid), 1),
+            QtGui.QColor(current_theme().dim),
+        )
         values = linear_ticks(content.low, content.high, max(area.height() / _ROW_PX, 2))
         for tick in values:
             y = content.y(tick.value)
@@ -286,10 +278,10 @@ class EditorItem(pyqtgraph.GraphicsObject):
                 free_from = left + width + 6
         painter.setPen(text_colour)
         painter.drawText(QPointF(unit_left, area.bottom() + metrics.ascent() + 3), unit)
-        painter.setPen(QPen(QColor(current_theme().border), 1))
+        painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().border), 1))
         painter.drawLine(QLineF(area.left(), content.y(0.0), area.right(), content.y(0.0)))
 
-    def _paint_end(self, painter: QPainter, content: EditorContent) -> None:
+    def _paint_end(self, painter: QtGui.QPainter, content: EditorContent) -> None:
         """Shade what lies behind the end of the clip."""
         played = content.played
         if played is None:
@@ -298,14 +290,14 @@ class EditorItem(pyqtgraph.GraphicsObject):
         if end < content.area.right():
             behind = QRectF(content.area)
             behind.setLeft(max(end, content.area.left()))
-            painter.fillRect(behind, QColor(current_theme().window))
+            painter.fillRect(behind, QtGui.QColor(current_theme().window))
 
     def _paint_curve(
         self,
-        painter: QPainter,
+        painter: QtGui.QPainter,
         content: EditorContent,
         samples: Floats,
-        colour: QColor,
+        colour: QtGui.QColor,
         opacity: float,
     ) -> None:
         if not samples.size:
@@ -318,7 +310,7 @@ class EditorItem(pyqtgraph.GraphicsObject):
         x, y = content.curve(curve.line.x, curve.line.y[0])
         painter.setOpacity(opacity)
         sharp = curve.line.strokes and not is_on_paper()
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, not sharp)
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing, not sharp)
         painter.setPen(thin_pen(colour))
         if x.size == 1:
             painter.drawLine(QLineF(x[0], content.y(0.0), x[0], y[0]))
@@ -328,7 +320,9 @@ class EditorItem(pyqtgraph.GraphicsObject):
             self._paint_samples(painter, content, columns.points(samples[np.newaxis]))
         painter.setOpacity(1.0)
 
-    def _paint_samples(self, painter: QPainter, content: EditorContent, points: Points) -> None:
+    def _paint_samples(
+        self, painter: QtGui.QPainter, content: EditorContent, points: Points
+    ) -> None:
         """Mark each sample."""
         painter.setBrush(painter.pen().color())
         for place in zip(*content.curve(points.x, points.y[0]), strict=True):
@@ -363,7 +357,7 @@ class EditorView(Canvas):
     #: The key event of a key that belongs to the editor.
     key_pressed = Signal(object)
 
-    def __init__(self, tool: Tool, parent: QWidget | None = None) -> None:
+    def __init__(self, tool: Tool, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("clip_editor_view")
         self.setAccessibleName("Waveform of the clip")
@@ -437,7 +431,7 @@ class EditorView(Canvas):
         self._release()
         return cancelled
 
-    def mousePressEvent(self, event: QMouseEvent) -> None:
+    def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
         self.setFocus(Qt.FocusReason.MouseFocusReason)
         event.accept()
         if self.content is not None:
@@ -446,29 +440,29 @@ class EditorView(Canvas):
             self.tool.press(self.content, event.position(), event.button(), event.modifiers())
             self.lay_out()
 
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+    def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
         event.accept()
         if self.content is not None:
             self.tool.move(self.content, event.position(), event.modifiers())
             self.item.update()
 
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+    def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:
         event.accept()
         if self.content is not None:
             self.tool.release(self.content)
         self._release()
 
-    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+    def mouseDoubleClickEvent(self, event: QtGui.QMouseEvent) -> None:
         event.accept()
         if self.content is not None and event.button() == Qt.MouseButton.LeftButton:
             self.tool.double_click(self.content, event.position())
             self.lay_out()
 
-    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+    def contextMenuEvent(self, event: QtGui.QContextMenuEvent) -> None:
         event.accept()
         if self.content is None:
             return
-        by_key = event.reason() == QContextMenuEvent.Reason.Keyboard
+        by_key = event.reason() == QtGui.QContextMenuEvent.Reason.Keyboard
         menu = passing_menu(self, "clip_editor_menu")
         self.tool.fill_menu(menu, self.content, None if by_key else QPointF(event.pos()))
         if menu.isEmpty():
@@ -479,13 +473,13 @@ class EditorView(Canvas):
         self._release()
         menu.popup(event.globalPos())
 
-    def wheelEvent(self, event: QWheelEvent) -> None:
+    def wheelEvent(self, event: QtGui.QWheelEvent) -> None:
         event.accept()
         if self.content is not None:
             whole_s = self._whole_s(self.content)
             self._show_part(range_by_wheel(event, self.content.scale, whole_s))
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape and self.cancel():
             return
         event.ignore()
@@ -530,7 +524,7 @@ class EditorView(Canvas):
 _NOTEWORTHY = 0.01
 
 
-class SpectrumStrip(QWidget):
+class SpectrumStrip(QtWidgets.QWidget):
     """The spectrum of a clip, and how much of its energy lies outside the measured band.
 
     Attributes
@@ -539,13 +533,15 @@ class SpectrumStrip(QWidget):
         Share of the energy outside the band, from 0 to 1.
     """
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("clip_spectrum")
         self._preview, self._label = SpectrumPreview(), FittingLabel()
         self._preview.setAccessibleName("Spectrum of the clip")
         self.setMinimumHeight(78)
-        self._label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self._label.setSizePolicy(
+            QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Fixed
+        )
         in_column(self._label, (self._preview, 1), of=self, margins=0, gap_px=0)
         self.outside = 0.0
         self._shown: tuple[object, ...] = ()

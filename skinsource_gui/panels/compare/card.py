@@ -2,9 +2,8 @@
 
 from functools import partial
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPoint, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QFont, QKeyEvent, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
 
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.base.quoting import printable
@@ -59,7 +58,7 @@ _PLACE = "snapshot"
 _RADIUS_PX, _FRAME_PX = 4, 2
 
 
-class Card(QAbstractButton):
+class Card(QtWidgets.QAbstractButton):
     """A snapshot as a card: a click shows it in the window, an empty card stores.
 
     Parameters
@@ -78,7 +77,7 @@ class Card(QAbstractButton):
     #: What to do with this number: ``"show"``, ``"store"`` or ``"forget"``.
     requested = Signal(int, str)
 
-    def __init__(self, number: int, parent: QWidget) -> None:
+    def __init__(self, number: int, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
         self.number = number
         # The design that is edited is never stored, and without it its card is away.
@@ -90,7 +89,7 @@ class Card(QAbstractButton):
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.customContextMenuRequested.connect(self._open_menu)
         self.clicked.connect(self._act)
-        self.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Maximum, QtWidgets.QSizePolicy.Policy.Fixed)
         self.show_snapshot(None, present=False)
 
     def show_snapshot(self, compared: Compared | None, *, present: bool) -> None:
@@ -116,7 +115,7 @@ class Card(QAbstractButton):
     def event(self, event: QEvent) -> bool:
         return claims_shortcut(event, partial(meaning_of, _PLACE)) or super().event(event)
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         means = meaning_of(_PLACE, event)
         if means == "forget" and self.compared is not None:
             self.requested.emit(self.number, "forget")
@@ -125,35 +124,37 @@ class Card(QAbstractButton):
         else:
             super().keyPressEvent(event)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter, theme = QPainter(self), current_theme()
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        painter, theme = QtGui.QPainter(self), current_theme()
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
         frame = QRectF(self.rect()).adjusted(1, 1, -1, -1)
         focused = self.hasFocus()
-        line = QPen(QColor(theme.accent if focused else theme.border), _FRAME_PX if focused else 1)
+        line = QtGui.QPen(
+            QtGui.QColor(theme.accent if focused else theme.border), _FRAME_PX if focused else 1
+        )
         if self.compared is None:
             line.setStyle(Qt.PenStyle.DashLine)
         painter.setPen(line)
-        painter.setBrush(QColor(theme.base))
+        painter.setBrush(QtGui.QColor(theme.base))
         painter.drawRoundedRect(frame, _RADIUS_PX, _RADIUS_PX)
         inside = frame.adjusted(4, 4, -4, -3)
         if self.present:
             head = QRectF(inside.left(), inside.top(), inside.width(), self.fontMetrics().height())
             painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(QColor(theme.accent))
+            painter.setBrush(QtGui.QColor(theme.accent))
             painter.drawRoundedRect(head, _RADIUS_PX / 2, _RADIUS_PX / 2)
         self._paint_inside(painter, inside)
         painter.end()
 
-    def _paint_inside(self, painter: QPainter, area: QRectF) -> None:
+    def _paint_inside(self, painter: QtGui.QPainter, area: QRectF) -> None:
         theme, compared = current_theme(), self.compared
         line = self.fontMetrics().height()
         centre = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignVCenter
-        heading = QFont(self.font())
+        heading = QtGui.QFont(self.font())
         heading.setBold(True)
         painter.setFont(heading)
         heading_colour = theme.on_accent if self.present else theme.text
-        painter.setPen(QColor(heading_colour if compared else theme.dim))
+        painter.setPen(QtGui.QColor(heading_colour if compared else theme.dim))
         name = compared.name if compared else str(self.number)
         head = QRectF(area.left(), area.top(), area.width(), line)
         painter.drawText(head, centre, name)
@@ -162,7 +163,7 @@ class Card(QAbstractButton):
         if compared is None:
             painter.drawText(below, centre, self._store_key)
             return
-        painter.setPen(QColor(theme.error if compared.left_out else theme.text))
+        painter.setPen(QtGui.QColor(theme.error if compared.left_out else theme.text))
         level = card_level_text(compared)
         if painter.fontMetrics().horizontalAdvance(level) > area.width():
             level = level.removesuffix(" dB")

@@ -5,9 +5,8 @@ from dataclasses import replace
 from functools import partial
 from typing import Any, ClassVar
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QPainter, QResizeEvent
-from PySide6.QtWidgets import QMenu, QToolButton, QWidget
 
 from skinsource.design import edits
 from skinsource.design.comparing import (
@@ -49,7 +48,7 @@ from skinsource_gui.state.panel import Panel
 KINDS: dict[str, Kind] = {"snapshots": OfSnapshots(), "limbs": OfLimbs(), "axes": OfAxes()}
 
 
-class LimbsButton(QToolButton):
+class LimbsButton(QtWidgets.QToolButton):
     """Opens a list of all limbs, of which two to four are ticked.
 
     Attributes
@@ -61,7 +60,7 @@ class LimbsButton(QToolButton):
     #: Names of the limbs that are chosen; none: those that are related to the design's.
     limbs_chosen = Signal(object)
 
-    def __init__(self, parent: QWidget) -> None:
+    def __init__(self, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
         self._chosen: tuple[str, ...] = ()
         self._usual = True
@@ -71,8 +70,8 @@ class LimbsButton(QToolButton):
         self.setStyleSheet("QToolButton::menu-indicator { image: none; }")
         self.setToolTip("Which limbs are shown, two to four")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.menu_of_limbs = QMenu(self)
+        self.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.menu_of_limbs = QtWidgets.QMenu(self)
         self.menu_of_limbs.aboutToShow.connect(self.fill)
         self.setMenu(self.menu_of_limbs)
 
@@ -110,7 +109,7 @@ class LimbsButton(QToolButton):
 _LINES_WITH_ROOM, _CHOICES_IN_ROW = 14, 2
 
 
-class ChoicesBar(QWidget):
+class ChoicesBar(QtWidgets.QWidget):
     """The choices above the maps; a choice emits another view.
 
     Where the maps below need the room, the text is smaller, so that two choices share a row.
@@ -131,7 +130,7 @@ class ChoicesBar(QWidget):
     action_requested = Signal(str)
     room_changed = Signal()
 
-    def __init__(self, panel_name: str, parent: QWidget) -> None:
+    def __init__(self, panel_name: str, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
         self._panel_name = panel_name
         self._view, self.settings = View(), CompareSettings()
@@ -192,7 +191,7 @@ class ChoicesBar(QWidget):
             self._fit()
             self.room_changed.emit()
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         if event.size().width() != event.oldSize().width():
             self._fit()
@@ -244,7 +243,7 @@ class ComparePanel(Panel):
     name: ClassVar[str] = "compare"
     compares: ClassVar[bool] = True
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._design: Design | None = None
         self._view = View()
@@ -332,10 +331,10 @@ class ComparePanel(Panel):
         self._show()
 
     def draw_picture(
-        self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
+        self, painter: QtGui.QPainter, width: int, height: int, theme: Theme = LIGHT
     ) -> None:
         """Draw the maps and their scale for a page or a slide; size in px."""
-        painter.fillRect(QRectF(0, 0, width, height), QColor(theme.base))
+        painter.fillRect(QRectF(0, 0, width, height), QtGui.QColor(theme.base))
         # Words grow with the picture, and are no smaller than on the screen.
         scale = min(width / max(self.width(), 1), height / max(self.height(), 1))
         scale = max(scale, 1.0)

@@ -6,18 +6,8 @@ from dataclasses import dataclass
 from math import ceil
 
 import numpy as np
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import (
-    QColor,
-    QFocusEvent,
-    QFont,
-    QFontMetricsF,
-    QKeyEvent,
-    QMouseEvent,
-    QPainter,
-    QPaintEvent,
-)
-from PySide6.QtWidgets import QWidget
 
 from skinsource.base.arrays import Floats
 from skinsource_gui.panels.compare.content import Cell, CompareContent
@@ -133,11 +123,11 @@ _BEFORE_NUMBER = re.compile(r" (?=\d)")
 _FILLED = 0.9
 
 
-def places_for(room: QRectF, content: CompareContent, font: QFont) -> Places:
+def places_for(room: QRectF, content: CompareContent, font: QtGui.QFont) -> Places:
     """Lay out the maps of ``content``, whose text is in ``font``."""
-    line, n = QFontMetricsF(font).height(), len(content.cells)
+    line, n = QtGui.QFontMetricsF(font).height(), len(content.cells)
     common = content.common_scale is not None
-    metrics = QFontMetricsF(bold(font))
+    metrics = QtGui.QFontMetricsF(bold(font))
     for lines in range(1, _MOST_LINES + 1):
         places = places_of(room, n, line, common=common, heading_lines=lines)
         pairs = zip(content.cells, places.cells, strict=True)
@@ -146,9 +136,9 @@ def places_for(room: QRectF, content: CompareContent, font: QFont) -> Places:
     return places
 
 
-def paint_heading(painter: QPainter, wordings: Sequence[str], room: QRectF) -> None:
+def paint_heading(painter: QtGui.QPainter, wordings: Sequence[str], room: QRectF) -> None:
     """Write the first of some wordings, each shorter than the one before, that has room."""
-    metrics = QFontMetricsF(painter.font())
+    metrics = QtGui.QFontMetricsF(painter.font())
     wraps = _CENTRE | Qt.TextFlag.TextWordWrap
     inner = _inner(metrics, room)
     fitted = next((wording for wording in wordings if _fits(metrics, (wording,), room)), None)
@@ -161,14 +151,14 @@ def paint_heading(painter: QPainter, wordings: Sequence[str], room: QRectF) -> N
     painter.drawText(inner, _CENTRE | Qt.TextFlag.TextWrapAnywhere, text)
 
 
-def bold(font: QFont) -> QFont:
+def bold(font: QtGui.QFont) -> QtGui.QFont:
     """Return the font of headings for texts in ``font``."""
-    bold_font = QFont(font)
+    bold_font = QtGui.QFont(font)
     bold_font.setBold(True)
     return bold_font
 
 
-def _fits(metrics: QFontMetricsF, wordings: Sequence[str], room: QRectF) -> bool:
+def _fits(metrics: QtGui.QFontMetricsF, wordings: Sequence[str], room: QRectF) -> bool:
     """Return whether one of some wordings has room; lines break only between words."""
     inner = _inner(metrics, room)
     flags = int(_CENTRE.value) | int(Qt.TextFlag.TextWordWrap.value)
@@ -179,7 +169,7 @@ def _fits(metrics: QFontMetricsF, wordings: Sequence[str], room: QRectF) -> bool
     return False
 
 
-def _inner(metrics: QFontMetricsF, room: QRectF) -> QRectF:
+def _inner(metrics: QtGui.QFontMetricsF, room: QRectF) -> QRectF:
     edge = 0.25 * metrics.height()
     return room.adjusted(edge, 0.0, -edge, 0.0)
 
@@ -192,7 +182,7 @@ _PALE = 0.5
 
 
 def paint_content(
-    painter: QPainter,
+    painter: QtGui.QPainter,
     content: CompareContent,
     places: Places,
     theme: Theme,
@@ -205,7 +195,7 @@ def paint_content(
     pointed_at
         Number of the output that is marked in every map; None: none is.
     """
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
     common = content.common_scale
     for cell, place in zip(content.cells, places.cells, strict=True):
         _paint_cell(painter, cell, place, content, theme, pointed_at)
@@ -215,9 +205,11 @@ def paint_content(
         paint_scale_row(painter, places.scale, common, theme)
 
 
-def paint_page(painter: QPainter, content: CompareContent, room: QRectF, theme: Theme) -> None:
+def paint_page(
+    painter: QtGui.QPainter, content: CompareContent, room: QRectF, theme: Theme
+) -> None:
     """Draw ``content`` into ``room``, with a line that says of what it is."""
-    painter.setPen(QColor(theme.text))
+    painter.setPen(QtGui.QColor(theme.text))
     line = painter.fontMetrics().height()
     if content.message or not content.cells:
         painter.drawText(room, _CENTRE, content.message)
@@ -230,27 +222,27 @@ def paint_page(painter: QPainter, content: CompareContent, room: QRectF, theme: 
 
 
 def _paint_cell(
-    painter: QPainter,
+    painter: QtGui.QPainter,
     cell: Cell,
     place: CellPlace,
     content: CompareContent,
     theme: Theme,
     pointed_at: int | None,
 ) -> None:
-    plain = QFont(painter.font())
+    plain = QtGui.QFont(painter.font())
     painter.setFont(bold(plain))
-    painter.setPen(QColor(theme.text))
+    painter.setPen(QtGui.QColor(theme.text))
     paint_heading(painter, cell.headings, place.heading)
     painter.setFont(plain)
     if cell.small is None or cell.scale is None:
-        painter.setPen(QColor(theme.dim))
+        painter.setPen(QtGui.QColor(theme.dim))
         flags = _CENTRE | Qt.TextFlag.TextWordWrap
         text = cell.text or "Computing…"
         painter.setFont(shrunk(plain, text.split(), place.map.width()))
         painter.drawText(place.map, flags, text)
         painter.setFont(plain)
         return
-    painter.setPen(QColor(theme.text if pointed_at is not None else theme.dim))
+    painter.setPen(QtGui.QColor(theme.text if pointed_at is not None else theme.dim))
     values, width = cell.value_texts(pointed_at), place.value.width()
     painter.setFont(shrunk(plain, values[-1:], width - 0.5 * painter.fontMetrics().height()))
     painter.drawText(place.value, _CENTRE, fitting(painter, values, width))
@@ -261,7 +253,7 @@ def _paint_cell(
     paint_small_bar(painter, place.map, cell.small, cell.limb, theme)
 
 
-def fitting(painter: QPainter, wordings: Sequence[str], width: float) -> str:
+def fitting(painter: QtGui.QPainter, wordings: Sequence[str], width: float) -> str:
     """Return the first wording that has room; each is shorter than the one before."""
     metrics = painter.fontMetrics()
     width -= 0.5 * metrics.height()
@@ -274,7 +266,7 @@ def fitting(painter: QPainter, wordings: Sequence[str], width: float) -> str:
 _KEYS = frozenset({"go", "select", "toggle", "select_all", "select_none"})
 
 
-class MapsView(QWidget):
+class MapsView(QtWidgets.QWidget):
     """The maps as a widget; an output that is pointed at in one map is marked in all.
 
     Attributes
@@ -288,7 +280,7 @@ class MapsView(QWidget):
     #: Number of the output that is pointed at, or None.
     pointed_at = Signal(object)
 
-    def __init__(self, parent: QWidget) -> None:
+    def __init__(self, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
         self._stale = False
         # Of which map the mouse was last.
@@ -343,15 +335,15 @@ class MapsView(QWidget):
     def event(self, event: QEvent) -> bool:
         return claims_shortcut(event, self._claims) or super().event(event)
 
-    def _claims(self, event: QKeyEvent) -> bool:
+    def _claims(self, event: QtGui.QKeyEvent) -> bool:
         return meaning_of("skin", event) in _KEYS and self.picker.claims(event)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter, theme, content = QPainter(self), current_theme(), self.content
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        painter, theme, content = QtGui.QPainter(self), current_theme(), self.content
         painter.setFont(tabular(self.font()))
-        painter.fillRect(self.rect(), QColor(theme.base))
+        painter.fillRect(self.rect(), QtGui.QColor(theme.base))
         if content.message or not content.cells:
-            painter.setPen(QColor(theme.dim))
+            painter.setPen(QtGui.QColor(theme.dim))
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.drawText(QRectF(self.rect()).adjusted(8, 8, -8, -8), flags, content.message)
         else:
@@ -360,14 +352,14 @@ class MapsView(QWidget):
             paint_focus_frame(painter, QRectF(self.rect()), theme)
         painter.end()
 
-    def _paint_maps(self, painter: QPainter, theme: Theme) -> None:
+    def _paint_maps(self, painter: QtGui.QPainter, theme: Theme) -> None:
         """Draw the maps, paler where they belong to an older design, and the rubber band."""
         content, places, band = self.content, self.places, self.picker.band
         if self._stale:
-            painter.setPen(QColor(theme.dim))
+            painter.setPen(QtGui.QColor(theme.dim))
             painter.drawText(places.head, Qt.AlignmentFlag.AlignVCenter, "Computing…")
         if any(cell.synthetic for cell in content.cells):
-            painter.setPen(QColor(theme.warning))
+            painter.setPen(QtGui.QColor(theme.warning))
             right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
             painter.drawText(places.head, right, "SYNTHETIC")
         painter.setOpacity(_PALE if self._stale else 1.0)
@@ -381,18 +373,18 @@ class MapsView(QWidget):
         cells = enumerate(self.places.cells)
         self._at = next((k for k, place in cells if place.whole.contains(point)), self._at)
 
-    def mousePressEvent(self, event: QMouseEvent) -> None:
+    def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
             self._look_at(event.position())
         self.picker.press(event)
 
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+    def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
         if not event.buttons():
             self._look_at(event.position())
         self.picker.move(event.position(), self.points_of(self._at))
         self._emit_pointed_at()
 
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+    def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
             self.picker.release(event, self.points_of(self._at))
             self.update()
@@ -402,7 +394,7 @@ class MapsView(QWidget):
         self.picker.leave()
         self._emit_pointed_at()
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         points = self.points_of(self._at)
         unplaced = tuple(int(k) + 1 for k in np.flatnonzero(np.isnan(points[:, 0])))
         middle = QRectF(self.rect()).center()
@@ -412,11 +404,11 @@ class MapsView(QWidget):
             self.picker.press_key(event, points, unplaced, middle)
             self.update()
 
-    def focusInEvent(self, event: QFocusEvent) -> None:
+    def focusInEvent(self, event: QtGui.QFocusEvent) -> None:
         super().focusInEvent(event)
         self._emit_pointed_at()
 
-    def focusOutEvent(self, event: QFocusEvent) -> None:
+    def focusOutEvent(self, event: QtGui.QFocusEvent) -> None:
         super().focusOutEvent(event)
         self._emit_pointed_at()
 

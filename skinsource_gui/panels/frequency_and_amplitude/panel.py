@@ -1,7 +1,7 @@
 """The panel of frequency and amplitude of the selected track, large, for presenting."""
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QRect, Qt
-from PySide6.QtWidgets import QLabel, QWidget
 
 from skinsource.design import edits
 from skinsource.design.amplitudes import is_gain, peak_text
@@ -37,7 +37,7 @@ _ANY_HEIGHT_PX = 10_000
 _WRAPPED = Qt.TextFlag.TextWordWrap
 
 
-class Heading(QLabel):
+class Heading(QtWidgets.QLabel):
     """Shows the first of some phrases that fits into two lines; else the last, in more lines.
 
     It is always two lines high, so that the fields below keep their place from scene to scene, and
@@ -72,7 +72,7 @@ class Heading(QLabel):
 _FREQUENCY, _ONSET = "frequency_hz", "onset_s"
 
 
-class _LabelledField(QWidget):
+class _LabelledField(QtWidgets.QWidget):
     """A field with its label on the left, as one part of a row."""
 
     def __init__(self, cell: FieldCell | None = None) -> None:
@@ -81,7 +81,7 @@ class _LabelledField(QWidget):
         if cell is not None:
             self.hold(cell.label, cell)
 
-    def hold(self, label: QLabel, field: QWidget) -> None:
+    def hold(self, label: QtWidgets.QLabel, field: QtWidgets.QWidget) -> None:
         """Add a field with its label."""
         label.setBuddy(field)
         self._line.addWidget(label)
@@ -97,7 +97,7 @@ class FrequencyAndAmplitudePanel(Panel):
     title = "Frequency and amplitude"
     name = "frequency_and_amplitude"
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._design: Design | None = None
         self._view = View()
@@ -106,7 +106,7 @@ class FrequencyAndAmplitudePanel(Panel):
         set_tone(self._heading, "dim")
         self._control = ChoiceField(CONTROL, self)
         self._control.setObjectName("control_field")
-        self._control_label, self._control_part = QLabel(CONTROL.label), _LabelledField()
+        self._control_label, self._control_part = QtWidgets.QLabel(CONTROL.label), _LabelledField()
         set_tone(self._control_label, "dim")
         self._control_part.hold(self._control_label, self._control)
         self._control.edited.connect(self._choose_control)

@@ -9,19 +9,8 @@ from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
+from PySide6 import QtGui
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import (
-    QColor,
-    QFont,
-    QFontMetricsF,
-    QLinearGradient,
-    QPainter,
-    QPainterPath,
-    QPen,
-    QPixmap,
-    QPolygonF,
-    QTransform,
-)
 
 from skinsource.limbs.hand import HandShape
 from skinsource.limbs.locations import DIGITS
@@ -61,10 +50,10 @@ class Marker:
     radius_px: float
     push: QPointF | None
 
-    def path(self, extra_px: float = 0.0) -> QPainterPath:
+    def path(self, extra_px: float = 0.0) -> QtGui.QPainterPath:
         """Return the outline of the marker, grown by ``extra_px``."""
         if self.push is None:
-            path = QPainterPath()
+            path = QtGui.QPainterPath()
             radius = self.radius_px + extra_px
             path.addEllipse(self.centre, radius, radius)
             return path
@@ -86,30 +75,32 @@ def has_room(place: Marker) -> bool:
     return place.radius_px >= max(_DIGIT * len(str(place.site)), 0.5) * _LETTERS_PX
 
 
-def paint_empty(painter: QPainter, place: Marker, theme: Theme, *, inviting: bool) -> None:
+def paint_empty(painter: QtGui.QPainter, place: Marker, theme: Theme, *, inviting: bool) -> None:
     """Paint an unused site; ``inviting`` while something is dragged over the hand."""
-    pen = QPen(QColor(theme.accent if inviting else theme.skin_line), 1.25)
+    pen = QtGui.QPen(QtGui.QColor(theme.accent if inviting else theme.skin_line), 1.25)
     if inviting:
         pen.setDashPattern([3.0, 3.0])
     _paint_free(painter, place, theme, pen, 0.85 if inviting else 0.55)
-    _paint_number(painter, place, QColor(theme.text), bold=False)
+    _paint_number(painter, place, QtGui.QColor(theme.text), bold=False)
 
 
-def paint_dot(painter: QPainter, place: Marker, theme: Theme) -> None:
+def paint_dot(painter: QtGui.QPainter, place: Marker, theme: Theme) -> None:
     """Paint an unused site without its number, which would only hide the hand."""
     radius = max(_DOT_RADII * place.radius_px, min(place.radius_px, _DOT_PX))
     dot = replace(place, radius_px=radius)
-    _paint_free(painter, dot, theme, QPen(QColor(theme.skin_line), 1.25), 0.7)
+    _paint_free(painter, dot, theme, QtGui.QPen(QtGui.QColor(theme.skin_line), 1.25), 0.7)
 
 
-def paint_hovered(painter: QPainter, place: Marker, theme: Theme) -> None:
+def paint_hovered(painter: QtGui.QPainter, place: Marker, theme: Theme) -> None:
     """Paint an empty site under the mouse, or a site that takes what is dropped."""
-    _paint_free(painter, place, theme, QPen(QColor(theme.accent), 2.0), 1.0)
-    _paint_number(painter, place, QColor(theme.text), bold=True)
+    _paint_free(painter, place, theme, QtGui.QPen(QtGui.QColor(theme.accent), 2.0), 1.0)
+    _paint_number(painter, place, QtGui.QColor(theme.text), bold=True)
 
 
-def _paint_free(painter: QPainter, place: Marker, theme: Theme, pen: QPen, opacity: float) -> None:
-    fill = QColor(theme.base)
+def _paint_free(
+    painter: QtGui.QPainter, place: Marker, theme: Theme, pen: QtGui.QPen, opacity: float
+) -> None:
+    fill = QtGui.QColor(theme.base)
     fill.setAlphaF(opacity)
     painter.setPen(pen)
     painter.setBrush(fill)
@@ -117,10 +108,10 @@ def _paint_free(painter: QPainter, place: Marker, theme: Theme, pen: QPen, opaci
 
 
 def paint_occupied(
-    painter: QPainter,
+    painter: QtGui.QPainter,
     place: Marker,
     theme: Theme,
-    colours: Sequence[QColor],
+    colours: Sequence[QtGui.QColor],
     *,
     silent: bool,
 ) -> None:
@@ -129,7 +120,7 @@ def paint_occupied(
     A silent input is hollow: its colour is at the rim.  More than one are stacked and counted.
     """
     step = QPointF(1.0, -1.0) * place.radius_px * _STEP_RADII
-    halo = QPen(QColor(theme.base), 1.5)
+    halo = QtGui.QPen(QtGui.QColor(theme.base), 1.5)
     behind = list(enumerate(colours))[1 : _MOST_BEHIND + 1]
     for depth, colour in reversed(behind):
         path = place.path().translated(step * depth)
@@ -137,39 +128,41 @@ def paint_occupied(
         painter.setBrush(colour)
         painter.drawPath(path)
     front = colours[0]
-    painter.setPen(QPen(front, 3.0) if silent else halo)
-    painter.setBrush(QColor(theme.base) if silent else front)
+    painter.setPen(QtGui.QPen(front, 3.0) if silent else halo)
+    painter.setBrush(QtGui.QColor(theme.base) if silent else front)
     painter.drawPath(place.path(-1.0 if silent else 0.0))
-    text_colour = QColor(theme.text) if silent else text_colour_on(front)
+    text_colour = QtGui.QColor(theme.text) if silent else text_colour_on(front)
     _paint_number(painter, place, text_colour, bold=True)
     if len(colours) > 1:
         corner = place.centre + QPointF(1.0, 1.0) * place.radius_px * 0.95
         _paint_count(painter, corner, place.radius_px, len(colours), theme)
 
 
-def paint_selection(painter: QPainter, place: Marker, theme: Theme, *, last: bool = True) -> None:
+def paint_selection(
+    painter: QtGui.QPainter, place: Marker, theme: Theme, *, last: bool = True
+) -> None:
     """Paint the ring around a selected input, a strong one around the ``last`` selected."""
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.setPen(QPen(QColor(theme.base), 6.0))
+    painter.setPen(QtGui.QPen(QtGui.QColor(theme.base), 6.0))
     painter.drawPath(place.path(3.0))
-    painter.setPen(QPen(QColor(theme.accent), 2.5 if last else 1.2))
+    painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 2.5 if last else 1.2))
     painter.drawPath(place.path(3.5))
 
 
-def paint_cursor(painter: QPainter, place: Marker, theme: Theme) -> None:
+def paint_cursor(painter: QtGui.QPainter, place: Marker, theme: Theme) -> None:
     """Paint the dashed ring of the keyboard's cursor."""
     radius = place.radius_px * (1.0 if place.push is None else 1.3) + 7.5
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.setPen(QPen(QColor(theme.base), 4.0))
+    painter.setPen(QtGui.QPen(QtGui.QColor(theme.base), 4.0))
     painter.drawEllipse(place.centre, radius, radius)
-    pen = QPen(QColor(theme.accent), 2.0)
+    pen = QtGui.QPen(QtGui.QColor(theme.accent), 2.0)
     pen.setDashPattern([3.0, 2.0])
     painter.setPen(pen)
     painter.drawEllipse(place.centre, radius, radius)
 
 
-def _rounded(corners: list[QPointF]) -> QPainterPath:
-    path = QPainterPath()
+def _rounded(corners: list[QPointF]) -> QtGui.QPainterPath:
+    path = QtGui.QPainterPath()
     for number, corner in enumerate(corners):
         before = corners[number - 1]
         after = corners[(number + 1) % len(corners)]
@@ -183,7 +176,9 @@ def _rounded(corners: list[QPointF]) -> QPainterPath:
     return path
 
 
-def _paint_number(painter: QPainter, place: Marker, colour: QColor, *, bold: bool) -> None:
+def _paint_number(
+    painter: QtGui.QPainter, place: Marker, colour: QtGui.QColor, *, bold: bool
+) -> None:
     centre = place.centre
     if place.push is not None:
         # The triangle is wider at its base.
@@ -195,25 +190,31 @@ def _paint_number(painter: QPainter, place: Marker, colour: QColor, *, bold: boo
 
 
 def _paint_count(
-    painter: QPainter, centre: QPointF, radius_px: float, count: int, theme: Theme
+    painter: QtGui.QPainter, centre: QPointF, radius_px: float, count: int, theme: Theme
 ) -> None:
     size = max(9.0, 0.72 * radius_px)
     text = f"×{count}"
-    width = QFontMetricsF(_number_font(painter, size, bold=True)).horizontalAdvance(text)
+    width = QtGui.QFontMetricsF(_number_font(painter, size, bold=True)).horizontalAdvance(text)
     # A large count makes a longer badge: cut digits would make it another number.
     half = QPointF(max(0.95 * size, width / 2 + 0.3 * size), 0.68 * size)
     area = QRectF(centre - half, centre + half)
-    painter.setPen(QPen(QColor(theme.base), 1.0))
-    painter.setBrush(QColor(theme.text))
+    painter.setPen(QtGui.QPen(QtGui.QColor(theme.base), 1.0))
+    painter.setBrush(QtGui.QColor(theme.text))
     painter.drawRoundedRect(area, half.y(), half.y())
-    _paint_text(painter, centre, text, size, QColor(theme.base), bold=True)
+    _paint_text(painter, centre, text, size, QtGui.QColor(theme.base), bold=True)
 
 
 def _paint_text(
-    painter: QPainter, centre: QPointF, text: str, size_px: float, colour: QColor, *, bold: bool
+    painter: QtGui.QPainter,
+    centre: QPointF,
+    text: str,
+    size_px: float,
+    colour: QtGui.QColor,
+    *,
+    bold: bool,
 ) -> None:
     font = _number_font(painter, size_px, bold=bold)
-    metrics = QFontMetricsF(font)
+    metrics = QtGui.QFontMetricsF(font)
     painter.setFont(font)
     painter.setPen(colour)
     # Digits have no descenders: their middle is half a capital above the baseline.
@@ -221,10 +222,10 @@ def _paint_text(
     painter.drawText(QPointF(left, centre.y() + metrics.capHeight() / 2), text)
 
 
-def _number_font(painter: QPainter, size_px: float, *, bold: bool) -> QFont:
+def _number_font(painter: QtGui.QPainter, size_px: float, *, bold: bool) -> QtGui.QFont:
     font = tabular(painter.font())
     font.setPixelSize(max(round(_LETTERS_PX), round(size_px)))
-    font.setWeight(QFont.Weight.Bold if bold else QFont.Weight.Medium)
+    font.setWeight(QtGui.QFont.Weight.Bold if bold else QtGui.QFont.Weight.Medium)
     return font
 
 
@@ -262,8 +263,8 @@ class HandDrawing:
         Where the picture begins and ends to fade, y; None: it does not.
     """
 
-    outline: QPainterPath
-    creases: QPainterPath
+    outline: QtGui.QPainterPath
+    creases: QtGui.QPainterPath
     bounds: QRectF
     sites: NDArray[np.float64]
     pushes: NDArray[np.float64]
@@ -281,7 +282,7 @@ def palmar_drawing(shape: HandShape) -> HandDrawing:
         # Seen from the palm, left and right change places; on screen y points down.
         return shape.wrist - points
 
-    outline, creases = QPainterPath(), QPainterPath()
+    outline, creases = QtGui.QPainterPath(), QtGui.QPainterPath()
     outline.addPolygon(polygon(palmar(shape.outline)))
     outline.closeSubpath()
     for line in shape.creases:
@@ -305,8 +306,8 @@ def palmar_drawing(shape: HandShape) -> HandDrawing:
 
 
 def hand_pixmap(
-    drawing: HandDrawing, transform: QTransform, size: QSize, ratio: float, theme: Theme
-) -> QPixmap:
+    drawing: HandDrawing, transform: QtGui.QTransform, size: QSize, ratio: float, theme: Theme
+) -> QtGui.QPixmap:
     """Return a picture of the hand alone, without its sites, on a transparent ground.
 
     Parameters
@@ -316,13 +317,13 @@ def hand_pixmap(
     size, ratio
         Of the widget, and device pixels per widget pixel.
     """
-    pixmap = QPixmap(size * ratio)
+    pixmap = QtGui.QPixmap(size * ratio)
     pixmap.setDevicePixelRatio(ratio)
     pixmap.fill(Qt.GlobalColor.transparent)
-    painter = QPainter(pixmap)
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    outline, line = transform.map(drawing.outline), QColor(theme.skin_line)
-    painter.fillPath(outline, QColor(theme.skin))
+    painter = QtGui.QPainter(pixmap)
+    painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
+    outline, line = transform.map(drawing.outline), QtGui.QColor(theme.skin_line)
+    painter.fillPath(outline, QtGui.QColor(theme.skin))
     painter.save()
     painter.setClipPath(outline)
     scale = transform.m11()
@@ -333,10 +334,10 @@ def hand_pixmap(
     painter.strokePath(outline, _pen(line, 1.0, max(1.25, 2.0 * scale)))
     if drawing.fade is not None:
         wrist, end = (transform.map(QPointF(0.0, y)).y() for y in drawing.fade)
-        fade = QLinearGradient(0.0, wrist, 0.0, end)
+        fade = QtGui.QLinearGradient(0.0, wrist, 0.0, end)
         fade.setColorAt(0.0, Qt.GlobalColor.black)
         fade.setColorAt(1.0, Qt.GlobalColor.transparent)
-        painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_DestinationIn)
+        painter.setCompositionMode(QtGui.QPainter.CompositionMode.CompositionMode_DestinationIn)
         painter.fillRect(QRectF(QPointF(0.0, 0.0), size.toSizeF()), fade)
     painter.end()
     return pixmap
@@ -346,16 +347,16 @@ def hand_pixmap(
 cached_hand_pixmap = lru_cache(maxsize=2)(hand_pixmap)
 
 
-def polygon(points: NDArray[np.float64]) -> QPolygonF:
+def polygon(points: NDArray[np.float64]) -> QtGui.QPolygonF:
     """Return points as a polygon of Qt."""
-    return QPolygonF([QPointF(x, y) for x, y in points])
+    return QtGui.QPolygonF([QPointF(x, y) for x, y in points])
 
 
-def _pen(colour: QColor, opacity: float, width: float) -> QPen:
-    faint = QColor(colour)
+def _pen(colour: QtGui.QColor, opacity: float, width: float) -> QtGui.QPen:
+    faint = QtGui.QColor(colour)
     faint.setAlphaF(opacity)
     cap, join = Qt.PenCapStyle.RoundCap, Qt.PenJoinStyle.RoundJoin
-    return QPen(faint, width, Qt.PenStyle.SolidLine, cap, join)
+    return QtGui.QPen(faint, width, Qt.PenStyle.SolidLine, cap, join)
 
 
 #: Radius of a site in outline pixels; on the screen it is neither smaller nor larger than these.
@@ -389,7 +390,7 @@ class HandLayout:
         As in `HandDrawing`.
     """
 
-    transform: QTransform
+    transform: QtGui.QTransform
     radii_px: NDArray[np.float64]
     centres: NDArray[np.float64]
     pushes: NDArray[np.float64]
@@ -501,7 +502,7 @@ class Mark:
     """
 
     site: int
-    colour: QColor
+    colour: QtGui.QColor
     silent: bool = False
     text: str = ""
     chosen: bool = False

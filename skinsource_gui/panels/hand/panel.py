@@ -5,20 +5,8 @@ from dataclasses import dataclass
 from functools import partial
 from typing import ClassVar
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import (
-    QContextMenuEvent,
-    QFocusEvent,
-    QHelpEvent,
-    QHideEvent,
-    QKeyEvent,
-    QMouseEvent,
-    QPainter,
-    QPaintEvent,
-    QResizeEvent,
-    QWheelEvent,
-)
-from PySide6.QtWidgets import QApplication, QStackedLayout, QToolTip, QWidget
 
 from skinsource.base.quoting import quoted
 from skinsource.design import edits
@@ -106,7 +94,7 @@ class SiteCursor:
         self._stage.change(cursor=site)
         self._stage.pan_zoom.reveal(self._stage.layout.centre(site))
 
-    def press(self, event: QKeyEvent) -> bool:
+    def press(self, event: QtGui.QKeyEvent) -> bool:
         """Do what a key means; return whether it means anything."""
         meaning, key = meaning_of(_PLACE, event), _Key(event.key())
         if meaning == "move":
@@ -126,7 +114,7 @@ class SiteCursor:
             self._activate(meaning == "place_another")
         return bool(meaning)
 
-    def release(self, event: QKeyEvent) -> None:
+    def release(self, event: QtGui.QKeyEvent) -> None:
         """End the gesture when Shift is released."""
         if event.key() == _Key.Key_Shift:
             self.end_gesture()
@@ -213,7 +201,7 @@ class SiteMouse:
         """Whether the button is held on a site."""
         return self._press is not None
 
-    def press(self, event: QMouseEvent) -> None:
+    def press(self, event: QtGui.QMouseEvent) -> None:
         """Handle a press of the left button."""
         self.cancel()  # a release that never came
         site = self._stage.site_at(event.position())
@@ -236,20 +224,20 @@ class SiteMouse:
         if front is not None and not press.was_selected and not held:
             self._hand.select_requested.emit(front)
 
-    def move(self, event: QMouseEvent) -> None:
+    def move(self, event: QtGui.QMouseEvent) -> None:
         """Handle a move of the mouse, whether or not the button is held."""
         press = self._press
         if press is None or not event.buttons() & _LEFT:
             self.hover(self._stage.site_at(event.position()))
         elif press.index is not None and not (press.further or press.toggles):
             way = (event.position() - press.at).manhattanLength()
-            if press.gesture is None and way >= QApplication.startDragDistance():
+            if press.gesture is None and way >= QtWidgets.QApplication.startDragDistance():
                 press.gesture = new_gesture()
                 self._hand.setCursor(Qt.CursorShape.ClosedHandCursor)
             if press.gesture is not None:
                 self._drag(press, event.position())
 
-    def release(self, event: QMouseEvent) -> None:
+    def release(self, event: QtGui.QMouseEvent) -> None:
         """Handle a release of the left button."""
         press, self._press = self._press, None
         site = self._stage.site_at(event.position())
@@ -324,7 +312,7 @@ _BY_MOUSE = (
 )
 
 
-class HandDiagram(QWidget):
+class HandDiagram(QtWidgets.QWidget):
     """A palm with its sites; signals tell what the user does there.
 
     Parameters
@@ -354,7 +342,7 @@ class HandDiagram(QWidget):
     #: Site, position on the screen.
     menu_requested = Signal(int, QPoint)
 
-    def __init__(self, drawing: HandDrawing, parent: QWidget | None = None) -> None:
+    def __init__(self, drawing: HandDrawing, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.stage = HandStage(drawing, self)
         self.stage.changed.connect(self.update)
@@ -404,7 +392,7 @@ class HandDiagram(QWidget):
     def sizeHint(self) -> QSize:
         return QSize(320, 400)
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         self.stage.fit(self)
 
@@ -413,33 +401,33 @@ class HandDiagram(QWidget):
         if event.type() == QEvent.Type.FontChange:
             self.stage.fit(self)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        painter = QtGui.QPainter(self)
         self.stage.paint(painter, self.devicePixelRatioF())
         if self.hasFocus():
             # The frame shows that keys act here; the ring shows where, once they are used.
             paint_focus_frame(painter, QRectF(self.rect()), current_theme())
         painter.end()
 
-    def wheelEvent(self, event: QWheelEvent) -> None:
+    def wheelEvent(self, event: QtGui.QWheelEvent) -> None:
         self.stage.pan_zoom.wheel(event)
 
-    def mousePressEvent(self, event: QMouseEvent) -> None:
+    def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
         self.stage.change(cursor=None)
         self.stage.pan_zoom.press(event)
         if event.button() == Qt.MouseButton.LeftButton:
             self._mouse.press(event)
 
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+    def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
         self.stage.pan_zoom.move(event)
         self._mouse.move(event)
 
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+    def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:
         self.stage.pan_zoom.release(event)
         if event.button() == Qt.MouseButton.LeftButton:
             self._mouse.release(event)
 
-    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+    def mouseDoubleClickEvent(self, event: QtGui.QMouseEvent) -> None:
         if self.stage.site_at(event.position()) is None:
             self.stage.pan_zoom.show(WHOLE)
         else:
@@ -449,12 +437,12 @@ class HandDiagram(QWidget):
         super().leaveEvent(event)
         self._mouse.hover(None)
 
-    def hideEvent(self, event: QHideEvent) -> None:
+    def hideEvent(self, event: QtGui.QHideEvent) -> None:
         super().hideEvent(event)
         self._mouse.cancel()
 
-    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        if event.reason() == QContextMenuEvent.Reason.Keyboard:
+    def contextMenuEvent(self, event: QtGui.QContextMenuEvent) -> None:
+        if event.reason() == QtGui.QContextMenuEvent.Reason.Keyboard:
             site: int | None = self.cursor_site
             at = self.mapToGlobal(self.site_centre(self.cursor_site))
         else:
@@ -468,23 +456,23 @@ class HandDiagram(QWidget):
             self.select_requested.emit(front)
         self.menu_requested.emit(site, at)
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape and self._mouse.busy:
             self._mouse.cancel()
         elif self._mouse.busy or not self.site_cursor.press(event):
             super().keyPressEvent(event)
 
-    def keyReleaseEvent(self, event: QKeyEvent) -> None:
+    def keyReleaseEvent(self, event: QtGui.QKeyEvent) -> None:
         self.site_cursor.release(event)
         super().keyReleaseEvent(event)
 
-    def focusInEvent(self, event: QFocusEvent) -> None:
+    def focusInEvent(self, event: QtGui.QFocusEvent) -> None:
         super().focusInEvent(event)
         self.update()
         if event.reason() not in _BY_MOUSE:
             self.site_cursor.go_to(self.site_cursor.site)
 
-    def focusOutEvent(self, event: QFocusEvent) -> None:
+    def focusOutEvent(self, event: QtGui.QFocusEvent) -> None:
         super().focusOutEvent(event)
         self.update()
         self.site_cursor.end_gesture()
@@ -492,12 +480,12 @@ class HandDiagram(QWidget):
             self.stage.change(cursor=None)
 
     def event(self, event: QEvent) -> bool:
-        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+        if isinstance(event, QtGui.QHelpEvent) and event.type() == QEvent.Type.ToolTip:
             self._show_tooltip(event)
             return True
         return claims_shortcut(event, self._overrides) or super().event(event)
 
-    def _overrides(self, event: QKeyEvent) -> bool:
+    def _overrides(self, event: QtGui.QKeyEvent) -> bool:
         """Return whether a key is handled here even if it is a shortcut of the window."""
         if event.key() == Qt.Key.Key_Escape:
             return self._mouse.busy
@@ -506,13 +494,13 @@ class HandDiagram(QWidget):
             return False
         return bool(meaning_of(_PLACE, event))
 
-    def _show_tooltip(self, event: QHelpEvent) -> None:
+    def _show_tooltip(self, event: QtGui.QHelpEvent) -> None:
         site = self.stage.site_at(QPointF(event.pos()))
         if site is None or self.state.moving is not None:
-            QToolTip.hideText()
+            QtWidgets.QToolTip.hideText()
         else:
             area = self.stage.layout.marker_area(site).toAlignedRect()
-            QToolTip.showText(event.globalPos(), self.stage.text(site), self, area)
+            QtWidgets.QToolTip.showText(event.globalPos(), self.stage.text(site), self, area)
 
     def describe(self, site: int) -> None:
         """Say what is at a site to assistive technology."""
@@ -527,7 +515,7 @@ class HandPanel(Panel):
     title: ClassVar[str] = "Hand"
     name: ClassVar[str] = "hand"
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._design: Design | None = None
         self._view = View()
@@ -546,7 +534,7 @@ class HandPanel(Panel):
         self.diagram.stage.changed.connect(self._follow_pointer)
         # The hand of a missing limb is unknown, and another hand has other places.
         self._missing = page_label("hand_missing", tone="dim", centred=True)
-        self._stack = QStackedLayout(self)
+        self._stack = QtWidgets.QStackedLayout(self)
         self._stack.addWidget(self.diagram)
         self._stack.addWidget(self._missing)
         self.setFocusProxy(self.diagram)

@@ -6,9 +6,8 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QPointF, QRectF, QSize, QSizeF, Qt, Signal
-from PySide6.QtGui import QColor, QFontDatabase, QFontMetricsF, QPainter, QPainterPath, QPixmap
-from PySide6.QtWidgets import QWidget
 
 from skinsource.base.arrays import Floats
 from skinsource.limbs.hand import drawn_hand
@@ -86,7 +85,7 @@ def _own(limb_map: LimbMap, facts: LimbFacts) -> HandDrawing:
         # Seen from the palm left and right change places; on screen y points down.
         return -scale * points
 
-    outline = QPainterPath()
+    outline = QtGui.QPainterPath()
     outline.addPolygon(polygon(palmar(limb_map.outline)))
     outline.closeSubpath()
     sites = _separated(palmar(limb_map.input_positions))
@@ -98,7 +97,7 @@ def _own(limb_map: LimbMap, facts: LimbFacts) -> HandDrawing:
     below = float(palmar(limb_map.outline)[:, 1].max()) - bounds.bottom()
     return HandDrawing(
         outline=outline,
-        creases=QPainterPath(),
+        creases=QtGui.QPainterPath(),
         bounds=bounds,
         sites=sites,
         pushes=np.zeros_like(sites),
@@ -197,7 +196,7 @@ class HandStage(QObject):
     #: State, layout or drawing changed.
     changed = Signal()
 
-    def __init__(self, drawing: HandDrawing, widget: QWidget) -> None:
+    def __init__(self, drawing: HandDrawing, widget: QtWidgets.QWidget) -> None:
         super().__init__(widget)
         self.drawing = drawing
         self.state = HandState()
@@ -209,7 +208,7 @@ class HandStage(QObject):
         self.pan_zoom = PanZoom(widget)
         self.pan_zoom.changed.connect(self._lay_out)
 
-    def show_drawing(self, drawing: HandDrawing, widget: QWidget) -> None:
+    def show_drawing(self, drawing: HandDrawing, widget: QtWidgets.QWidget) -> None:
         """Take over another hand, which has other sites."""
         if drawing is not self.drawing:
             self.drawing = drawing
@@ -226,12 +225,12 @@ class HandStage(QObject):
             self.state = changed
             self.changed.emit()
 
-    def fit(self, widget: QWidget) -> None:
+    def fit(self, widget: QtWidgets.QWidget) -> None:
         """Fit the hand into the widget, which has another size or font; text lies below it."""
-        self._size, metrics = widget.size(), QFontMetricsF(widget.font())
+        self._size, metrics = widget.size(), QtGui.QFontMetricsF(widget.font())
         self._line_px = metrics.height() + 2.0
-        general = QFontDatabase.systemFont(QFontDatabase.SystemFont.GeneralFont)
-        enlarged = metrics.height() > _ENLARGED * QFontMetricsF(general).height()
+        general = QtGui.QFontDatabase.systemFont(QtGui.QFontDatabase.SystemFont.GeneralFont)
+        enlarged = metrics.height() > _ENLARGED * QtGui.QFontMetricsF(general).height()
         # Where there is little room, the hand needs it more than the legend.
         width, height = self._size.width(), self._size.height()
         legend = sum(_widths(metrics)) + 2 * UNIT_PX
@@ -242,13 +241,13 @@ class HandStage(QObject):
         fits = {WHOLE: fitted_hand(self.drawing, self.area)}
         self.pan_zoom.arrange(fits, points, self.area)
 
-    def paint(self, painter: QPainter, ratio: float) -> None:
+    def paint(self, painter: QtGui.QPainter, ratio: float) -> None:
         """Paint all; ``ratio`` is device pixels per widget pixel."""
         state = self.state
         if is_on_paper():
             # On paper there is neither mouse nor cursor.
             state = replace(state, hovered=None, cursor=None, target=None)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
         font = painter.font()
         painter.save()
         # A magnified hand would cover the text below it.
@@ -291,7 +290,7 @@ class HandStage(QObject):
             self.layout = hand_layout(self.drawing, self.pan_zoom.frame)
             self.changed.emit()
 
-    def _hand(self, ratio: float) -> QPixmap:
+    def _hand(self, ratio: float) -> QtGui.QPixmap:
         about = self.drawing, self.layout.transform, self._size
         if is_on_paper():
             return hand_pixmap(*about, _PAPER_RATIO, current_theme())
@@ -315,7 +314,7 @@ class HandStage(QObject):
             push=self.layout.push(site),
         )
 
-    def _paint_site(self, painter: QPainter, site: int, state: HandState) -> None:
+    def _paint_site(self, painter: QtGui.QPainter, site: int, state: HandState) -> None:
         if site == state.target and state.moving is None:
             # Something from another panel is dragged over it.
             paint_cursor(painter, self._place(site, in_use=True), current_theme())
@@ -339,35 +338,35 @@ class HandStage(QObject):
         colours = [state.marks[k].colour for k in order]
         paint_occupied(painter, place, current_theme(), colours, silent=state.marks[front].silent)
 
-    def _paint_ghost(self, painter: QPainter, centre: QPointF, mark: Mark) -> None:
+    def _paint_ghost(self, painter: QtGui.QPainter, centre: QPointF, mark: Mark) -> None:
         ghost = replace(self._place(mark.site, in_use=True), centre=centre)
         painter.setOpacity(0.6)
         paint_occupied(painter, ghost, current_theme(), [mark.colour], silent=mark.silent)
         painter.setOpacity(1.0)
 
-    def _paint_caption(self, painter: QPainter, state: HandState) -> None:
-        metrics, area = QFontMetricsF(painter.font()), self._line_area(self._lines)
+    def _paint_caption(self, painter: QtGui.QPainter, state: HandState) -> None:
+        metrics, area = QtGui.QFontMetricsF(painter.font()), self._line_area(self._lines)
         limb = self.drawing.limb
         text = caption_of(state, limb, lambda text: metrics.horizontalAdvance(text) <= area.width())
         colour = current_theme().accent if text == HINT else current_theme().text
         text = metrics.elidedText(text, Qt.TextElideMode.ElideRight, area.width())
-        painter.setPen(QColor(colour))
+        painter.setPen(QtGui.QColor(colour))
         painter.drawText(area, Qt.AlignmentFlag.AlignCenter, text)
 
-    def _paint_side(self, painter: QPainter) -> None:
+    def _paint_side(self, painter: QtGui.QPainter) -> None:
         """Write which hand this is into the free corner below the thumb."""
         bottom = self._line_area(self._lines).bottomRight() - QPointF(0.0, 1.5 * self._line_px)
-        metrics = QFontMetricsF(painter.font())
+        metrics = QtGui.QFontMetricsF(painter.font())
         lines = self.drawing.side.split("\n")
         width = 1.0 + max(metrics.horizontalAdvance(line) for line in lines)
         if width > _MOST_SIDE * self._size.width():
             return  # it would cover the fingers
         area = QRectF(bottom - QPointF(width, 4 * self._line_px), bottom)
-        painter.setPen(QColor(current_theme().dim))
+        painter.setPen(QtGui.QColor(current_theme().dim))
         painter.drawText(area, _SIDE_ALIGNMENT, self.drawing.side)
 
-    def _paint_legend(self, painter: QPainter) -> None:
-        metrics, area = QFontMetricsF(painter.font()), self._line_area(1)
+    def _paint_legend(self, painter: QtGui.QPainter) -> None:
+        metrics, area = QtGui.QFontMetricsF(painter.font()), self._line_area(1)
         radius = 0.36 * metrics.height()
         advance = 2 * radius + UNIT_PX
         widths = _widths(metrics)
@@ -379,7 +378,7 @@ class HandStage(QObject):
                 radius_px=radius * (1.0 if push is None else 0.85),
                 push=push,
             )
-            painter.setPen(QColor(current_theme().dim))
+            painter.setPen(QtGui.QColor(current_theme().dim))
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.drawPath(sign.path())
             at = QRectF(QPointF(left + advance, area.top()), QSizeF(width, area.height()))
@@ -391,7 +390,7 @@ class HandStage(QObject):
         return QRectF(UNIT_PX, top, max(0.0, self._size.width() - 2.0 * UNIT_PX), self._line_px)
 
 
-def _widths(metrics: QFontMetricsF) -> list[float]:
+def _widths(metrics: QtGui.QFontMetricsF) -> list[float]:
     """Return the widths of the parts of the legend, sign and text."""
     advance = 2 * 0.36 * metrics.height() + UNIT_PX
     return [advance + metrics.horizontalAdvance(text) for text, _ in _LEGEND]

@@ -4,6 +4,7 @@ import time
 from functools import partial
 from typing import Any, ClassVar
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import (
     QAbstractListModel,
     QEvent,
@@ -13,15 +14,6 @@ from PySide6.QtCore import (
     QRect,
     QSize,
     Qt,
-)
-from PySide6.QtGui import QColor, QFontMetrics, QKeyEvent, QPainter
-from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QListView,
-    QStyle,
-    QStyledItemDelegate,
-    QStyleOptionViewItem,
-    QWidget,
 )
 
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
@@ -94,45 +86,47 @@ def _clock(step: Step) -> str:
 _BAR_PX, _LEAST_LABEL = 3, 0.5
 
 
-class StepDelegate(QStyledItemDelegate):
+class StepDelegate(QtWidgets.QStyledItemDelegate):
     """Paints label and time of a step; undone steps are pale, the present one has a bar."""
 
     def sizeHint(
-        self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
+        self, option: QtWidgets.QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
     ) -> QSize:
         return QSize(10 * UNIT_PX, option.fontMetrics.height() + UNIT_PX)
 
     def paint(
         self,
-        painter: QPainter,
-        option: QStyleOptionViewItem,
+        painter: QtGui.QPainter,
+        option: QtWidgets.QStyleOptionViewItem,
         index: QModelIndex | QPersistentModelIndex,
     ) -> None:
         theme, rect = current_theme(), option.rect
-        chosen = bool(option.state & QStyle.StateFlag.State_Selected)
-        focused = chosen and bool(option.state & QStyle.StateFlag.State_HasFocus)
+        chosen = bool(option.state & QtWidgets.QStyle.StateFlag.State_Selected)
+        focused = chosen and bool(option.state & QtWidgets.QStyle.StateFlag.State_HasFocus)
         painter.save()
         if chosen or index.data(PRESENT):
-            painter.fillRect(rect, QColor(theme.raised if theme.name == "dark" else theme.window))
+            painter.fillRect(
+                rect, QtGui.QColor(theme.raised if theme.name == "dark" else theme.window)
+            )
         if index.data(PRESENT):
             bar = QRect(rect.left(), rect.top(), _BAR_PX, rect.height())
-            painter.fillRect(bar, QColor(theme.accent))
+            painter.fillRect(bar, QtGui.QColor(theme.accent))
         inside = rect.adjusted(UNIT_PX, 0, -UNIT_PX, 0)
         painter.setFont(tabular(option.font))
         metrics = painter.fontMetrics()
         label, time = row_text(metrics, index.data(), index.data(TIME), inside.width())
         middle = Qt.AlignmentFlag.AlignVCenter
-        painter.setPen(QColor(theme.dim))
+        painter.setPen(QtGui.QColor(theme.dim))
         painter.drawText(inside, middle | Qt.AlignmentFlag.AlignRight, time)
-        painter.setPen(QColor(theme.text if index.data(DONE) else theme.dim))
+        painter.setPen(QtGui.QColor(theme.text if index.data(DONE) else theme.dim))
         painter.drawText(inside, middle | Qt.AlignmentFlag.AlignLeft, label)
         if focused:
-            painter.setPen(QColor(theme.accent))
+            painter.setPen(QtGui.QColor(theme.accent))
             painter.drawRect(rect.adjusted(0, 0, -1, -1))
         painter.restore()
 
 
-def row_text(metrics: QFontMetrics, label: str, time: str, room_px: int) -> tuple[str, str]:
+def row_text(metrics: QtGui.QFontMetrics, label: str, time: str, room_px: int) -> tuple[str, str]:
     """Return label and time as they share a row; a label that is too long is cut short."""
     width = metrics.horizontalAdvance(time) + UNIT_PX if time else 0
     if room_px - width < _LEAST_LABEL * room_px:
@@ -145,13 +139,13 @@ def row_text(metrics: QFontMetrics, label: str, time: str, room_px: int) -> tupl
 _PLACE = "history"
 
 
-class StepList(QListView):
+class StepList(QtWidgets.QListView):
     """Rows of the history; Enter goes to the one that the keys have reached."""
 
     def event(self, event: QEvent) -> bool:
         return claims_shortcut(event, partial(meaning_of, _PLACE)) or super().event(event)
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         if meaning_of(_PLACE, event) == "go" and self.currentIndex().isValid():
             self.clicked.emit(self.currentIndex())
         else:
@@ -165,7 +159,7 @@ class HistoryPanel(Panel):
     name: ClassVar[str] = "history"
     lists_history: ClassVar[bool] = True
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.model = StepsModel(self)
         self._delegate = StepDelegate(self)
@@ -176,8 +170,8 @@ class HistoryPanel(Panel):
         self.rows.setItemDelegate(self._delegate)
         self.rows.setUniformItemSizes(True)
         self.rows.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.rows.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-        self.rows.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.rows.setSelectionMode(QtWidgets.QAbstractItemView.SelectionMode.SingleSelection)
+        self.rows.setEditTriggers(QtWidgets.QAbstractItemView.EditTrigger.NoEditTriggers)
         self.rows.clicked.connect(self._go)
         in_column(self.rows, of=self, margins=(UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX // 2))
         self.setMinimumSize(204, 120)

@@ -3,8 +3,8 @@
 from collections.abc import Callable
 from functools import partial
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
-from PySide6.QtWidgets import QApplication, QCheckBox, QLabel, QMenu, QWidget
 
 from skinsource.design import edits
 from skinsource.design.clips import Clip
@@ -32,7 +32,7 @@ class EffectRow(FieldsRow):
     def __init__(self, effect: Effect) -> None:
         self.part = effect
         self._cells = tuple(self._cell(name) for name in specs_of(effect) if name != "on")
-        self._switch = QCheckBox()
+        self._switch = QtWidgets.QCheckBox()
         self._switch.setObjectName("effect_switch")
         self._switch.setAccessibleName(f"{effect.title} on")
         self._switch.setToolTip(tooltip(ON.label, ON.hint))
@@ -84,7 +84,7 @@ class EffectRow(FieldsRow):
         return cell
 
 
-class EffectChain(QWidget):
+class EffectChain(QtWidgets.QWidget):
     """Rows of the effects of a clip and a button that adds one.
 
     A row follows its effect when that is moved. A new row is open; one that was added here is
@@ -94,13 +94,13 @@ class EffectChain(QWidget):
     #: `Edit` or `Refusal`, number of the gesture or None.
     edited = Signal(object, object)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._design, self._view = Design(limb=""), View()
         self._clip: Clip | None = None
         self._ids: tuple[int, ...] = ()
         self._adds = False
-        title = QLabel("Effects")
+        title = QtWidgets.QLabel("Effects")
         set_tone(title, "dim")
         add = AddButton("add_effect", self._fill_menu)
         add.setAccessibleName("Add an effect")
@@ -146,7 +146,7 @@ class EffectChain(QWidget):
         for row in self.rows:
             row.forget_typing()
 
-    def _fill_menu(self, menu: QMenu) -> None:
+    def _fill_menu(self, menu: QtWidgets.QMenu) -> None:
         menu.setToolTipsVisible(True)
         for kind in effect_kinds():
             action = menu.addAction(kind.title)
@@ -191,6 +191,6 @@ class EffectChain(QWidget):
 def _show_whole(row: EffectRow) -> None:
     """Scroll to a new row; of one that is too tall, to its beginning."""
     # Nested layouts post further requests; on some systems the timer fires before the last one.
-    QApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)
+    QtWidgets.QApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)
     scroll_to(row)
     scroll_to(row.title)

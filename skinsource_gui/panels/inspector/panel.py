@@ -5,17 +5,8 @@ from dataclasses import replace
 from functools import lru_cache, partial
 from typing import Any
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QSize, Qt, Signal, SignalInstance
-from PySide6.QtGui import QFont
-from PySide6.QtWidgets import (
-    QApplication,
-    QLabel,
-    QPushButton,
-    QSizePolicy,
-    QStackedLayout,
-    QStyle,
-    QWidget,
-)
 
 from skinsource.base.measurement_conditions import Band
 from skinsource.design import edits
@@ -68,7 +59,7 @@ def _button_cell(
 ) -> LabelledCell:
     """Return a cell with a button that leads to where a value is changed."""
     cell = LabelledCell(label)
-    button = QPushButton(text, cell)
+    button = QtWidgets.QPushButton(text, cell)
     button.setObjectName(name)
     button.setMinimumHeight(LABEL_PX)
     button.setToolTip(tooltip(hint))
@@ -259,7 +250,7 @@ class InputFields(QObject):
             )
         self._own = tuple(cells)
         self._built_for = type(waveform) if waveform else None
-        focused = QApplication.focusWidget()
+        focused = QtWidgets.QApplication.focusWidget()
         if focused is not None and any(cell.isAncestorOf(focused) for cell in old):
             self.kind.field.setFocus(Qt.FocusReason.OtherFocusReason)
         self._arrange()
@@ -274,23 +265,25 @@ def _values(track: Input, clip: Clip | None) -> dict[str, object]:
     return {**own, "kind": kind, "location": str(track.location)}
 
 
-class InputHeading(QWidget):
+class InputHeading(QtWidgets.QWidget):
     """Colour, number and name of an input's place, with its mute and solo buttons."""
 
     mute_toggled = Signal()
     solo_toggled = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._swatch = Swatch()
         self._title = FittingLabel()
         self._title.setObjectName("inspector_heading")
         self._title.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        self._title.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        font = QFont(self.font())
-        font.setWeight(QFont.Weight.DemiBold)
+        self._title.setSizePolicy(
+            QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Preferred
+        )
+        font = QtGui.QFont(self.font())
+        font.setWeight(QtGui.QFont.Weight.DemiBold)
         self._title.setFont(font)
-        self._state = QLabel()
+        self._state = QtWidgets.QLabel()
         set_tone(self._state, "warning")
         self._mute, self._solo = mute_button(), solo_button()
         parts = (self._swatch, (self._title, 1), self._state, self._mute, self._solo)
@@ -331,7 +324,7 @@ class InspectorPanel(Panel):
     name = "inspector"
     reads_down = True
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._design = Design(limb="")
         self._shown: tuple[tuple[int, ...], ...] = ()
@@ -359,7 +352,7 @@ class InspectorPanel(Panel):
 
     def minimumSizeHint(self) -> QSize:
         # Fields scroll down, never sideways.
-        bar = self.style().pixelMetric(QStyle.PixelMetric.PM_ScrollBarExtent)
+        bar = self.style().pixelMetric(QtWidgets.QStyle.PixelMetric.PM_ScrollBarExtent)
         width = self._scrolled.minimumSizeHint().width() + bar
         return super().minimumSizeHint().expandedTo(QSize(width, 0)).expandedTo(_LEAST)
 
@@ -421,7 +414,7 @@ class InspectorPanel(Panel):
         self._preview.show_message(reason)
 
     def _lay_out(self) -> None:
-        self._scrolled = inside = QWidget()
+        self._scrolled = inside = QtWidgets.QWidget()
         in_column(
             self._fields.grid, self._chain, None, of=inside, margins=(UNIT_PX, 0, UNIT_PX, UNIT_PX)
         )
@@ -430,12 +423,12 @@ class InspectorPanel(Panel):
         scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         scroll.setWidget(inside)
-        self._editor = QWidget()
+        self._editor = QtWidgets.QWidget()
         top = in_column(self._heading, self._preview, margins=(UNIT_PX, 0, UNIT_PX, 0))
         margins = (0, UNIT_PX // 2, 0, 0)
         in_column((top, 1), (scroll, 3), of=self._editor, margins=margins, gap_px=UNIT_PX // 2)
         self._empty = page_label("inspector_empty", tone="dim", centred=True)
-        self._stack = QStackedLayout(self)
+        self._stack = QtWidgets.QStackedLayout(self)
         self._stack.addWidget(self._empty)
         self._stack.addWidget(self._editor)
         self.setFocusProxy(self._fields.kind)

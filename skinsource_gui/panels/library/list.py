@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 from pyqtgraph.functions import arrayToQPath
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import (
     QEvent,
     QMimeData,
@@ -18,28 +19,6 @@ from PySide6.QtCore import (
     Qt,
     QUrl,
     Signal,
-)
-from PySide6.QtGui import (
-    QColor,
-    QDrag,
-    QKeyEvent,
-    QMouseEvent,
-    QPainter,
-    QPainterPath,
-    QPaintEvent,
-    QPen,
-    QPixmap,
-    QStandardItem,
-    QStandardItemModel,
-)
-from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QLabel,
-    QListView,
-    QStyle,
-    QStyledItemDelegate,
-    QStyleOptionViewItem,
-    QWidget,
 )
 
 from skinsource.base.arrays import Floats
@@ -61,7 +40,7 @@ ENTRY, OWN, TAGS = (_Role.UserRole + k for k in range(1, 4))
 _Index = QModelIndex | QPersistentModelIndex
 
 
-class PresetsModel(QStandardItemModel):
+class PresetsModel(QtGui.QStandardItemModel):
     """A model with a row for each preset; the user's own presets can be renamed."""
 
     #: An `Entry`, and its new name.
@@ -79,7 +58,7 @@ class PresetsModel(QStandardItemModel):
         self.clear()
         for entry, own in entries:
             preset, tags = entry.preset, ", ".join(entry.preset.tags)
-            item = QStandardItem(preset.name)
+            item = QtGui.QStandardItem(preset.name)
             item.setEditable(own)
             item.setData(entry, ENTRY)
             item.setData(own, OWN)
@@ -111,10 +90,10 @@ _RATE_HZ = 2000.0
 
 
 @lru_cache(maxsize=256)
-def thumbnail(preset: Preset, colour: str, ratio: float) -> QPixmap:
+def thumbnail(preset: Preset, colour: str, ratio: float) -> QtGui.QPixmap:
     """Return a picture of what a preset plays, at full height; empty where it cannot be played."""
     per_px = min(max(round(ratio), 1), _SHARPEST)
-    picture = QPixmap(SIZE_PX * per_px)
+    picture = QtGui.QPixmap(SIZE_PX * per_px)
     picture.setDevicePixelRatio(per_px)
     picture.fill(Qt.GlobalColor.transparent)
     try:
@@ -124,15 +103,15 @@ def thumbnail(preset: Preset, colour: str, ratio: float) -> QPixmap:
     if not samples.size:
         return picture
     samples = samples / max(float(np.abs(samples).max()), np.finfo(np.float64).tiny)
-    painter = QPainter(picture)
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    painter.setPen(QPen(QColor(colour), _LINE_PX))
+    painter = QtGui.QPainter(picture)
+    painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
+    painter.setPen(QtGui.QPen(QtGui.QColor(colour), _LINE_PX))
     painter.drawPath(_curve(samples, SIZE_PX.width() * per_px))
     painter.end()
     return picture
 
 
-def _curve(samples: Floats, columns: int) -> QPainterPath:
+def _curve(samples: Floats, columns: int) -> QtGui.QPainterPath:
     """Return every sample, or the highest and the lowest of each column, as a path."""
     if samples.size > 2 * columns:
         starts = np.arange(columns) * samples.size // columns
@@ -147,29 +126,33 @@ def _curve(samples: Floats, columns: int) -> QPainterPath:
 _OWN_PX = 3
 
 
-class PresetDelegate(QStyledItemDelegate):
+class PresetDelegate(QtWidgets.QStyledItemDelegate):
     """Paints a row: a picture, the name, and tags below it; a bar marks the user's own presets."""
 
-    def sizeHint(self, option: QStyleOptionViewItem, index: _Index) -> QSize:
+    def sizeHint(self, option: QtWidgets.QStyleOptionViewItem, index: _Index) -> QSize:
         text_px = 2 * option.fontMetrics.height() + UNIT_PX
         return QSize(10 * UNIT_PX, max(text_px, SIZE_PX.height() + UNIT_PX))
 
     def updateEditorGeometry(
-        self, editor: QWidget, option: QStyleOptionViewItem, index: _Index
+        self, editor: QtWidgets.QWidget, option: QtWidgets.QStyleOptionViewItem, index: _Index
     ) -> None:
         editor.setGeometry(self._text_area(option.rect))
 
-    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: _Index) -> None:
+    def paint(
+        self, painter: QtGui.QPainter, option: QtWidgets.QStyleOptionViewItem, index: _Index
+    ) -> None:
         theme, rect = current_theme(), option.rect
-        chosen = bool(option.state & QStyle.StateFlag.State_Selected)
-        focused = chosen and bool(option.state & QStyle.StateFlag.State_HasFocus)
-        under = bool(option.state & QStyle.StateFlag.State_MouseOver)
+        chosen = bool(option.state & QtWidgets.QStyle.StateFlag.State_Selected)
+        focused = chosen and bool(option.state & QtWidgets.QStyle.StateFlag.State_HasFocus)
+        under = bool(option.state & QtWidgets.QStyle.StateFlag.State_MouseOver)
         painter.save()
         if chosen or under:
-            painter.fillRect(rect, QColor(theme.raised if theme.name == "dark" else theme.window))
+            painter.fillRect(
+                rect, QtGui.QColor(theme.raised if theme.name == "dark" else theme.window)
+            )
         if index.data(OWN):
             bar = QRect(rect.left(), rect.top(), _OWN_PX, rect.height())
-            painter.fillRect(bar, QColor(theme.accent))
+            painter.fillRect(bar, QtGui.QColor(theme.accent))
         ratio = painter.device().devicePixelRatioF()
         picture = thumbnail(index.data(ENTRY).preset, theme.text, ratio)
         top = rect.center().y() - SIZE_PX.height() // 2
@@ -180,11 +163,11 @@ class PresetDelegate(QStyledItemDelegate):
             (index.data(), theme.text, text_area.adjusted(0, 0, 0, middle - text_area.bottom())),
             (index.data(TAGS), theme.dim, text_area.adjusted(0, middle - text_area.top(), 0, 0)),
         ):
-            painter.setPen(QColor(colour))
+            painter.setPen(QtGui.QColor(colour))
             shown = metrics.elidedText(text, Qt.TextElideMode.ElideRight, area.width())
             painter.drawText(area, Qt.AlignmentFlag.AlignVCenter, shown)
         if focused:
-            painter.setPen(QColor(theme.accent))
+            painter.setPen(QtGui.QColor(theme.accent))
             painter.drawRect(rect.adjusted(0, 0, -1, -1))
         painter.restore()
 
@@ -197,7 +180,7 @@ _PLACE = "library"
 _ASIDE_PX, _WIDEST_TAG_PX = 14, 180
 
 
-class PresetList(QListView):
+class PresetList(QtWidgets.QListView):
     """A list of presets that can be previewed, dragged and placed."""
 
     #: An `Entry`.
@@ -207,7 +190,7 @@ class PresetList(QListView):
     #: The `Entry` under the pointer, else the one at the keyboard's cursor, or None.
     preview_changed = Signal(object)
 
-    def __init__(self, model: PresetsModel, parent: QWidget | None = None) -> None:
+    def __init__(self, model: PresetsModel, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._message = ""
         self._under: Entry | None = None
@@ -219,10 +202,10 @@ class PresetList(QListView):
         self.setUniformItemSizes(True)
         self.setMouseTracking(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setSelectionMode(QtWidgets.QAbstractItemView.SelectionMode.SingleSelection)
+        self.setEditTriggers(QtWidgets.QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setDragEnabled(True)
-        self.setDragDropMode(QAbstractItemView.DragDropMode.DragOnly)
+        self.setDragDropMode(QtWidgets.QAbstractItemView.DragDropMode.DragOnly)
         self.doubleClicked.connect(self._place)
 
     @property
@@ -252,17 +235,17 @@ class PresetList(QListView):
     def startDrag(self, actions: Qt.DropAction) -> None:
         chosen = self.selectedIndexes()
         if chosen:
-            drag = QDrag(self)
+            drag = QtGui.QDrag(self)
             drag.setMimeData(self.model().mimeData(chosen))
             drag.setPixmap(self._tag(str(chosen[0].data())))
             # It lies beside the pointer, so that the target below stays visible.
             drag.setHotSpot(QPoint(-_ASIDE_PX, -_ASIDE_PX))
             drag.exec(Qt.DropAction.CopyAction)
 
-    def _tag(self, name: str) -> QPixmap:
+    def _tag(self, name: str) -> QtGui.QPixmap:
         """Return a small label with a name on it."""
         text = self.fontMetrics().elidedText(name, Qt.TextElideMode.ElideRight, _WIDEST_TAG_PX)
-        tag, theme = QLabel(text, self), current_theme()
+        tag, theme = QtWidgets.QLabel(text, self), current_theme()
         tag.setStyleSheet(
             f"background: {theme.accent}; color: {theme.on_accent}; padding: {UNIT_PX // 2}px"
         )
@@ -276,7 +259,7 @@ class PresetList(QListView):
         self._under = None
         self.preview_changed.emit(self.current)
 
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+    def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
         super().mouseMoveEvent(event)
         self._point_at(self.indexAt(event.position().toPoint()).data(ENTRY))
 
@@ -287,7 +270,7 @@ class PresetList(QListView):
     def event(self, event: QEvent) -> bool:
         return claims_shortcut(event, partial(meaning_of, _PLACE)) or super().event(event)
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         name, entry = meaning_of(_PLACE, event), self.current
         if name == "search":
             self.search_requested.emit()
@@ -300,11 +283,11 @@ class PresetList(QListView):
         else:
             super().keyPressEvent(event)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         super().paintEvent(event)
         if self.model().rowCount() == 0 and self._message:
-            painter = QPainter(self.viewport())
-            painter.setPen(QColor(current_theme().dim))
+            painter = QtGui.QPainter(self.viewport())
+            painter.setPen(QtGui.QColor(current_theme().dim))
             room = self.viewport().rect().adjusted(UNIT_PX, UNIT_PX, -UNIT_PX, -UNIT_PX)
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.drawText(room, flags, self._message)
@@ -323,7 +306,7 @@ _LEAST_STRIP_PX, _LEAST_SPECTRUM_PX, _LEAST_TEXT_PX = 58, 64, 40
 _MOST_STRIP_PX, _MOST_SPECTRUM_PX, _MOST_TEXT_PX = 84, 96, 92
 
 
-class PresetPreview(QWidget):
+class PresetPreview(QtWidgets.QWidget):
     """Clips of a preset on their tracks, the spectrum of their sum, and a description.
 
     Attributes
@@ -332,11 +315,11 @@ class PresetPreview(QWidget):
         The preset that is shown.
     """
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.preset: Preset | None = None
         self._limb = ""
-        self.strip, self.spectrum, self.text = ClipStrip(), SpectrumPreview(), QLabel()
+        self.strip, self.spectrum, self.text = ClipStrip(), SpectrumPreview(), QtWidgets.QLabel()
         self.strip.setAccessibleName("Clips of the preset")
         scroll = scrolled(self.text, "preset_about")
         scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)

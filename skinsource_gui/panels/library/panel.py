@@ -4,16 +4,8 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import ClassVar
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QFileSystemWatcher, QObject, QPoint, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QHideEvent, QKeyEvent, QResizeEvent, QShowEvent
-from PySide6.QtWidgets import (
-    QBoxLayout,
-    QLineEdit,
-    QMenu,
-    QMessageBox,
-    QVBoxLayout,
-    QWidget,
-)
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.work import counted
@@ -35,10 +27,10 @@ from skinsource_gui.state.panel import Panel
 _PLACE = "library"
 
 
-class LibraryButtons(QWidget):
+class LibraryButtons(QtWidgets.QWidget):
     """Buttons that place, save, rename and delete presets."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         place_hint = (
             f"Place it at the playhead, on the selected track ({key_text(_PLACE, 'place')}); or "
@@ -64,7 +56,7 @@ class LibraryButtons(QWidget):
         self.rename.setEnabled(own)
         self.delete.setEnabled(own)
 
-    def fill(self, menu: QMenu) -> None:
+    def fill(self, menu: QtWidgets.QMenu) -> None:
         """Add the same actions to ``menu``."""
         for button in (self.place, self.rename, self.delete):
             entry = menu.addAction(button.text(), button.click)
@@ -76,16 +68,16 @@ class LibraryButtons(QWidget):
 _ALL = "All tags"
 
 
-class SearchRow(QWidget):
+class SearchRow(QtWidgets.QWidget):
     """A line to type in, and a choice of tags."""
 
     changed = Signal()
     #: Down was pressed.
     left_downwards = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self.line, self.tags = QLineEdit(), DropDown()
+        self.line, self.tags = QtWidgets.QLineEdit(), DropDown()
         self.line.setObjectName("preset_search")
         self.line.setPlaceholderText("Search")
         self.line.setAccessibleName("Search presets")
@@ -125,7 +117,7 @@ class SearchRow(QWidget):
         self.tags.blockSignals(False)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.KeyPress and isinstance(event, QKeyEvent):
+        if event.type() == QEvent.Type.KeyPress and isinstance(event, QtGui.QKeyEvent):
             if event.key() == Qt.Key.Key_Down:
                 self.left_downwards.emit()
                 return True
@@ -227,7 +219,7 @@ class PresetFolders(QObject):
 
 _WIDE_PX, _HIGH_PX = 340, 440
 _NOTHING = "No preset is like that. Search for other words, or choose all tags."
-_NO = QMessageBox.StandardButton.No
+_NO = QtWidgets.QMessageBox.StandardButton.No
 
 
 class LibraryPanel(Panel):
@@ -236,7 +228,7 @@ class LibraryPanel(Panel):
     title: ClassVar[str] = "Library"
     name: ClassVar[str] = "library"
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._design: Design | None = None
         self._view = View()
@@ -246,11 +238,11 @@ class LibraryPanel(Panel):
         self.preview, self.buttons = PresetPreview(), LibraryButtons()
         self.faults = page_label("library_faults", tone="warning")
         self.faults.hide()
-        column = QVBoxLayout(self)
+        column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX // 2)
         column.setSpacing(UNIT_PX // 2)
         column.addWidget(self.search)
-        self._body = QBoxLayout(QBoxLayout.Direction.TopToBottom)
+        self._body = QtWidgets.QBoxLayout(QtWidgets.QBoxLayout.Direction.TopToBottom)
         self._body.setSpacing(UNIT_PX // 2)
         self._body.addWidget(self.rows, 3)
         self._body.addWidget(self.preview, 2)
@@ -274,19 +266,19 @@ class LibraryPanel(Panel):
     def show_playhead(self, view: View) -> None:
         self._view = view
 
-    def showEvent(self, event: QShowEvent) -> None:
+    def showEvent(self, event: QtGui.QShowEvent) -> None:
         # The files may have changed while the panel was hidden.
         self.folders.read()
         super().showEvent(event)
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         # In a low and wide panel the preview lies beside the list.
         is_wide = self.width() >= _WIDE_PX and self.height() < _HIGH_PX
-        way = QBoxLayout.Direction
+        way = QtWidgets.QBoxLayout.Direction
         self._body.setDirection(way.LeftToRight if is_wide else way.TopToBottom)
 
-    def hideEvent(self, event: QHideEvent) -> None:
+    def hideEvent(self, event: QtGui.QHideEvent) -> None:
         self.folders.rest()
         super().hideEvent(event)
 

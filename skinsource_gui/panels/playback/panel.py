@@ -3,15 +3,8 @@
 from dataclasses import replace
 from typing import Any, ClassVar
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QObject, QSize, Qt, Signal
-from PySide6.QtWidgets import (
-    QFrame,
-    QGridLayout,
-    QLabel,
-    QStyle,
-    QToolButton,
-    QWidget,
-)
 
 from skinsource.design.amplitudes import amplitude_unit
 from skinsource.design.design import Design
@@ -70,7 +63,7 @@ class DeviceFields(QObject):
     #: The chosen rig file, `Path`, or None.
     rig_requested = Signal(object)
 
-    def __init__(self, grid: QGridLayout) -> None:
+    def __init__(self, grid: QtWidgets.QGridLayout) -> None:
         super().__init__()
         self._output = Output()
         self._played: tuple[object, ...] = ()
@@ -109,17 +102,17 @@ class DeviceFields(QObject):
         for field in (self.latency, self.shift):
             LetterWidth(field, _NUMBER_PX)
         delay = _row(self.latency, self.rescan)
-        rows: tuple[tuple[str, QWidget], ...] = (
+        rows: tuple[tuple[str, QtWidgets.QWidget], ...] = (
             ("Device", self.device),
             ("Sample rate", self.rate),
             ("Delay asked for", delay),
             ("Rig", self.rig),
         )
         for row, (label, part) in enumerate(rows):
-            grid.addWidget(QLabel(label), row, 0)
+            grid.addWidget(QtWidgets.QLabel(label), row, 0)
             grid.addWidget(part, row, 1)
         # In a column of the grid this text would take the room of the fields.
-        grid.addWidget(_row(self.stand_in, QLabel("shift"), self.shift), 4, 0, 1, 2)
+        grid.addWidget(_row(self.stand_in, QtWidgets.QLabel("shift"), self.shift), 4, 0, 1, 2)
 
     def show_played(self, played: Played) -> None:
         """Take over the chosen output and what can be chosen."""
@@ -147,9 +140,9 @@ class DeviceFields(QObject):
         self.output_requested.emit(replace(self._output, **changes))
 
 
-def _row(*parts: QWidget) -> QWidget:
+def _row(*parts: QtWidgets.QWidget) -> QtWidgets.QWidget:
     """Return widgets beside each other, as wide as they prefer."""
-    row = QWidget()
+    row = QtWidgets.QWidget()
     in_row(*parts, None, of=row, margins=0)
     return row
 
@@ -194,7 +187,9 @@ class OutputRow(QObject):
     #: The output that shall play a tone.
     tone_requested = Signal(int)
 
-    def __init__(self, grid: QGridLayout, row: int, place: int, output: int, limb: str) -> None:
+    def __init__(
+        self, grid: QtWidgets.QGridLayout, row: int, place: int, output: int, limb: str
+    ) -> None:
         super().__init__()
         names = input_name(place, limb)
         self.place = place
@@ -210,7 +205,7 @@ class OutputRow(QObject):
         self.output.edited.connect(self._choose)
         self.meter = LevelMeter()
         self.meter.setFixedHeight(_METER_PX)
-        self.level = QLabel()
+        self.level = QtWidgets.QLabel()
         self.level.setFont(tabular(self.level.font()))
         self.level.setObjectName(f"level_of_{place}")
         self.level.hide()
@@ -222,7 +217,9 @@ class OutputRow(QObject):
         self.show_output(output)
 
     @property
-    def widgets(self) -> tuple[QLabel, NumberField, QWidget, QToolButton]:
+    def widgets(
+        self,
+    ) -> tuple[QtWidgets.QLabel, NumberField, QtWidgets.QWidget, QtWidgets.QToolButton]:
         """The widgets from left to right."""
         return self.title, self.output, self.loudness, self.tone
 
@@ -284,10 +281,10 @@ class _Title(FittingLabel):
         return QSize(least, super().minimumSizeHint().height())
 
 
-class _Loudness(QWidget):
+class _Loudness(QtWidgets.QWidget):
     """A level bar with its number below: beside it a narrow panel would have no room."""
 
-    def __init__(self, meter: LevelMeter, level: QLabel) -> None:
+    def __init__(self, meter: LevelMeter, level: QtWidgets.QLabel) -> None:
         super().__init__()
         self._level = level
         in_column(meter, level, of=self, margins=0, gap_px=2)
@@ -320,17 +317,17 @@ class PlaybackPanel(Panel):
     #: The output that shall play a tone.
     tone_requested = Signal(int)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._played, self._unit = Played(), "m/s²"
         self._in_volts = False
         self._limb = ""
-        self._content = content = QWidget()
+        self._content = content = QtWidgets.QWidget()
         self.problem = page_label("playback_problem", tone="error")
         self.text = page_label("playback_words", tone="dim")
         for label in (self.problem, self.text):
             label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        device = QGridLayout()
+        device = QtWidgets.QGridLayout()
         device.setColumnStretch(1, 1)
         device.setHorizontalSpacing(UNIT_PX)
         self.fields = DeviceFields(device)
@@ -338,7 +335,7 @@ class PlaybackPanel(Panel):
         self.fields.devices_requested.connect(self.devices_requested)
         self.fields.rig_requested.connect(self.rig_requested)
         self._rows: list[OutputRow] = []
-        self._table = QGridLayout()
+        self._table = QtWidgets.QGridLayout()
         self._table.setColumnStretch(_METER_COLUMN, 1)
         self._table.setHorizontalSpacing(UNIT_PX)
         parts = (self.problem, device, self._table, self.text, None)
@@ -346,7 +343,7 @@ class PlaybackPanel(Panel):
         in_column(*parts, of=content, margins=margins, gap_px=UNIT_PX)
         area = SteadyArea()
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        area.setFrameShape(QFrame.Shape.NoFrame)
+        area.setFrameShape(QtWidgets.QFrame.Shape.NoFrame)
         area.setWidget(content)
         in_column(area, of=self, margins=0)
         self.setFocusProxy(self.fields.device)
@@ -357,7 +354,7 @@ class PlaybackPanel(Panel):
 
     def minimumSizeHint(self) -> QSize:
         # Fields scroll down, never sideways.
-        bar = self.style().pixelMetric(QStyle.PixelMetric.PM_ScrollBarExtent)
+        bar = self.style().pixelMetric(QtWidgets.QStyle.PixelMetric.PM_ScrollBarExtent)
         return QSize(self._content.minimumSizeHint().width() + bar, 0).expandedTo(_LEAST)
 
     def show_state(self, design: Design, view: View) -> None:

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
+from PySide6 import QtGui
 from PySide6.QtCore import QSizeF
-from PySide6.QtGui import QGuiApplication, QImage, QPainter
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Progress, Stop, never, silent
@@ -386,7 +386,7 @@ class _Camera:
         findings: Findings = exported.value("validity")
         self._caption = _caption_of(exported, findings)
         self._frames = Frames()
-        self._family = QGuiApplication.font().family()
+        self._family = QtGui.QGuiApplication.font().family()
         interpolated = settings.map_style == "interpolated"
         results = exported.values({"limb_map", *({"surface"} if interpolated else ())})
         self._surface = results.get("surface")
@@ -401,7 +401,7 @@ class _Camera:
             noisy=next((finding.outputs for finding in findings if finding.name == "noise"), ()),
             synthetic=limb.synthetic,
         )
-        self._image = QImage(*self.size, QImage.Format.Format_RGB888)
+        self._image = QtGui.QImage(*self.size, QtGui.QImage.Format.Format_RGB888)
         self._read_signals(exported.view)
 
     @property
@@ -435,11 +435,11 @@ class _Camera:
     def _draw(self, content: MapContent, heading: Heading) -> None:
         options = self._options
 
-        def draw(painter: QPainter, width: int, height: int, theme: Theme) -> None:
+        def draw(painter: QtGui.QPainter, width: int, height: int, theme: Theme) -> None:
             size = QSizeF(width, height)
             paint_picture(painter, size, content, heading, theme, self._family, self._visible)
 
-        painter = QPainter(self._image)
+        painter = QtGui.QPainter(self._image)
         width, height = self.size
         painter.scale(width / options.width_px, height / options.height_px)
         font = painter.font()

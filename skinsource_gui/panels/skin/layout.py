@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 
+from PySide6 import QtGui
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
 from skinsource.base.arrays import Floats
 from skinsource.base.measurement_conditions import VOLAR_OUTPUTS
@@ -24,33 +24,33 @@ _TURNED = 28.0
 _DRAWING_LINES, _ARM_LINES, _RING_LINES, _FOOT_LINES = 2.7, 1.15, 0.3, 0.4
 
 
-def triad_size(metrics: QFontMetricsF) -> QSizeF:
+def triad_size(metrics: QtGui.QFontMetricsF) -> QSizeF:
     """Return the size of the card with the axes."""
     line = metrics.height()
     width = max(map(metrics.horizontalAdvance, (TITLE, *CAPTION))) + 0.9 * line
     return QSizeF(width, (1.3 + _DRAWING_LINES + len(CAPTION) + _FOOT_LINES) * line)
 
 
-def paint_triad(painter: QPainter, card: QRectF, theme: Theme) -> None:
+def paint_triad(painter: QtGui.QPainter, card: QRectF, theme: Theme) -> None:
     """Draw z out of the skin, x and y along it, dashed, and a caption."""
     line = painter.fontMetrics().height()
     centred = Qt.AlignmentFlag.AlignCenter
-    painter.setPen(QColor(theme.dim))
+    painter.setPen(QtGui.QColor(theme.dim))
     top = QRectF(card.left(), card.top(), card.width(), 1.3 * line)
     painter.drawText(top, centred, TITLE)
     middle = QPointF(card.center().x() - 0.3 * line, top.bottom() + 0.62 * _DRAWING_LINES * line)
-    colour = QColor(theme.text)
+    colour = QtGui.QColor(theme.text)
     for axis, angle in ((TRIAD[0], _TURNED), (TRIAD[1], _TURNED + 90.0)):
         _paint_arrow(painter, middle, angle, line, axis.title, colour)
     ring = _RING_LINES * line
-    painter.setPen(QPen(colour, 0.1 * line))
-    painter.setBrush(QColor(theme.base))
+    painter.setPen(QtGui.QPen(colour, 0.1 * line))
+    painter.setBrush(QtGui.QColor(theme.base))
     painter.drawEllipse(middle, ring, ring)
     painter.setBrush(colour)
     painter.drawEllipse(middle, 0.07 * line, 0.07 * line)
     beside = QRectF(middle.x() - 1.1 * line, middle.y() - 0.1 * line, 0.8 * line, line)
     painter.drawText(beside, centred, TRIAD[2].title)
-    painter.setPen(QColor(theme.dim))
+    painter.setPen(QtGui.QColor(theme.dim))
     below = QRectF(
         card.left(), card.bottom() - (len(CAPTION) + _FOOT_LINES) * line, card.width(), 2 * line
     )
@@ -59,14 +59,19 @@ def paint_triad(painter: QPainter, card: QRectF, theme: Theme) -> None:
 
 
 def _paint_arrow(
-    painter: QPainter, middle: QPointF, angle: float, line: float, name: str, colour: QColor
+    painter: QtGui.QPainter,
+    middle: QPointF,
+    angle: float,
+    line: float,
+    name: str,
+    colour: QtGui.QColor,
 ) -> None:
     shaft = QLineF.fromPolar(_ARM_LINES * line, angle).translated(middle)
-    pen = QPen(colour, 0.09 * line)
+    pen = QtGui.QPen(colour, 0.09 * line)
     pen.setDashPattern([3.0, 2.0])
     painter.setPen(pen)
     painter.drawLine(shaft)
-    painter.setPen(QPen(colour, 0.09 * line))
+    painter.setPen(QtGui.QPen(colour, 0.09 * line))
     for side in (150.0, -150.0):
         barb = QLineF.fromPolar(0.32 * line, angle + side).translated(shaft.p2())
         painter.drawLine(barb)
@@ -148,7 +153,7 @@ def unplaced_rows(limb_map: LimbMap) -> Rows:
     return tuple(unplaced[k : k + columns] for k in range(0, len(unplaced), columns))
 
 
-def palmar_size(rows: Rows, metrics: QFontMetricsF) -> QSizeF:
+def palmar_size(rows: Rows, metrics: QtGui.QFontMetricsF) -> QSizeF:
     """Return the size of the group of unplaced outputs; zero where there are none."""
     if not rows:
         return QSizeF(0.0, 0.0)
@@ -159,7 +164,7 @@ def palmar_size(rows: Rows, metrics: QFontMetricsF) -> QSizeF:
 
 
 def fitted_beside_cards(
-    limb_map: LimbMap, bounds: QRectF, room: QRectF, metrics: QFontMetricsF
+    limb_map: LimbMap, bounds: QRectF, room: QRectF, metrics: QtGui.QFontMetricsF
 ) -> Frame:
     """Return the frame that fits ``bounds`` into ``room`` without the cards in its way."""
     beside, above = _fits(limb_map, bounds, room, metrics)
@@ -167,7 +172,7 @@ def fitted_beside_cards(
 
 
 def _fits(
-    limb_map: LimbMap, bounds: QRectF, room: QRectF, metrics: QFontMetricsF
+    limb_map: LimbMap, bounds: QRectF, room: QRectF, metrics: QtGui.QFontMetricsF
 ) -> tuple[Frame, Frame]:
     """Return the frame beside a column of cards, and the one above a row of cards."""
     top = max(_MARGIN_PX, TEXT_LINES * metrics.height())
@@ -181,7 +186,7 @@ def _fits(
 
 
 def _cards(
-    limb_map: LimbMap, room: QRectF, metrics: QFontMetricsF, unit: float
+    limb_map: LimbMap, room: QRectF, metrics: QtGui.QFontMetricsF, unit: float
 ) -> tuple[QRectF, QRectF]:
     """Return areas of palmar group and axes, which stay in the lower right corner."""
     edge = 4 * unit
@@ -200,12 +205,14 @@ def _cards(
     return palm_card, triad_card if free.contains(triad_card) else QRectF()
 
 
-def _sizes(limb_map: LimbMap, metrics: QFontMetricsF) -> tuple[QSizeF, QSizeF]:
+def _sizes(limb_map: LimbMap, metrics: QtGui.QFontMetricsF) -> tuple[QSizeF, QSizeF]:
     palm = palmar_size(unplaced_rows(limb_map), metrics)
     return palm, triad_size(metrics) if limb_map.axes_shown else QSizeF(0.0, 0.0)
 
 
-def map_layout(limb_map: LimbMap, frame: Frame, room: QRectF, metrics: QFontMetricsF) -> MapLayout:
+def map_layout(
+    limb_map: LimbMap, frame: Frame, room: QRectF, metrics: QtGui.QFontMetricsF
+) -> MapLayout:
     """Lay the map out in ``room``, with the cards in its lower right corner."""
     line = metrics.height()
     unit = line / _USUAL_LINE_PX
@@ -251,7 +258,7 @@ class VisiblePart:
     middle: tuple[float, float] = (0.0, 0.0)
     size: tuple[float, float] = (0.0, 0.0)
 
-    def frame_in(self, limb_map: LimbMap, room: QRectF, metrics: QFontMetricsF) -> Frame:
+    def frame_in(self, limb_map: LimbMap, room: QRectF, metrics: QtGui.QFontMetricsF) -> Frame:
         """Return the frame that shows the part in ``room``, and what is around it."""
         if self.fit != FREE or 0.0 in self.size:
             hand = self.fit == HAND

@@ -3,21 +3,8 @@
 from itertools import product
 
 import numpy as np
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import (
-    QColor,
-    QContextMenuEvent,
-    QFont,
-    QFontMetricsF,
-    QHelpEvent,
-    QKeyEvent,
-    QMouseEvent,
-    QPainter,
-    QPaintEvent,
-    QResizeEvent,
-    QWheelEvent,
-)
-from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from skinsource.base.work import counted
 from skinsource.design.labels import BACK_SIDE, TRIAD_SENTENCE
@@ -158,21 +145,21 @@ _MOST_LINES = 4
 
 
 def paint_map_texts(
-    painter: QPainter,
+    painter: QtGui.QPainter,
     content: MapContent,
     layout: MapLayout | None,
     room: QRectF,
     theme: Theme,
 ) -> None:
     """Draw side, message, synthetic mark and the mark of something outdated in ``room``."""
-    unit = QFontMetricsF(painter.font()).height() / 14
+    unit = QtGui.QFontMetricsF(painter.font()).height() / 14
     inner = room.adjusted(8 * unit, 5 * unit, -5 * unit, -6 * unit)
     free = QRectF(inner)
     if content.synthetic:
         free.setRight(_paint_synthetic_mark(painter, inner, theme) - 8 * unit)
     painter.save()
     painter.setFont(small_font(painter.font()))
-    label = _side_text(content, free.width(), QFontMetricsF(painter.font()))
+    label = _side_text(content, free.width(), QtGui.QFontMetricsF(painter.font()))
     _paint_card(painter, free, label, theme)
     painter.restore()
     if content.message:
@@ -210,7 +197,7 @@ def _nearest(
     )
 
 
-def _side_text(content: MapContent, room_px: float, metrics: QFontMetricsF) -> str:
+def _side_text(content: MapContent, room_px: float, metrics: QtGui.QFontMetricsF) -> str:
     side = "" if content.limb_map is None else BACK_SIDE
     parts = [FIXED_MARK] if content.fixed else []
     if content.quantity.moves and content.values is not None:
@@ -226,18 +213,18 @@ def _side_text(content: MapContent, room_px: float, metrics: QFontMetricsF) -> s
     return next(fitting, phrasings[-1])
 
 
-def _paint_synthetic_mark(painter: QPainter, area: QRectF, theme: Theme) -> float:
+def _paint_synthetic_mark(painter: QtGui.QPainter, area: QRectF, theme: Theme) -> float:
     """Draw the word SYNTHETIC into the upper right corner of ``area``; return its left edge."""
     painter.save()
     font = small_font(painter.font())
     font.setBold(True)
     painter.setFont(font)
-    metrics = QFontMetricsF(font)
+    metrics = QtGui.QFontMetricsF(font)
     line = metrics.height()
     width = metrics.horizontalAdvance(SYNTHETIC_MARK) + 0.7 * line
     badge = QRectF(area.right() - width, area.top(), width, 1.35 * line)
-    painter.setPen(QColor(theme.warning))
-    painter.setBrush(QColor(theme.base))
+    painter.setPen(QtGui.QColor(theme.warning))
+    painter.setBrush(QtGui.QColor(theme.base))
     painter.drawRoundedRect(badge, 3, 3)
     painter.drawText(badge, Qt.AlignmentFlag.AlignCenter, SYNTHETIC_MARK)
     painter.restore()
@@ -245,7 +232,7 @@ def _paint_synthetic_mark(painter: QPainter, area: QRectF, theme: Theme) -> floa
 
 
 def message_card(
-    text: str, area: QRectF, layout: MapLayout | None, metrics: QFontMetricsF
+    text: str, area: QRectF, layout: MapLayout | None, metrics: QtGui.QFontMetricsF
 ) -> QRectF:
     """Return the place of a message in ``area``: more lines rather than on outputs or cards.
 
@@ -269,29 +256,29 @@ def message_card(
 
 
 def _paint_message(
-    painter: QPainter, area: QRectF, text: str, layout: MapLayout | None, theme: Theme
+    painter: QtGui.QPainter, area: QRectF, text: str, layout: MapLayout | None, theme: Theme
 ) -> None:
     flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-    card = message_card(text, area, layout, QFontMetricsF(painter.font()))
-    painter.setPen(QColor(theme.border))
-    painter.setBrush(QColor(theme.base))
+    card = message_card(text, area, layout, QtGui.QFontMetricsF(painter.font()))
+    painter.setPen(QtGui.QColor(theme.border))
+    painter.setBrush(QtGui.QColor(theme.base))
     painter.drawRoundedRect(card, 4, 4)
-    painter.setPen(QColor(theme.text))
+    painter.setPen(QtGui.QColor(theme.text))
     painter.drawText(card.adjusted(10, 7, -10, -7), int(flags), text)
 
 
-def _paint_card(painter: QPainter, area: QRectF, text: str, theme: Theme) -> None:
+def _paint_card(painter: QtGui.QPainter, area: QRectF, text: str, theme: Theme) -> None:
     """Draw text into the upper left corner of ``area``, readable on any ground."""
     if not text:
         return
     # One line: below a second one there could be skin.
     flags, metrics = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop, painter.fontMetrics()
     text = metrics.elidedText(text, Qt.TextElideMode.ElideRight, int(area.width()))
-    needed = QFontMetricsF(painter.font()).boundingRect(area, int(flags), text)
-    ground = QColor(theme.base)
+    needed = QtGui.QFontMetricsF(painter.font()).boundingRect(area, int(flags), text)
+    ground = QtGui.QColor(theme.base)
     ground.setAlphaF(0.88)
     painter.fillRect(needed.adjusted(-4, -2, 4, 2), ground)
-    painter.setPen(QColor(theme.dim))
+    painter.setPen(QtGui.QColor(theme.dim))
     painter.drawText(needed, int(flags), text)
 
 
@@ -314,7 +301,7 @@ class MapStage(QObject):
     #: Everything has moved.
     changed = Signal()
 
-    def __init__(self, widget: QWidget) -> None:
+    def __init__(self, widget: QtWidgets.QWidget) -> None:
         super().__init__(widget)
         self._widget = widget
         self._limb_map: LimbMap | None = None
@@ -323,7 +310,7 @@ class MapStage(QObject):
         self.pan_zoom.changed.connect(self._lay_out)
 
     @property
-    def letters(self) -> QFont:
+    def letters(self) -> QtGui.QFont:
         """Font of messages; labels have a smaller one."""
         return letters_for(self._widget.font(), self._room)
 
@@ -366,11 +353,11 @@ class MapStage(QObject):
         return QRectF(self._widget.rect())
 
     @property
-    def _metrics(self) -> QFontMetricsF:
-        return QFontMetricsF(small_font(self.letters))
+    def _metrics(self) -> QtGui.QFontMetricsF:
+        return QtGui.QFontMetricsF(small_font(self.letters))
 
 
-class SkinMap(QWidget):
+class SkinMap(QtWidgets.QWidget):
     """Shows `MapContent`, and emits which outputs or inputs the user selects.
 
     Attributes
@@ -395,7 +382,7 @@ class SkinMap(QWidget):
     #: Point of the screen at which the menu shall open.
     menu_requested = Signal(QPoint)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.content = MapContent()
         self._painter: MapPainter | None = None
@@ -450,14 +437,14 @@ class SkinMap(QWidget):
     def sizeHint(self) -> QSize:
         return QSize(300, 560)
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         self.stage.fit()
 
-    def paintEvent(self, event: QPaintEvent) -> None:
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         theme = current_theme()
-        painter, picker = QPainter(self), self.picker
-        painter.fillRect(self.rect(), QColor(theme.base))
+        painter, picker = QtGui.QPainter(self), self.picker
+        painter.fillRect(self.rect(), QtGui.QColor(theme.base))
         if self.stage.layout is not None and self._painter is not None:
             painter.setFont(tabular(small_font(self.stage.letters)))
             self._painter.paint(painter, self.content, self.stage.layout, theme)
@@ -470,31 +457,31 @@ class SkinMap(QWidget):
             if picker.band is not None:
                 paint_band(painter, picker.band, theme)
         painter.setFont(self.stage.letters)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
         paint_map_texts(painter, self.content, self.stage.layout, QRectF(self.rect()), theme)
         if self.hasFocus():
             paint_focus_frame(painter, QRectF(self.rect()), theme)
         painter.end()
 
     def event(self, event: QEvent) -> bool:
-        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+        if isinstance(event, QtGui.QHelpEvent) and event.type() == QEvent.Type.ToolTip:
             text = map_tooltip(self.content, self.stage.layout, QPointF(event.pos()))
-            QToolTip.showText(event.globalPos(), text, self)
+            QtWidgets.QToolTip.showText(event.globalPos(), text, self)
             return True
         return claims_shortcut(event, self._claims) or super().event(event)
 
-    def _claims(self, event: QKeyEvent) -> bool:
+    def _claims(self, event: QtGui.QKeyEvent) -> bool:
         # Some events come before there is a picker: it is looked up for a key alone.
         return self.picker.claims(event)
 
-    def wheelEvent(self, event: QWheelEvent) -> None:
+    def wheelEvent(self, event: QtGui.QWheelEvent) -> None:
         self.stage.pan_zoom.wheel(event)
 
-    def mousePressEvent(self, event: QMouseEvent) -> None:
+    def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
         self.stage.pan_zoom.press(event)
         self.picker.press(event)
 
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+    def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
         self.stage.pan_zoom.move(event)
         if self.stage.layout is not None:
             self.picker.move(event.position(), self.stage.layout.points)
@@ -502,7 +489,7 @@ class SkinMap(QWidget):
             self.readout_changed.emit(self.readout())
             self.update()
 
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+    def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:
         self.stage.pan_zoom.release(event)
         if event.button() == Qt.MouseButton.LeftButton and self.stage.layout is not None:
             points, picker = self.stage.layout.points, self.picker
@@ -517,7 +504,7 @@ class SkinMap(QWidget):
             picker.release(event, points)
             self.update()
 
-    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+    def mouseDoubleClickEvent(self, event: QtGui.QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton and self.stage.layout is not None:
             at = event.position()
             on_input = input_at(self.content, self.stage.layout, at) is not None
@@ -534,12 +521,12 @@ class SkinMap(QWidget):
         self.readout_changed.emit(self.readout())
         self.update()
 
-    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        by_key = event.reason() == QContextMenuEvent.Reason.Keyboard
+    def contextMenuEvent(self, event: QtGui.QContextMenuEvent) -> None:
+        by_key = event.reason() == QtGui.QContextMenuEvent.Reason.Keyboard
         middle = self.mapToGlobal(self.rect().center())
         self.menu_requested.emit(middle if by_key else event.globalPos())
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         layout, meaning = self.stage.layout, meaning_of("skin", event)
         middle = QRectF(self.rect()).center()
         if layout is None:
@@ -585,13 +572,13 @@ _LOST_AT_ENDS = 0.3
 _WRAPPED = Qt.AlignmentFlag.AlignLeft | Qt.TextFlag.TextWordWrap
 
 
-class _Lines(QWidget):
+class _Lines(QtWidgets.QWidget):
     """Text of up to two lines that takes any width."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._text, self._most_lines = "", 2
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Fixed)
 
     def text(self) -> str:
         """Return the whole text."""
@@ -620,7 +607,7 @@ class NoteLine(_Lines):
     It takes no room while it is empty.
     """
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._short = ""
         self.setAccessibleName("Note on the map")
@@ -642,9 +629,9 @@ class NoteLine(_Lines):
             self.updateGeometry()
             self.update()
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setPen(QColor(current_theme().warning))
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        painter = QtGui.QPainter(self)
+        painter.setPen(QtGui.QColor(current_theme().warning))
         several = self._n_lines() > 1
         text = self.fontMetrics().elidedText(
             self.shown, Qt.TextElideMode.ElideRight, self._room_px if several else self.width()
@@ -652,7 +639,7 @@ class NoteLine(_Lines):
         painter.drawText(self.rect(), _WRAPPED if several else Qt.AlignmentFlag.AlignLeft, text)
         painter.end()
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         if event.oldSize().width() != event.size().width():
             self.updateGeometry()
@@ -671,7 +658,7 @@ class NoteLine(_Lines):
 class ReadoutLines(_Lines):
     """What follows the pointer, always of the same height; a single line begins with the value."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setFont(tabular(self.font()))
 
@@ -692,9 +679,9 @@ class ReadoutLines(_Lines):
         first, second = lines
         return (f"{second} · {first}" if any(map(str.isdigit, second)) else first,)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setPen(QColor(current_theme().dim))
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        painter = QtGui.QPainter(self)
+        painter.setPen(QtGui.QColor(current_theme().dim))
         height = self.fontMetrics().lineSpacing()
         for k, line in enumerate(self.shown):
             text = self.fontMetrics().elidedText(line, Qt.TextElideMode.ElideRight, self.width())

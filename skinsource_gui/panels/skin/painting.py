@@ -5,17 +5,8 @@ from dataclasses import dataclass, fields, replace
 from itertools import product
 
 import numpy as np
+from PySide6 import QtGui
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
-from PySide6.QtGui import (
-    QColor,
-    QFont,
-    QFontMetrics,
-    QFontMetricsF,
-    QPainter,
-    QPainterPath,
-    QPen,
-    QPolygonF,
-)
 
 from skinsource.base.arrays import Floats
 from skinsource.design.design import Design, audible_indices
@@ -80,7 +71,7 @@ def marks_at(
 
 
 def paint_marks(
-    painter: QPainter,
+    painter: QtGui.QPainter,
     marks: tuple[InputMark, ...],
     limb_map: LimbMap,
     layout: MapLayout,
@@ -98,9 +89,9 @@ def paint_marks(
         radius = (_INPUT_RING_PX + (1.5 if wide else 0.0)) * layout.unit
         width = (2.4 if wide else 1.6) * layout.unit
         painter.setOpacity(1.0 if mark.audible else 0.45)
-        painter.setPen(QPen(QColor(theme.base), width + 2.0 * layout.unit))
+        painter.setPen(QtGui.QPen(QtGui.QColor(theme.base), width + 2.0 * layout.unit))
         painter.drawEllipse(centre, radius, radius)
-        pen = QPen(theme.input_colour(mark.colour), width)
+        pen = QtGui.QPen(theme.input_colour(mark.colour), width)
         pen.setDashPattern(list(_DASH))
         painter.setPen(pen)
         painter.drawEllipse(centre, radius, radius)
@@ -110,7 +101,7 @@ def paint_marks(
 
 
 def _paint_number(
-    painter: QPainter,
+    painter: QtGui.QPainter,
     mark: InputMark,
     centre: QPointF,
     radius: float,
@@ -121,10 +112,10 @@ def _paint_number(
     line = painter.fontMetrics().height()
     width = painter.fontMetrics().horizontalAdvance(text) + 0.5 * line
     area = QRectF(centre.x() + radius + 2 * layout.unit, centre.y() - line / 2, width, line)
-    painter.setPen(QPen(theme.input_colour(mark.colour), layout.unit))
-    painter.setBrush(QColor(theme.base))
+    painter.setPen(QtGui.QPen(theme.input_colour(mark.colour), layout.unit))
+    painter.setBrush(QtGui.QColor(theme.base))
     painter.drawRoundedRect(area, 3 * layout.unit, 3 * layout.unit)
-    painter.setPen(QColor(theme.text))
+    painter.setPen(QtGui.QColor(theme.text))
     painter.drawText(area, Qt.AlignmentFlag.AlignCenter, text)
     painter.setBrush(Qt.BrushStyle.NoBrush)
 
@@ -137,7 +128,7 @@ def _centre(mark: InputMark, limb_map: LimbMap, layout: MapLayout) -> QPointF | 
 
 
 def paint_length_bar(
-    painter: QPainter, layout: MapLayout, px_per_mm: float, card: QRectF, theme: Theme
+    painter: QtGui.QPainter, layout: MapLayout, px_per_mm: float, card: QRectF, theme: Theme
 ) -> None:
     """Draw the bar into its card, in the font of labels, which the painter has."""
     if card.isEmpty():
@@ -146,21 +137,21 @@ def paint_length_bar(
     on_screen = px_per_mm * layout.frame.scale
     length_mm = bar_length_mm(on_screen, layout.room.width())
     left, bottom = card.left() + 4 * unit, card.bottom() - 3 * unit
-    ground = QColor(theme.base)
+    ground = QtGui.QColor(theme.base)
     ground.setAlphaF(0.88)
     painter.fillRect(card, ground)
-    pen = QPen(QColor(theme.text), 2 * unit)
+    pen = QtGui.QPen(QtGui.QColor(theme.text), 2 * unit)
     pen.setCapStyle(Qt.PenCapStyle.FlatCap)
     painter.setPen(pen)
     painter.drawLine(QLineF(left, bottom, left + length_mm * on_screen, bottom))
-    painter.setPen(QColor(theme.text))
+    painter.setPen(QtGui.QColor(theme.text))
     above = QRectF(left, bottom - 1.4 * line, card.width() - 8 * unit, 1.2 * line)
     left_middle = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
     painter.drawText(above, left_middle, f"{length_mm} mm")
 
 
 def bar_card(
-    layout: MapLayout, px_per_mm: float, skin: QPainterPath, metrics: QFontMetrics
+    layout: MapLayout, px_per_mm: float, skin: QtGui.QPainterPath, metrics: QtGui.QFontMetrics
 ) -> QRectF:
     """Return the first corner in which the bar hides neither skin nor a card.
 
@@ -212,7 +203,7 @@ _HATCH_RADII = 3.0
 
 
 def paint_hatch(
-    painter: QPainter, noisy: tuple[int, ...], layout: MapLayout, outline: QPainterPath
+    painter: QtGui.QPainter, noisy: tuple[int, ...], layout: MapLayout, outline: QtGui.QPainterPath
 ) -> None:
     """Hatch the surroundings of noisy outputs, dark and light so that it shows on any colour.
 
@@ -266,7 +257,7 @@ def output_labels(
     numbers: Iterable[int],
     layout: MapLayout,
     radius: float,
-    metrics: QFontMetricsF,
+    metrics: QtGui.QFontMetricsF,
     occupied: QRectF,
 ) -> tuple[OutputLabel, ...]:
     """Return labels of dorsal outputs beside their rings, or farther off where there is no room.
@@ -306,7 +297,7 @@ def output_labels(
 
 
 def paint_labels(
-    painter: QPainter,
+    painter: QtGui.QPainter,
     outputs: tuple[int, ...],
     layout: MapLayout,
     radius: float,
@@ -318,8 +309,10 @@ def paint_labels(
     dorsal = [output for output in outputs if output in drawn and not is_on_card(output, layout)]
     if is_crowded(len(outputs), layout):
         return
-    painter.setBrush(QColor(theme.base))
-    for label in output_labels(dorsal, layout, radius, QFontMetricsF(painter.font()), occupied):
+    painter.setBrush(QtGui.QColor(theme.base))
+    for label in output_labels(
+        dorsal, layout, radius, QtGui.QFontMetricsF(painter.font()), occupied
+    ):
         painter.setPen(theme.output_pen(outputs.index(label.number), 1.0))
         if label.far:
             centre = QPointF(*layout.points[label.number - 1])
@@ -327,7 +320,7 @@ def paint_labels(
             edge.setLength(radius)
             painter.drawLine(QLineF(edge.p2(), label.area.center()))
         painter.drawRoundedRect(label.area, 3 * layout.unit, 3 * layout.unit)
-        painter.setPen(QColor(theme.text))
+        painter.setPen(QtGui.QColor(theme.text))
         painter.drawText(label.area, Qt.AlignmentFlag.AlignCenter, str(label.number))
 
 
@@ -337,7 +330,7 @@ def square(centre: QPointF, radius: float) -> QRectF:
 
 
 def _candidates(
-    number: int, layout: MapLayout, radius: float, metrics: QFontMetricsF
+    number: int, layout: MapLayout, radius: float, metrics: QtGui.QFontMetricsF
 ) -> list[OutputLabel]:
     x, y = layout.points[number - 1]
     width = metrics.horizontalAdvance(str(number)) + 6 * layout.unit
@@ -457,7 +450,7 @@ class MapContent:
 _OUTPUT_RING_PX, _THIN_PX = 2.2, 1.2
 # A map is at least this many lines of text high, and wide, if a line is larger than the last, px.
 _MAP_LINES, _MAP_WIDTH_LINES, _USUAL_PX = 12.0, 9.0, 18.0
-_HINTS = QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
+_HINTS = QtGui.QPainter.RenderHint.Antialiasing | QtGui.QPainter.RenderHint.SmoothPixmapTransform
 
 
 class MapPainter:
@@ -476,12 +469,12 @@ class MapPainter:
         limb_map: LimbMap,
         picture_type: type[CachedPicture | UncachedPicture] = CachedPicture,
     ) -> None:
-        self._limb_map, self._outline = limb_map, QPainterPath()
-        self._outline.addPolygon(QPolygonF([QPointF(x, y) for x, y in limb_map.outline]))
+        self._limb_map, self._outline = limb_map, QtGui.QPainterPath()
+        self._outline.addPolygon(QtGui.QPolygonF([QPointF(x, y) for x, y in limb_map.outline]))
         self._outline.closeSubpath()
         self._picture_type = picture_type
         self._layout: MapLayout | None = None
-        self._screen_outline, self._bar_card = QPainterPath(), QRectF()
+        self._screen_outline, self._bar_card = QtGui.QPainterPath(), QRectF()
         self._forget_pictures()
 
     def _forget_pictures(self) -> None:
@@ -489,7 +482,7 @@ class MapPainter:
         self._hatch, self._marks = self._picture_type(), self._picture_type()
 
     def paint(
-        self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
+        self, painter: QtGui.QPainter, content: MapContent, layout: MapLayout, theme: Theme
     ) -> None:
         """Draw ``content``; the painter's font is that of labels."""
         if layout is not self._layout:
@@ -520,12 +513,12 @@ class MapPainter:
         paint_length_bar(painter, layout, content.px_per_mm, self._bar_card, theme)
 
     def _paint_ground(
-        self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
+        self, painter: QtGui.QPainter, content: MapContent, layout: MapLayout, theme: Theme
     ) -> None:
         """Paint the field, a little beyond the outline, or the bare skin."""
         field, levels = content.shown_field, content.field_values
         if field is None or levels is None:
-            painter.fillPath(self._screen_outline, QColor(theme.skin))
+            painter.fillPath(self._screen_outline, QtGui.QColor(theme.skin))
             return
         # The first row of the picture is the highest y: it is drawn downwards from there.
         area = layout.frame.transform().mapRect(field.rect)
@@ -533,19 +526,19 @@ class MapPainter:
         painter.drawImage(area, field.image(levels, content.value_range, table))
 
     def _paint_still(
-        self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
+        self, painter: QtGui.QPainter, content: MapContent, layout: MapLayout, theme: Theme
     ) -> None:
         """Paint the outline; on a field also sensor dots, the card of the palm and the outside."""
         on_field = content.shown_field is not None
         dots = content.sensors_shown and on_field
 
-        def paint(on_image: QPainter) -> None:
+        def paint(on_image: QtGui.QPainter) -> None:
             if on_field:
                 # Covering the outside is far quicker than clipping the inside.
-                outside = QPainterPath(self._screen_outline)
+                outside = QtGui.QPainterPath(self._screen_outline)
                 outside.addRect(layout.room)
-                on_image.fillPath(outside, QColor(theme.base))
-            line = QPen(QColor(theme.skin_line), 1.25 * layout.unit)
+                on_image.fillPath(outside, QtGui.QColor(theme.base))
+            line = QtGui.QPen(QtGui.QColor(theme.skin_line), 1.25 * layout.unit)
             on_image.strokePath(self._screen_outline, line)
             if dots:
                 _paint_dots(on_image, layout)
@@ -555,20 +548,20 @@ class MapPainter:
         self._still.paint(painter, layout.room, (theme.name, dots, on_field), paint)
 
     def _paint_inputs(
-        self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
+        self, painter: QtGui.QPainter, content: MapContent, layout: MapLayout, theme: Theme
     ) -> None:
         shown = content.inputs, self._limb_map, layout, theme, content.pointed_at
         key = (theme.name, content.inputs, content.pointed_at)
         self._marks.paint(painter, layout.room, key, lambda on_image: paint_marks(on_image, *shown))
 
     def _paint_selection(
-        self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
+        self, painter: QtGui.QPainter, content: MapContent, layout: MapLayout, theme: Theme
     ) -> None:
         """Paint rings in the colours of the curves, and numbers."""
         if not content.outputs:
             return
 
-        def paint(on_image: QPainter) -> None:
+        def paint(on_image: QtGui.QPainter) -> None:
             _paint_rings(on_image, content, layout, theme)
             radius = ring_radius(0, content, layout)
             paint_labels(on_image, content.outputs, layout, radius, theme, self._bar_card)
@@ -578,9 +571,9 @@ class MapPainter:
         self._selection.paint(painter, layout.room, key, paint)
 
     def _paint_discs(
-        self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
+        self, painter: QtGui.QPainter, content: MapContent, layout: MapLayout, theme: Theme
     ) -> None:
-        painter.setPen(QPen(QColor(theme.skin_line), 1))
+        painter.setPen(QtGui.QPen(QtGui.QColor(theme.skin_line), 1))
         dorsal = dorsal_outputs(layout.points, layout.unplaced)
         fills = self._fills(dorsal, content, theme)
         radius = layout.disc_radius
@@ -589,24 +582,26 @@ class MapPainter:
             painter.drawEllipse(QPointF(*layout.points[number - 1]), radius, radius)
 
     def _paint_palmar(
-        self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
+        self, painter: QtGui.QPainter, content: MapContent, layout: MapLayout, theme: Theme
     ) -> None:
         radius = layout.palmar_radius
         fills = self._fills(layout.unplaced, content, theme)
-        outline = QPen(QColor(theme.skin_line), 1)
+        outline = QtGui.QPen(QtGui.QColor(theme.skin_line), 1)
         for number, fill in zip(layout.unplaced, fills, strict=True):
             centre = QPointF(*layout.points[number - 1])
             painter.setPen(outline)
             painter.setBrush(fill)
             painter.drawEllipse(centre, radius, radius)
-            painter.setPen(QColor("black" if is_light(fill) else "white"))
+            painter.setPen(QtGui.QColor("black" if is_light(fill) else "white"))
             painter.drawText(square(centre, radius), Qt.AlignmentFlag.AlignCenter, str(number))
 
-    def _fills(self, outputs: Sequence[int], content: MapContent, theme: Theme) -> list[QColor]:
+    def _fills(
+        self, outputs: Sequence[int], content: MapContent, theme: Theme
+    ) -> list[QtGui.QColor]:
         """Return the colour of each of ``outputs``."""
         levels = content.coloured_values
         if levels is None:
-            return [QColor(theme.base)] * len(outputs)
+            return [QtGui.QColor(theme.base)] * len(outputs)
         table = colour_table(content.colours)
         return level_colours(levels[np.array(outputs, int) - 1], content.value_range, table)
 
@@ -621,7 +616,7 @@ def ring_radius(number: int, content: MapContent, layout: MapLayout) -> float:
 
 
 def paint_mark(
-    painter: QPainter,
+    painter: QtGui.QPainter,
     number: int,
     colour: str,
     content: MapContent,
@@ -631,23 +626,23 @@ def paint_mark(
     """Draw a wide ring around an output that is pointed at."""
     radius = ring_radius(number, content, layout) + 3.5 * layout.unit
     centre = QPointF(*layout.points[number - 1])
-    pen = QPen(QColor(colour), 0.8 * _OUTPUT_RING_PX * layout.unit)
+    pen = QtGui.QPen(QtGui.QColor(colour), 0.8 * _OUTPUT_RING_PX * layout.unit)
     paint_ring(painter, centre, radius, pen, theme)
 
 
-def letters_for(font: QFont, room: QRectF) -> QFont:
+def letters_for(font: QtGui.QFont, room: QRectF) -> QtGui.QFont:
     """Return a copy of ``font`` so small that the map in ``room`` is not hidden by its text.
 
     Letters of a usual size stay as they are.
     """
-    line = QFontMetricsF(font).height()
+    line = QtGui.QFontMetricsF(font).height()
     most = max(min(room.height() / _MAP_LINES, room.width() / _MAP_WIDTH_LINES), _USUAL_PX)
     return font if line <= most else small_font(font, most / line)
 
 
-def small_font(font: QFont, factor: float = 0.86) -> QFont:
+def small_font(font: QtGui.QFont, factor: float = 0.86) -> QtGui.QFont:
     """Return copy of ``font`` for labels."""
-    copy = QFont(font)
+    copy = QtGui.QFont(font)
     if font.pixelSize() > 0:
         copy.setPixelSize(max(round(font.pixelSize() * factor), 8))
     else:
@@ -655,12 +650,12 @@ def small_font(font: QFont, factor: float = 0.86) -> QFont:
     return copy
 
 
-def _paint_cards(painter: QPainter, layout: MapLayout, theme: Theme) -> None:
+def _paint_cards(painter: QtGui.QPainter, layout: MapLayout, theme: Theme) -> None:
     """Draw the ground of the palmar group, and the sensors' axes."""
     card = layout.palmar_card
     if not card.isEmpty():
         _paint_card(painter, card, layout, theme)
-        painter.setPen(QColor(theme.dim))
+        painter.setPen(QtGui.QColor(theme.dim))
         line = painter.fontMetrics().height()
         head = QRectF(card.left(), card.top(), card.width(), 1.4 * line)
         painter.drawText(head, Qt.AlignmentFlag.AlignCenter, layout.card_title)
@@ -669,23 +664,25 @@ def _paint_cards(painter: QPainter, layout: MapLayout, theme: Theme) -> None:
         paint_triad(painter, layout.triad_card, theme)
 
 
-def _paint_card(painter: QPainter, card: QRectF, layout: MapLayout, theme: Theme) -> None:
-    ground = QColor(theme.base)
+def _paint_card(painter: QtGui.QPainter, card: QRectF, layout: MapLayout, theme: Theme) -> None:
+    ground = QtGui.QColor(theme.base)
     ground.setAlphaF(0.88)
-    painter.setPen(QPen(QColor(theme.grid), 1))
+    painter.setPen(QtGui.QPen(QtGui.QColor(theme.grid), 1))
     painter.setBrush(ground)
     painter.drawRoundedRect(card, 4 * layout.unit, 4 * layout.unit)
 
 
-def _paint_dots(painter: QPainter, layout: MapLayout) -> None:
-    painter.setPen(QPen(QColor(0, 0, 0, 150), layout.unit))
-    painter.setBrush(QColor(255, 255, 255, 230))
+def _paint_dots(painter: QtGui.QPainter, layout: MapLayout) -> None:
+    painter.setPen(QtGui.QPen(QtGui.QColor(0, 0, 0, 150), layout.unit))
+    painter.setBrush(QtGui.QColor(255, 255, 255, 230))
     for number in dorsal_outputs(layout.points, layout.unplaced):
         centre = QPointF(*layout.points[number - 1])
         painter.drawEllipse(centre, layout.dot_radius, layout.dot_radius)
 
 
-def _paint_rings(painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme) -> None:
+def _paint_rings(
+    painter: QtGui.QPainter, content: MapContent, layout: MapLayout, theme: Theme
+) -> None:
     """Paint rings in the colours of the curves around the selected outputs."""
     crowded = is_crowded(len(content.outputs), layout)
     for rank, number in enumerate(content.outputs):

@@ -6,17 +6,8 @@ from functools import partial
 from itertools import pairwise
 from typing import Any, ClassVar
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, QSizeF, Qt
-from PySide6.QtGui import (
-    QActionGroup,
-    QGuiApplication,
-    QIcon,
-    QImage,
-    QPainter,
-    QPainterPath,
-    QResizeEvent,
-)
-from PySide6.QtWidgets import QButtonGroup, QGridLayout, QHBoxLayout, QMenu, QToolButton, QWidget
 
 from skinsource.base.arrays import Floats
 from skinsource.design import edits
@@ -60,9 +51,9 @@ NO_OUTPUTS = Refusal(
 )
 
 
-def sensors_icon() -> QIcon:
+def sensors_icon() -> QtGui.QIcon:
     """Return an icon with a few dots."""
-    dots = QPainterPath()
+    dots = QtGui.QPainterPath()
     for x, y in (
         (3.5, 4),
         (8, 2.8),
@@ -77,9 +68,9 @@ def sensors_icon() -> QIcon:
     return drawn_icon(dots, current_theme(), filled=True, greyed=False)
 
 
-def fit_icon() -> QIcon:
+def fit_icon() -> QtGui.QIcon:
     """Return an icon with an arm between the corners of a frame."""
-    path = QPainterPath()
+    path = QtGui.QPainterPath()
     for x, y, dx, dy in ((2, 2, 1, 1), (14, 2, -1, 1), (2, 14, 1, -1), (14, 14, -1, -1)):
         path.moveTo(x + 3 * dx, y)
         path.lineTo(x, y)
@@ -88,9 +79,9 @@ def fit_icon() -> QIcon:
     return drawn_icon(path, current_theme(), greyed=False)
 
 
-def hand_icon() -> QIcon:
+def hand_icon() -> QtGui.QIcon:
     """Return an icon with an open hand, thumb to the left."""
-    path = QPainterPath(QPointF(5, 14.5))
+    path = QtGui.QPainterPath(QPointF(5, 14.5))
     for x, y in ((2.2, 9.4), (3.4, 8.4), (5.3, 9.8)):
         path.lineTo(x, y)
     for left, top in ((5.3, 3.4), (7.4, 2.2), (9.5, 2.8), (11.6, 4.6)):
@@ -108,10 +99,10 @@ def hand_icon() -> QIcon:
 _ICON_BUTTON_PX = 33
 
 
-class MapToolbar(QWidget):
+class MapToolbar(QtWidgets.QWidget):
     """Buttons for the style of the map, its sensors, and its visible part."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.interpolated = self._button(
             "map_interpolated", "Interpolated", "Colours over the skin"
@@ -130,10 +121,10 @@ class MapToolbar(QWidget):
         for button in (self.sensors, self.all, self.hand):
             button.setFixedWidth(_ICON_BUTTON_PX)
         self._show_icons()
-        styles = QButtonGroup(self)
+        styles = QtWidgets.QButtonGroup(self)
         styles.addButton(self.interpolated)
         styles.addButton(self.sensors_only)
-        self._row = row = QHBoxLayout(self)
+        self._row = row = QtWidgets.QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(1)
         row.addWidget(self.interpolated)
@@ -168,7 +159,7 @@ class MapToolbar(QWidget):
         width = sum(part.minimumSizeHint().width() for part in buttons) + UNIT_PX
         return QSize(width, super().minimumSizeHint().height())
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         # Where there is no room for all, the fits remain in the menu and on keys.
         row, buttons = self._row, (self.interpolated, self.sensors_only, self.sensors)
@@ -178,7 +169,9 @@ class MapToolbar(QWidget):
         for part in fits:
             part.setVisible(roomy)
 
-    def _button(self, name: str, text: str, hint: str, checkable: bool = True) -> QToolButton:
+    def _button(
+        self, name: str, text: str, hint: str, checkable: bool = True
+    ) -> QtWidgets.QToolButton:
         button = tool_button(self, name, text, hint, checkable=checkable)
         button.setIconSize(QSize(16, 16))
         return button
@@ -217,7 +210,7 @@ class SkinPanel(Panel):
     title: ClassVar[str] = "Skin"
     name: ClassVar[str] = SKIN
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._design: Design | None = None
         self._view, self.settings = View(), SkinSettings()
@@ -331,7 +324,7 @@ class SkinPanel(Panel):
         self.content = replace(self.content, outdated=stale)
         self._show_map()
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         # With large letters the map needs the room more than a second line does.
         few = self.height() < _FEW_LINES * self.fontMetrics().lineSpacing()
@@ -353,7 +346,7 @@ class SkinPanel(Panel):
         self._show()
 
     def draw_picture(
-        self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
+        self, painter: QtGui.QPainter, width: int, height: int, theme: Theme = LIGHT
     ) -> None:
         """Draw the map for a page or a slide, with all that is needed to read it; size in px."""
         content = replace(self.content, outdated=False)
@@ -362,11 +355,11 @@ class SkinPanel(Panel):
         family, visible = self.font().family(), self.map.stage.visible
         paint_picture(painter, QSizeF(width, height), content, heading, theme, family, visible)
 
-    def picture(self, width: int, height: int, theme: Theme = LIGHT) -> QImage:
+    def picture(self, width: int, height: int, theme: Theme = LIGHT) -> QtGui.QImage:
         """Return `draw_picture` as pixels, with the caption that the window gives."""
-        image = QImage(width, height, QImage.Format.Format_RGB32)
+        image = QtGui.QImage(width, height, QtGui.QImage.Format.Format_RGB32)
         with self.as_stored():
-            painter = QPainter(image)
+            painter = QtGui.QPainter(image)
             draw = with_caption(self.draw_picture, self.caption())
             draw(painter, width, height, theme)
             painter.end()
@@ -479,7 +472,7 @@ class SkinPanel(Panel):
         self.readout.show_text(text or selection_readout(self.content.outputs))
 
     def _lay_out(self) -> None:
-        grid = QGridLayout(self)
+        grid = QtWidgets.QGridLayout(self)
         grid.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX // 2)
         grid.setSpacing(UNIT_PX // 2)
         grid.addWidget(self.toolbar, 0, 0, 1, 2)
@@ -570,8 +563,8 @@ class SkinPanel(Panel):
         self._offer_colours(menu)
         menu.popup(strip.mapToGlobal(at))
 
-    def _offer_colours(self, menu: QMenu) -> None:
-        group = QActionGroup(menu)
+    def _offer_colours(self, menu: QtWidgets.QMenu) -> None:
+        group = QtGui.QActionGroup(menu)
         for name, title in COLOURS.options:
             action = menu.addAction(title, partial(self._change, colours=name))
             action.setCheckable(True)
@@ -579,4 +572,4 @@ class SkinPanel(Panel):
             group.addAction(action)
 
     def _copy_picture(self) -> None:
-        QGuiApplication.clipboard().setImage(self.picture(*PICTURE_PX))
+        QtGui.QGuiApplication.clipboard().setImage(self.picture(*PICTURE_PX))

@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from PySide6 import QtGui
 from PySide6.QtCore import QRectF, QSizeF, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.base.quoting import sentence
@@ -64,7 +64,7 @@ def heading_of(design: Design | None, view: View, quantity: MapQuantity | None =
 
 
 def paint_picture(
-    painter: QPainter,
+    painter: QtGui.QPainter,
     size: QSizeF,
     content: MapContent,
     heading: Heading,
@@ -89,16 +89,16 @@ def paint_picture(
     """
     if content.hatched:
         heading = replace(heading, details=f"{heading.details} · {HATCHED}")
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
     page = QRectF(0, 0, size.width(), size.height())
-    painter.fillRect(page, QColor(theme.base))
-    font = QFont(family)
+    painter.fillRect(page, QtGui.QColor(theme.base))
+    font = QtGui.QFont(family)
     # The map is narrow: in a wide picture, as on a slide, text has more room.
     lines = _LINES if page.width() <= page.height() else _WIDE_LINES
     pixels = min(page.height() / lines, page.width() / _LINES * 1.6)
     font.setPixelSize(round(min(max(pixels, _SMALLEST_FONT_PX), _LARGEST_FONT_PX)))
     font = tabular(font)
-    line = QFontMetricsF(font).height()
+    line = QtGui.QFontMetricsF(font).height()
     inner = page.adjusted(line, 0.6 * line, -line, -line)
     inner.setTop(_paint_heading(painter, inner, heading, font, theme) + 0.4 * line)
     room = inner.adjusted(0, 0, -6.2 * line, 0)
@@ -115,11 +115,11 @@ def paint_picture(
     paint_map_texts(painter, content, layout, room, theme)
 
 
-def heading_font(font: QFont, text: str, area: QRectF) -> QFont:
+def heading_font(font: QtGui.QFont, text: str, area: QRectF) -> QtGui.QFont:
     """Return a copy of ``font``, shrunk until the wrapped ``text`` fits into ``area``."""
-    copy = QFont(font)
+    copy = QtGui.QFont(font)
     while copy.pixelSize() > 1:
-        needed = QFontMetricsF(copy).boundingRect(QRectF(area), int(_WRAPPED), text)
+        needed = QtGui.QFontMetricsF(copy).boundingRect(QRectF(area), int(_WRAPPED), text)
         if needed.width() <= area.width() and needed.height() <= area.height():
             break
         copy.setPixelSize(copy.pixelSize() - 1)
@@ -127,10 +127,10 @@ def heading_font(font: QFont, text: str, area: QRectF) -> QFont:
 
 
 def _paint_heading(
-    painter: QPainter, inner: QRectF, heading: Heading, font: QFont, theme: Theme
+    painter: QtGui.QPainter, inner: QRectF, heading: Heading, font: QtGui.QFont, theme: Theme
 ) -> float:
     """Draw title, details and note; return where they end."""
-    title_font = QFont(font)
+    title_font = QtGui.QFont(font)
     title_font.setBold(True)
     top = inner.top()
     for text, usual, colour in (
@@ -142,22 +142,22 @@ def _paint_heading(
             continue
         area = QRectF(inner.left(), top, inner.width(), _HEADING_LINE * inner.height())
         painter.setFont(heading_font(usual, text, area))
-        painter.setPen(QColor(colour))
+        painter.setPen(QtGui.QColor(colour))
         painter.drawText(area, int(_WRAPPED), text)
-        metrics = QFontMetricsF(painter.font())
+        metrics = QtGui.QFontMetricsF(painter.font())
         top += metrics.boundingRect(area, int(_WRAPPED), text).height() + 0.15 * metrics.height()
     return top
 
 
 def _paint_map(
-    painter: QPainter,
+    painter: QtGui.QPainter,
     content: MapContent,
     limb_map: LimbMap,
     room: QRectF,
     theme: Theme,
     visible: VisiblePart,
 ) -> MapLayout:
-    metrics = QFontMetricsF(painter.font())
+    metrics = QtGui.QFontMetricsF(painter.font())
     frame = visible.frame_in(limb_map, room, metrics)
     layout = map_layout(limb_map, frame, room, metrics)
     map_painter = MapPainter(limb_map, UncachedPicture)

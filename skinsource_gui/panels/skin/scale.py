@@ -7,20 +7,8 @@ from math import floor, log10
 
 import numpy as np
 from numpy.typing import NDArray
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import (
-    QColor,
-    QFontMetrics,
-    QImage,
-    QKeyEvent,
-    QMouseEvent,
-    QPainter,
-    QPaintEvent,
-    QPen,
-    QPolygonF,
-    QResizeEvent,
-)
-from PySide6.QtWidgets import QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from skinsource.signals.map_range import MAP_RANGE_DB, MAP_ROUND_TO_DB, map_range_db
 from skinsource.specs.numbers import NumberSpec
@@ -48,11 +36,13 @@ from skinsource_gui.qt.keys import meaning_of
 from skinsource_gui.qt.theme import UNIT_PX, Theme, current_theme, letter_scale, tabular
 
 
-def auto_button(parent: QWidget, name: str, title: str, hint: str) -> QToolButton:
+def auto_button(
+    parent: QtWidgets.QWidget, name: str, title: str, hint: str
+) -> QtWidgets.QToolButton:
     """Return a button that is down while the range follows the design."""
     button = tool_button(parent, name, "Auto", hint, checkable=True)
     button.setAccessibleName(title)
-    button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+    button.setSizePolicy(QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Fixed)
     return button
 
 
@@ -67,7 +57,7 @@ def level_y(level_db: float, axis_db: LevelRange, ramp: QRectF) -> float:
 
 
 def paint_colour_scale(
-    painter: QPainter,
+    painter: QtGui.QPainter,
     ramp: QRectF,
     axis_db: LevelRange,
     range_db: LevelRange,
@@ -94,30 +84,31 @@ def paint_colour_scale(
     """
     line = painter.fontMetrics().height()
     top, bottom = (level_y(level, axis_db, ramp) for level in reversed(range_db))
-    painter.fillRect(ramp, QColor(int(table[0])))
+    painter.fillRect(ramp, QtGui.QColor(int(table[0])))
     painter.fillRect(
-        QRectF(ramp.left(), ramp.top(), ramp.width(), top - ramp.top()), QColor(int(table[-1]))
+        QRectF(ramp.left(), ramp.top(), ramp.width(), top - ramp.top()),
+        QtGui.QColor(int(table[-1])),
     )
     column = np.ascontiguousarray(table[::-1])
-    image = QImage(column.data, 1, len(column), 4, QImage.Format.Format_RGB32)
+    image = QtGui.QImage(column.data, 1, len(column), 4, QtGui.QImage.Format.Format_RGB32)
     painter.drawImage(QRectF(ramp.left(), top, ramp.width(), bottom - top), image)
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.setPen(QPen(QColor(theme.border), 1))
+    painter.setPen(QtGui.QPen(QtGui.QColor(theme.border), 1))
     painter.drawRect(ramp)
     widest = 0
     for level in _ticks(axis_db, ramp.height(), 2.8 * line, quantity):
         y = level_y(level, axis_db, ramp)
         text = minus(f"{level:g}")
         widest = max(widest, painter.fontMetrics().horizontalAdvance(text))
-        painter.setPen(QPen(QColor(theme.dim), 1))
+        painter.setPen(QtGui.QPen(QtGui.QColor(theme.dim), 1))
         painter.drawLine(QPointF(ramp.right(), y), QPointF(ramp.right() + 0.3 * line, y))
-        painter.setPen(QColor(theme.text))
+        painter.setPen(QtGui.QColor(theme.text))
         beside = QRectF(ramp.right() + _TEXT_LINES * line, y - line / 2, 4 * line, line)
         painter.drawText(beside, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, text)
     _paint_title(painter, ramp, ramp.right() + (_TEXT_LINES + 0.4) * line + widest, theme, quantity)
 
 
-def fitting_title(quantity: MapQuantity, metrics: QFontMetrics, room_px: int) -> str:
+def fitting_title(quantity: MapQuantity, metrics: QtGui.QFontMetrics, room_px: int) -> str:
     """Return the longest title that fits, else the shortest one, elided."""
     titles = quantity.titles
     fitting = (title for title in titles if metrics.horizontalAdvance(title) <= room_px)
@@ -126,11 +117,11 @@ def fitting_title(quantity: MapQuantity, metrics: QFontMetrics, room_px: int) ->
 
 
 def _paint_title(
-    painter: QPainter, ramp: QRectF, left: float, theme: Theme, quantity: MapQuantity
+    painter: QtGui.QPainter, ramp: QRectF, left: float, theme: Theme, quantity: MapQuantity
 ) -> None:
     line = painter.fontMetrics().height()
     painter.save()
-    painter.setPen(QColor(theme.dim))
+    painter.setPen(QtGui.QColor(theme.dim))
     painter.translate(left + line / 2, ramp.center().y())
     painter.rotate(-90)
     title = fitting_title(quantity, painter.fontMetrics(), int(ramp.height()))
@@ -183,7 +174,7 @@ _KEY_STEPS_DB = {
 }
 
 
-class RangeHandle(QWidget):
+class RangeHandle(QtWidgets.QWidget):
     """One end of the range of a strip: dragged, or moved with the arrow keys.
 
     Parameters
@@ -202,32 +193,32 @@ class RangeHandle(QWidget):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setCursor(Qt.CursorShape.SizeVerCursor)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        painter = QtGui.QPainter(self)
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
         edge = current_theme().accent if self.hasFocus() else current_theme().dim
-        painter.setPen(QPen(QColor(edge), 2.0 if self.hasFocus() else 1.2))
-        painter.setBrush(QColor(current_theme().raised))
+        painter.setPen(QtGui.QPen(QtGui.QColor(edge), 2.0 if self.hasFocus() else 1.2))
+        painter.setBrush(QtGui.QColor(current_theme().raised))
         painter.drawRoundedRect(QRectF(self.rect()).adjusted(1.5, 2, -1.5, -2), 3, 3)
         painter.drawLine(QPointF(9, self.height() / 2), QPointF(17, self.height() / 2))
         painter.end()
 
-    def mousePressEvent(self, event: QMouseEvent) -> None:
+    def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
             self._strip.hold(event)
 
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+    def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
         self._strip.pull(event, self._change)
 
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+    def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:
         self._strip.release()
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         if not self._strip.step(event, self._change):
             super().keyPressEvent(event)
 
 
-def key_step_db(event: QKeyEvent) -> float:
+def key_step_db(event: QtGui.QKeyEvent) -> float:
     """Return the step of a key, dB; 0 for none."""
     if not meaning_of("colour_bar", event):
         return 0.0
@@ -243,7 +234,7 @@ _RAMP_LEFT, _RAMP_WIDTH = 10, 14
 _END_PX = 8
 
 
-class ColourStrip(QWidget):
+class ColourStrip(QtWidgets.QWidget):
     """A colour scale with a handle at either end; dragging between them moves both.
 
     It shows a range and emits which range the user chooses.
@@ -252,7 +243,7 @@ class ColourStrip(QWidget):
     #: A range in dB, or None for the automatic one.
     range_chosen = Signal(object)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._colours = VIRIDIS
         self.range_db, self._axis_db = SILENT_RANGE, _axis_of(SILENT_RANGE)
@@ -302,51 +293,51 @@ class ColourStrip(QWidget):
             self._quantity, self._colours = quantity, colours
             self.update()
 
-    def paintEvent(self, event: QPaintEvent) -> None:
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         theme = current_theme()
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter = QtGui.QPainter(self)
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
         painter.setFont(tabular(small_font(self.font())))
         ramp = self._ramp()
         scale = (self._axis_db, self.range_db, theme, self._quantity, self._colours)
         ground = self.palette().window().color()
         self._scale.paint(painter, QRectF(self.rect()), scale, self._paint_scale, ground)
-        painter.setPen(QPen(QColor(theme.base), 0.5))
+        painter.setPen(QtGui.QPen(QtGui.QColor(theme.base), 0.5))
         for level, rank in self._marks:
             painter.setBrush(theme.output_colour(rank))
             painter.drawPolygon(self._mark_at(level))
         if self.hasFocus():
             painter.setBrush(Qt.BrushStyle.NoBrush)
-            painter.setPen(QPen(QColor(theme.accent), 2))
+            painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 2))
             painter.drawRect(ramp.adjusted(-1, -1, 1, 1))
         painter.end()
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         self._place_handles()
 
-    def mousePressEvent(self, event: QMouseEvent) -> None:
+    def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
             self.hold(event)
 
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+    def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
         self.pull(event, moved)
 
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+    def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:
         self.release()
 
-    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+    def mouseDoubleClickEvent(self, event: QtGui.QMouseEvent) -> None:
         self.range_chosen.emit(None)
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         if not self.step(event, moved):
             super().keyPressEvent(event)
 
-    def hold(self, event: QMouseEvent) -> None:
+    def hold(self, event: QtGui.QMouseEvent) -> None:
         """Begin to drag."""
         self._held = self.range_db, event.globalPosition().y()
 
-    def pull(self, event: QMouseEvent, change: Change) -> None:
+    def pull(self, event: QtGui.QMouseEvent, change: Change) -> None:
         """Drag the range that is held, in steps of 0.1 dB."""
         if self._held is None:
             return
@@ -363,25 +354,25 @@ class ColourStrip(QWidget):
         self._held, self._axis_db = None, _axis_of(self.range_db)
         self._place_handles()
 
-    def step(self, event: QKeyEvent, change: Change) -> bool:
+    def step(self, event: QtGui.QKeyEvent, change: Change) -> bool:
         """Change the range by the step of a key; return whether the key has one."""
         step_db = key_step_db(event)
         if step_db:
             self.range_chosen.emit(change(self.range_db, step_db))
         return bool(step_db)
 
-    def _paint_scale(self, painter: QPainter) -> None:
+    def _paint_scale(self, painter: QtGui.QPainter) -> None:
         axis, table = self._axis_db, colour_table(self._colours)
         paint_colour_scale(
             painter, self._ramp(), axis, self.range_db, table, current_theme(), self._quantity
         )
 
-    def _mark_at(self, level_db: float) -> QPolygonF:
+    def _mark_at(self, level_db: float) -> QtGui.QPolygonF:
         """Return a triangle beside the ramp."""
         ramp = self._ramp()
         y = min(max(level_y(level_db, self._axis_db, ramp), ramp.top()), ramp.bottom())
         tip, back = ramp.left() - 1, ramp.left() - 8
-        return QPolygonF([QPointF(tip, y), QPointF(back, y - 4), QPointF(back, y + 4)])
+        return QtGui.QPolygonF([QPointF(tip, y), QPointF(back, y - 4), QPointF(back, y + 4)])
 
     def _ramp(self) -> QRectF:
         height = self.height() - 2 * _END_PX
@@ -397,7 +388,9 @@ class ColourStrip(QWidget):
         self.update()
 
 
-def _level_field(name: str, label: str, limits_db: LevelRange, parent: QWidget) -> NumberField:
+def _level_field(
+    name: str, label: str, limits_db: LevelRange, parent: QtWidgets.QWidget
+) -> NumberField:
     lowest_db, highest_db = limits_db
     spec = NumberSpec(label=label, unit="dB", minimum=lowest_db, maximum=highest_db, step=1.0)
     field = NumberField(spec, parent, widest_unit="dB")
@@ -409,13 +402,13 @@ def _level_field(name: str, label: str, limits_db: LevelRange, parent: QWidget) 
 _STRIP_PX = 40
 
 
-class ColourBar(QWidget):
+class ColourBar(QtWidgets.QWidget):
     """A colour scale with fields for its ends and a switch for the automatic range."""
 
     #: A range in dB, or None for the automatic one.
     range_chosen = Signal(object)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.strip = ColourStrip(self)
         high_db = LOWEST_DB + SMALLEST_SPAN_DB, HIGHEST_DB
@@ -431,7 +424,7 @@ class ColourBar(QWidget):
             f"The range follows the loudest output: {MAP_RANGE_DB:g} dB, "
             f"up to the next {MAP_ROUND_TO_DB:g} dB",
         )
-        layout = QVBoxLayout(self)
+        layout = QtWidgets.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(UNIT_PX // 2)
         layout.addWidget(self.high_field)
@@ -439,7 +432,9 @@ class ColourBar(QWidget):
         layout.addWidget(self.low_field)
         layout.addWidget(self.auto_button)
         for field in (self.high_field, self.low_field):
-            field.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+            field.setSizePolicy(
+                QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Fixed
+            )
         order = (
             self.high_field,
             self.strip,
@@ -462,7 +457,7 @@ class ColourBar(QWidget):
         """Levels of the lowest and the highest colour."""
         return self.strip.range_db
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         # Where there is little room, the numbers matter more than the switch.
         fields = (self.high_field, self.low_field, self.auto_button)

@@ -6,15 +6,8 @@ from itertools import count as counted
 from typing import Any
 
 import numpy as np
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QRectF, QSignalBlocker, QSize, Qt, Signal
-from PySide6.QtGui import QPainter, QPaintEvent
-from PySide6.QtWidgets import (
-    QLabel,
-    QSizePolicy,
-    QSlider,
-    QToolButton,
-    QWidget,
-)
 
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
@@ -223,10 +216,10 @@ _PACE_PX, _WINDOW_PX = 76, 66
 _ARROW_PX = 40
 
 
-class QuantityRow(QWidget):
+class QuantityRow(QtWidgets.QWidget):
     """Fields for the quantity of the map, its window, and the speed of playing."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.quantity = ChoiceField(QUANTITY, self)
         self.quantity.setObjectName("skin_quantity")
@@ -269,15 +262,15 @@ _PER_S = 10_000
 _STEP, _PAGE = 10, 500
 
 
-class ScrubBar(QWidget):
+class ScrubBar(QtWidgets.QWidget):
     """A play button, a slider for the playhead, and its time."""
 
     #: New time of the playhead, s.
     time_requested = Signal(float)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self.play = QToolButton(self)
+        self.play = QtWidgets.QToolButton(self)
         self.play.setObjectName("skin_play")
         self.play.setIconSize(QSize(14, 14))
         self.play.setAccessibleName("Play or stop")
@@ -287,14 +280,14 @@ class ScrubBar(QWidget):
                 f"{shortcut_text('pause')} stops where the playhead is, and goes on.",
             )
         )
-        self.slider = QSlider(Qt.Orientation.Horizontal, self)
+        self.slider = QtWidgets.QSlider(Qt.Orientation.Horizontal, self)
         self.slider.setObjectName("skin_time")
         self.slider.setAccessibleName("Time")
         self.slider.setToolTip("Drag through time; arrow keys step by a millisecond")
         self.slider.setSingleStep(_STEP)
         self.slider.setPageStep(_PAGE)
         self.slider.valueChanged.connect(lambda tenths: self.time_requested.emit(tenths / _PER_S))
-        self.time = QLabel(self)
+        self.time = QtWidgets.QLabel(self)
         self.time.setFont(tabular(self.time.font()))
         self.time.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         in_row(self.play, (self.slider, 1), self.time, of=self, margins=0, gap_px=UNIT_PX // 2)
@@ -327,10 +320,10 @@ _LIMIT = NumberSpec(
 _RAMP_LEFT, _RAMP_WIDTH, _END_PX = 4, 14, 8
 
 
-class SignedStrip(QWidget):
+class SignedStrip(QtWidgets.QWidget):
     """Colours of signed values, with ticks."""
 
-    def __init__(self, parent: QWidget) -> None:
+    def __init__(self, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
         self.limits: LevelRange = (-1.0, 1.0)
         self._matched = ""
@@ -344,15 +337,15 @@ class SignedStrip(QWidget):
             self.limits, self._matched = limits, matched
             self.update()
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        painter = QtGui.QPainter(self)
         painter.setFont(tabular(small_font(self.font())))
         ground = self.palette().window().color()
         key = (self.limits, current_theme(), self._matched)
         self._scale.paint(painter, QRectF(self.rect()), key, self._paint, ground)
         painter.end()
 
-    def _paint(self, painter: QPainter) -> None:
+    def _paint(self, painter: QtGui.QPainter) -> None:
         # The numbers reach beyond the ends by half of their height.
         end = max(_END_PX, painter.fontMetrics().height() / 2)
         ramp = QRectF(_RAMP_LEFT, end, _RAMP_WIDTH, self.height() - 2 * end)
@@ -361,19 +354,21 @@ class SignedStrip(QWidget):
         paint_colour_scale(painter, ramp, limits, limits, table, current_theme(), quantity)
 
 
-class SignedBar(QWidget):
+class SignedBar(QtWidgets.QWidget):
     """A strip of signed values, a field for its limit, and a switch for the automatic one."""
 
     #: The chosen limits, or None for the automatic ones.
     limits_chosen = Signal(object)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.limit = NumberField(_LIMIT, self)
         self.limit.setObjectName("z_limit")
         self.limit.setAccessibleName(_LIMIT.label)
         self.limit.setToolTip(tooltip(_LIMIT.label, _LIMIT.hint))
-        self.limit.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.limit.setSizePolicy(
+            QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Fixed
+        )
         self.strip = SignedStrip(self)
         self.auto_button = auto_button(
             self,

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtWidgets import QWidget
+from PySide6 import QtWidgets
 
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
@@ -208,7 +208,7 @@ class SpectraPanel(SignalPanel):
     title = "Spectra"
     name = "spectra"
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__("spectra-plot", "Spectra of the selected outputs", parent)
         self.settings = SpectraSettings()
         limb = facts_of("")

@@ -3,8 +3,8 @@
 from collections.abc import Callable
 from typing import Any
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QPointF, Signal
-from PySide6.QtWidgets import QWidget
 
 from skinsource.design import edits
 from skinsource.design.clips import Clip
@@ -37,7 +37,7 @@ class LanesCanvas(Canvas):
     #: Id of a clip.
     opened = Signal(int)
 
-    def __init__(self, parent: QWidget | None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None) -> None:
         super().__init__(parent)
         design = Design(limb="")
         self.content = TimelineContent(design=design, view=View(), lengths=ClipLengths(design))

@@ -1,7 +1,7 @@
 """Selected clips on the clipboard: copied, cut and pasted."""
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QMimeData
-from PySide6.QtWidgets import QApplication
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.quoting import sentence
@@ -34,7 +34,7 @@ def copy_clips(design: Design, view: View) -> Refusal | None:
     data = QMimeData()
     data.setData(_MIME, text.encode())
     data.setText(text)
-    QApplication.clipboard().setMimeData(data)
+    QtWidgets.QApplication.clipboard().setMimeData(data)
     return None
 
 
@@ -56,7 +56,7 @@ def paste_clips(design: Design, view: View) -> Edit | Refusal:
 
 def _pasted_fragment() -> Fragment | None:
     """Return the clips on the clipboard, also those that came as text; None: there are none."""
-    data = QApplication.clipboard().mimeData()
+    data = QtWidgets.QApplication.clipboard().mimeData()
     if data is None:
         return None
     if data.hasFormat(_MIME):

@@ -2,8 +2,8 @@
 
 from typing import Any
 
+from PySide6 import QtGui
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QKeyEvent, QPainter, QPen, QPolygonF
 
 from skinsource.design import edits
 from skinsource.design.effects.breakpoints import Points, moved, with_point
@@ -49,12 +49,12 @@ class GainItem(LaneLayer):
         if had or content.strips:
             self.update()
 
-    def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
+    def paint(self, painter: QtGui.QPainter, option: Any, widget: Any) -> None:
         content = self._content
         if content is None:
             return
         painter.setFont(self._font)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
         below = self._rect.adjusted(0, content.ruler_px, 0, 0)
         for strip in content.strips:
             lane = strip.lane
@@ -69,11 +69,11 @@ class GainItem(LaneLayer):
                 self._paint_points(painter, strip, room, number)
             painter.restore()
 
-    def _paint_curve(self, painter: QPainter, strip: GainStrip, room: QRectF) -> None:
-        line, text_colour = QColor(current_theme().text), QColor(current_theme().dim)
+    def _paint_curve(self, painter: QtGui.QPainter, strip: GainStrip, room: QRectF) -> None:
+        line, text_colour = QtGui.QColor(current_theme().text), QtGui.QColor(current_theme().dim)
         if strip.shown:
             unity = strip.y(1.0)
-            painter.setPen(QPen(text_colour, 1, Qt.PenStyle.DotLine))
+            painter.setPen(QtGui.QPen(text_colour, 1, Qt.PenStyle.DotLine))
             painter.drawLine(QLineF(room.left(), unity, room.right(), unity))
         points = strip.points or ((0.0, 1.0, "straight"),)
         places = [strip.at(x, y) for x, y, _ in points]
@@ -82,40 +82,40 @@ class GainItem(LaneLayer):
             *places,
             QPointF(max(room.right(), places[-1].x()), places[-1].y()),
         ]
-        curve = QPolygonF(places)
+        curve = QtGui.QPolygonF(places)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         if strip.shown:
-            halo = QColor(current_theme().base)
+            halo = QtGui.QColor(current_theme().base)
             halo.setAlpha(_HALO_ALPHA)
-            painter.setPen(QPen(halo, 4))
+            painter.setPen(QtGui.QPen(halo, 4))
             painter.drawPolyline(curve)
-            painter.setPen(QPen(line, 1.5))
+            painter.setPen(QtGui.QPen(line, 1.5))
         else:
             line.setAlpha(_HINT_ALPHA)
-            painter.setPen(QPen(line, 1, Qt.PenStyle.DashLine))
+            painter.setPen(QtGui.QPen(line, 1, Qt.PenStyle.DashLine))
         painter.drawPolyline(curve)
 
     def _paint_points(
-        self, painter: QPainter, strip: GainStrip, room: QRectF, chosen: int | None
+        self, painter: QtGui.QPainter, strip: GainStrip, room: QRectF, chosen: int | None
     ) -> None:
         theme = current_theme()
         for k, (x, y, _) in enumerate(strip.points):
             radius = _CHOSEN_PX if k == chosen else _DOT_PX
-            painter.setPen(QPen(QColor(theme.text), 1.5))
-            painter.setBrush(QColor(theme.accent if k == chosen else theme.base))
+            painter.setPen(QtGui.QPen(QtGui.QColor(theme.text), 1.5))
+            painter.setBrush(QtGui.QColor(theme.accent if k == chosen else theme.base))
             painter.drawEllipse(strip.at(x, y), radius, radius)
         text = "Gain" if chosen is None else gain_point_text(*strip.points[chosen][:2])
-        metrics = QFontMetricsF(self._font)
+        metrics = QtGui.QFontMetricsF(self._font)
         height, top = metrics.height() + 1, room.top() + 2
         if strip.lane.selected and not strip.points:
             # At the foot of the lane, as names of clips are at its top.
             text, top = HINT, room.bottom() - height - 2
         width = metrics.horizontalAdvance(text) + 8
         label = QRectF(room.right() - width - 4, top, width, height)
-        ground = QColor(theme.base)
+        ground = QtGui.QColor(theme.base)
         ground.setAlpha(_HALO_ALPHA)
         painter.fillRect(label, ground)
-        painter.setPen(QColor(theme.text))
+        painter.setPen(QtGui.QColor(theme.text))
         painter.drawText(label, Qt.AlignmentFlag.AlignCenter, text)
 
 
@@ -177,7 +177,7 @@ class GainPoints:
             self._add(strip, max(strip.scale.time(at.x()), 0.0))
         return True
 
-    def key(self, event: QKeyEvent) -> bool:
+    def key(self, event: QtGui.QKeyEvent) -> bool:
         """Do what a key does to a curve; return whether it does anything."""
         command, key = meaning_of(_PLACE, event), Qt.Key(event.key())
         if command == "gain_curve":

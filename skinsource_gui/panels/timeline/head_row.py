@@ -2,9 +2,8 @@
 
 from dataclasses import dataclass
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QRect, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen, QResizeEvent
-from PySide6.QtWidgets import QWidget
 
 from skinsource.design.clips import Clip
 from skinsource.design.design import AMPLITUDE, Input
@@ -156,7 +155,7 @@ _SMALLER = 0.8
 
 
 def paint_row(
-    painter: QPainter, state: RowState, places: RowPlaces, theme: Theme, *, focused: bool
+    painter: QtGui.QPainter, state: RowState, places: RowPlaces, theme: Theme, *, focused: bool
 ) -> None:
     """Paint ground, place and name of a track, and the peak that results from a gain."""
     _paint_ground(painter, state, places.row, theme, focused=focused)
@@ -166,13 +165,13 @@ def paint_row(
         places.swatch,
         track.location,
         theme.input_colour(track.colour),
-        QColor(theme.text),
+        QtGui.QColor(theme.text),
         silent=silent,
     )
     usual = painter.font()
-    painter.setPen(QColor(theme.dim if silent else theme.text))
-    font = QFont(usual)
-    font.setWeight(QFont.Weight.Medium)
+    painter.setPen(QtGui.QColor(theme.dim if silent else theme.text))
+    font = QtGui.QFont(usual)
+    font.setWeight(QtGui.QFont.Weight.Medium)
     painter.setFont(font)
     place = input_name(track.location, state.limb)
     fits = painter.fontMetrics().horizontalAdvance(place.name) <= places.name.width()
@@ -180,7 +179,7 @@ def paint_row(
     _write(painter, places.name, place.name if fits else short_name)
     painter.setFont(usual)
     if state.peak:
-        painter.setPen(QColor(theme.dim))
+        painter.setPen(QtGui.QColor(theme.dim))
         painter.setFont(scaled(usual, _SMALLER))
         room, text = places.peak.width(), f"peak {state.peak}"
         fits = painter.fontMetrics().horizontalAdvance(text) <= room
@@ -189,34 +188,34 @@ def paint_row(
 
 
 def _paint_ground(
-    painter: QPainter, state: RowState, row: QRect, theme: Theme, *, focused: bool
+    painter: QtGui.QPainter, state: RowState, row: QRect, theme: Theme, *, focused: bool
 ) -> None:
-    painter.setPen(QPen(QColor(theme.border), 1))
+    painter.setPen(QtGui.QPen(QtGui.QColor(theme.border), 1))
     painter.drawLine(UNIT_PX, row.bottom(), row.width() - UNIT_PX, row.bottom())
     if not state.selected:
         return
-    tint = QColor(theme.accent)
+    tint = QtGui.QColor(theme.accent)
     if state.last:
         painter.fillRect(0, 0, _MARK_PX, row.height(), tint)
     if state.last and focused:
-        painter.setPen(QPen(tint, 2))
+        painter.setPen(QtGui.QPen(tint, 2))
         painter.drawRect(QRectF(row).adjusted(1, 1, -1, -1))
     tint.setAlpha(_TINT_ALPHA)
     painter.fillRect(row, tint)
 
 
-def _write(painter: QPainter, place: QRect, text: str) -> None:
+def _write(painter: QtGui.QPainter, place: QRect, text: str) -> None:
     track = painter.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, place.width())
     painter.drawText(place, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, track)
 
 
-class InputRow(QWidget):
+class InputRow(QtWidgets.QWidget):
     """The head of a track: what is painted, and the controls; keys go to the list around it."""
 
     #: The keyboard went to its number.
     entered = Signal()
 
-    def __init__(self, rows: QWidget) -> None:
+    def __init__(self, rows: QtWidgets.QWidget) -> None:
         super().__init__(rows)
         self._rows = rows
         self._state: RowState | None = None
@@ -280,7 +279,7 @@ class InputRow(QWidget):
             self.entered.emit()
         return super().eventFilter(watched, event)
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         self._lay_out()
 
@@ -298,9 +297,9 @@ class InputRow(QWidget):
         self.solo.setGeometry(places.solo)
         self.remove.setGeometry(places.remove)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         if self._state is not None:
-            painter = QPainter(self)
+            painter = QtGui.QPainter(self)
             focused = self._rows.hasFocus()
             paint_row(painter, self._state, self._places, current_theme(), focused=focused)
 

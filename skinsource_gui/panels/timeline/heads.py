@@ -4,17 +4,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPoint, Qt, Signal
-from PySide6.QtGui import (
-    QContextMenuEvent,
-    QFocusEvent,
-    QKeyEvent,
-    QMouseEvent,
-    QPalette,
-    QResizeEvent,
-    QWheelEvent,
-)
-from PySide6.QtWidgets import QApplication, QFrame, QScrollArea, QWidget
 
 from skinsource.design import edits
 from skinsource.design.amplitudes import is_gain, peak_text
@@ -52,7 +43,7 @@ class _Press:
     gap: int | None = None
 
 
-class InputRows(QWidget):
+class InputRows(QtWidgets.QWidget):
     """The heads, which select, change, order and remove tracks.
 
     A press selects; with Ctrl it adds or takes out, with Shift it selects all rows on the way.
@@ -62,7 +53,7 @@ class InputRows(QWidget):
     #: `Edit` or `Refusal`, number of the gesture or None.
     edited = Signal(object, object)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("input_rows")
         self.setAccessibleName("Inputs")
@@ -75,9 +66,9 @@ class InputRows(QWidget):
         # Where a selection of all rows on the way began.
         self._anchor: int | None = None
         self._press: _Press | None = None
-        self._gap = QFrame(self)
+        self._gap = QtWidgets.QFrame(self)
         self._gap.setObjectName("input_gap")
-        self._gap.setBackgroundRole(QPalette.ColorRole.Highlight)
+        self._gap.setBackgroundRole(QtGui.QPalette.ColorRole.Highlight)
         self._gap.setAutoFillBackground(True)
         self._gap.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._gap.hide()
@@ -122,7 +113,7 @@ class InputRows(QWidget):
     def event(self, event: QEvent) -> bool:
         return claims_shortcut(event, partial(meaning_of, _PLACE)) or super().event(event)
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         if event.key() == _Key.Key_Escape and self._cancel_drag():
             return
         command, chosen = meaning_of(_PLACE, event), self._view.selected_inputs
@@ -142,7 +133,7 @@ class InputRows(QWidget):
         else:
             self._edit(_EDITS[command], chosen)
 
-    def mousePressEvent(self, event: QMouseEvent) -> None:
+    def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
         # Also reached by presses on a row, which leaves them to us.
         self.setFocus(Qt.FocusReason.MouseFocusReason)
         row = self._row_at(event.position().y())
@@ -160,17 +151,17 @@ class InputRows(QWidget):
             if not selected:
                 self._select(row.id)
 
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+    def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
         press = self._press
         if press is None or not event.buttons() & Qt.MouseButton.LeftButton:
             return
         distance_px = (event.globalPosition().toPoint() - press.at).manhattanLength()
-        if press.gap is not None or distance_px >= QApplication.startDragDistance():
+        if press.gap is not None or distance_px >= QtWidgets.QApplication.startDragDistance():
             y = event.position().y()
             press.gap = sum(row.geometry().center().y() < y for row in self.rows)
             self._show_gap(press.gap)
 
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+    def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:
         press = self._press
         if press is None or event.button() != Qt.MouseButton.LeftButton:
             return
@@ -180,9 +171,9 @@ class InputRows(QWidget):
             # A click on one of several selected rows selects that row alone.
             self._select(press.id)
 
-    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+    def contextMenuEvent(self, event: QtGui.QContextMenuEvent) -> None:
         # The menu key opens the menu of the row that was selected last, on that row.
-        by_key = event.reason() == QContextMenuEvent.Reason.Keyboard
+        by_key = event.reason() == QtGui.QContextMenuEvent.Reason.Keyboard
         row = self.last_row if by_key else self._row_at(event.pos().y())
         if row is not None:
             self._enter(row)
@@ -191,11 +182,11 @@ class InputRows(QWidget):
                 row.mapToGlobal(row.rect().center()) if by_key else event.globalPos(),
             )
 
-    def focusInEvent(self, event: QFocusEvent) -> None:
+    def focusInEvent(self, event: QtGui.QFocusEvent) -> None:
         super().focusInEvent(event)
         self._show_focus()
 
-    def focusOutEvent(self, event: QFocusEvent) -> None:
+    def focusOutEvent(self, event: QtGui.QFocusEvent) -> None:
         super().focusOutEvent(event)
         self._show_focus()
 
@@ -205,13 +196,13 @@ class InputRows(QWidget):
     def _arrange(self) -> list[InputRow]:
         """Put the rows of the present tracks in order; return those that are left over."""
         old, self._rows = self._rows, {}
-        before: QWidget = self
+        before: QtWidgets.QWidget = self
         for position, track_id in enumerate(self._design.ids):
             row = old.pop(track_id, None) or self._new_row()
             self._rows[track_id] = row
             self._layout.insertWidget(position, row)
             for control in row.controls:
-                QWidget.setTabOrder(before, control)
+                QtWidgets.QWidget.setTabOrder(before, control)
                 before = control
         return list(old.values())
 
@@ -229,7 +220,7 @@ class InputRows(QWidget):
 
     def _remove(self, row: InputRow) -> None:
         """Remove a row that is left over; its keyboard goes to the list."""
-        focused = QApplication.focusWidget()
+        focused = QtWidgets.QApplication.focusWidget()
         had_focus = focused is not None and row.isAncestorOf(focused)
         self._layout.removeWidget(row)
         row.amplitude.cancel()
@@ -314,10 +305,10 @@ class InputRows(QWidget):
         menu.popup(at)
 
 
-class InputList(QScrollArea):
+class InputList(QtWidgets.QScrollArea):
     """A scroll area for `InputRows`, which keeps the row in sight that was selected last."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("input_list")
         self.setWidgetResizable(True)
@@ -343,11 +334,11 @@ class InputList(QScrollArea):
             self._scroll()
         self._revealed = shown
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         self._scroll()
 
-    def wheelEvent(self, event: QWheelEvent) -> None:
+    def wheelEvent(self, event: QtGui.QWheelEvent) -> None:
         self._stop_following()
         super().wheelEvent(event)
 

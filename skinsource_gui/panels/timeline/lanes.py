@@ -5,9 +5,8 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QContextMenuEvent, QHelpEvent, QKeyEvent, QMouseEvent, QWheelEvent
-from PySide6.QtWidgets import QToolTip, QWidget
 
 from skinsource.design import edits
 from skinsource.design.design import Design
@@ -74,7 +73,7 @@ class LaneKeys:
         self._burst = Burst(lanes)
         self._nudged: object = None
 
-    def press(self, event: QKeyEvent) -> bool:
+    def press(self, event: QtGui.QKeyEvent) -> bool:
         """Do what a key means; return whether it means anything."""
         if self._lanes.gain.key(event):
             return True
@@ -391,7 +390,7 @@ class LanesView(LanesCanvas):
     #: Lanes are to be scrolled by so many notches.
     scroll_requested = Signal(float)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("lanes")
         self.setAccessibleName("Timeline")
@@ -450,16 +449,16 @@ class LanesView(LanesCanvas):
         """See all of it."""
         self._show_range(None)
 
-    def claims(self, event: QKeyEvent) -> bool:
+    def claims(self, event: QtGui.QKeyEvent) -> bool:
         return bool(meaning_of(_PLACE, event) or meaning_of(PLAYHEAD, event))
 
-    def mousePressEvent(self, event: QMouseEvent) -> None:
+    def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
         self.setFocus(Qt.FocusReason.MouseFocusReason)
         self._held = self.content
         self.mouse.press(event.position(), event.button(), event.modifiers())
         event.accept()
 
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+    def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
         if self.mouse.busy:
             self.mouse.move(event.position(), event.modifiers())
         else:
@@ -468,26 +467,26 @@ class LanesView(LanesCanvas):
             self.viewport().setCursor(self.mouse.cursor_at(event.position()))
         event.accept()
 
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+    def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:
         if event.button() in (Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton):
             self.mouse.release()
             self._end_drag()
         event.accept()
 
-    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+    def mouseDoubleClickEvent(self, event: QtGui.QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
             self.mouse.double_click(event.position())
             self._end_drag()
         event.accept()
 
-    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+    def contextMenuEvent(self, event: QtGui.QContextMenuEvent) -> None:
         place = QPointF(event.pos())
-        if event.reason() == QContextMenuEvent.Reason.Keyboard:
+        if event.reason() == QtGui.QContextMenuEvent.Reason.Keyboard:
             # The menu key opens the menu of the clip that was selected last, or of the playhead.
             place = self.content.keyboard_place
         self.menu.open(self.mapToGlobal(place).toPoint(), place)
 
-    def wheelEvent(self, event: QWheelEvent) -> None:
+    def wheelEvent(self, event: QtGui.QWheelEvent) -> None:
         turns, held, content = event.angleDelta(), event.modifiers(), self.content
         if turns.x() or held & (_CTRL | Qt.KeyboardModifier.ShiftModifier):
             self._show_range(range_by_wheel(event, content.scale, content.lengths.whole_s))
@@ -495,15 +494,15 @@ class LanesView(LanesCanvas):
             self.scroll_requested.emit(turns.y() / NOTCH)
         event.accept()
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape and self.mouse.cancel():
             self._end_drag()
         elif not self.keys.press(event):
             event.ignore()
 
     def viewportEvent(self, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
-            QToolTip.showText(
+        if event.type() == QEvent.Type.ToolTip and isinstance(event, QtGui.QHelpEvent):
+            QtWidgets.QToolTip.showText(
                 event.globalPos(), timeline_tooltip(self.content, QPointF(event.pos())), self
             )
             return True

@@ -2,8 +2,8 @@
 
 from collections.abc import Callable, Sequence
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QPoint, QPointF
-from PySide6.QtWidgets import QInputDialog, QMenu
 
 from skinsource.design import edits
 from skinsource.design.edits.edit import Edit, Refusal
@@ -49,7 +49,7 @@ class LanesMenu:
             self._fill_ground(menu, content, place, time_s)
         menu.popup(at)
 
-    def _fill_clips_here(self, menu: QMenu, boxes: Sequence[Box]) -> None:
+    def _fill_clips_here(self, menu: QtWidgets.QMenu, boxes: Sequence[Box]) -> None:
         """Offer to select each of several clips that lie over each other."""
         if len(boxes) < 2:
             return
@@ -62,7 +62,7 @@ class LanesMenu:
             line.triggered.connect(lambda _=False, clip=box.clip.id: self._lanes.select(clip))
         menu.addSeparator()
 
-    def _fill_clip(self, menu: QMenu, clip: int) -> None:
+    def _fill_clip(self, menu: QtWidgets.QMenu, clip: int) -> None:
         view = self._lanes.content.view
         several = len(view.selected_clips) > 1
         what = f"{len(view.selected_clips)} clips" if several else "clip"
@@ -83,7 +83,7 @@ class LanesMenu:
         self._line(menu, "Cut", "cut", self._lanes.cut)
         self._act(menu, f"Remove {what}", "remove", edits.remove_clips)
 
-    def _fill_places(self, menu: QMenu, label: str) -> None:
+    def _fill_places(self, menu: QtWidgets.QMenu, label: str) -> None:
         places = menu.addMenu(label)
         places.setObjectName("lanes_places")
         design = self._lanes.content.design
@@ -94,7 +94,7 @@ class LanesMenu:
             self._act(places, title, "", edits.move_clips_to_place, number)
 
     def _fill_ground(
-        self, menu: QMenu, content: TimelineContent, place: QPointF, time_s: float
+        self, menu: QtWidgets.QMenu, content: TimelineContent, place: QPointF, time_s: float
     ) -> None:
         lane = content.lane_at(place.y())
         if lane is not None:
@@ -106,7 +106,7 @@ class LanesMenu:
         menu.addSeparator()
         self._fill_time(menu, content)
 
-    def _fill_curve(self, menu: QMenu, strip: GainStrip, place: QPointF) -> None:
+    def _fill_curve(self, menu: QtWidgets.QMenu, strip: GainStrip, place: QPointF) -> None:
         track, near = strip.lane.track.id, strip.point_at(place)
         if near is not None:
             self._gain.choose((track, near))
@@ -118,7 +118,7 @@ class LanesMenu:
         self._line(menu, "Hide gain curve", "gain_curve", lambda: self._lanes.toggle_gain(track))
 
     def _fill_ruler(
-        self, menu: QMenu, content: TimelineContent, place: QPointF, time_s: float
+        self, menu: QtWidgets.QMenu, content: TimelineContent, place: QPointF, time_s: float
     ) -> None:
         marker = content.marker_at(place)
         if marker is None:
@@ -135,7 +135,7 @@ class LanesMenu:
             self._edit_line(menu, "No loop", edits.set_loop, None)
         self._fill_time(menu, content)
 
-    def _fill_time(self, menu: QMenu, content: TimelineContent) -> None:
+    def _fill_time(self, menu: QtWidgets.QMenu, content: TimelineContent) -> None:
         if content.design.loop_s is None:
             return
         start_s, end_s = content.design.loop_s
@@ -144,24 +144,28 @@ class LanesMenu:
         self._edit_line(menu, "Insert the loop's time before it", insert, start_s, end_s - start_s)
         self._edit_line(menu, "Remove the loop's time", edits.remove_time, start_s, end_s)
 
-    def _act(self, menu: QMenu, text: str, key: str, edit: AnyEdit, *more: object) -> None:
+    def _act(
+        self, menu: QtWidgets.QMenu, text: str, key: str, edit: AnyEdit, *more: object
+    ) -> None:
         """Add a line that edits the clips which are selected when it is chosen."""
         lanes = self._lanes
         self._line(
             menu, text, key, lambda: lanes.edit(edit, lanes.content.view.selected_clips, *more)
         )
 
-    def _edit_line(self, menu: QMenu, text: str, edit: AnyEdit, *more: object) -> None:
+    def _edit_line(self, menu: QtWidgets.QMenu, text: str, edit: AnyEdit, *more: object) -> None:
         self._line(menu, text, "", lambda: self._lanes.edit(edit, *more))
 
-    def _line(self, menu: QMenu, text: str, key: str, act: Callable[[], object]) -> None:
+    def _line(self, menu: QtWidgets.QMenu, text: str, key: str, act: Callable[[], object]) -> None:
         # A tab puts the key at the right; the menu has no shortcuts, keys belong to the lanes.
         shown = f"{text}\t{key_text(_PLACE, key)}" if key else text
         menu.addAction(shown).triggered.connect(lambda _=False: act())
 
     def _rename(self, index: int) -> None:
         before = self._lanes.content.design.markers[index].name
-        name, sure = QInputDialog.getText(self._lanes, "Rename marker", "Name", text=before)
+        name, sure = QtWidgets.QInputDialog.getText(
+            self._lanes, "Rename marker", "Name", text=before
+        )
         if sure:
             self._lanes.edit(edits.rename_marker, index, name)
 

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 import pyqtgraph
 from pyqtgraph.functions import arrayToQPath
+from PySide6 import QtGui
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QPixmap, QPolygonF
 
 from skinsource.base.arrays import Floats
 from skinsource_gui.fields.units import axis_unit
@@ -73,12 +73,14 @@ class ClipPictures:
     """
 
     def __init__(self, budget_bytes: int = _BUDGET_BYTES) -> None:
-        self._pictures: OrderedDict[Hashable, tuple[Floats, QPixmap]] = OrderedDict()
+        self._pictures: OrderedDict[Hashable, tuple[Floats, QtGui.QPixmap]] = OrderedDict()
         self._budget, self._bytes = budget_bytes, 0
         self.painted = self.waves = 0
         self.columns = CachedColumns()
 
-    def paint(self, painter: QPainter, samples: Floats, area: QRectF, style: ClipStyle) -> None:
+    def paint(
+        self, painter: QtGui.QPainter, samples: Floats, area: QRectF, style: ClipStyle
+    ) -> None:
         """Paint what a clip plays; on paper as lines."""
         if is_on_paper():
             painter.save()
@@ -88,7 +90,7 @@ class ClipPictures:
             return
         painter.drawPixmap(area.topLeft(), self.picture(samples, area.size(), style))
 
-    def picture(self, samples: Floats, size: QSizeF, style: ClipStyle) -> QPixmap:
+    def picture(self, samples: Floats, size: QSizeF, style: ClipStyle) -> QtGui.QPixmap:
         """Return the picture of what a clip plays; size in px."""
         # The samples are stored with the picture, so that no other array gets their id.
         key = (id(samples), size.width(), size.height(), style)
@@ -96,10 +98,10 @@ class ClipPictures:
         if cached is not None and cached[0] is samples:
             self._pictures.move_to_end(key)
             return cached[1]
-        made = QPixmap((size * style.ratio).toSize().expandedTo(QSizeF(1, 1).toSize()))
+        made = QtGui.QPixmap((size * style.ratio).toSize().expandedTo(QSizeF(1, 1).toSize()))
         made.setDevicePixelRatio(style.ratio)
         made.fill(Qt.GlobalColor.transparent)
-        on_picture = QPainter(made)
+        on_picture = QtGui.QPainter(made)
         self._draw(on_picture, samples, size, style)
         on_picture.end()
         self.painted += 1
@@ -111,7 +113,7 @@ class ClipPictures:
         self._pictures.clear()
         self._bytes = 0
 
-    def _store(self, key: Hashable, samples: Floats, made: QPixmap) -> None:
+    def _store(self, key: Hashable, samples: Floats, made: QtGui.QPixmap) -> None:
         old = self._pictures.pop(key, None)
         self._bytes += _size(made) - (0 if old is None else _size(old[1]))
         self._pictures[key] = (samples, made)
@@ -119,7 +121,9 @@ class ClipPictures:
             _, (_, removed) = self._pictures.popitem(last=False)
             self._bytes -= _size(removed)
 
-    def _draw(self, painter: QPainter, samples: Floats, size: QSizeF, style: ClipStyle) -> None:
+    def _draw(
+        self, painter: QtGui.QPainter, samples: Floats, size: QSizeF, style: ClipStyle
+    ) -> None:
         width, height = size.width(), size.height()
         if not samples.size:
             return
@@ -136,8 +140,8 @@ class ClipPictures:
             heights = heights / max(float(np.abs(heights).max()), 1.0)
         strokes = np.abs(heights[1::2] - heights[::2]) if curve.line.strokes else 0.0
         block = not is_on_paper() and np.mean(strokes) > _BLOCK * abs(style.reach)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, not block)
-        painter.setPen(thin_pen(QColor.fromRgba(style.colour)))
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing, not block)
+        painter.setPen(thin_pen(QtGui.QColor.fromRgba(style.colour)))
         x = (curve.line.x - first_s) / (end_s - first_s) * width
         y = height / 2 - np.clip(heights, -1, 1) * (height / 2 - 1)
         if x.size == 1:
@@ -146,7 +150,7 @@ class ClipPictures:
             painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
 
 
-def _size(picture: QPixmap) -> int:
+def _size(picture: QtGui.QPixmap) -> int:
     return picture.width() * picture.height() * _BYTES_PER_PIXEL
 
 
@@ -158,7 +162,7 @@ _HANDLE_PX = 5.0
 
 
 def paint_clip(
-    painter: QPainter,
+    painter: QtGui.QPainter,
     box: Box,
     content: TimelineContent,
     pictures: ClipPictures,
@@ -184,7 +188,7 @@ def paint_clip(
     theme, clip = current_theme(), box.clip
     samples, selected = content.waveforms.get(clip.id), clip.id in content.selected
     pale = clip.muted or bool(box.lane.silent)
-    colour = QColor(theme.dim) if pale else theme.input_colour(box.lane.track.colour)
+    colour = QtGui.QColor(theme.dim) if pale else theme.input_colour(box.lane.track.colour)
     shown = box.rect.intersected(view.adjusted(-2, 0, 2, 0))
     if shown.isEmpty():
         # Of its lane no more is in sight than the edge.
@@ -196,7 +200,7 @@ def paint_clip(
         _paint_samples(painter, box, shown, samples, rate_hz, pictures, colour, loudest)
         painter.setOpacity(1.0)
     if any(box.fades_px):
-        _paint_fades(painter, box, QColor(theme.text))
+        _paint_fades(painter, box, QtGui.QColor(theme.text))
     # Over the lines of fades: the name is read first.
     if shown.width() >= _LABEL_FROM_PX:
         text = clip.label or clip.waveform.title
@@ -204,19 +208,25 @@ def paint_clip(
         _write(painter, text, shown, theme, pale=pale)
     _paint_frame(painter, box.rect, shown, theme, colour, selected=selected)
     if unplayable:
-        _paint_frame(painter, box.rect, shown, theme, QColor(theme.error), selected=False)
+        _paint_frame(painter, box.rect, shown, theme, QtGui.QColor(theme.error), selected=False)
     if clip.id in content.chosen and not selected:
         # The inspector shows it.
-        painter.setPen(QPen(QColor(theme.accent), 0, Qt.PenStyle.DashLine))
+        painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 0, Qt.PenStyle.DashLine))
         painter.drawRect(_frame(box.rect, shown).adjusted(1, 1, -2, -2))
     if handles:
-        _paint_handles(painter, box, QColor(theme.text))
+        _paint_handles(painter, box, QtGui.QColor(theme.text))
 
 
 def _paint_body(
-    painter: QPainter, rect: QRectF, shown: QRectF, colour: QColor, *, selected: bool, pale: bool
+    painter: QtGui.QPainter,
+    rect: QRectF,
+    shown: QRectF,
+    colour: QtGui.QColor,
+    *,
+    selected: bool,
+    pale: bool,
 ) -> None:
-    body = QColor(colour)
+    body = QtGui.QColor(colour)
     alpha = _PALE_BODY_ALPHA if pale else _BODY_ALPHA
     body.setAlpha(_SELECTED_ALPHA if selected else alpha)
     painter.fillRect(shown, body)
@@ -226,13 +236,13 @@ def _paint_body(
 
 
 def _paint_samples(
-    painter: QPainter,
+    painter: QtGui.QPainter,
     box: Box,
     shown: QRectF,
     samples: Floats,
     sample_rate_hz: float,
     pictures: ClipPictures,
-    colour: QColor,
+    colour: QtGui.QColor,
     loudest: float,
 ) -> None:
     rect, part, area = box.rect, (0.0, 1.0), box.rect
@@ -252,29 +262,35 @@ def _peak(samples: Floats) -> float:
     return float(max(samples.max(initial=0.0), -samples.min(initial=0.0)))
 
 
-def _write(painter: QPainter, words: str, shown: QRectF, theme: Theme, *, pale: bool) -> None:
-    metrics = QFontMetricsF(painter.font())
+def _write(painter: QtGui.QPainter, words: str, shown: QRectF, theme: Theme, *, pale: bool) -> None:
+    metrics = QtGui.QFontMetricsF(painter.font())
     line_px = metrics.height()
     room = QRectF(shown.left() + 5, shown.top() + 1, shown.width() - 10, line_px)
     text = metrics.elidedText(words, Qt.TextElideMode.ElideRight, room.width())
-    ground = QColor(theme.base)
+    ground = QtGui.QColor(theme.base)
     ground.setAlpha(190)
     painter.fillRect(
         QRectF(room.left() - 2, room.top(), metrics.horizontalAdvance(text) + 4, line_px), ground
     )
-    painter.setPen(QColor(theme.dim if pale else theme.text))
+    painter.setPen(QtGui.QColor(theme.dim if pale else theme.text))
     painter.drawText(room, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, text)
 
 
 def _paint_frame(
-    painter: QPainter, rect: QRectF, shown: QRectF, theme: Theme, colour: QColor, *, selected: bool
+    painter: QtGui.QPainter,
+    rect: QRectF,
+    shown: QRectF,
+    theme: Theme,
+    colour: QtGui.QColor,
+    *,
+    selected: bool,
 ) -> None:
     if selected:
-        painter.setPen(QPen(QColor(theme.accent), 2))
+        painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 2))
     else:
-        edge = QColor(colour)
+        edge = QtGui.QColor(colour)
         edge.setAlpha(130)
-        painter.setPen(QPen(edge, 1))
+        painter.setPen(QtGui.QPen(edge, 1))
     painter.setBrush(Qt.BrushStyle.NoBrush)
     frame = _frame(rect, shown).adjusted(0.5, 0.5, -0.5, -0.5)
     painter.drawRoundedRect(frame, _ROUNDING_PX, _ROUNDING_PX)
@@ -285,16 +301,16 @@ def _frame(rect: QRectF, shown: QRectF) -> QRectF:
     return rect.intersected(shown.adjusted(-2, 0, 2, 0))
 
 
-def _paint_fades(painter: QPainter, box: Box, colour: QColor) -> None:
+def _paint_fades(painter: QtGui.QPainter, box: Box, colour: QtGui.QColor) -> None:
     rect, (in_px, out_px) = box.rect, box.fades_px
-    painter.setPen(QPen(colour, 1, Qt.PenStyle.DashLine))
+    painter.setPen(QtGui.QPen(colour, 1, Qt.PenStyle.DashLine))
     if in_px > 0:
         painter.drawLine(rect.bottomLeft(), rect.topLeft() + QPointF(in_px, 0))
     if out_px > 0:
         painter.drawLine(rect.bottomRight(), rect.topRight() - QPointF(out_px, 0))
 
 
-def _paint_handles(painter: QPainter, box: Box, colour: QColor) -> None:
+def _paint_handles(painter: QtGui.QPainter, box: Box, colour: QtGui.QColor) -> None:
     rect, (in_px, out_px) = box.rect, box.fades_px
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(colour)
@@ -308,7 +324,7 @@ def _paint_handles(painter: QPainter, box: Box, colour: QColor) -> None:
             corner + QPointF(side * 2 * _HANDLE_PX, 0),
             corner + QPointF(0, 2 * _HANDLE_PX),
         )
-        painter.drawPolygon(QPolygonF(ends))
+        painter.drawPolygon(QtGui.QPolygonF(ends))
     middle = rect.center().y()
     for x in (rect.left() + 2, rect.right() - 4):
         painter.drawRect(QRectF(x, middle - _HANDLE_PX, 2, 2 * _HANDLE_PX))
@@ -354,9 +370,11 @@ def grid_lines(scale: TimeScale, room: QRectF) -> list[QLineF]:
     ]
 
 
-def paint_ruler(painter: QPainter, content: TimelineContent, room: QRectF, theme: Theme) -> None:
+def paint_ruler(
+    painter: QtGui.QPainter, content: TimelineContent, room: QRectF, theme: Theme
+) -> None:
     """Paint ticks, loop region and markers."""
-    painter.fillRect(room, QColor(theme.window))
+    painter.fillRect(room, QtGui.QColor(theme.window))
     if content.design.loop_s is not None:
         _paint_loop(painter, content, content.design.loop_s, room, theme)
     names = []
@@ -364,17 +382,17 @@ def paint_ruler(painter: QPainter, content: TimelineContent, room: QRectF, theme
         x = content.scale.x(marker.time_s)
         names.append(_paint_marker(painter, x, marker.name, room, theme))
     _paint_ticks(painter, content.scale, room, theme, names)
-    painter.setPen(QPen(QColor(theme.border), 1))
+    painter.setPen(QtGui.QPen(QtGui.QColor(theme.border), 1))
     painter.drawLine(QLineF(room.left(), room.bottom() - 0.5, room.right(), room.bottom() - 0.5))
 
 
 def _paint_ticks(
-    painter: QPainter, scale: TimeScale, room: QRectF, theme: Theme, names: Sequence[QRectF]
+    painter: QtGui.QPainter, scale: TimeScale, room: QRectF, theme: Theme, names: Sequence[QRectF]
 ) -> None:
     """Paint ticks, and their numbers where there is no name of a marker."""
-    metrics = QFontMetricsF(painter.font())
+    metrics = QtGui.QFontMetricsF(painter.font())
     unit, ticks = ticks_of(scale)
-    painter.setPen(QColor(theme.dim))
+    painter.setPen(QtGui.QColor(theme.dim))
     unit_left = room.right() - metrics.horizontalAdvance(unit) - _GAP_PX
     painter.drawText(QPointF(unit_left, room.top() + metrics.ascent() + 1), unit)
     free_from = room.left()
@@ -393,36 +411,38 @@ def _paint_ticks(
 
 
 def _paint_loop(
-    painter: QPainter, content: TimelineContent, loop_s: Range, room: QRectF, theme: Theme
+    painter: QtGui.QPainter, content: TimelineContent, loop_s: Range, room: QRectF, theme: Theme
 ) -> None:
     start, end = (content.scale.x(time_s) for time_s in loop_s)
     band = QRectF(start, room.bottom() - 9, end - start, 9).intersected(room)
-    tint = QColor(theme.accent)
+    tint = QtGui.QColor(theme.accent)
     tint.setAlpha(_LOOP_ALPHA)
     painter.fillRect(band, tint)
-    painter.setPen(QPen(QColor(theme.accent), 2))
+    painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 2))
     for x in (start, end):
         if room.left() <= x <= room.right():
             painter.drawLine(QLineF(x, room.bottom() - 10, x, room.bottom()))
 
 
-def _paint_marker(painter: QPainter, x: float, name: str, room: QRectF, theme: Theme) -> QRectF:
+def _paint_marker(
+    painter: QtGui.QPainter, x: float, name: str, room: QRectF, theme: Theme
+) -> QRectF:
     """Paint a flag and a name; where they are."""
     if not room.left() - 200 <= x <= room.right():
         return QRectF()
-    metrics = QFontMetricsF(painter.font())
-    colour = QColor(theme.warning)
-    painter.setPen(QPen(colour, 1))
+    metrics = QtGui.QFontMetricsF(painter.font())
+    colour = QtGui.QColor(theme.warning)
+    painter.setPen(QtGui.QPen(colour, 1))
     painter.drawLine(QLineF(x, room.top(), x, room.bottom()))
     painter.setBrush(colour)
     painter.drawPolygon(
-        QPolygonF(
+        QtGui.QPolygonF(
             (QPointF(x, room.top()), QPointF(x + 7, room.top() + 4), QPointF(x, room.top() + 8))
         )
     )
     shown = metrics.elidedText(name, Qt.TextElideMode.ElideRight, 110)
     ground = QRectF(x + 8, room.top(), metrics.horizontalAdvance(shown) + 4, metrics.height())
-    painter.fillRect(ground, QColor(theme.window))
+    painter.fillRect(ground, QtGui.QColor(theme.window))
     painter.drawText(ground, Qt.AlignmentFlag.AlignCenter, shown)
     return ground.adjusted(-10, 0, 2, 0)
 
@@ -443,10 +463,10 @@ class LaneLayer(pyqtgraph.GraphicsObject):
     def __init__(self) -> None:
         super().__init__()
         self._content: TimelineContent | None = None
-        self._font = QFont()
+        self._font = QtGui.QFont()
         self._rect = QRectF(0, 0, 1, 1)
 
-    def show_font(self, font: QFont) -> None:
+    def show_font(self, font: QtGui.QFont) -> None:
         """Take over a font."""
         self._font = font
         self.update()
@@ -499,11 +519,11 @@ class LanesItem(LaneLayer):
                 self._update_lane_of(clip_id)
             self._hovered = clip
 
-    def show_font(self, font: QFont) -> None:
+    def show_font(self, font: QtGui.QFont) -> None:
         self.pictures.forget()
         super().show_font(font)
 
-    def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
+    def paint(self, painter: QtGui.QPainter, option: Any, widget: Any) -> None:
         theme = current_theme()
         content = self._content
         if content is None:
@@ -519,7 +539,7 @@ class LanesItem(LaneLayer):
         shown = [lane for lane in content.lanes if self._strip(lane).intersects(exposed)]
         for lane in shown:
             self._paint_ground(painter, lane)
-        painter.setPen(QPen(QColor(theme.grid), 1))
+        painter.setPen(QtGui.QPen(QtGui.QColor(theme.grid), 1))
         painter.drawLines(grid_lines(content.scale, lanes))
         self._paint_after_end(painter, content, lanes)
         for lane in shown:
@@ -546,30 +566,30 @@ class LanesItem(LaneLayer):
                 self.update(self._strip(now).adjusted(0, _INSIDE_PX, 0, -_INSIDE_PX))
 
     @property
-    def _ground(self) -> QColor:
+    def _ground(self) -> QtGui.QColor:
         """Colour of the lanes."""
-        return QColor(current_theme().base)
+        return QtGui.QColor(current_theme().base)
 
     @property
-    def _tint(self) -> QColor:
+    def _tint(self) -> QtGui.QColor:
         """Colour over the lanes that are selected."""
-        tint = QColor(current_theme().accent)
+        tint = QtGui.QColor(current_theme().accent)
         tint.setAlpha(18)
         return tint
 
     def _strip(self, lane: Lane) -> QRectF:
         return QRectF(self._rect.left(), lane.top_px, self._rect.width(), lane.height_px)
 
-    def _paint_ground(self, painter: QPainter, lane: Lane) -> None:
+    def _paint_ground(self, painter: QtGui.QPainter, lane: Lane) -> None:
         strip = self._strip(lane)
         if lane.selected:
             painter.fillRect(strip, self._tint)
-        painter.setPen(QPen(QColor(current_theme().border), 1))
+        painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().border), 1))
         painter.drawLine(
             QLineF(strip.left(), strip.bottom() - 0.5, strip.right(), strip.bottom() - 0.5)
         )
 
-    def _paint_silence_reason(self, painter: QPainter, lane: Lane) -> None:
+    def _paint_silence_reason(self, painter: QtGui.QPainter, lane: Lane) -> None:
         """Write why a lane is silent; lines of the grid stop around the text."""
         if not lane.silent:
             return
@@ -580,21 +600,23 @@ class LanesItem(LaneLayer):
         if lane.selected:
             painter.fillRect(room_of_text.adjusted(-_AROUND_PX, 0, _AROUND_PX, 0), self._tint)
         theme = current_theme()
-        painter.setPen(QColor(theme.error if lane.problem else theme.dim))
+        painter.setPen(QtGui.QColor(theme.error if lane.problem else theme.dim))
         painter.drawText(room, flags, lane.silent)
 
-    def _paint_after_end(self, painter: QPainter, content: TimelineContent, lanes: QRectF) -> None:
+    def _paint_after_end(
+        self, painter: QtGui.QPainter, content: TimelineContent, lanes: QRectF
+    ) -> None:
         if content.design.loop_s is None:
             return
         start, end = (content.scale.x(time_s) for time_s in content.design.loop_s)
-        shade = QColor(current_theme().dim)
+        shade = QtGui.QColor(current_theme().dim)
         shade.setAlpha(22)
         for left, right in ((lanes.left(), start), (end, lanes.right())):
             if right > left:
                 painter.fillRect(QRectF(left, lanes.top(), right - left, lanes.height()), shade)
 
     def _paint_clips(
-        self, painter: QPainter, content: TimelineContent, lane: Lane, lanes: QRectF
+        self, painter: QtGui.QPainter, content: TimelineContent, lane: Lane, lanes: QRectF
     ) -> None:
         loudest = max((abs(clip.gain) for clip in lane.track.clips), default=0.0)
         unplayable = content.unplayable_on(lane)
@@ -610,9 +632,11 @@ class LanesItem(LaneLayer):
                 view=lanes,
             )
 
-    def _paint_overlaps(self, painter: QPainter, content: TimelineContent, lane: Lane) -> None:
+    def _paint_overlaps(
+        self, painter: QtGui.QPainter, content: TimelineContent, lane: Lane
+    ) -> None:
         """Mark at the foot of a lane where its clips overlap."""
-        colour = QColor(current_theme().text)
+        colour = QtGui.QColor(current_theme().text)
         colour.setAlpha(_OVERLAP_ALPHA)
         top = lane.bottom_px - MARGIN_PX - _OVERLAP_PX
         for start_s, end_s in content.overlaps_on(lane):
@@ -647,24 +671,24 @@ class OverlayItem(LaneLayer):
             self.preview, self._pointer = preview, pointer
             self._update_places()
 
-    def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
+    def paint(self, painter: QtGui.QPainter, option: Any, widget: Any) -> None:
         painter.setFont(self._font)
         guide = self._guide()
         if guide is not None:
-            painter.setPen(QPen(QColor(current_theme().warning), 2))
+            painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().warning), 2))
             painter.drawLine(guide)
         if self.preview.covered is not None:
-            tint = QColor(current_theme().accent)
-            painter.setPen(QPen(tint, 1))
+            tint = QtGui.QColor(current_theme().accent)
+            painter.setPen(QtGui.QPen(tint, 1))
             tint.setAlpha(30)
             painter.setBrush(tint)
             painter.drawRect(self.preview.covered)
         if self.preview.label:
             room = self._label_room()
-            painter.setPen(QPen(QColor(current_theme().border), 1))
-            painter.setBrush(QColor(current_theme().raised))
+            painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().border), 1))
+            painter.setBrush(QtGui.QColor(current_theme().raised))
             painter.drawRect(room)
-            painter.setPen(QColor(current_theme().text))
+            painter.setPen(QtGui.QColor(current_theme().text))
             painter.drawText(room, Qt.AlignmentFlag.AlignCenter, self.preview.label)
 
     def _update_places(self) -> None:
@@ -684,7 +708,7 @@ class OverlayItem(LaneLayer):
         return QLineF(x, self._content.ruler_px, x, self._rect.bottom())
 
     def _label_room(self) -> QRectF:
-        metrics = QFontMetricsF(self._font)
+        metrics = QtGui.QFontMetricsF(self._font)
         ruler_px = 0.0 if self._content is None else self._content.ruler_px
         width = metrics.horizontalAdvance(self.preview.label) + 8
         left = min(self._pointer.x() + _LABEL_GAP_PX, self._rect.right() - width - 2)
@@ -726,10 +750,10 @@ class PlayheadItem(pyqtgraph.GraphicsObject):
     def boundingRect(self) -> QRectF:
         return QRectF(-_HALF_PX - 1, -3, 2 * _HALF_PX + 2, self._height + 3)
 
-    def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
-        colour = QColor(current_theme().error)
-        painter.setPen(QPen(colour, 1))
+    def paint(self, painter: QtGui.QPainter, option: Any, widget: Any) -> None:
+        colour = QtGui.QColor(current_theme().error)
+        painter.setPen(QtGui.QPen(colour, 1))
         painter.drawLine(QLineF(0, 0, 0, self._height))
         painter.setBrush(colour)
         corners = (QPointF(-_HALF_PX, -2), QPointF(_HALF_PX, -2), QPointF(0, 6))
-        painter.drawPolygon(QPolygonF(corners))
+        painter.drawPolygon(QtGui.QPolygonF(corners))

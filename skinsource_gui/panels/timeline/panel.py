@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import (
     QEvent,
     QPoint,
@@ -12,14 +13,6 @@ from PySide6.QtCore import (
     QSize,
     Qt,
     Signal,
-)
-from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import (
-    QGridLayout,
-    QScrollBar,
-    QStackedLayout,
-    QToolButton,
-    QWidget,
 )
 
 from skinsource.base.arrays import Floats
@@ -49,13 +42,13 @@ from skinsource_gui.state.panel import Panel
 _STEPS_PER_S = 10_000
 
 
-class TimeBar(QScrollBar):
+class TimeBar(QtWidgets.QScrollBar):
     """A scroll bar over the time; it is hidden while all of the time is shown."""
 
     #: The part to see.
     range_requested = Signal(object)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(Qt.Orientation.Horizontal, parent)
         self.setObjectName("time_bar")
         self.setAccessibleName("Time shown")
@@ -81,7 +74,7 @@ class TimeBar(QScrollBar):
         self.range_requested.emit((start, start + length))
 
 
-class TimelineToolbar(QWidget):
+class TimelineToolbar(QtWidgets.QWidget):
     """Buttons for snapping and zoom.
 
     Attributes
@@ -92,7 +85,7 @@ class TimelineToolbar(QWidget):
 
     zoom_requested = Signal(float)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setStyleSheet("QToolButton { padding: 1px 6px; }")
         self._row = in_row(of=self, margins=(4, 1, 4, 1), gap_px=2)
@@ -122,8 +115,8 @@ class TimelineToolbar(QWidget):
         room = self.width() - gaps
         set_fonts(fitting_font((self._buttons,), self.font(), room), self._buttons)
 
-    def _button(self, text: str, hint: str) -> QToolButton:
-        button = QToolButton(self)
+    def _button(self, text: str, hint: str) -> QtWidgets.QToolButton:
+        button = QtWidgets.QToolButton(self)
         button.setObjectName(f"timeline_{text.lower()}")
         button.setText(text)
         button.setToolTip(hint)
@@ -188,7 +181,7 @@ class TimelinePanel(Panel):
     title = "Timeline"
     name = "timeline"
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         # What each clip plays, and the clips as they were then, by their ids.
         self._computed_clips: Mapping[int, Clip] = {}
@@ -198,10 +191,10 @@ class TimelinePanel(Panel):
         self._design, self._view = Design(limb=""), View()
         self.list, self.lanes = InputList(), LanesView()
         self._toolbar, self._time_bar = TimelineToolbar(), TimeBar()
-        self._bar = QScrollBar(Qt.Orientation.Vertical)
+        self._bar = QtWidgets.QScrollBar(Qt.Orientation.Vertical)
         self._bar.setAccessibleName("Tracks shown")
-        table = QWidget()
-        grid = QGridLayout(table)
+        table = QtWidgets.QWidget()
+        grid = QtWidgets.QGridLayout(table)
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setSpacing(0)
         grid.addWidget(self._toolbar, 0, 0)
@@ -216,7 +209,7 @@ class TimelinePanel(Panel):
         self._foot = page_label("inputs_problem", tone="error")
         self._foot.setMargin(UNIT_PX)
         self._foot.hide()
-        self._stack = QStackedLayout()
+        self._stack = QtWidgets.QStackedLayout()
         self._stack.addWidget(self._empty)
         self._stack.addWidget(table)
         in_column((self._stack, 1), self._foot, of=self, margins=0, gap_px=0)
@@ -280,7 +273,7 @@ class TimelinePanel(Panel):
         self.show_staleness(self.is_stale)
         self._show_foot(reason)
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         self._place_lanes()
 

@@ -6,8 +6,7 @@ from functools import cache, partial
 from typing import Any
 
 import numpy as np
-from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QWidget
+from PySide6 import QtGui, QtWidgets
 
 from skinsource.base.arrays import Floats
 from skinsource.design import edits
@@ -80,7 +79,7 @@ class TracesPanel(SignalPanel):
     title = "Traces"
     name = "traces"
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__("traces-plot", "Traces of the selected outputs", parent)
         self._design: Design | None = None
         self.settings = TracesSettings()
@@ -187,7 +186,7 @@ class TracesPanel(SignalPanel):
         if self._design is not None:
             self.edited.emit(edits.remove_delay(self._design, self._view, removed), None)
 
-    def _press(self, event: QKeyEvent) -> None:
+    def _press(self, event: QtGui.QKeyEvent) -> None:
         if self._design is None:
             return
         time_s = moved_playhead(event, self._design, self._view.playhead_s)
