@@ -30,6 +30,7 @@ class SignalPanel(OutputsPanel):
         self._plot = SignalView(plot_name, accessible_name, self, self._staleness)
         self.setFocusProxy(self._plot.plot)
         in_column(self._plot, of=self, margins=0)
+        self._plot.cursors_requested.connect(lambda at: self.change_settings(cursors=at))
         self._plot.exports.failed.connect(self.failed)
         self._plot.exports.written.connect(self.written)
         self._plot.toolbar.layout_chosen.connect(lambda layout: self.change_settings(layout=layout))
@@ -50,7 +51,8 @@ class SignalPanel(OutputsPanel):
         self._switches[name] = switch
 
     def show_settings(self, settings: Any, *, zoomed: bool) -> None:
-        """Show settings in the toolbar, and whether the plot is zoomed."""
+        """Show settings in the toolbar, cursors, and whether the plot is zoomed."""
+        self._plot.show_cursors(settings.cursors)
         for name, switch in self._switches.items():
             self._plot.show_switch(switch, getattr(settings, name))
         self._plot.toolbar.show_state(layout=settings.layout, zoomed=zoomed)

@@ -51,6 +51,26 @@ class CurveName:
     full: str
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Measured:
+    """What lies between two cursors.
+
+    Attributes
+    ----------
+    distance
+        From the first to the second: "Δ 12.0 ms".
+    meaning, readings : (n_curves,)
+        What each curve does between them, in a few characters, and what these are.
+    details : (n_curves,)
+        The same with all numbers and units.
+    """
+
+    distance: str
+    meaning: str
+    readings: tuple[str, ...]
+    details: tuple[str, ...]
+
+
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Curves:
     """Curves over one x axis: one for each name, or one for each name along each axis.
@@ -85,6 +105,8 @@ class Curves:
         By how much they are shown louder or softer to match a snapshot, or "".
     wave
         The wave through the points; None: nothing is known between them.
+    measure
+        Measures what lies between two positions, SI; None: nothing can be measured.
     """
 
     x: Floats
@@ -101,6 +123,7 @@ class Curves:
     peaks: tuple[float, ...] = ()
     matched: str = ""
     wave: Wave | None = None
+    measure: Callable[[Range], Measured] | None = None
 
     @property
     def reach(self) -> Range:

@@ -33,6 +33,8 @@ class LegendText:
         The longest texts of each kind, so that nothing moves while numbers change.
     by_axis
         Whether the names are those of axes, each with the readings of all outputs along it.
+    details
+        Lines in place of the readings, where these leave something out.
     """
 
     names: tuple[CurveName, ...] = ()
@@ -42,6 +44,7 @@ class LegendText:
     where_room: str = ""
     reading_room: str = ""
     by_axis: bool = False
+    details: tuple[str, ...] = ()
 
     @property
     def named(self) -> bool:
@@ -67,6 +70,8 @@ class LegendText:
 
     def lines(self) -> str:
         """Return the whole legend, one line for each curve."""
+        if self.details:
+            return "\n".join((self.where, *self.details))
         lines = [self.where if self.of_peaks else f"at {self.where}"] if self.where else []
         for rank, name in enumerate(self.names):
             reading = f": {self.readings[rank]} {self.unit}" if self.readings else ""
@@ -127,7 +132,7 @@ class LegendLayout:
         if self.text.of_peaks and not detail.reading:
             return ""
         once = (detail.number or detail.place) and not detail.unit
-        return f"{where} · {self.text.unit}" if once else where
+        return f"{where} · {self.text.unit}" if once and self.text.unit else where
 
     def entry_px(self, rank: int, detail: Detail) -> int:
         """Return the width of an entry, px."""

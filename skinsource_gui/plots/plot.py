@@ -1,12 +1,13 @@
 """Plots of curves over one x axis, on pyqtgraph, with crosshair, playhead, zoom and pan.
 
-`Canvas` is the base of all views of pyqtgraph.  `Crosshair`, `Playhead` and `Navigation` are parts
-of `Plot`.
+`Canvas` is the base of all views of pyqtgraph.  `Crosshair`, `MovableLine`, `Cursors` and
+`Navigation` are parts of `Plot`.
 """
 
 from bisect import bisect_left, bisect_right
+from functools import partial
 from math import floor, log10
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Literal
 
 import numpy as np
 import pyqtgraph
@@ -174,11 +175,18 @@ class Crosshair(QObject):
 _HANDLE_PX = 10.0
 
 
-class PlayheadLine(pyqtgraph.InfiniteLine):
+#: Colour and style of a line.
+LineStyle = tuple[Literal["error", "accent"], Qt.PenStyle]
+_PLAYHEAD: LineStyle = ("error", Qt.PenStyle.SolidLine)
+_CURSOR: LineStyle = ("accent", Qt.PenStyle.DashLine)
+
+
+class UprightLine(pyqtgraph.InfiniteLine):
     """An upright line with a handle at its top, in one row."""
 
-    def __init__(self) -> None:
+    def __init__(self, style: LineStyle) -> None:
         super().__init__(angle=90, movable=True)
+        self._style = style
         # The handle makes the line as wide to catch as it is itself.
         self.addMarker("v", position=1.0, size=_HANDLE_PX)
         self.setZValue(20)
@@ -186,40 +194,41 @@ class PlayheadLine(pyqtgraph.InfiniteLine):
 
     def update_colours(self) -> None:
         """Use the present colours."""
-        theme = current_theme()
-        self.setPen(QtGui.QPen(QtGui.QColor(theme.error), 0))
-        self.setHoverPen(QtGui.QPen(QtGui.QColor(theme.accent), 0))
+        theme, (colour, dashes) = current_theme(), self._style
+        self.setPen(QtGui.QPen(QtGui.QColor(getattr(theme, colour)), 0, dashes))
+        self.setHoverPen(QtGui.QPen(QtGui.QColor(theme.text), 0))
 
 
-class Playhead(QObject):
-    """The playhead of a plot over time: one line in each row, which can be dragged.
+class MovableLine(QObject):
+    """A playhead or a cursor of a plot: one line in each row, which can be dragged.
 
     Attributes
     ----------
-    time_s
-        Its time; None: there is no playhead.
+    position
+        On the x axis; of a playhead its time, s.  None: there is no line.
     moved
         How often lines were moved.
     """
 
-    #: The time to which the user drags the playhead, s.
+    #: The position to which the user drags it.
     dragged_to = Signal(float)
 
-    def __init__(self, parent: QObject) -> None:
+    def __init__(self, style: LineStyle, parent: QObject) -> None:
         super().__init__(parent)
-        self.time_s: float | None = None
+        self.position: float | None = None
         self.moved = 0
-        self._lines: list[PlayheadLine] = []
-        # The line that is dragged, and its time before.
-        self._drag: tuple[PlayheadLine, float] | None = None
+        self._style = style
+        self._lines: list[UprightLine] = []
+        # The line that is dragged, and its position before.
+        self._drag: tuple[UprightLine, float] | None = None
 
     def watch(self, view: PlotViewBox) -> None:
-        """Show the playhead in a further row."""
-        line = PlayheadLine()
+        """Show the line in a further row."""
+        line = UprightLine(self._style)
         line.update_colours()
-        line.setVisible(self.time_s is not None)
-        if self.time_s is not None:
-            line.setPos(QPointF(self.time_s, 0.0))
+        line.setVisible(self.position is not None)
+        if self.position is not None:
+            line.setPos(QPointF(self.position, 0.0))
         line.sigDragged.connect(self._move)
         line.sigPositionChangeFinished.connect(self._end_drag)
         view.addItem(line, ignoreBounds=True)
@@ -230,40 +239,98 @@ class Playhead(QObject):
         for line in self._lines:
             line.update_colours()
 
-    def show_at(self, time_s: float) -> None:
-        """Move the lines without a signal; nothing else is painted again."""
-        if time_s == self.time_s:
+    def show_at(self, position: float | None) -> None:
+        """Move the lines without a signal, or hide them; nothing else is painted again."""
+        if position == self.position:
             return
-        appears, self.time_s = self.time_s is None, time_s
+        seen, self.position = self.position is not None, position
         self.moved += 1
         for line in self._lines:
-            line.setPos(QPointF(time_s, 0.0))
-            if appears:
-                line.show()
+            if position is not None:
+                line.setPos(QPointF(position, 0.0))
+            if seen != (position is not None):
+                line.setVisible(position is not None)
 
     def cancel(self) -> bool:
         """Cancel a drag; return whether there was one."""
         drag, self._drag = self._drag, None
         if drag is None:
             return False
-        line, before_s = drag
+        line, before = drag
         # pyqtgraph would move the line until the button goes up.
         line.moving = False
-        self.dragged_to.emit(before_s)
+        self.dragged_to.emit(before)
         return True
 
-    def _move(self, line: PlayheadLine) -> None:
+    def _move(self, line: UprightLine) -> None:
         if self._drag is None:
-            self._drag = (line, self.time_s or 0.0)
-        before_s, self.time_s = self.time_s or 0.0, None
-        pixel_s = float(line.getViewBox().viewPixelSize()[0])
-        self.dragged_to.emit(round_time(float(line.value()), pixel_s))
+            self._drag = (line, self.position or 0.0)
+        before, self.position = self.position or 0.0, None
+        pixel = float(line.getViewBox().viewPixelSize()[0])
+        self.dragged_to.emit(round_time(float(line.value()), pixel))
         # The line is under the pointer: unless a slot has placed it, it goes back.
-        if self.time_s is None:
-            self.show_at(before_s)
+        if self.position is None:
+            self.show_at(before)
 
-    def _end_drag(self, line: PlayheadLine) -> None:
+    def _end_drag(self, line: UprightLine) -> None:
         self._drag = None
+
+
+class Cursors(QObject):
+    """Two cursors of a plot, between which curves are measured.
+
+    Attributes
+    ----------
+    at
+        Where they stand, SI; None: there are none.
+    """
+
+    #: Where the user wants them, SI.
+    moved_to = Signal(object)
+
+    def __init__(self, plot: "Plot") -> None:
+        super().__init__(plot)
+        self._plot = plot
+        self.at: Range | None = None
+        self.lines = (MovableLine(_CURSOR, self), MovableLine(_CURSOR, self))
+        for rank, line in enumerate(self.lines):
+            line.dragged_to.connect(partial(self._move, rank))
+
+    def watch(self, view: PlotViewBox) -> None:
+        """Show the cursors in a further row."""
+        for line in self.lines:
+            line.watch(view)
+
+    def show_at(self, at: Range | None) -> None:
+        """Put the cursors somewhere, or take them away."""
+        self.at = at
+        self.place()
+
+    def place(self) -> None:
+        """Put the lines where the x axis has the cursors now."""
+        axis = self._plot.x_window.axis
+        for rank, line in enumerate(self.lines):
+            hidden = self.at is None or (axis.log and self.at[rank] <= 0)
+            line.show_at(None if hidden or self.at is None else axis.position(self.at[rank]))
+
+    def put(self, rank: int, value: float) -> None:
+        """Ask for the first (0) or the second cursor (1) at a value; the other one makes room."""
+        curves = self._plot.curves
+        if curves is None or curves.x.size < 2:
+            return
+        first, second = self.at or self._plot.x_window.values(self._plot.x_window.shown)
+        start, end = curves.x_range
+        sample = float(curves.x[1] - curves.x[0])
+        if rank == 0:
+            first = min(max(value, start), end - sample)
+            second = max(second, first + sample)
+        else:
+            second = max(min(value, end), start + sample)
+            first = min(first, second - sample)
+        self.moved_to.emit((first, second))
+
+    def _move(self, rank: int, position: float) -> None:
+        self.put(rank, self._plot.x_window.axis.value(position))
 
 
 def round_time(time_s: float, pixel_s: float) -> float:
@@ -280,6 +347,7 @@ _LEAP = 10
 # A zoom shows at least so many samples.
 _FEWEST_SAMPLES = 4
 _STEPS = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}
+_CURSOR_KEYS = ("first_cursor", "second_cursor")
 _ZOOMS = {"zoom_in": _KEY_ZOOM, "zoom_out": 1 / _KEY_ZOOM}
 
 
@@ -355,6 +423,11 @@ class Navigation(QObject):
             anchor = plot.crosshair.position
             # Keys zoom at the crosshair if it is visible.
             self._zoom(sum(plot.x_window.shown) / 2 if anchor is None else anchor, _ZOOMS[meaning])
+        elif meaning in _CURSOR_KEYS:
+            if plot.crosshair.index is not None:
+                plot.cursors.put(
+                    _CURSOR_KEYS.index(meaning), float(plot.curves.x[plot.crosshair.index])
+                )
         elif meaning == "step":
             leap = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
             self._step(plot.curves, _STEPS[key] * (_LEAP if leap else 1))
@@ -480,8 +553,8 @@ class Plot(Canvas):
         The layout, px.
     columns
         Cache of the samples in each column of pixels.
-    playhead
-        The playhead, for plots over time.
+    playhead, cursors
+        The playhead, for plots over time; two cursors, where the user wants them.
     """
 
     key_place = "plot"
@@ -515,8 +588,9 @@ class Plot(Canvas):
         self.crosshair = Crosshair(self)
         self.crosshair.moved.connect(self.reading_changed)
         self.navigation = Navigation(self)
-        self.playhead = Playhead(self)
-        watch = (self.navigation.watch, self.playhead.watch)
+        self.playhead = MovableLine(_PLAYHEAD, self)
+        self.cursors = Cursors(self)
+        watch = (self.navigation.watch, self.playhead.watch, self.cursors.watch)
         self.stack = Stack(self.scene(), self.text_font, watch)
         self.scene().sigMouseMoved.connect(self.navigation.follow_mouse)
         self.update_style()
@@ -537,7 +611,8 @@ class Plot(Canvas):
         self.text_font = scaled(tabular(self.font()), _TEXT)
         self.updateGeometry()
         self.stack.show_fonts(self.text_font, self.font())
-        self.playhead.update_colours()
+        for line in (self.playhead, *self.cursors.lines):
+            line.update_colours()
         self._colour()
 
     def set_view(
@@ -615,7 +690,9 @@ class Plot(Canvas):
         return super().viewportEvent(event)
 
     def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
-        if event.key() == Qt.Key.Key_Escape and self.playhead.cancel():
+        if event.key() == Qt.Key.Key_Escape and any(
+            line.cancel() for line in (self.playhead, *self.cursors.lines)
+        ):
             return
         if self._moves_playhead(event):
             self.playhead_key.emit(event)
@@ -645,7 +722,7 @@ class Plot(Canvas):
         self.navigation.leave()
 
     def _moves_playhead(self, event: QtGui.QKeyEvent) -> bool:
-        return self.playhead.time_s is not None and bool(meaning_of(PLAYHEAD, event))
+        return self.playhead.position is not None and bool(meaning_of(PLAYHEAD, event))
 
     def _hint_at(self, y_px: float) -> str:
         # The longest texts above and below the plot.
@@ -671,6 +748,7 @@ class Plot(Canvas):
         if other_rows:  # only now has each row its curves
             self._colour()
         self.crosshair.draw()
+        self.cursors.place()
 
     def _fit(self, curves: Curves, extremes: Range) -> None:
         """Make room for values between these extremes."""

@@ -319,6 +319,8 @@ class SignalView(QtWidgets.QWidget):
 
     #: Part of the x axis the user wants to see, SI; None: everything.
     zoom_requested = Signal(object)
+    #: Where the user wants the two cursors, SI; None: nowhere.
+    cursors_requested = Signal(object)
 
     def __init__(
         self,
@@ -342,6 +344,13 @@ class SignalView(QtWidgets.QWidget):
         self._staleness = lateness or Staleness(self)
         self._staleness.changed.connect(self._mark_stale)
         self.plot.navigation.zoom_requested.connect(self.zoom_requested)
+        self.plot.cursors.moved_to.connect(self.cursors_requested)
+        self._cursors = self.add_switch_in_menu(
+            "cursors",
+            "Cursors",
+            "Measure between two lines; drag them, or keys I and O at the crosshair",
+            self._ask_cursors,
+        )
         self.toolbar.everything_requested.connect(self._show_everything)
         self.plot.reading_changed.connect(self._read)
         self.plot.menu_requested.connect(self._open_menu)
@@ -369,6 +378,13 @@ class SignalView(QtWidgets.QWidget):
     ) -> None:
         """Set the x axis, its visible part in SI (None: all), and rows; see `Plot.set_view`."""
         self.plot.set_view(axis, zoom, stacked=stacked, fitted=fitted)
+
+    def show_cursors(self, at: Range | None) -> None:
+        """Put the two cursors somewhere, SI, or take them away."""
+        if at != self.plot.cursors.at:
+            self.plot.cursors.show_at(at)
+            self.show_switch(self._cursors, at is not None)
+            self._read()
 
     def show_curves(self, curves: Curves, *, synthetic: bool, notes: tuple[str, ...] = ()) -> None:
         """Draw ``curves``, and the longest of ``notes`` that fits.
@@ -403,6 +419,14 @@ class SignalView(QtWidgets.QWidget):
     def _show_everything(self) -> None:
         self.zoom_requested.emit(None)
 
+    def _ask_cursors(self, on: bool) -> None:
+        low, high = self.plot.x_window.values(self.plot.x_window.shown)
+        quarter = (high - low) / 4
+        self.cursors_requested.emit((low + quarter, high - quarter) if on else None)
+
+    def _copy_measured(self) -> None:
+        QtWidgets.QApplication.clipboard().setText(self.legend.text.lines())
+
     def _open_menu(self, at: QPoint) -> None:
         """Open the menu at a place on the screen; it is deleted when it closes."""
         if self.plot.curves is None:
@@ -419,7 +443,9 @@ class SignalView(QtWidgets.QWidget):
             chosen.triggered.connect(switch.click)
         menu.setToolTipsVisible(True)
         menu.addSeparator()
+        measured = () if measured_text(self.plot) is None else ("Copy what cursors read",)
         for text, export in (
+            *((text, self._copy_measured) for text in measured),
             ("Copy picture", self.exports.copy_picture),
             ("Save picture as…", self.exports.save_picture),
             ("Export data…", self.exports.save_data),
@@ -451,6 +477,8 @@ def reading(plot: Plot) -> LegendText:
         # With room for peaks too, so that nothing moves.
         text = replace(text, reading_room=max((text.reading_room, *curves.peak_texts), key=len))
     if plot.crosshair.index is None:
+        if measured := measured_text(plot):
+            return measured
         return text if curves.axes or not curves.peaks else _with_peaks(text, curves)
     readings = tuple(unit.reading(float(y)) for y in curves.y[:, plot.crosshair.index])
     return replace(
@@ -458,6 +486,24 @@ def reading(plot: Plot) -> LegendText:
         where=axis.reading(float(curves.x[plot.crosshair.index])),
         readings=along_axes(readings, curves.each) if curves.axes else readings,
     )
+
+
+def measured_text(plot: Plot) -> LegendText | None:
+    """Return what the curves do between the cursors; None without cursors."""
+    curves, at = plot.curves, plot.cursors.at
+    if curves is None or curves.measure is None or at is None:
+        return None
+    measured = curves.measure(at)
+    readings = measured.readings
+    text = LegendText(
+        names=curves.names,
+        where=f"{measured.meaning} · {measured.distance}",
+        where_room=f"{measured.meaning} · {measured.distance}",
+        reading_room=max(readings, key=len),
+    )
+    if curves.axes:
+        text, readings = text.of_axes(curves.axes), along_axes(readings, curves.each)
+    return replace(text, readings=readings, details=measured.details)
 
 
 def _with_peaks(text: LegendText, curves: Curves) -> LegendText:

@@ -69,7 +69,7 @@ def shown_in_lanes(lanes):
 def test_it_is_dragged_in_the_traces_and_stands_there_in_the_timeline(window, plot, lanes):
     drag(plot, x_of(plot, 0.25), x_of(plot, 0.5))
     assert window.document.view.playhead_s == pytest.approx(0.5, abs=0.01)
-    assert plot.playhead.time_s == window.document.view.playhead_s
+    assert plot.playhead.position == window.document.view.playhead_s
     assert shown_in_lanes(lanes) == pytest.approx(window.document.view.playhead_s, abs=1e-9)
     assert not window.document.undo_stack.count()
     # What was dragged is the playhead: nothing was zoomed.
@@ -85,7 +85,7 @@ def test_escape_gives_up_a_drag_in_the_traces(window, plot, lanes):
     mouse(plot, QEvent.Type.MouseMove, x_of(plot, 0.7), Qt.MouseButton.NoButton)
     mouse(plot, QEvent.Type.MouseButtonRelease, x_of(plot, 0.7), LEFT, Qt.MouseButton.NoButton)
     assert window.document.view.playhead_s == 0.25
-    assert plot.playhead.time_s == 0.25
+    assert plot.playhead.position == 0.25
     assert shown_in_lanes(lanes) == pytest.approx(0.25)
 
 

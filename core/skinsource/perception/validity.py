@@ -9,7 +9,6 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
-import scipy
 from numpy.typing import ArrayLike
 
 from skinsource.base.arguments import finite_array, positive_number
@@ -18,6 +17,7 @@ from skinsource.base.measurement_conditions import BAND_HZ, LARGEST_VELOCITY_M_P
 from skinsource.base.quoting import sentence
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.scaling import Scaling
+from skinsource.signals.analysis.intervals import integrated
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.signals.spectra import share_outside_band
 
@@ -166,8 +166,6 @@ def _lines_of(design: Judged) -> list[str]:
     )
 
 
-# The fade below the band, over an octave, rings for so many periods of the band's lower end.
-_RINGS_PERIODS = 10.0
 # Lowest frequency of a velocity: from a lower one on it would need minutes of silence.
 _LEAST_HZ = 1.0
 
@@ -202,14 +200,7 @@ def probe_velocity(
     rate = positive_number("sample_rate_hz", sample_rate_hz)
     if data.ndim != 1 or not data.any():
         return 0.0
-    room = round(_RINGS_PERIODS / lowest_hz * rate)
-    n_fft = scipy.fft.next_fast_len(data.size + room, real=True)
-    frequency_hz = np.arange(n_fft // 2 + 1) * (rate / n_fft)
-    part = np.clip(2.0 * frequency_hz / lowest_hz - 1.0, 0.0, 1.0)
-    weight = 0.5 - 0.5 * np.cos(np.pi * part)
-    divisor = np.where(weight > 0.0, 2.0 * np.pi * frequency_hz, 1.0)
-    spectrum = scipy.fft.rfft(data, n_fft) * (weight / (1j * divisor))
-    return float(np.abs(scipy.fft.irfft(spectrum, n_fft)).max())
+    return float(np.abs(integrated(data, rate, lowest_hz)).max())
 
 
 def fastest_probe(

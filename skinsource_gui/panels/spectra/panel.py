@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, partial
 from typing import Any
 
 import numpy as np
@@ -23,9 +23,8 @@ from skinsource.specs import fields
 from skinsource.specs.numbers import Range, RangeSpec
 from skinsource.specs.spec import ChoiceSpec, SwitchSpec
 from skinsource_gui.panels.signal_panel import SignalPanel
-from skinsource_gui.plots.curves import LEVEL_TEXT, Curves, output_names
-from skinsource_gui.plots.ranges import Kind, XAxis
-from skinsource_gui.plots.ranges import Range as RangesRange
+from skinsource_gui.plots.curves import LEVEL_TEXT, Curves, Measured, output_names
+from skinsource_gui.plots.ranges import Kind, XAxis, significant
 from skinsource_gui.plots.signal_view import DESCRIPTION_QUANTITIES, heading_of, lazy_lines
 
 LAYOUT = ChoiceSpec(
@@ -47,6 +46,7 @@ AVERAGED = SwitchSpec(
     "where single ones jump up and down",
 )
 FREQUENCY_RANGE = RangeSpec(label="Zoom", unit="Hz")
+CURSORS = RangeSpec(label="Cursors", unit="Hz")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -66,6 +66,8 @@ class SpectraSettings:
         Whether each magnitude is the mean over some bins around it.
     frequency_range_hz
         Zoom; ``None``: everything.
+    cursors
+        Frequencies between which curves are measured, Hz; ``None``: no cursors.
     """
 
     layout: str = fields.choice("overlaid", LAYOUT)
@@ -74,6 +76,7 @@ class SpectraSettings:
     relative: bool = fields.switch(False, RELATIVE)
     averaged: bool = fields.switch(False, AVERAGED)
     frequency_range_hz: Range | None = fields.interval(None, FREQUENCY_RANGE)
+    cursors: Range | None = fields.interval(None, CURSORS)
 
     def __post_init__(self) -> None:
         fields.check(self)
@@ -147,6 +150,46 @@ def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
         heading=heading_of(results, each_axis=each_axis),
         peaks=peaks,
         matched=match_text(results["match_gain"]),
+        measure=partial(measured_between, results, settings),
+    )
+
+
+def measured_between(
+    results: Mapping[str, Any], settings: SpectraSettings, between_hz: Range
+) -> Measured:
+    """Return the peaks between two frequencies, and over the whole record what the part sums to."""
+    span = results["span"]
+    frequency_hz, magnitude = results[quantity_of(settings, span)]
+    first, last = np.searchsorted(frequency_hz, between_hz)
+    part = slice(min(first, frequency_hz.size - 1), max(last, first + 1))
+    curves = magnitude.reshape(-1, frequency_hz.size)[:, part]
+    rows = []
+    for curve in curves:
+        at = int(curve.argmax())
+        peak, at_hz = float(curve[at]), float(frequency_hz[part][at])
+        omega = 2.0 * np.pi * at_hz
+        # Lines of a spectrum are amplitudes, those of a peak hold are not there at the same time.
+        rms = float(np.sqrt(np.sum(np.square(curve)) / 2.0)) if span == "record" else None
+        moves = (
+            f", {significant(peak / omega * 1e3)} mm/s, {significant(peak / omega**2 * 1e6)} µm"
+            if omega
+            else ""
+        )
+        text = f"peak {significant(peak)} m/s² at {significant(at_hz)} Hz"
+        short = f"{significant(peak)} at {significant(at_hz)}"
+        rms_text = "" if rms is None else f"; RMS {significant(rms)} m/s²"
+        rows.append((short, f"{text}{moves}{rms_text}"))
+    axes = facts_of(results["limb"]).axes if settings.layout == "axes" else ("",)
+    names = [
+        f"{name.number}  {name.full}{axis and f', {axis}'}"
+        for name in output_names(results["outputs"], results["limb"])
+        for axis in axes
+    ]
+    return Measured(
+        distance=f"Δf {significant(between_hz[1] - between_hz[0])} Hz",
+        meaning="peak in m/s² at Hz",
+        readings=tuple(short for short, _ in rows),
+        details=tuple(f"{name}: {long}" for name, (_, long) in zip(names, rows, strict=True)),
     )
 
 
@@ -199,7 +242,11 @@ def _inside(frequency_hz: Floats, band_hz: Band | None) -> NDArray[np.bool_]:
 
 _LOWEST_HZ = 10.0
 # Settings that change the frequency axis alone: curves stay.
-_OF_AXIS: dict[str, Any] = {"log_frequency": False, "frequency_range_hz": None}
+_OF_AXIS: dict[str, Any] = {
+    "log_frequency": False,
+    "frequency_range_hz": None,
+    "cursors": None,
+}
 
 
 class SpectraPanel(SignalPanel):
@@ -298,7 +345,7 @@ def _axes(sample_rate_hz: float, band: Band | None) -> tuple[XAxis, XAxis]:
     return linear, replace(linear, extent=(_LOWEST_HZ, highest_hz), log=True)
 
 
-def _visible_axis(axis: XAxis, zoom: RangesRange | None) -> XAxis:
+def _visible_axis(axis: XAxis, zoom: Range | None) -> XAxis:
     """Return the axis, without a text on the shaded part where none is visible."""
     visible = zoom or axis.extent
     if axis.band is None or visible is None:

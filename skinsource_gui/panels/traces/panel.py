@@ -9,20 +9,23 @@ import numpy as np
 from PySide6 import QtGui, QtWidgets
 
 from skinsource.base.arrays import Floats
+from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.design import edits
 from skinsource.design.comparing import match_text
 from skinsource.design.design import Design
 from skinsource.design.panel_settings import settings_of
 from skinsource.design.view import View
 from skinsource.limbs.own_limbs import facts_of
+from skinsource.signals.analysis.intervals import interval_of
 from skinsource.signals.resampling import finer
 from skinsource.specs import fields
+from skinsource.specs.numbers import Range, RangeSpec
 from skinsource.specs.spec import ChoiceSpec, SwitchSpec
 from skinsource_gui.fields.units import axis_unit
 from skinsource_gui.panels.signal_panel import SignalPanel
-from skinsource_gui.plots.curves import Curves, output_names
+from skinsource_gui.plots.curves import Curves, Measured, output_names
 from skinsource_gui.plots.plot import moved_playhead
-from skinsource_gui.plots.ranges import Wave, XAxis
+from skinsource_gui.plots.ranges import Wave, XAxis, significant
 from skinsource_gui.plots.signal_view import DESCRIPTION_QUANTITIES, heading_of, lazy_lines
 from skinsource_gui.qt.tooltips import tooltip
 
@@ -42,6 +45,8 @@ FITTED = SwitchSpec(
     "weak there is no flat line",
 )
 
+CURSORS = RangeSpec(label="Cursors", unit="s")
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TracesSettings:
@@ -55,11 +60,14 @@ class TracesSettings:
         Whether each is drawn relative to its own peak.
     fitted
         Whether values fit the visible part of the time.
+    cursors
+        Times between which curves are measured, s; ``None``: no cursors.
     """
 
     layout: str = fields.choice("overlaid", LAYOUT)
     relative: bool = fields.switch(False, RELATIVE)
     fitted: bool = fields.switch(False, FITTED)
+    cursors: Range | None = fields.interval(None, CURSORS)
 
     def __post_init__(self) -> None:
         fields.check(self)
@@ -155,6 +163,7 @@ class TracesPanel(SignalPanel):
             matched=match_text(results["match_gain"]),
             peaks=() if scale is None else tuple(_largest(results["selected_traces"]).tolist()),
             wave=_wave(results, scale),
+            measure=partial(measured_between, results),
         )
         self._plot.show_curves(
             curves,
@@ -198,6 +207,41 @@ class TracesPanel(SignalPanel):
         changed = replace(self._view, time_range_s=shown)
         if changed != self._view:
             self.view_changed.emit(changed)
+
+
+def measured_between(results: Mapping[str, Any], between_s: Range) -> Measured:
+    """Return what the selected outputs do between two times."""
+    time_s, limb = results["response_time_s"], facts_of(results["limb"])
+    lowest_hz = (limb.band_hz or BAND_HZ)[0]
+    interval = interval_of(results["selected_traces"], time_s, between_s, lowest_hz)
+    names = output_names(results["outputs"], results["limb"])
+    distance_s = between_s[1] - between_s[0]
+    rows = tuple(
+        zip(
+            *(
+                [f"{significant(float(value * factor))} {unit}" for value in values]
+                for values, factor, unit in (
+                    (interval.peak, 1.0, "m/s²"),
+                    (interval.rms, 1.0, "m/s²"),
+                    (interval.velocity, 1e3, "mm/s"),
+                    (interval.displacement, 1e6, "µm"),
+                )
+            ),
+            strict=True,
+        )
+    )
+    return Measured(
+        distance=f"Δt {significant(distance_s * 1e3)} ms, {significant(1.0 / distance_s)} Hz",
+        meaning="peak, RMS in m/s²",
+        readings=tuple(
+            f"{significant(float(peak))}, {significant(float(rms))}"
+            for peak, rms in zip(interval.peak, interval.rms, strict=True)
+        ),
+        details=tuple(
+            f"{name.number}  {name.full}: peak {row[0]}, {row[2]}, {row[3]}; RMS {row[1]}"
+            for name, row in zip(names, rows, strict=True)
+        ),
+    )
 
 
 def _switch_text(delay_s: float) -> tuple[str, str]:

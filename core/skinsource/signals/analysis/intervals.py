@@ -1,0 +1,103 @@
+"""What accelerations do between two times: peak, RMS, velocity and displacement."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.fft
+
+from skinsource.base.arrays import Floats
+
+# The fade below the band, over an octave, rings for so many periods of the band's lower end.
+_RINGS_PERIODS = 10.0
+
+
+def integrated(
+    acceleration: Floats, sample_rate_hz: float, lowest_hz: float, times: int = 1
+) -> Floats:
+    """Return velocities (once) or displacements (twice) of accelerations, by their spectra.
+
+    What is slower than ``lowest_hz`` is faded out over the octave below it (a raised cosine),
+    because it would drift.
+
+    Parameters
+    ----------
+    acceleration : (..., n_times)
+        m/s², silent before and after.
+    sample_rate_hz, lowest_hz
+        Their rate; where the measured band begins.
+    times
+        1: m/s; 2: m.
+
+    Returns
+    -------
+    integral : (..., n_times + n_rest)
+        The fade rings on after the last sample.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import skinsource as ss
+    >>> velocity = integrated(ss.sinusoid(100.0, duration_s=1.0), 1300.0, 25.0)
+    >>> bool(np.isclose(velocity[650:780].max(), 1 / (2 * np.pi * 100), rtol=0.01))
+    True
+    """
+    room = round(_RINGS_PERIODS / lowest_hz * sample_rate_hz)
+    n_fft = scipy.fft.next_fast_len(acceleration.shape[-1] + room, real=True)
+    frequency_hz = np.arange(n_fft // 2 + 1) * (sample_rate_hz / n_fft)
+    part = np.clip(2.0 * frequency_hz / lowest_hz - 1.0, 0.0, 1.0)
+    weight = 0.5 - 0.5 * np.cos(np.pi * part)
+    divisor = np.where(weight > 0.0, 2.0 * np.pi * frequency_hz, 1.0)
+    spectra = scipy.fft.rfft(acceleration, n_fft) * (weight / (1j * divisor) ** times)
+    integral: Floats = scipy.fft.irfft(spectra, n_fft)
+    return integral
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Interval:
+    """What accelerations do between two times.
+
+    Attributes
+    ----------
+    peak, rms : (n_signals,)
+        m/s².
+    velocity, displacement : (n_signals,)
+        Their peaks, m/s and m.
+    """
+
+    peak: Floats
+    rms: Floats
+    velocity: Floats
+    displacement: Floats
+
+
+def interval_of(
+    acceleration: Floats, time_s: Floats, between_s: tuple[float, float], lowest_hz: float
+) -> Interval:
+    """Return what accelerations do from one time to another, samples at both included.
+
+    Parameters
+    ----------
+    acceleration : (n_signals, n_times)
+        m/s².
+    time_s : (n_times,)
+        Rising in equal steps.
+    between_s
+        First and last time; at least one sample is taken.
+    lowest_hz
+        Velocity and displacement have nothing slower, see `integrated`.
+    """
+    first, last = np.searchsorted(time_s, between_s)
+    first = min(first, time_s.size - 1)
+    part = slice(first, max(last, first) + 1)
+    rate = (time_s.size - 1) / (time_s[-1] - time_s[0])
+    velocity, displacement = (
+        np.abs(integrated(acceleration, rate, lowest_hz, times)[:, part]).max(axis=-1)
+        for times in (1, 2)
+    )
+    samples = acceleration[:, part]
+    return Interval(
+        peak=np.abs(samples).max(axis=-1),
+        rms=np.sqrt(np.mean(np.square(samples), axis=-1)),
+        velocity=velocity,
+        displacement=displacement,
+    )
