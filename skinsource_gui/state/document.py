@@ -61,6 +61,10 @@ class HistoryState:
 _SINGLE_STEP = -1
 
 
+#: The view of a new design: time begins at the pulse of the measurement.
+NEW_VIEW = View(delay_removed=True)
+
+
 class Document(QObject):
     """Holds one immutable design and one immutable view.
 
@@ -88,7 +92,7 @@ class Document(QObject):
     def __init__(self, design: Design, view: View | None = None, parent: QObject | None = None):
         super().__init__(parent)
         self._design = self._saved = design
-        self._view = _existing(view or View(), design)
+        self._view = _existing(view or NEW_VIEW, design)
         self._path: Path | None = None
         #: The file that the history begins with; None: it began with a new design.
         self.opened: Path | None = None

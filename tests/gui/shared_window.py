@@ -10,6 +10,7 @@ from skinsource.design.design import Design
 from skinsource.design.view import View
 from skinsource.limbs.catalog import available_limbs
 from skinsource_gui.shell.window import MainWindow
+from skinsource_gui.state.document import NEW_VIEW
 from skinsource_gui.state.preferences import Preferences, start_design
 
 SIZE = 1366, 728
@@ -72,7 +73,7 @@ class SharedWindow:
         else:
             _tidy(window)
             design = design or start_design("synthetic-1")
-            window.document.start_over(design, view or View(), None)
+            window.document.start_over(design, view or NEW_VIEW, None)
             rest(window)
         return self._window
 

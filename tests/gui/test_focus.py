@@ -85,7 +85,7 @@ def test_tab_goes_through_all_panels_in_the_order_of_the_work_and_shift_tab_back
         ("skin", "map_fit_hand"),
         ("skin", "range_auto"),
         ("traces", "overlaid"),
-        ("traces", "remove-delay"),
+        ("traces", "relative"),
         ("traces", "traces-plot"),
         ("spectra", "log-magnitude"),
         ("spectra", "spectra-plot"),

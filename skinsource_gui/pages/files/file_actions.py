@@ -26,12 +26,11 @@ from skinsource.design.design_file import (
     save_design,
 )
 from skinsource.design.edits.edit import Refusal
-from skinsource.design.view import View
 from skinsource.limbs.catalog import available_limbs, default_limb
 from skinsource.specs.image import MAX_IMAGE_BYTES
 from skinsource_gui.qt.questions import ask_to_replace, ask_to_save, ask_yes
 from skinsource_gui.qt.window_events import WindowEvents
-from skinsource_gui.state.document import Document
+from skinsource_gui.state.document import NEW_VIEW, Document
 from skinsource_gui.state.preferences import Preferences
 
 State = Literal["same", "changed", "gone"]
@@ -193,7 +192,9 @@ class FileActions(QObject):
     def new(self) -> None:
         """Start over with an empty design on the person's limb, in the person's panels."""
         if self.may_lose_changes():
-            self._document.start_over(Design(limb=_limb_to_start_on(self._document)), View(), None)
+            self._document.start_over(
+                Design(limb=_limb_to_start_on(self._document)), NEW_VIEW, None
+            )
             self.leave_file()
             self.started_over.emit()
             self.done.emit("Started a new design")

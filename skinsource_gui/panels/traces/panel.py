@@ -27,7 +27,6 @@ from skinsource_gui.plots.curves import Curves, Measured, output_names
 from skinsource_gui.plots.plot import moved_playhead
 from skinsource_gui.plots.ranges import Wave, XAxis, significant
 from skinsource_gui.plots.signal_view import DESCRIPTION_QUANTITIES, heading_of, lazy_lines
-from skinsource_gui.qt.tooltips import tooltip
 
 LAYOUT = ChoiceSpec(
     label="Layout",
@@ -77,6 +76,8 @@ class TracesSettings:
 _DECIMALS = {"ms": 2, "s": 5}
 # What the wave between samples follows from: that of a magnitude runs along the axes.
 _WAVE = frozenset({"axis_traces", "selected_extremes", "selected_projection"})
+# Where time begins with the pulse of the measurement: the filter of its drive rings before 0.
+_BEFORE_S = 0.005
 # Less is rounding.
 _LEAST_EARLY_S = 1e-6
 
@@ -91,10 +92,11 @@ class TracesPanel(SignalPanel):
         super().__init__("traces-plot", "Traces of the selected outputs", parent)
         self._design: Design | None = None
         self.settings = TracesSettings()
-        self._delay = self._plot.toolbar.add_switch(
-            "remove-delay",
-            *_switch_text(facts_of("").pre_trigger_delay_s),
-            self._remove_delay,
+        self._pre_trigger = self._plot.add_switch_in_menu(
+            "pre-trigger",
+            "Show pre-trigger",
+            "Begin with the record of the measurement, not with its pulse",
+            self._show_pre_trigger,
         )
         self.add_switch("relative", RELATIVE)
         self.add_switch("fitted", FITTED, in_menu=True)
@@ -124,8 +126,8 @@ class TracesPanel(SignalPanel):
         settings = settings_of(view, self.name, TracesSettings)
         rescaled = settings.relative != self.settings.relative
         self._view, self.settings = view, settings
-        self._delay.setChecked(view.delay_removed)
-        self._show_delay(facts_of(design.limb).pre_trigger_delay_s)
+        self._delay_s = facts_of(design.limb).pre_trigger_delay_s
+        self._plot.show_switch(self._pre_trigger, not view.delay_removed and self._delay_s > 0.0)
         self.show_settings(settings, zoomed=view.time_range_s is not None)
         self._plot.plot.playhead.show_at(view.playhead_s)
         self.show_selection(view)
@@ -171,29 +173,21 @@ class TracesPanel(SignalPanel):
             notes=_axis_notes(_not_silent(results.get("selected_without_main_axis", ()), results)),
         )
 
-    def _show_delay(self, delay_s: float) -> None:
-        """Take over how late the responses of the limb are."""
-        if delay_s == self._delay_s:
-            return
-        self._delay_s = delay_s
-        text, hint = _switch_text(delay_s)
-        self._delay.setText(text)
-        self._delay.setToolTip(tooltip(text, hint))
-        self._delay.setVisible(delay_s > 0.0)
-
     def _apply_view(self) -> None:
         view = self._view
         visible_until_s = self._end_s if view.time_range_s is None else view.time_range_s[1]
         axis = _axis(axis_unit(visible_until_s)[0], self._delay_s, removed=self._drawn_removed)
+        begin_s = -min(self._delay_s, _BEFORE_S) if self._drawn_removed else 0.0
         if self._early_s >= _LEAST_EARLY_S:
-            shift_s = self._delay_s if self._drawn_removed else 0.0
-            axis = _without_beginning(axis, self._early_s, (-shift_s, self._end_s))
+            axis = _without_beginning(axis, self._early_s, (begin_s, self._end_s))
+        elif self._drawn_removed:
+            axis = replace(axis, extent=(begin_s, self._end_s))
         stacked, fitted = self.settings.layout == "stacked", self.settings.fitted
         self._plot.set_view(axis, view.time_range_s, stacked=stacked, fitted=fitted)
 
-    def _remove_delay(self, removed: bool) -> None:
+    def _show_pre_trigger(self, shown: bool) -> None:
         if self._design is not None:
-            self.edited.emit(edits.remove_delay(self._design, self._view, removed), None)
+            self.edited.emit(edits.remove_delay(self._design, self._view, not shown), None)
 
     def _press(self, event: QtGui.QKeyEvent) -> None:
         if self._design is None:
@@ -215,7 +209,6 @@ def measured_between(results: Mapping[str, Any], between_s: Range) -> Measured:
     lowest_hz = (limb.band_hz or BAND_HZ)[0]
     interval = interval_of(results["selected_traces"], time_s, between_s, lowest_hz)
     names = output_names(results["outputs"], results["limb"])
-    distance_s = between_s[1] - between_s[0]
     rows = tuple(
         zip(
             *(
@@ -231,7 +224,7 @@ def measured_between(results: Mapping[str, Any], between_s: Range) -> Measured:
         )
     )
     return Measured(
-        distance=f"Δt {significant(distance_s * 1e3)} ms, {significant(1.0 / distance_s)} Hz",
+        distance=f"Δt {significant((between_s[1] - between_s[0]) * 1e3)} ms",
         meaning="peak, RMS in m/s²",
         readings=tuple(
             f"{significant(float(peak))}, {significant(float(rms))}"
@@ -244,23 +237,11 @@ def measured_between(results: Mapping[str, Any], between_s: Range) -> Measured:
     )
 
 
-def _switch_text(delay_s: float) -> tuple[str, str]:
-    """Return text and hint of the switch of the delay."""
-    delay = f"{delay_s * 1e3:.3g} ms"
-    return (
-        f"Remove {delay} delay",
-        f"Responses start about {delay} late: they carry the pre-trigger time of the "
-        "measurement. Shift it away",
-    )
-
-
 def _delay_notes(delay_s: float, *, removed: bool) -> tuple[str, ...]:
     """Return the notes on the delay after the unit, longest first."""
     delay = f"{delay_s * 1e3:.3g} ms"
-    if delay_s == 0.0:
+    if removed or delay_s == 0.0:
         return ("",)
-    if removed:
-        return f", {delay} pre-trigger removed", f", {delay} removed", ""
     return (
         f" · responses start ~{delay} late (pre-trigger of the measurement)",
         f" · starts ~{delay} late (pre-trigger)",

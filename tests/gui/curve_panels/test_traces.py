@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
 
@@ -18,6 +18,7 @@ from skinsource_gui.panels.traces.panel import TracesPanel, TracesSettings
 from skinsource_gui.plots.signal_view import SignalView, _legend_lines, copy_of
 from skinsource_gui.state.preferences import start_design
 from tests.gui.curve_panels.bench import SIGNED, click, header_of, opener, plot_of, traces_for
+from tests.gui.signal_view.test_menu import choose
 
 
 @pytest.fixture
@@ -44,20 +45,26 @@ def test_magnitudes_start_at_zero_and_components_are_symmetric(show, method, low
     assert plot_of(panel).value_scale.values == pytest.approx((low, 0.32))
 
 
-def test_the_axis_tells_of_the_delay_and_the_switch_removes_it(show):
-    panel = show()
-    plot = plot_of(panel)
+def show_pre_trigger(panel):
+    choose(panel.findChild(SignalView), "Show pre-trigger")
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+def test_time_begins_just_before_the_pulse_unless_the_pre_trigger_record_is_asked_for(show):
+    panel = show(replace(SIGNED, delay_removed=True))
+    plot, switch = plot_of(panel), panel.findChild(QToolButton, "pre-trigger")
+    assert plot.stack.x_axis.titles == ("Time (ms)",)
+    assert plot.x_window.shown[0] == pytest.approx(-0.005)
+    assert not switch.isVisible()
+    show_pre_trigger(panel)
+    assert not panel.views[-1].delay_removed
     assert plot.stack.x_axis.titles[0] == (
         "Time (ms) · responses start ~52 ms late (pre-trigger of the measurement)"
     )
-    button = click(panel, "remove-delay")
+    assert plot.x_window.shown[0] == 0.0
+    assert switch.isVisible()
+    click(panel, "pre-trigger")
     assert panel.views[-1].delay_removed
-    assert button.isChecked()
-    assert plot.stack.x_axis.titles[0] == "Time (ms), 52 ms pre-trigger removed"
-    assert plot.x_window.shown[0] == pytest.approx(-0.052)
-    click(panel, "remove-delay")
-    assert not panel.views[-1].delay_removed
-    assert "late" in plot.stack.x_axis.titles[0]
 
 
 def test_what_an_equaliser_of_linear_phase_rings_before_0_is_not_shown_and_said(show):
@@ -74,11 +81,11 @@ def test_what_an_equaliser_of_linear_phase_rings_before_0_is_not_shown_and_said(
     assert "not shown" not in plot.stack.x_axis.titles[0]
 
 
-def test_removing_the_delay_keeps_the_same_piece_of_the_curves_in_sight(show):
+def test_without_the_pre_trigger_the_same_piece_of_the_curves_stays_in_sight(show):
     panel = show(replace(SIGNED, time_range_s=(0.1, 0.2)))
-    click(panel, "remove-delay")
+    click(panel, "pre-trigger")
     assert panel.views[-1].time_range_s == pytest.approx((0.048, 0.148))
-    click(panel, "remove-delay")
+    show_pre_trigger(panel)
     assert panel.views[-1].time_range_s == pytest.approx((0.1, 0.2))
 
 

@@ -8,10 +8,10 @@ from PySide6.QtWidgets import QApplication
 from skinsource.design.design import Design
 from skinsource.design.edits.setup import change_limb
 from skinsource.design.panel_settings import with_settings
-from skinsource.design.view import View
 from skinsource.limbs.catalog import default_limb
 from skinsource_gui.pages.files import file_actions
 from skinsource_gui.panels.skin.settings import SkinSettings
+from skinsource_gui.state.document import NEW_VIEW
 
 #: On limb 4, in the workspace Analyse.
 SCENE = "1C"
@@ -36,11 +36,11 @@ def test_new_is_empty_on_the_limb_and_in_the_view_of_a_start_in_ones_own_panels(
     document = window.document
     assert document.design.limb.endswith("-4")
     locked = SkinSettings(map_range_db=(-30.0, 0.0))
-    document.look(replace(with_settings(document.view, "skin", locked), delay_removed=True))
+    document.look(replace(with_settings(document.view, "skin", locked), delay_removed=False))
     assert in_sight(window) != own
     window.do("new_design")
     assert document.design == Design(limb=default_limb())
-    assert document.view == View(selected_inputs=())
+    assert document.view == replace(NEW_VIEW, selected_inputs=())
     assert in_sight(window) == own
     # Once it is left there is nothing to go back to.
     window.docks["compare"].bring_forward()

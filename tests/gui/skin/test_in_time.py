@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QApplication
 import skinsource as ss
 from skinsource.base.measurement_conditions import PRE_TRIGGER_DELAY_S
 from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.design.view import View
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.time_rules import BLOCK_S
 from skinsource_gui.panels.skin.settings import LEVELS, MAGNITUDE, RMS, SkinSettings, Z
@@ -53,7 +54,7 @@ def test_until_accelerations_are_known_their_bar_has_no_decibels_of_what_was_sho
 
 
 def test_the_map_shows_the_skin_where_the_playhead_is(open_window, look):
-    window = open_window(SHORT)
+    window = open_window(SHORT, View())
     content = look(window, playhead_s=0.0751, quantity=Z)
     moving = computed(SHORT, window.document.view, Z)
     assert content.values == pytest.approx(moving.acceleration(0.0751)[:, 0])
@@ -74,7 +75,7 @@ def test_the_map_shows_the_skin_where_the_playhead_is(open_window, look):
 
 
 def test_each_step_is_another_frame_and_evaluates_nothing(open_window, look, qtbot):
-    window = open_window(SHORT)
+    window = open_window(SHORT, View())
     look(window, quantity=Z)
     asked, frames = [], window.panel("skin").frames
     window.conductor.delivered.connect(asked.append)
@@ -88,7 +89,7 @@ def test_each_step_is_another_frame_and_evaluates_nothing(open_window, look, qtb
 
 
 def test_levels_and_hidden_maps_make_no_frames(open_window, look):
-    window = open_window(SHORT)
+    window = open_window(SHORT, View())
     frames = window.panel("skin").frames
     made = frames.made
     look(window, playhead_s=0.08)
@@ -105,7 +106,7 @@ def test_levels_and_hidden_maps_make_no_frames(open_window, look):
 
 
 def test_with_the_delay_removed_the_wave_comes_so_much_earlier(open_window, look):
-    window = open_window(SHORT)
+    window = open_window(SHORT, View())
     there = look(window, playhead_s=0.08, quantity=Z).values
     window.do("remove_delay")
     levels_db = look(window, playhead_s=0.08 - PRE_TRIGGER_DELAY_S).values
@@ -115,7 +116,7 @@ def test_with_the_delay_removed_the_wave_comes_so_much_earlier(open_window, look
 
 
 def test_another_part_of_a_long_design_is_asked_for_once(open_window, look):
-    window = open_window(LONG)
+    window = open_window(LONG, View())
     look(window, playhead_s=1.0, quantity=Z)
     asked = []
     window.conductor.delivered.connect(asked.append)
@@ -134,7 +135,7 @@ def test_another_part_of_a_long_design_is_asked_for_once(open_window, look):
 
 
 def test_the_map_says_when_and_whether_its_range_is_fixed(open_window, look):
-    window = open_window(SHORT)
+    window = open_window(SHORT, View())
     content = look(window, playhead_s=0.0751, quantity=Z)
     assert not content.fixed
     assert content.quantity.heading == "Skin acceleration along z, at 75.1 ms"
@@ -149,7 +150,7 @@ def test_the_map_says_when_and_whether_its_range_is_fixed(open_window, look):
 
 
 def test_scrubbing_moves_the_one_playhead(open_window, look):
-    window = open_window(SHORT)
+    window = open_window(SHORT, View())
     look(window, quantity=Z)
     scrub = window.panel("skin").scrub
     scrub.slider.setValue(1234)
@@ -164,7 +165,7 @@ def test_scrubbing_moves_the_one_playhead(open_window, look):
 
 
 def test_what_is_chosen_in_the_row_is_what_is_shown(open_window, look):
-    window = open_window(SHORT)
+    window = open_window(SHORT, View())
     row = window.panel("skin").quantity_row
     assert not row.pace.isVisible()
     row.quantity.setCurrentIndex(row.quantity.findData(RMS))
