@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+import skinsource as ss
 from skinsource.base.errors import InvalidInputError
 from skinsource.perception.sensation import (
     sensation_levels_db,
@@ -40,12 +41,38 @@ def test_the_threshold_has_the_known_figures(frequency_hz, peak_um, rms):
 
 @pytest.mark.parametrize("frequency_hz", [26.0, 130.0, 400.0])
 def test_a_tone_at_threshold_is_0_db_above_it(frequency_hz):
-    time_s = np.arange(1300) / 1300.0
+    # Faded: the other channel detects the click of an abrupt begin before the tone.
+    tone = ss.sinusoid(frequency_hz, duration_s=2.0, window_name="hann")
     for channel in ("P", "NP I"):
         rms = float(threshold_rms(frequency_hz, channel))
-        tone = np.sqrt(2) * rms * np.sin(2 * np.pi * frequency_hz * time_s)
-        levels_db = sensation_levels_db(tone[None, None], 1300.0, NONE)
-        assert levels_db[channel][0] == pytest.approx(0.0, abs=1e-9)
+        levels_db = sensation_levels_db(np.sqrt(2) * rms * tone[None, None], 1300.0, NONE)
+        # The loudest 100 ms of a Hann window, in which 26 Hz has 2.6 periods.
+        assert levels_db[channel][0] == pytest.approx(0.0, abs=0.25)
+
+
+@pytest.mark.parametrize(
+    "waveforms",
+    [
+        (ss.waveforms.Tone(frequency_hz=100.0),),
+        (ss.waveforms.Tone(frequency_hz=40.0), ss.waveforms.Noise()),
+        (ss.waveforms.Tap(),),
+    ],
+)
+def test_library_and_panel_have_one_definition_whatever_silence_follows(waveforms):
+    places = (7, 9)[: len(waveforms)]
+    tracks = [ss.track(place, wave) for place, wave in zip(places, waveforms, strict=True)]
+    design = ss.Design(limb="synthetic-1", inputs=tuple(tracks))
+    view = ss.View(outputs=tuple(range(1, 73)))
+    values = ss.evaluate(design, "axis_traces", "sensation", view=view)
+    traces, panel = values["axis_traces"], values["sensation"].by_channel
+    for silence in (0, 1300):
+        library = sensation_levels_db(np.pad(traces, ((0, 0), (0, 0), (0, silence))), 1300.0)
+        for channel in ("P", "NP I"):
+            heard = panel[channel] > -30.0
+            assert heard.any()
+            difference_db = library[channel][heard] - panel[channel][heard]
+            # Slow parts at the edge of the band ring into the silence.
+            np.testing.assert_allclose(difference_db, 0.0, atol=1.5 if silence else 0.05)
 
 
 def test_axes_and_frequencies_add_up_as_energies():
@@ -57,8 +84,9 @@ def test_axes_and_frequencies_add_up_as_energies():
     together_db = 10 * np.log10(sum(10 ** (level_db / 10) for level_db in levels_db))
     added = sensation_levels_db((low + high)[None, None], 1300.0, NONE)["P"][0]
     on_two_axes = sensation_levels_db(np.array([[low, high]]), 1300.0, NONE)["P"][0]
-    assert added == pytest.approx(together_db)
-    assert on_two_axes == pytest.approx(together_db)
+    # In 100 ms, products of both tones do not quite cancel.
+    assert added == pytest.approx(together_db, abs=0.1)
+    assert on_two_axes == pytest.approx(together_db, abs=0.1)
 
 
 def test_twice_the_amplitude_is_6_db_more_and_silence_is_not_felt():

@@ -9,11 +9,12 @@ from numpy.typing import ArrayLike
 from skinsource.base.arguments import checking, finite_array, one_of, positive_number
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import LIMB_NAMES
+from skinsource.base.measurement_conditions import BAND_HZ, LIMB_NAMES, Band
 from skinsource.base.quoting import quoted
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.locations import ARM_REGIONS, OUTPUTS
 from skinsource.perception.thresholds import CHANNELS, Channel, threshold_rms
+from skinsource.signals.loudest_window import loudest_energy, window_samples
 
 #: Text to show with every number of this module.
 LIMITS = (
@@ -72,15 +73,14 @@ def sensation_levels_db(
     offsets_db: dict[Channel, Floats] | None = None,
     *,
     area_cm2: float = 2.9,
+    band_hz: Band = BAND_HZ,
 ) -> dict[Channel, Floats]:
-    """Return the level above the threshold of each channel, at each output.
+    """Return the level above the threshold of each channel, at each output, in its loudest 100 ms.
 
-    10 log10 of the sum over bins of the power of all axes, each bin divided by the square of the
-    threshold there: energies add up over axes because the direction of fast vibrations is hardly
-    perceived (Landin, Romano, McMahan and Kuchenbecker, 2010), and within a channel over frequency.
-
-    Power is a mean over all samples, silence included: hand over the part in which the skin moves,
-    as the studio takes the loudest 100 ms.
+    Accelerations are divided by the threshold at each frequency of the measured band; 10 log10 of
+    the mean square over the loudest window is the level, as in the studio's panel.  Energies add
+    up over axes because the direction of fast vibrations is hardly perceived (Landin, Romano,
+    McMahan and Kuchenbecker, 2010), and within a channel over frequency.
 
     Parameters
     ----------
@@ -92,6 +92,8 @@ def sensation_levels_db(
         As `site_offsets_db` of the published limbs, which is taken where there is none.
     area_cm2
         As in `threshold_rms`.
+    band_hz
+        Nothing was measured beyond: it does not count.
 
     Returns
     -------
@@ -123,13 +125,20 @@ def sensation_levels_db(
             f"acceleration has {len(data)} outputs, expected the {len(offsets['P'])} of the "
             "published limbs: where others lie is not known. Hand over offsets_db."
         )
-    power, frequency_hz = _power_by_bin(data, rate_hz)
+    n_fft = scipy.fft.next_fast_len(data.shape[-1], real=True)
+    spectra = scipy.fft.rfft(data, n_fft)
+    frequency_hz = np.arange(n_fft // 2 + 1) * (rate_hz / n_fft)
+    inside = (frequency_hz >= band_hz[0]) & (frequency_hz <= band_hz[1])
     levels: dict[Channel, Floats] = {}
     for channel in CHANNELS:
-        above = power @ threshold_rms(frequency_hz, channel, area_cm2=area_cm2) ** -2.0
-        offset_db = np.broadcast_to(offsets[channel], above.shape)
+        weights = np.zeros(frequency_hz.size)
+        weights[inside] = 1.0 / threshold_rms(frequency_hz[inside], channel, area_cm2=area_cm2)
+        weighted = scipy.fft.irfft(spectra * weights, n_fft)
+        n_window = window_samples(rate_hz)
+        energy = loudest_energy(np.linalg.norm(weighted, axis=1), n_window) / n_window
+        offset_db = np.broadcast_to(offsets[channel], energy.shape)
         with np.errstate(divide="ignore"):
-            levels_db = 10.0 * np.log10(above) - offset_db
+            levels_db = 10.0 * np.log10(energy) - offset_db
         levels[channel] = np.maximum(levels_db, _SILENCE_DB)
     return levels
 
@@ -156,13 +165,3 @@ def sensation_magnitude(levels_db: dict[Channel, Floats]) -> Floats:
     ]
     magnitude: Floats = np.maximum(*parts) + 0.5 * np.minimum(*parts)
     return magnitude
-
-
-def _power_by_bin(data: Floats, rate_hz: float) -> tuple[Floats, Floats]:
-    """Return mean squares, axes added up, (n_outputs, n_bins) without 0 Hz, and frequencies."""
-    n_times = data.shape[-1]
-    spectra = scipy.fft.rfft(data, axis=-1)
-    power = np.sum(spectra.real**2 + spectra.imag**2, axis=1) / float(n_times) ** 2
-    power[..., 1 : (n_times + 1) // 2] *= 2.0
-    frequency_hz = np.arange(power.shape[-1]) * (rate_hz / n_times)
-    return power[..., 1:], frequency_hz[1:]

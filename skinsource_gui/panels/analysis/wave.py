@@ -137,7 +137,7 @@ def _range_around(values: Floats) -> tuple[float, float]:
 
 _LINE = "The line goes through the selected outputs, in the order in which they were selected"
 _OVERLAP = "waves of several inputs overlap"
-_ABOUT = "Along {axis}; distances on the map, delays of the group"
+_ABOUT = "Along {axis}: distance on the map, group delay"
 
 
 class WaveView(FigureView):
@@ -232,7 +232,7 @@ def wave_text(wave: TravellingWave) -> str:
     loss = f"{wave.attenuation_db_per_cm:.2f}{_spread(wave.attenuation_deviation_db_per_cm, 2)}"
     # Through two points there is always a line.
     alone = 2 in (wave.timed.sum(), wave.counted.sum())
-    unsure = " · two outputs: no uncertainty" if alone else ""
+    unsure = ". Choose three outputs or more to estimate the uncertainty" if alone else ""
     return f"{speed} · attenuation {loss} dB/cm, spreading included{unsure}".replace("-", "−")
 
 
