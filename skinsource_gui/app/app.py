@@ -11,7 +11,7 @@ from pathlib import Path
 from PySide6 import QtWidgets
 from PySide6.QtCore import QObject, QSocketNotifier, Qt, QTimer, Signal
 
-from skinsource.base.allocation import keep_freed_memory
+from skinsource.base.allocation import give_freed_memory_back, keep_freed_memory
 from skinsource.base.assets import user_folder
 from skinsource.base.crash_log import CrashLog
 from skinsource.base.files import make_folder
@@ -113,6 +113,8 @@ class GarbageCollector(QObject):
             return None
         generation = self._due()
         gc.collect(generation)
+        if generation == _OLD:
+            give_freed_memory_back()
         self._young = 0 if generation > _YOUNG else self._young + 1
         if generation > _YOUNG:
             self._middle = 0 if generation == _OLD else self._middle + 1

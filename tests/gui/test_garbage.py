@@ -1,11 +1,16 @@
 import gc
+import os
+import sys
 import threading
 import weakref
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt
 from PySide6.QtWidgets import QApplication
 
+from skinsource.base.allocation import give_freed_memory_back
+from skinsource.base.run_limited import resident_bytes
 from skinsource_gui.app.app import GarbageCollector
 
 
@@ -90,3 +95,14 @@ def test_a_window_that_was_closed_is_freed_with_its_panels_graphs_and_worker(mak
     gc.collect()
     assert [ref() for ref in graphs] == [None]
     assert [type(ref()).__name__ for ref in held if ref() is not None] == []
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="only glibc keeps freed memory")
+def test_memory_that_was_freed_between_small_blocks_goes_back_to_the_system():
+    rows = [(np.ones(2**13), np.ones(2)) for _ in range(2000)]
+    small = [row[1] for row in rows]
+    before = resident_bytes(os.getpid())
+    del rows
+    give_freed_memory_back()
+    assert resident_bytes(os.getpid()) < before - 50e6
+    assert len(small) == 2000

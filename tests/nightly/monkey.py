@@ -27,7 +27,7 @@ _MOST_BYTES = 1e9
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--count", type=int, default=2000, help="20000 take some hours")
+    parser.add_argument("--count", type=int, default=20_000, help="a quarter of an hour")
     parser.add_argument("--seed", type=int, default=secrets.randbelow(2**31))
     options = parser.parse_args()
     print(f"seed {options.seed}", flush=True)
