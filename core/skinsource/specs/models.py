@@ -73,7 +73,9 @@ def encode(model: Any) -> Tree:
     kind: type = type(model)
     tree = {KIND: kind.__name__}
     for name, spec in _specs(kind):
-        tree[name] = spec.encoded(getattr(model, name))
+        value = getattr(model, name)
+        if value is not None or getattr(spec, "written_if_none", True):
+            tree[name] = spec.encoded(value)
     return tree
 
 

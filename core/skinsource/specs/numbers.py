@@ -242,9 +242,12 @@ class OptionalSpec(Spec):
     ----------
     of
         Specification of a value that is not ``None``.
+    written_if_none
+        Whether trees hold ``None``; without it versions that do not know the field read them too.
     """
 
     of: Spec
+    written_if_none: bool = True
 
     def checked(self, value: Any) -> Any:
         """Return ``None``, or the checked value."""
