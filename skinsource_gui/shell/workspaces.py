@@ -98,7 +98,7 @@ WORKSPACES: tuple[Workspace, ...] = (
         hosts=dict.fromkeys(
             (
                 *("frequency_and_amplitude", "compare", "history", "library", "analysis_2"),
-                *("actuator", "playback"),
+                "output",
             ),
             "inspector",
         ),

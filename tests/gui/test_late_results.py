@@ -29,7 +29,7 @@ OF_OUTPUTS = {
 }
 #: Others too ask for results of the design.
 COMPUTED = sorted(
-    {"skin", "timeline", "inspector", "clip_editor", "actuator", "analysis/windowed"} | OF_OUTPUTS
+    {"skin", "timeline", "inspector", "clip_editor", "output", "analysis/windowed"} | OF_OUTPUTS
 )
 #: What is known of limbs and snapshots is forgotten, or held against what it is of.
 OF_LIMBS = ["analysis/regions"]

@@ -160,6 +160,6 @@ def _export(arguments: argparse.Namespace) -> int:
 
 def _equaliser(arguments: argparse.Namespace) -> RegularisedInverse | Literal["none"] | None:
     if arguments.equalise in (None, "none"):
-        return arguments.equalise  # type: ignore[no-any-return]
+        return arguments.equalise
     boost = {} if arguments.boost is None else {"boost_db": arguments.boost}
     return RegularisedInverse(phase=arguments.equalise, **boost)

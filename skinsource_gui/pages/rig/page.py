@@ -313,7 +313,7 @@ class RigPage(ToolPage):
         self.channels.setObjectName("rig_channels")
         self.channels.setAccessibleName("Channels")
         self.fields = ChannelFields(self)
-        self._use = QtWidgets.QCheckBox("Play for it on this machine")
+        self._use = QtWidgets.QCheckBox("Use it for this design")
         self._use.setObjectName("rig_use")
         self._use.setChecked(True)
         self._lay_out()
@@ -422,8 +422,9 @@ class RigPage(ToolPage):
         if path is not None and not path.suffix:
             path = path.with_name(f"{path.name}{SUFFIX}")
         if path is not None and draft.save(path):
-            if self._use.isChecked():
-                self._settings.choose_rig(path)
+            if self._use.isChecked() and self._settings.choose_rig(path):
+                design, view = self._document.design, self._document.view
+                self._document.apply(edits.choose_rig(design, view, draft.rig))
             self._show(self.channels.currentRow())
             self.say(f"Saved {path_text(Path(path.name))}")
 

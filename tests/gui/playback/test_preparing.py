@@ -11,6 +11,12 @@ WAIT = {"timeout": 20_000}
 
 
 @pytest.fixture
+def armed(sound, arm):
+    """Actuators that are armed before mixes take long."""
+    arm()
+
+
+@pytest.fixture
 def made(monkeypatch):
     """Lets a mix be made once it is set, at the latest at the end of the test."""
     ready, mix = threading.Event(), mixer.Mixer.mix
@@ -24,9 +30,11 @@ def made(monkeypatch):
     ready.set()
 
 
-def test_it_is_said_that_sound_is_prepared_until_it_plays(sound, studio, player, qtbot, made):
+def test_it_is_said_that_sound_is_prepared_until_it_plays(
+    sound, studio, player, qtbot, armed, made
+):
     note = studio.playback.note
-    studio.do("play")
+    studio.do("play_on_actuators")
     assert not note.isVisible()
     qtbot.waitUntil(note.isVisible, **WAIT)
     assert studio.playback.bar.play.accessibleName() == "Stop"
@@ -37,9 +45,11 @@ def test_it_is_said_that_sound_is_prepared_until_it_plays(sound, studio, player,
     qtbot.waitUntil(lambda: not player.playing, **WAIT)
 
 
-def test_what_is_prepared_can_be_cancelled_and_is_not_played(sound, studio, player, qtbot, made):
+def test_what_is_prepared_can_be_cancelled_and_is_not_played(
+    sound, studio, player, qtbot, armed, made
+):
     note = studio.playback.note
-    studio.do("play")
+    studio.do("play_on_actuators")
     qtbot.waitUntil(note.isVisible, **WAIT)
     note.findChild(QPushButton, "cancel_preparing").click()
     assert not note.isVisible()
@@ -55,11 +65,10 @@ def test_what_is_prepared_can_be_cancelled_and_is_not_played(sound, studio, play
 
 
 def test_what_is_played_after_something_was_cancelled_is_what_is_heard(
-    sound, studio, player, qtbot, made
+    sound, studio, player, qtbot, armed, made
 ):
-    studio.do("play")
-    studio.do("play")
-    studio.do("play")
+    for _ in range(3):
+        studio.do("play_on_actuators")
     assert player.preparing
     made.set()
     qtbot.waitUntil(lambda: player.now is not None, **WAIT)

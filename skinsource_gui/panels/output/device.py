@@ -1,14 +1,11 @@
-"""The playback panel: device, channel map, levels and delay of this machine."""
+"""Rig, device, gain, channel map and levels."""
 
 from dataclasses import replace
-from typing import Any, ClassVar
+from typing import Any
 
 from PySide6 import QtWidgets
 from PySide6.QtCore import QObject, QSize, Qt, Signal
 
-from skinsource.design.amplitudes import amplitude_unit
-from skinsource.design.design import Design
-from skinsource.design.view import View
 from skinsource.lab.playing.devices import (
     LEAST_SHIFT_HZ,
     LONGEST_LATENCY_S,
@@ -17,20 +14,19 @@ from skinsource.lab.playing.devices import (
     SHORTEST_LATENCY_S,
     Output,
 )
+from skinsource.lab.playing.mix import HIGHEST_DB, LOWEST_DB, START_DB
 from skinsource.limbs.locations import LocationNames, input_name
 from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.rig_field import RigField
-from skinsource_gui.qt.buttons import page_label, tool_button
-from skinsource_gui.qt.fitting import LetterWidth, SteadyArea
-from skinsource_gui.qt.keys import shortcut_text
+from skinsource_gui.qt.buttons import tool_button
+from skinsource_gui.qt.fitting import LetterWidth
 from skinsource_gui.qt.labels import FittingLabel, LevelMeter
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, tabular
 from skinsource_gui.qt.tooltips import show_tooltip
-from skinsource_gui.state.panel import Panel
 from skinsource_gui.state.playing import Played
 
 _NUMBER_PX = 88
@@ -44,6 +40,14 @@ _LATENCY = NumberSpec(
     step=0.001,
     hint="The shorter, the sooner an edit is felt, and the sooner the device runs out of samples",
 )
+GAIN = NumberSpec(
+    label="Gain",
+    unit="dB",
+    minimum=LOWEST_DB,
+    maximum=HIGHEST_DB,
+    step=1.0,
+    hint=f"How strongly it is played; each session starts at {START_DB:g} dB",
+)
 _SHIFT = NumberSpec(
     label="Shift",
     unit="Hz",
@@ -55,23 +59,37 @@ _SHIFT = NumberSpec(
 
 
 class DeviceFields(QObject):
-    """Rows of a grid with the fields of the device: labels on the left, fields on the right."""
+    """Fields of rig, device and gain, and what is folded of them.
+
+    Attributes
+    ----------
+    main, details
+        The fields that are always in sight, and the others.
+    """
 
     #: The chosen `Output`.
     output_requested = Signal(object)
     devices_requested = Signal()
     #: The chosen rig file, `Path`, or None.
     rig_requested = Signal(object)
+    #: The new gain, dB.
+    gain_requested = Signal(float)
 
-    def __init__(self, grid: QtWidgets.QGridLayout) -> None:
+    def __init__(self) -> None:
         super().__init__()
         self._output = Output()
         self._played: tuple[object, ...] = ()
+        self.rig = RigField()
+        self.rig.rig_chosen.connect(self.rig_requested)
+        self.edit_rig = tool_button(None, "edit_rig", "Edit…", "Places, outputs, volts and limits")
         self.device = ChoiceField(ChoiceSpec(label="Device", options=(("", _SYSTEM),)))
         self.device.edited.connect(self._choose_device)
-        rescan_hint = "Look for devices that were connected since; ends what is played"
-        self.rescan = tool_button(None, "look_for_devices", "Look again", rescan_hint)
+        self.rescan = tool_button(
+            None, "look_for_devices", "Look again", "Look for new devices; ends what is played"
+        )
         self.rescan.clicked.connect(self.devices_requested)
+        self.gain = NumberField(GAIN, widest_unit=GAIN.unit)
+        self.gain.edited.connect(lambda gain_db, _: self.gain_requested.emit(gain_db))
         self.rate = ChoiceField(ChoiceSpec(label="Sample rate", options=()))
         self.rate.edited.connect(lambda rate, _: self._want(sample_rate_hz=int(rate)))
         self.latency = NumberField(_LATENCY)
@@ -82,41 +100,41 @@ class DeviceFields(QObject):
             "all frequencies shifted up by as many hertz"
         )
         self.stand_in = tool_button(
-            None, "stand_in", "Stand-in for the ears", stand_in_hint, checkable=True
+            None, "stand_in", "Play for the ears", stand_in_hint, checkable=True
         )
         self.stand_in.clicked.connect(lambda on: self._want(stand_in=on))
         self.shift = NumberField(_SHIFT)
         self.shift.setToolTip(_SHIFT.hint)
         self.shift.edited.connect(lambda shift_hz, _: self._want(shift_hz=shift_hz))
-        self.rig = RigField()
-        self.rig.rig_chosen.connect(self.rig_requested)
         for widget, name in (
             (self.device, "device"),
             (self.rig, "rig"),
+            (self.gain, "gain"),
             (self.rate, "sample_rate"),
             (self.latency, "latency"),
             (self.shift, "shift"),
         ):
             widget.setObjectName(f"{name}_field")
             widget.setAccessibleName(name.replace("_", " ").capitalize())
-        for field in (self.latency, self.shift):
+        for field in (self.gain, self.latency, self.shift):
             LetterWidth(field, _NUMBER_PX)
-        delay = _row(self.latency, self.rescan)
-        rows: tuple[tuple[str, QtWidgets.QWidget], ...] = (
+        self.main = _form(
+            ("Rig", in_row((self.rig, 1), self.edit_rig)),
             ("Device", self.device),
-            ("Sample rate", self.rate),
-            ("Delay asked for", delay),
-            ("Rig", self.rig),
+            ("Gain", in_row(self.gain, None)),
         )
-        for row, (label, part) in enumerate(rows):
-            grid.addWidget(QtWidgets.QLabel(label), row, 0)
-            grid.addWidget(part, row, 1)
-        # In a column of the grid this text would take the room of the fields.
-        grid.addWidget(_row(self.stand_in, QtWidgets.QLabel("shift"), self.shift), 4, 0, 1, 2)
+        self.details = _form(
+            ("Devices", in_row(self.rescan, None)),
+            ("Sample rate", self.rate),
+            ("Delay", in_row(self.latency, None)),
+            ("Ears", in_row(self.stand_in, None)),
+            ("Shift", in_row(self.shift, None)),
+        )
 
-    def show_played(self, played: Played) -> None:
-        """Take over the chosen output and what can be chosen."""
-        shown = played.output, played.devices, played.rates_hz, played.rig_title
+    def show_played(self, played: Played, rig_title: str | None) -> None:
+        """Take over the chosen output, what can be chosen, and the rig of the design."""
+        self.gain.set_value(played.gain_db)
+        shown = played.output, played.devices, played.rates_hz, rig_title
         if shown == self._played:
             return
         self._played, self._output = shown, played.output
@@ -126,7 +144,7 @@ class DeviceFields(QObject):
         rates = sorted({*played.rates_hz, played.output.sample_rate_hz})
         rate_options = [(str(rate), f"{rate:,} Hz".replace(",", " ")) for rate in rates]
         _fill(self.rate, rate_options, str(played.output.sample_rate_hz))
-        self.rig.show_rig(played.rig_title or None)
+        self.rig.show_rig(rig_title)
         self.latency.set_value(played.output.latency_s)
         self.shift.set_value(played.output.shift_hz)
         self.shift.setEnabled(played.output.stand_in)
@@ -140,11 +158,14 @@ class DeviceFields(QObject):
         self.output_requested.emit(replace(self._output, **changes))
 
 
-def _row(*parts: QtWidgets.QWidget) -> QtWidgets.QWidget:
-    """Return widgets beside each other, as wide as they prefer."""
-    row = QtWidgets.QWidget()
-    in_row(*parts, None, of=row, margins=0)
-    return row
+def _form(*rows: tuple[str, QtWidgets.QWidget | QtWidgets.QLayout]) -> QtWidgets.QWidget:
+    """Return rows of a label and a field."""
+    widget = QtWidgets.QWidget()
+    form = QtWidgets.QFormLayout(widget)
+    form.setContentsMargins(0, 0, 0, 0)
+    for label, field in rows:
+        form.addRow(label, field)
+    return widget
 
 
 def _key(name: str, host_api: str) -> str:
@@ -210,7 +231,7 @@ class OutputRow(QObject):
         self.level.setObjectName(f"level_of_{place}")
         self.level.hide()
         self.loudness = _Loudness(self.meter, self.level)
-        self.tone = tool_button(None, f"tone_of_{place}", "Test tone")
+        self.tone = tool_button(None, f"tone_of_{place}", "Tone")
         self.tone.clicked.connect(self._request_tone)
         for column, widget in enumerate(self.widgets):
             grid.addWidget(widget, row, column)
@@ -223,6 +244,11 @@ class OutputRow(QObject):
         """The widgets from left to right."""
         return self.title, self.output, self.loudness, self.tone
 
+    def unfold(self, unfolded: bool) -> None:
+        """Show output and test tone as well, or the level alone."""
+        for widget in (self.output, self.tone):
+            widget.setVisible(unfolded)
+
     def show_output(self, output: int) -> None:
         """Show another output."""
         self.output.set_value(float(output))
@@ -230,7 +256,7 @@ class OutputRow(QObject):
 
     def show_played(self, played: Played) -> None:
         """Show how loud its output is, and whether a tone can be heard on it."""
-        self._offer_tone(played.missing)
+        self._offer_tone("" if played.actuators != "off" else "Arm the actuators first")
         index = round(self.output.value_si) - 1
         levels = played.levels
         if levels is None or index >= levels.rms_db.size:
@@ -295,116 +321,62 @@ class _Loudness(QtWidgets.QWidget):
         return QSize(max(room_px, _LEAST_METER_PX), super().minimumSizeHint().height())
 
 
-_NO_INPUTS = "No place is in use: click one on the hand."
-_NOT_WIRED = "The rig wires no place that is in use."
 _METER_COLUMN = 2
-_LEAST = QSize(300, 160)
 
 
-class PlaybackPanel(Panel):
-    """Settings of playback on this machine; they do not belong to the design."""
+class OutputRows(QtWidgets.QWidget):
+    """A row for each place of the design: its level, and unfolded its output and a test tone."""
 
-    title: ClassVar[str] = "Playback"
-    name: ClassVar[str] = "playback"
-    reads_down = True
-
-    #: The `Output` that shall be played on.
+    #: The `Output` with other outputs for places.
     output_requested = Signal(object)
-    #: The rig file that shall be played for, `Path`, or None.
-    rig_requested = Signal(object)
-    #: The devices shall be listed again.
-    devices_requested = Signal()
-    #: The output that shall play a tone.
+    #: The output that is to play a tone.
     tone_requested = Signal(int)
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._played, self._unit = Played(), "m/s²"
-        self._in_volts = False
-        self._limb = ""
-        self._content = content = QtWidgets.QWidget()
-        self.problem = page_label("playback_problem", tone="error")
-        self.text = page_label("playback_words", tone="dim")
-        for label in (self.problem, self.text):
-            label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        device = QtWidgets.QGridLayout()
-        device.setColumnStretch(1, 1)
-        device.setHorizontalSpacing(UNIT_PX)
-        self.fields = DeviceFields(device)
-        self.fields.output_requested.connect(self.output_requested)
-        self.fields.devices_requested.connect(self.devices_requested)
-        self.fields.rig_requested.connect(self.rig_requested)
-        self._rows: list[OutputRow] = []
-        self._table = QtWidgets.QGridLayout()
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("output_rows")
+        self._played, self._limb, self._unfolded = Played(), "", False
+        self.rows: list[OutputRow] = []
+        self._table = QtWidgets.QGridLayout(self)
+        self._table.setContentsMargins(0, 0, 0, 0)
         self._table.setColumnStretch(_METER_COLUMN, 1)
         self._table.setHorizontalSpacing(UNIT_PX)
-        parts = (self.problem, device, self._table, self.text, None)
-        margins = (UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX)
-        in_column(*parts, of=content, margins=margins, gap_px=UNIT_PX)
-        area = SteadyArea()
-        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        area.setFrameShape(QtWidgets.QFrame.Shape.NoFrame)
-        area.setWidget(content)
-        in_column(area, of=self, margins=0)
-        self.setFocusProxy(self.fields.device)
-        self.show_played(self._played)
 
-    def sizeHint(self) -> QSize:
-        return QSize(440, 380)
-
-    def minimumSizeHint(self) -> QSize:
-        # Fields scroll down, never sideways.
-        bar = self.style().pixelMetric(QtWidgets.QStyle.PixelMetric.PM_ScrollBarExtent)
-        return QSize(self._content.minimumSizeHint().width() + bar, 0).expandedTo(_LEAST)
-
-    def show_state(self, design: Design, view: View) -> None:
-        self._unit = amplitude_unit(design)
-        self._in_volts = design.actuated is not None
-        if design.limb != self._limb:
-            # The places are the same, but have other names.
-            self._limb = design.limb
+    def show_limb(self, limb: str) -> None:
+        """Name the places as a limb does."""
+        if limb != self._limb:
+            self._limb = limb
             self._make_rows(dict(self._played.wired))
-            self.show_played(self._played)
+
+    def unfold(self, unfolded: bool) -> None:
+        """Show outputs and test tones as well, or levels alone."""
+        self._unfolded = unfolded
+        for row in self.rows:
+            row.unfold(unfolded)
 
     def show_played(self, played: Played) -> None:
-        """Take over what is played and how loud; called while the panel is visible."""
-        self._played = played
-        self.problem.setText(played.missing)
-        self.problem.setVisible(bool(played.missing))
-        self.fields.show_played(played)
-        wired = dict(played.wired)
-        if [row.place for row in self._rows] != list(wired):
+        """Take over what is played and how loud."""
+        self._played, wired = played, dict(played.wired)
+        if [row.place for row in self.rows] != list(wired):
             self._make_rows(wired)
-        for row in self._rows:
+        for row in self.rows:
             row.show_output(wired[row.place])
             row.show_played(played)
             row.output.setEnabled(not played.output.stand_in and not played.rig_title)
-        self._show_text(played)
 
     def _make_rows(self, wired: dict[int, int]) -> None:
-        for row in self._rows:
+        for row in self.rows:
             for widget in row.widgets:
                 self._table.removeWidget(widget)
                 widget.deleteLater()
-        self._rows = [
+        self.rows = [
             OutputRow(self._table, number, place, output, self._limb)
             for number, (place, output) in enumerate(wired.items())
         ]
-        for row in self._rows:
+        for row in self.rows:
+            row.unfold(self._unfolded)
             row.output_requested.connect(self._wire)
             row.tone_requested.connect(self.tone_requested)
-
-    def _meaning(self, played: Played) -> str:
-        """Return what a gain of 0 dB means, and whether it is calibrated."""
-        if not played.rig_title or played.output.stand_in:
-            return (
-                f"At a gain of 0 dB an amplitude of 1{_gap(self._unit)} is full scale. "
-                "Uncalibrated: what reaches the skin depends on amplifier and actuator."
-            )
-        calibration = f"{played.calibration[:1].upper()}{played.calibration[1:]}."
-        if self._in_volts:
-            return f"At a gain of 0 dB the actuators get the volts of the design. {calibration}"
-        return f"At a gain of 0 dB an amplitude of 1{_gap(self._unit)} is full scale. {calibration}"
 
     def _wire(self, place: int, output: int) -> None:
         """Give a place an output; the place that had it gets the other's."""
@@ -418,31 +390,3 @@ class PlaybackPanel(Panel):
         pairs[place] = output
         outputs = tuple(sorted(pairs.items()))
         self.output_requested.emit(replace(self._played.output, outputs=outputs))
-
-    def _show_text(self, played: Played) -> None:
-        sentences = []
-        if not played.wired:
-            sentences.append(_NOT_WIRED if played.rig_title else _NO_INPUTS)
-        if played.output.stand_in:
-            sentences.append(
-                f"All frequencies sound {played.output.shift_hz:g} Hz higher than they are felt."
-            )
-        sentences.append(self._meaning(played))
-        if played.delay is not None:
-            sentences.append(f"{played.delay.text}.")
-        if played.levels is not None:
-            sentences.append(
-                "The device never ran out of samples."
-                if not played.underruns
-                else f"The device ran out of samples {played.underruns} times: ask for a longer "
-                "delay."
-            )
-        elif not played.missing and not played.playing:
-            sentences.append(f"Press {shortcut_text('play')} to play.")
-        text = "\n".join(sentences)
-        if text != self.text.text():
-            self.text.setText(text)
-
-
-def _gap(unit: str) -> str:
-    return f" {unit}" if unit != "×" else ""

@@ -3,23 +3,24 @@
 from dataclasses import dataclass
 from functools import lru_cache
 from math import isnan
-from typing import Any
 
 import numpy as np
 from PySide6 import QtWidgets
 from PySide6.QtCore import Qt, Signal
 
-from skinsource.actuators.actuator import Actuator, ResponseShape
-from skinsource.actuators.equalising import curves
+from skinsource.actuators.actuator import Actuator
+from skinsource.actuators.catalog import ActuatorProfile
+from skinsource.actuators.equalising import Equaliser, curves
 from skinsource.actuators.prediction import Prediction, breaches
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
 from skinsource.base.measurement_conditions import LARGEST_VELOCITY_M_PER_S, Band
-from skinsource.engine.actuator_demand import LONGEST_S, ActuatorSettings, Demand
+from skinsource.engine.actuator_demand import LONGEST_S, Demand
 from skinsource.limbs.locations import input_name
 from skinsource_gui.fields.units import value_text
 from skinsource_gui.plots.curves import CurveName, Curves
 from skinsource_gui.plots.ranges import XAxis
+from skinsource_gui.qt.buttons import page_button, page_label
 from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import UNIT_PX, set_tone, tabular
 from skinsource_gui.state.panel import PREPARING
@@ -64,16 +65,15 @@ def frequency_axis(band_hz: Band) -> XAxis:
     )
 
 
-def response_curves(settings: ActuatorSettings, band_hz: Band) -> Curves:
-    """Return gains over frequency: of the actuator, of the filter, and of both."""
+def response_curves(
+    model: Actuator, listed: Actuator | None, equaliser: Equaliser | None, band_hz: Band
+) -> Curves:
+    """Return gains over frequency: of the actuator, of the filter, and of both.
+
+    ``listed``: the actuator before its parameters were changed; None where it is not listed.
+    """
     frequency_hz = frequencies_of(band_hz)
-    model = settings.model
-    published: Any = settings.profile.model
     rows: list[tuple[CurveName, Floats]]
-    if isinstance(published, ResponseShape) or model is None:
-        rows = [(_BEFORE, decibels(np.abs(published.shape(frequency_hz))))]
-        return _drawn(frequency_hz, rows, "dB", ("a shape without a scale", "shape"))
-    equaliser = settings.made(model)
     if equaliser is None:
         rows = [(_BEFORE, _alone_db(model, band_hz))]
     else:
@@ -83,22 +83,19 @@ def response_curves(settings: ActuatorSettings, band_hz: Band) -> Curves:
             (_FILTER, responses.filter_db),
             (_AFTER, responses.after_db),
         ]
-    if isinstance(published, Actuator) and model != published:
-        rows.append((_PUBLISHED, _alone_db(published, band_hz)))
+    if listed is not None and model != listed:
+        rows.append((_PUBLISHED, _alone_db(listed, band_hz)))
     return _drawn(frequency_hz, rows, "dB re the mean in the band")
 
 
-def step_curves(settings: ActuatorSettings) -> Curves | None:
-    """Return the acceleration after a step of 1 V; None for a shape."""
-    model, published = settings.model, settings.profile.model
-    if model is None:
-        return None
+def step_curves(model: Actuator, listed: Actuator | None) -> Curves:
+    """Return the acceleration after a step of 1 V, of an actuator and as it is listed."""
     n = int(STEP_S * STEP_RATE_HZ)
     time_s = np.arange(n) / STEP_RATE_HZ - STEP_AT_S
     voltage = (time_s >= 0.0).astype(float)
     rows = [(_ALONE, model.simulate(voltage, STEP_RATE_HZ).acceleration)]
-    if isinstance(published, Actuator) and model != published:
-        rows.append((_PUBLISHED, published.simulate(voltage, STEP_RATE_HZ).acceleration))
+    if listed is not None and model != listed:
+        rows.append((_PUBLISHED, listed.simulate(voltage, STEP_RATE_HZ).acceleration))
     return _drawn(time_s, rows, "", ("acceleration after a step of 1 V", "step of 1 V"))
 
 
@@ -165,9 +162,9 @@ _ROWS = (
 )
 
 
-def rows_of(settings: ActuatorSettings, prediction: Prediction) -> tuple[Figure, ...]:
+def rows_of(shown: ActuatorProfile, prediction: Prediction) -> tuple[Figure, ...]:
     """Return a row for each figure that is known, with its limit."""
-    limits = settings.profile.limits
+    limits = shown.limits
     exceeded = {breach.name for breach in breaches(prediction, limits)}
     rows = []
     for label, name, unit, limit_name in _ROWS:
@@ -256,13 +253,13 @@ class FiguresTable(QtWidgets.QWidget):
 _NOTHING = "Nothing plays: add an input to see what it asks of the actuator"
 
 
-class FiguresView(QtWidgets.QWidget):
-    """A heading over the table of figures, or the reason why the equaliser refuses the drive.
+class DemandView(QtWidgets.QWidget):
+    """What a design asks of the actuator, in a line, or the reason why it cannot be played.
 
     Attributes
     ----------
     heading, refusal, limits, centred, table
-        Its parts.
+        Its parts; the table of all figures is laid out elsewhere.
     """
 
     #: The tap shall be replaced by one that leaves no velocity.
@@ -270,49 +267,49 @@ class FiguresView(QtWidgets.QWidget):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self.heading, self.refusal, self.table = (
-            QtWidgets.QLabel(),
-            QtWidgets.QLabel(),
-            FiguresTable(),
+        self.heading = page_label("actuator_heading")
+        self.refusal = page_label("actuator_refusal")
+        self.limits = page_label("actuator_limits", tone="error")
+        self.table = FiguresTable()
+        self.centred = page_button(
+            "actuator_centred",
+            "Use a centred tap",
+            "Let the selected clips play a tap that leaves nothing moving",
         )
-        self.heading.setObjectName("actuator_heading")
-        self.refusal.setObjectName("actuator_refusal")
-        self.limits = QtWidgets.QLabel()
-        self.limits.setObjectName("actuator_limits")
-        set_tone(self.limits, "error")
-        for label in (self.heading, self.refusal, self.limits):
-            label.setWordWrap(True)
-            label.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
-        self.centred = QtWidgets.QPushButton("Use a centred tap")
-        self.centred.setToolTip("Let the selected clips play a tap that leaves nothing moving")
         self.centred.clicked.connect(self.centred_requested)
-        column = in_column(
-            self.heading, self.refusal, self.limits, of=self, margins=0, gap_px=UNIT_PX // 4
-        )
+        parts = self.heading, self.refusal, self.limits
+        column = in_column(*parts, of=self, margins=0, gap_px=UNIT_PX // 4)
         column.addWidget(self.centred, 0, Qt.AlignmentFlag.AlignLeft)
-        column.addWidget(self.table)
 
     def show_demand(
-        self, demand: Demand, settings: ActuatorSettings, *, tap: bool, limb: str = ""
+        self, demand: Demand, shown: ActuatorProfile | None, *, tap: bool, limb: str = ""
     ) -> None:
         """Show the figures of an actuator; ``tap``: a tap could be replaced by another one."""
-        rows = () if demand.figures is None else rows_of(settings, demand.figures)
+        rows: tuple[Figure, ...] = ()
+        if shown is not None and demand.figures is not None:
+            rows = rows_of(shown, demand.figures)
         self.table.show_figures(rows)
-        reason = demand.refusal or ("" if demand.place is not None else _NOTHING)
+        reason = demand.refusal
+        if shown is not None and demand.place is None:
+            reason = reason or _NOTHING
         self.refusal.setText(reason)
         self.refusal.setVisible(bool(reason))
         # Silence and results that are not ready yet are no errors.
-        set_tone(self.refusal, "dim" if demand.refusal in ("", PREPARING) else "error")
+        quiet = demand.place is None or demand.refusal in ("", PREPARING)
+        set_tone(self.refusal, "dim" if quiet else "error")
         beyond = _beyond(rows)
         self.limits.setText(beyond)
         self.limits.setVisible(bool(beyond))
         self.centred.setVisible(demand.leaves_velocity and tap)
-        place = ""
-        if demand.place is not None:
+        text = ""
+        if shown is not None and demand.place is not None:
             place = f"Place {demand.place}, {input_name(demand.place, limb).name}"
-        part = f" · the strongest {LONGEST_S:g} s" if demand.part else ""
-        gain = " · uncalibrated gain" if place and not settings.profile.gain_calibrated else ""
-        self.heading.setText(f"{place}{part}{gain}")
+            peak = next((f": {row.value}" for row in rows if row.label == "Peak voltage"), "")
+            part = f", the strongest {LONGEST_S:g} s" if demand.part else ""
+            gain = "" if shown.gain_calibrated else " (uncalibrated gain)"
+            text = f"{place}{peak}{part}{gain}"
+        self.heading.setText(text)
+        self.heading.setVisible(bool(text))
 
 
 def _beyond(rows: tuple[Figure, ...]) -> str:

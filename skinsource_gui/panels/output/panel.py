@@ -1,0 +1,570 @@
+"""The panel of all that lies between the design and the skin.
+
+From the skin to the device: actuator, equaliser, whether predictions go through both, rig, device,
+and the levels that are sent.  What is chosen here is exported and played.
+"""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from functools import partial
+from math import log10
+from pathlib import Path
+from typing import Any, ClassVar
+
+from PySide6 import QtWidgets
+from PySide6.QtCore import QObject, QSize, Qt, Signal
+
+from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource.actuators.catalog import ActuatorProfile, load, names, profile
+from skinsource.actuators.equalising import (
+    Equaliser,
+    PolePairReplacement,
+    RegularisedInverse,
+    followed_band,
+    resonance_of,
+)
+from skinsource.base.measurement_conditions import Band
+from skinsource.design import edits
+from skinsource.design.amplitudes import amplitude_unit, equaliser_of
+from skinsource.design.design import Design
+from skinsource.design.edits.edit import leading_clip
+from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.design.view import View
+from skinsource.design.waveforms.pulses import CentredTap, Tap
+from skinsource.engine.actuator_demand import Demand, listed_profile, profile_of
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.specs.models import specs_of
+from skinsource.specs.numbers import NumberSpec
+from skinsource.specs.spec import ChoiceSpec, Spec
+from skinsource_gui.fields.editors import FieldCell
+from skinsource_gui.fields.grid import FieldGrid
+from skinsource_gui.fields.units import minus, value_text
+from skinsource_gui.panels.output.device import DeviceFields, OutputRows
+from skinsource_gui.panels.output.figures import (
+    TIME_AXIS,
+    DemandView,
+    frequency_axis,
+    response_curves,
+    step_curves,
+)
+from skinsource_gui.panels.output.settings import OutputSettings
+from skinsource_gui.plots.signal_view import SignalView
+from skinsource_gui.qt.buttons import page_button, page_label, tool_button
+from skinsource_gui.qt.fitting import SteadyArea
+from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.theme import UNIT_PX, set_tone
+from skinsource_gui.state.panel import Panel
+from skinsource_gui.state.playing import Played
+
+_NONE, _OWN = "none", "own"
+_EQUALISERS = (
+    ("inverse", "Regularised inverse"),
+    ("pole_pair", "Pole-pair replacement"),
+    (_NONE, "None"),
+)
+# Of a pole pair the rest follows from the actuator.
+_OF_EQUALISER = ("boost_db", "phase", "new_quality")
+
+
+def kind_of(equaliser: Equaliser | None) -> str:
+    """Return the kind of an equaliser, as the list names it."""
+    if equaliser is None:
+        return _NONE
+    return "inverse" if isinstance(equaliser, RegularisedInverse) else "pole_pair"
+
+
+def with_equaliser(actuation: Actuation, kind: str) -> Actuation:
+    """Return the same actuators with an equaliser of another kind."""
+    made: RegularisedInverse | PolePairReplacement | None = None
+    if kind == "inverse":
+        made = RegularisedInverse()
+    elif kind == "pole_pair":
+        made = PolePairReplacement(*resonance_of(actuation.actuators[0].model))
+    return replace(actuation, equaliser=made)
+
+
+def with_actuator(actuation: Actuation | None, name: str) -> Actuation:
+    """Return a listed actuator at all places, with the equaliser that was chosen before."""
+    model = load(name)
+    equaliser = RegularisedInverse() if actuation is None else actuation.equaliser
+    if isinstance(equaliser, PolePairReplacement):
+        # Its pole pair is that of one actuator.
+        equaliser = PolePairReplacement(*resonance_of(model), equaliser.new_quality)
+    actuator = ActuatorAt(actuator=profile(name).title, model=model)
+    return Actuation(actuators=(actuator,), equaliser=equaliser)
+
+
+def _listed_name(actuation: Actuation | None) -> str:
+    """Return the entry of the list that an actuation is."""
+    if actuation is None:
+        return _NONE
+    title = actuation.actuators[0].actuator
+    if len(actuation.actuators) > 1 or listed_profile(actuation.actuators[0]) is None:
+        return _OWN
+    return next((name for name in names() if title in (name, profile(name).title)), _OWN)
+
+
+class ActuatorChoices(QObject):
+    """Cells of actuator, equaliser and their parameters, as far as there are some.
+
+    Attributes
+    ----------
+    grid, parameters
+        The cells that are always in sight, and the parameters.
+    about, reset, open
+        Where the parameters come from; gives them back; opens a measured response.
+    """
+
+    #: The new `Actuation` or None, number of the gesture or None.
+    changed = Signal(object, object)
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._actuation: Actuation | None = None
+        self._cells: dict[str, FieldCell] = {}
+        self._cached_cells: dict[tuple[str, Spec], FieldCell] = {}
+        self.grid, self.parameters = FieldGrid(), FieldGrid()
+        self.about = page_label("actuator_about", tone="dim")
+        self.about.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
+        self.reset = page_button(
+            "actuator_reset", "As listed", "Give all parameters back the values that are listed"
+        )
+        self.reset.clicked.connect(self._reset)
+        self.open = page_button(
+            "actuator_open",
+            "Measured response…",
+            "A table of frequency_hz, gain and phase, or a recorded sweep",
+        )
+        self.show_actuation(None)
+
+    def cell(self, name: str) -> FieldCell:
+        """Return the cell of a field of model or equaliser, ``"actuator"`` or ``"equaliser"``."""
+        return self._cells[name]
+
+    def show_actuation(self, actuation: Actuation | None) -> None:
+        """Show what is chosen."""
+        self._actuation = actuation
+        specs: dict[str, Spec] = {"actuator": _actuator_spec(actuation)}
+        values: dict[str, Any] = {"actuator": _listed_name(actuation)}
+        text = "Nothing is known between the drive and the skin."
+        self.reset.hide()
+        if actuation is not None:
+            equaliser, model = actuation.equaliser, actuation.actuators[0].model
+            alone = len(actuation.actuators) == 1
+            specs["equaliser"] = ChoiceSpec(
+                label="Equaliser",
+                options=_EQUALISERS if alone else (_EQUALISERS[0], _EQUALISERS[2]),
+                hint="What makes the actuator move as the design says",
+            )
+            values["equaliser"] = kind_of(equaliser)
+            for part in filter(None, (equaliser, model if alone else None)):
+                for name, spec in specs_of(part).items():
+                    if isinstance(spec, NumberSpec | ChoiceSpec) and (
+                        part is model or name in _OF_EQUALISER
+                    ):
+                        specs[name], values[name] = spec, getattr(part, name)
+            listed = listed_profile(actuation.actuators[0])
+            text = _about_text(profile_of(actuation.actuators[0]), listed) if alone else ""
+            self.reset.setVisible(alone and listed is not None and listed.model != model)
+        for key in specs.items():
+            if key not in self._cached_cells:
+                self._cached_cells[key] = FieldCell(*key, edited=self._edit)
+        cells = {name: self._cached_cells[name, spec] for name, spec in specs.items()}
+        if cells != self._cells:
+            self._cells = cells
+            self.grid.show_cells(list(cells.values())[:2])
+            self.parameters.show_cells(list(cells.values())[2:])
+        for name, cell in cells.items():
+            cell.set_value(values[name])
+        self.about.setText(text)
+
+    def _edit(self, name: str, value: Any, gesture: object) -> None:
+        actuation = self._actuation
+        if name == "actuator" and value != _OWN:
+            after = None if value == _NONE else with_actuator(actuation, value)
+        elif actuation is None or name == "actuator":
+            return
+        elif name == "equaliser":
+            after = with_equaliser(actuation, value)
+        else:
+            changed: dict[str, Any] = {name: value}
+            if name in _OF_EQUALISER and actuation.equaliser is not None:
+                after = replace(actuation, equaliser=replace(actuation.equaliser, **changed))
+            else:
+                model: Any = actuation.actuators[0].model
+                after = self._with_model(actuation, replace(model, **changed))
+        if after != actuation:
+            self.changed.emit(after, gesture)
+
+    def _reset(self) -> None:
+        actuation = self._actuation
+        listed = None if actuation is None else listed_profile(actuation.actuators[0])
+        if actuation is not None and listed is not None:
+            self.changed.emit(self._with_model(actuation, listed.model), None)
+
+    def _with_model(self, actuation: Actuation, model: Any) -> Actuation:
+        after = replace(actuation, actuators=(replace(actuation.actuators[0], model=model),))
+        equaliser = actuation.equaliser
+        if isinstance(equaliser, PolePairReplacement):
+            pair = PolePairReplacement(*resonance_of(model), equaliser.new_quality)
+            after = replace(after, equaliser=pair)
+        return after
+
+
+def _actuator_spec(actuation: Actuation | None) -> ChoiceSpec:
+    own: tuple[tuple[str, str], ...] = ()
+    if actuation is not None and _listed_name(actuation) == _OWN:
+        own = ((_OWN, actuation.title),)
+    listed = tuple((name, profile(name).title) for name in names())
+    return ChoiceSpec(
+        label="Actuator",
+        options=((_NONE, "None"), *own, *listed),
+        hint="What moves the skin at each place",
+    )
+
+
+def _about_text(shown: ActuatorProfile, listed: ActuatorProfile | None) -> str:
+    calibration = shown.calibration
+    lines = [shown.source]
+    if calibration:
+        lines.append(f"Calibrated: {calibration[:1].lower()}{calibration[1:]}")
+    if listed is not None and listed.model != shown.model:
+        changed = [
+            f"{spec.label} {value_text(getattr(listed.model, name), spec.unit, 4)} → "
+            f"{value_text(getattr(shown.model, name), spec.unit, 4)}"
+            for name, spec in specs_of(shown.model).items()
+            if isinstance(spec, NumberSpec)
+            and getattr(shown.model, name) != getattr(listed.model, name)
+        ]
+        lines.append(f"Changed: {', '.join(changed)}.")
+    return " ".join(lines)
+
+
+_THROUGH = "Predict through the actuator"
+_THROUGH_HINT = "All levels, maps and traces are those under this actuator"
+_NO_INPUTS = "No place is in use: click one on the hand."
+_NOT_WIRED = "The rig wires no place that is in use."
+_PLOT_PX = 190
+_LEAST = QSize(300, 160)
+
+
+class OutputPanel(Panel):
+    """Actuator, equaliser, rig and device, and what is sent to the actuators.
+
+    Figures are those of the place of the selected input.  Actuator, equaliser and rig belong to the
+    design, the device to this machine.
+    """
+
+    title: ClassVar[str] = "Output"
+    name: ClassVar[str] = "output"
+    reads_down = True
+
+    #: The `lab` output that is to be played on.
+    output_requested = Signal(object)
+    #: The rig file that is to be used, `Path`, or None.
+    rig_requested = Signal(object)
+    #: The devices are to be listed again.
+    devices_requested = Signal()
+    #: The output that is to play a tone.
+    tone_requested = Signal(int)
+    #: The new gain, dB.
+    gain_requested = Signal(float)
+    #: Whether the actuators are to be armed.
+    arm_requested = Signal(bool)
+
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._design: Design | None = None
+        self._view, self._settings, self._played = View(), OutputSettings(), Played()
+        self._drawn: object = None
+        self.choices = ActuatorChoices(self)
+        self.choices.changed.connect(self._choose)
+        self.choices.open.clicked.connect(partial(self.action_requested.emit, "open_response"))
+        self.through = QtWidgets.QCheckBox(_THROUGH)
+        self.through.setObjectName("actuator_through")
+        self.through.clicked.connect(self._go_through)
+        self.through_text = page_label("actuator_through_words", tone="dim")
+        self.figures = DemandView()
+        self.figures.centred_requested.connect(self._use_centred_tap)
+        self.computed = (self.figures.table,)
+        self.fields = DeviceFields()
+        self.fields.output_requested.connect(self.output_requested)
+        self.fields.devices_requested.connect(self.devices_requested)
+        self.fields.rig_requested.connect(self.rig_requested)
+        self.fields.gain_requested.connect(self.gain_requested)
+        self.fields.edit_rig.clicked.connect(partial(self.action_requested.emit, "edit_rig"))
+        self.rows = OutputRows()
+        self.rows.output_requested.connect(self.output_requested)
+        self.rows.tone_requested.connect(self.tone_requested)
+        self.arm = page_button("arm_actuators", "Arm", "Show the peak, and allow to play it")
+        self.arm.setCheckable(True)
+        self.arm.clicked.connect(self.arm_requested)
+        self.play = page_button("play_on_actuators", "Play on actuators")
+        self.play.clicked.connect(partial(self.action_requested.emit, "play_on_actuators"))
+        self.stop = page_button("stop_actuators", "Stop", "Stop within 50 ms")
+        self.stop.clicked.connect(partial(self.action_requested.emit, "play_on_actuators"))
+        self.peak = page_label("output_peak")
+        self.problem = page_label("output_problem", tone="error")
+        self.text = page_label("output_words", tone="dim")
+        for label in (self.problem, self.text):
+            label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        more_hint = "Parameters, figures, response, sample rate, delay, test tones"
+        self.more = tool_button(None, "output_more", "More", more_hint)
+        self.more.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.more.clicked.connect(lambda: self._put("more", not self._settings.more))
+        self.plot = SignalView("actuator-plot", "Response of the actuator")
+        self.plot.setMinimumHeight(_PLOT_PX)
+        self._step = self.plot.toolbar.add_switch(
+            "actuator-step", "Step", "What 1 V that comes on does, over time", self._show_step
+        )
+        self.plot.toolbar.layout_chosen.connect(partial(self._put, "layout"))
+        self.plot.zoom_requested.connect(partial(self._put, "zoom"))
+        self.plot.exports.failed.connect(self.failed)
+        self.plot.exports.written.connect(self.written)
+        self._lay_out()
+        self.setFocusProxy(self.choices.cell("actuator"))
+        self._show_settings()
+        self.show_played(self._played)
+
+    @property
+    def needs(self) -> frozenset[str]:
+        """What is asked of the actuator, and of which: before any response."""
+        return frozenset({"actuator_demand", "actuator_looked_at"})
+
+    def sizeHint(self) -> QSize:
+        return QSize(440, 480)
+
+    def minimumSizeHint(self) -> QSize:
+        # Fields scroll down, never sideways.
+        bar = self.style().pixelMetric(QtWidgets.QStyle.PixelMetric.PM_ScrollBarExtent)
+        return QSize(self._content.minimumSizeHint().width() + bar, 0).expandedTo(_LEAST)
+
+    def show_state(self, design: Design, view: View) -> None:
+        self._design, self._view = design, view
+        self._settings = settings_of(view, self.name, OutputSettings)
+        self.rows.show_limb(design.limb)
+        if self.isVisible():
+            self._show_settings()
+            self.show_played(self._played)
+
+    def show_results(self, results: Mapping[str, Any]) -> None:
+        self._show_settings()
+        self.figures.show_demand(
+            results["actuator_demand"],
+            results["actuator_looked_at"],
+            tap=_plays_tap(self._design, self._view),
+            limb="" if self._design is None else self._design.limb,
+        )
+
+    def show_problem(self, reason: str) -> None:
+        actuated = self._design is not None and self._design.actuated is not None
+        tap = actuated and _plays_tap(self._design, self._view)
+        refused = Demand(place=None, refusal=reason, leaves_velocity=tap)
+        self.figures.show_demand(refused, None, tap=tap)
+
+    def show_folder(self, folder: Path) -> None:
+        self.plot.exports.folder = folder
+
+    def show_played(self, played: Played) -> None:
+        """Take over what is played and how loud; called while the panel is visible."""
+        self._played = played
+        self.problem.setText(played.missing)
+        self.problem.setVisible(bool(played.missing))
+        own = None if self._design is None else self._design.rig
+        self.fields.show_played(played, None if own is None else own.title or "Rig")
+        self.rows.show_played(played)
+        self.arm.setChecked(played.actuators != "off")
+        self.arm.setText({"off": "Arm"}.get(played.actuators, "Armed"))
+        self.play.setEnabled(played.actuators == "armed")
+        self.stop.setEnabled(played.on_actuators)
+        self.peak.setText(peak_text(played))
+        set_tone(self.peak, "warning" if played.peak is not None else "dim")
+        self._show_text(played)
+
+    def _lay_out(self) -> None:
+        """Lay the parts out from the skin to the device."""
+        self._details, choices = QtWidgets.QWidget(), self.choices
+        in_column(
+            choices.parameters,
+            choices.about,
+            in_row(choices.reset, choices.open, None),
+            self.figures.table,
+            self.plot,
+            self.fields.details,
+            of=self._details,
+            margins=0,
+            gap_px=UNIT_PX // 2,
+        )
+        parts = (
+            choices.grid,
+            self.through,
+            self.through_text,
+            self.figures,
+            self.fields.main,
+            self.rows,
+            in_row(self.arm, self.play, self.stop, None),
+            self.peak,
+            self.problem,
+            self.text,
+            in_row(self.more, None),
+            self._details,
+            None,
+        )
+        self._content = QtWidgets.QWidget()
+        margins = (UNIT_PX, UNIT_PX // 2, UNIT_PX // 2, UNIT_PX)
+        in_column(*parts, of=self._content, margins=margins, gap_px=UNIT_PX // 2)
+        scroll = SteadyArea()
+        scroll.setObjectName("output_scroll")
+        scroll.setFrameShape(SteadyArea.Shape.NoFrame)
+        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        scroll.setWidget(self._content)
+        in_column(scroll, of=self, margins=0)
+
+    def _show_settings(self) -> None:
+        design, settings = self._design, self._settings
+        actuation = None if design is None else design.actuation
+        band = _band_of("" if design is None else design.limb)
+        drawn = actuation, settings, band
+        if drawn == self._drawn:
+            return
+        self._drawn = drawn
+        self.choices.show_actuation(actuation)
+        self._show_through(actuation)
+        self.more.setText("Less" if settings.more else "More")
+        arrow = Qt.ArrowType.DownArrow if settings.more else Qt.ArrowType.RightArrow
+        self.more.setArrowType(arrow)
+        self._details.setVisible(settings.more)
+        self.rows.unfold(settings.more)
+        for part in (self.plot, self.figures.table):
+            part.setVisible(actuation is not None)
+        if actuation is not None and settings.more:
+            self._show_plot(actuation, band)
+
+    def _show_plot(self, actuation: Actuation, band: Band) -> None:
+        settings, actuator = self._settings, actuation.actuators[0]
+        model, listed = actuator.model, listed_profile(actuator)
+        before: Any = None if listed is None else listed.model
+        step = settings.picture == "step"
+        self._step.setChecked(step)
+        self.plot.toolbar.show_state(layout=settings.layout, zoomed=settings.zoom is not None)
+        axis = TIME_AXIS if step else frequency_axis(band)
+        self.plot.set_view(axis, settings.zoom, stacked=settings.layout == "stacked")
+        self.plot.show_curves(
+            step_curves(model, before)
+            if step
+            else response_curves(model, before, actuation.equaliser, band),
+            synthetic=False,
+        )
+
+    def _show_through(self, actuation: Actuation | None) -> None:
+        on = actuation is not None and actuation.on
+        self.through.setChecked(on)
+        self.through.setEnabled(actuation is not None)
+        self.through.setToolTip(_THROUGH_HINT if actuation is not None else "Choose one first")
+        text = ""
+        if on and actuation is not None:
+            volts = actuation.equaliser is None
+            text = (
+                "An amplitude of 1 is 1 V at the actuator."
+                if volts
+                else "An amplitude of 1 asks the contactor for 1 m/s²."
+            )
+        self.through_text.setText(text)
+        self.through_text.setVisible(bool(text))
+
+    def _show_text(self, played: Played) -> None:
+        sentences = []
+        if not played.wired:
+            sentences.append(_NOT_WIRED if played.rig_title else _NO_INPUTS)
+        if played.output.stand_in:
+            sentences.append(
+                f"All frequencies sound {played.output.shift_hz:g} Hz higher than they are felt."
+            )
+        sentences.append(self._meaning(played))
+        if played.delay is not None:
+            sentences.append(f"{played.delay.text}.")
+        if played.levels is not None:
+            sentences.append(
+                "The device never ran out of samples."
+                if not played.underruns
+                else f"The device ran out of samples {played.underruns} times: ask for a longer "
+                "delay."
+            )
+        text = "\n".join(sentences)
+        if text != self.text.text():
+            self.text.setText(text)
+
+    def _meaning(self, played: Played) -> str:
+        """Return what a gain of 0 dB means, and whether it is calibrated."""
+        design = self._design
+        in_volts = design is not None and (
+            equaliser_of(design) is not None or amplitude_unit(design) == "V"
+        )
+        unit = "m/s²" if design is None else amplitude_unit(design)
+        full_scale = f"an amplitude of 1{'' if unit == '×' else f' {unit}'} is full scale"
+        if in_volts:
+            full_scale = "1 V for the actuator is full scale"
+        if not played.rig_title or played.output.stand_in:
+            return (
+                f"At a gain of 0 dB {full_scale}. "
+                "Uncalibrated: what reaches the skin depends on amplifier and actuator."
+            )
+        calibration = f"{played.calibration[:1].upper()}{played.calibration[1:]}."
+        if in_volts:
+            full_scale = "the actuators get the volts of the design"
+        return f"At a gain of 0 dB {full_scale}. {calibration}"
+
+    def _use_centred_tap(self) -> None:
+        if self._design is not None:
+            ids = self._view.selected_inputs
+            outcome = edits.change_kind(self._design, self._view, ids, CentredTap.__name__)
+            self.edited.emit(outcome, None)
+
+    def _go_through(self, on: bool) -> None:
+        design = self._design
+        if design is not None and design.actuation is not None:
+            through = replace(design.actuation, on=on)
+            self.edited.emit(edits.predict_through(design, self._view, through), None)
+            # After a refusal the box shows the state of the design again.
+            self._show_through(self._design.actuation if self._design else None)
+
+    def _choose(self, actuation: Actuation | None, gesture: int | None = None) -> None:
+        if self._design is not None:
+            outcome = edits.choose_actuation(self._design, self._view, actuation)
+            self.edited.emit(outcome, gesture)
+
+    def _put(self, name: str, value: object) -> None:
+        changed: dict[str, Any] = {name: value}
+        settings = replace(self._settings, **changed)
+        if settings != self._settings:
+            self.view_changed.emit(with_settings(self._view, self.name, settings))
+
+    def _show_step(self, step: bool) -> None:
+        settings = replace(self._settings, picture="step" if step else "response", zoom=None)
+        self.view_changed.emit(with_settings(self._view, self.name, settings))
+
+
+def peak_text(played: Played) -> str:
+    """Return the text on the largest sample that would be sent at the present gain."""
+    peak = played.peak
+    if peak is None:
+        return "Actuators off: nothing is sent to them."
+    factor = 10.0 ** (played.gain_db / 20.0)
+    if peak.full_scale == 0.0:
+        return f"Armed: silence on {peak.device}."
+    level_db = 20.0 * log10(peak.full_scale * factor)
+    volts = "" if peak.volts is None else f", {value_text(peak.volts * factor, 'V', 3)}"
+    state = "Playing" if played.on_actuators else "Armed"
+    return f"{state}: peak {minus(f'{level_db:z.1f}')} dBFS{volts}, on {peak.device}."
+
+
+def _band_of(limb: str) -> Band:
+    """Return the band in which drives are followed on a limb."""
+    facts = facts_of(limb)
+    return followed_band(facts.band_hz, facts.sample_rate_hz)
+
+
+def _plays_tap(design: Design | None, view: View) -> bool:
+    """Return whether the edited clip plays a tap that leaves a velocity."""
+    clip = None if design is None else leading_clip(design, view)
+    return clip is not None and isinstance(clip.waveform, Tap)
