@@ -17,8 +17,8 @@ from skinsource_gui.qt.error_label import PROMISED, VISIBLE, error_text
 from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.labels import FittingLabel
 from skinsource_gui.qt.layouts import in_row
-from skinsource_gui.qt.overlays import Staleness
-from skinsource_gui.qt.theme import UNIT_PX, set_tone, tabular
+from skinsource_gui.qt.overlays import Overlay, Staleness
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone, tabular
 from skinsource_gui.qt.window_events import WindowEvents
 from skinsource_gui.state.edit_times import EditTimes, summary
 from skinsource_gui.state.engine import Engine, Outcome, Purpose, Request
@@ -263,8 +263,30 @@ _ABOUT = (
 )
 
 
+_FRAME_PX = 3
+
+
+class MatchFrame(Overlay):
+    """A coloured frame round a window that shows other levels than those of its design."""
+
+    def __init__(self, window: QtWidgets.QWidget) -> None:
+        super().__init__(window)
+        self.setObjectName("match_frame")
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
+        inner = self.rect().adjusted(_FRAME_PX, _FRAME_PX, -_FRAME_PX, -_FRAME_PX)
+        self.setMask(QtGui.QRegion(self.rect()) - QtGui.QRegion(inner))
+        super().resizeEvent(event)
+
+    def paintEvent(self, _event: QtGui.QPaintEvent) -> None:
+        QtGui.QPainter(self).fillRect(self.rect(), QtGui.QColor(current_theme().warning))
+
+
 class MatchNote(QtWidgets.QToolButton):
     """The gain of a matched snapshot; its menu keeps or removes it.  Hidden where there is none.
+
+    A frame round the window is shown with it.
 
     Parameters
     ----------
@@ -285,6 +307,7 @@ class MatchNote(QtWidgets.QToolButton):
         menu = QtWidgets.QMenu(self)
         menu.addActions(list(actions))
         self.setMenu(menu)
+        self._frame: MatchFrame | None = None
         self.hide()
 
     def show_state(self, design: Design, view: View) -> None:
@@ -296,6 +319,11 @@ class MatchNote(QtWidgets.QToolButton):
             self.setAccessibleName(text)
             self.setToolTip(f"{text}. {_ABOUT}" if text else "")
         self.setVisible(bool(text))
+        if bool(text) == (self._frame is not None):
+            return
+        if self._frame is not None:
+            self._frame.take_away()
+        self._frame = MatchFrame(self.window()) if text else None
 
 
 _BAR_PX, _NAME_PX = 96, 200

@@ -286,7 +286,7 @@ class OutputPanel(Panel):
         self.through_text = page_label("actuator_through_words", tone="dim")
         self.figures = DemandView()
         self.figures.centred_requested.connect(self._use_centred_tap)
-        self.computed = (self.figures.table,)
+        self.computed = (self.figures, self.figures.table)
         self.fields = DeviceFields()
         self.fields.output_requested.connect(self.output_requested)
         self.fields.devices_requested.connect(self.devices_requested)
