@@ -7,7 +7,17 @@ from functools import reduce
 from itertools import pairwise
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QByteArray, QEvent, QObject, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import (
+    QByteArray,
+    QDataStream,
+    QEvent,
+    QIODevice,
+    QObject,
+    QSize,
+    Qt,
+    QTimer,
+    Signal,
+)
 
 from skinsource_gui.qt.window_events import WindowEvents
 from skinsource_gui.shell.appearance import Appearance
@@ -151,6 +161,24 @@ def shared(whole: int, shares: Sequence[int], least: Sequence[int]) -> list[int]
     return parts
 
 
+# What panels were called in layouts and scenes of before.
+_FORMER = {"actuator": "output", "playback": "output"}
+
+
+def _renamed(content: bytes) -> bytes:
+    """Return a layout with the present names of panels."""
+    for former, name in _FORMER.items():
+        content = content.replace(_stored_name(former), _stored_name(name))
+    return content
+
+
+def _stored_name(name: str) -> bytes:
+    """Return a name as Qt stores it in layouts."""
+    stored = QByteArray()
+    QDataStream(stored, QIODevice.OpenModeFlag.WriteOnly).writeQString(name)
+    return bytes(stored.data())
+
+
 #: For each dock, whether it is hidden, floating, and in sight.
 _State = dict[str, tuple[bool, bool, bool]]
 
@@ -285,6 +313,7 @@ class Workspaces(QObject):
 
     def bring(self, panel: str) -> None:
         """Bring a panel into sight without moving others."""
+        panel = _FORMER.get(panel, panel)
         if panel in self._docks:
             self._docks[panel].bring_forward()
 
@@ -296,7 +325,7 @@ class Workspaces(QObject):
         """Restore the layout ``content`` of this window; do nothing where it is empty."""
         if content:
             with self._arranging():
-                self._window.restoreState(QByteArray(content))
+                self._window.restoreState(QByteArray(_renamed(content)))
             self._settling.stop()
             self._moved = True
 
@@ -308,7 +337,7 @@ class Workspaces(QObject):
         which a file was saved.
         """
         before = self._window.saveState()
-        if not content or not self._window.restoreState(QByteArray(content)):
+        if not content or not self._window.restoreState(QByteArray(_renamed(content))):
             return
         docks = self._docks.values()
         hidden = {dock: dock.isHidden() for dock in docks}

@@ -15,8 +15,9 @@ from skinsource.design.effects.level import BandLimit, Fade
 from skinsource.design.signal_path import check_drive, drive_of_clips
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import CentredTap, Tap
-from skinsource.design.waveforms.samples import Drawn, Samples
+from skinsource.design.waveforms.samples import Drawn
 from skinsource.limbs.own_limbs import facts_of
+from skinsource.specs.samples import Samples
 
 # Longest fade that mends, and the share of a clip that it takes at most.
 _LONGEST_FADE_S, _FADED_SHARE = 0.05, 0.25
