@@ -23,7 +23,6 @@ from skinsource_gui.qt.theme import play_icon, repeat_icon, set_tone, stop_icon
 from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.shell.focus import KeyboardFilter
 from skinsource_gui.shell.notices import Reports
-from skinsource_gui.shell.status import PreparingNote
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.panel import Panel, PanelRegistry
 from skinsource_gui.state.playing import (
@@ -201,7 +200,12 @@ class Transport(QtWidgets.QWidget):
         return button
 
 
-_STATES = {"off": "Actuators off", "armed": "Actuators armed", "playing": "Actuators playing"}
+_STATES = {
+    "off": "Actuators off",
+    "armed": "Actuators armed",
+    "preparing": "Preparing…",
+    "playing": "Actuators playing",
+}
 
 
 class OutputButton(QtWidgets.QToolButton):
@@ -244,9 +248,9 @@ class Playback(QObject):
 
     Attributes
     ----------
-    player, pace, bar, note, button, matching
-        Who plays; how fast; what asks for it above the panels; what says that it is prepared; what
-        leads to the panel; who opens the matching page.
+    player, pace, bar, button, matching
+        Who plays; how fast; what asks for it above the panels; what leads to the panel; who opens
+        the matching page.
     """
 
     def __init__(
@@ -256,8 +260,7 @@ class Playback(QObject):
         self._document = document
         self.player = Player(document, preferences, self)
         self.pace = PlaybackPace(document, self.player, self)
-        self.bar, self.note = Transport(window), PreparingNote(window)
-        self.button = OutputButton()
+        self.bar, self.button = Transport(window), OutputButton()
         self.matching = MatchingActions(document, preferences, self.player, window)
         self.rigs = RigPages(document, self.player.settings, window)
         self._panel: OutputPanel | None = None
@@ -287,7 +290,6 @@ class Playback(QObject):
         player, bar = self.player, self.bar
         bar.play_requested.connect(player.play_or_stop)
         bar.repeat_requested.connect(player.toggle_loop)
-        self.note.cancel_requested.connect(player.stop)
         player.changed.connect(self._follow)
         player.failed.connect(reports.complain)
         self.rigs.failed.connect(reports.complain)
@@ -313,7 +315,6 @@ class Playback(QObject):
 
     def _follow(self) -> None:
         playing = self.player.playing
-        self.note.show_preparing(self.player.preparing)
         self._escape.listen(playing)
         if playing and not self._timer.isActive():
             self._timer.start()

@@ -14,7 +14,6 @@ from skinsource.design.view import View
 from skinsource.engine.gains import TraceError
 from skinsource_gui.qt.buttons import page_button
 from skinsource_gui.qt.error_label import PROMISED, VISIBLE, error_text
-from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.labels import FittingLabel
 from skinsource_gui.qt.layouts import in_row
 from skinsource_gui.qt.overlays import Overlay, Staleness
@@ -220,41 +219,6 @@ class StatusLine(FittingLabel):
         set_tone(self, tone)
         self.setToolTip(_OLDER if stale else "")
         self.changed.emit()
-
-
-_WORDS = "Preparing the sound…"
-_HINT = "It is brought to the rate of the device from beginning to end, and plays then"
-
-
-class PreparingNote(QtWidgets.QWidget):
-    """A text and Cancel, shown while the sound of a long design is prepared."""
-
-    cancel_requested = Signal()
-
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("preparing_sound")
-        label = QtWidgets.QLabel(_WORDS)
-        label.setToolTip(_HINT)
-        hint = f"Do not play ({shortcut_text('play')})"
-        self._cancel = page_button("cancel_preparing", "Cancel", hint)
-        self._cancel.setAccessibleName("Cancel preparing the sound")
-        self._cancel.clicked.connect(self.cancel_requested)
-        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Fixed, QtWidgets.QSizePolicy.Policy.Fixed)
-        in_row(label, self._cancel, of=self, margins=(UNIT_PX, 0, 0, 0), gap_px=UNIT_PX)
-        self._staleness = Staleness(self)
-        self._staleness.changed.connect(self._follow)
-        self.hide()
-
-    def show_preparing(self, preparing: bool) -> None:
-        """Take over whether the sound is being prepared; shown after a while."""
-        self._staleness.set_stale(preparing)
-
-    def _follow(self, stale: bool) -> None:
-        # The keyboard goes back to where work is done.
-        if not stale and self._cancel.hasFocus():
-            self.window().setFocus()
-        self.setVisible(stale)
 
 
 _ABOUT = (

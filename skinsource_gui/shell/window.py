@@ -195,7 +195,7 @@ class MainWindow(QtWidgets.QMainWindow):
         self._bar = StudioBar(self.setup_bar, self.playback.bar, groups, self)
         self.statusBar().addWidget(self.status_line, 1)
         self._match_note = MatchNote([actions["keep_match_gain"], actions["match_levels"]])
-        for widget in (self._match_note, self.playback.note, self.job_bar):
+        for widget in (self._match_note, self.job_bar):
             self.statusBar().addPermanentWidget(widget)
         self.conditions = Conditions(self.document, self.engine, self.panels, self.statusBar())
         self.statusBar().addPermanentWidget(self._limb_note)

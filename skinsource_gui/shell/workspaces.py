@@ -7,17 +7,7 @@ from functools import reduce
 from itertools import pairwise
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import (
-    QByteArray,
-    QDataStream,
-    QEvent,
-    QIODevice,
-    QObject,
-    QSize,
-    Qt,
-    QTimer,
-    Signal,
-)
+from PySide6.QtCore import QByteArray, QEvent, QObject, QSize, Qt, QTimer, Signal
 
 from skinsource_gui.qt.window_events import WindowEvents
 from skinsource_gui.shell.appearance import Appearance
@@ -174,9 +164,8 @@ def _renamed(content: bytes) -> bytes:
 
 def _stored_name(name: str) -> bytes:
     """Return a name as Qt stores it in layouts."""
-    stored = QByteArray()
-    QDataStream(stored, QIODevice.OpenModeFlag.WriteOnly).writeQString(name)
-    return bytes(stored.data())
+    text = name.encode("utf-16-be")
+    return len(text).to_bytes(4, "big") + text
 
 
 #: For each dock, whether it is hidden, floating, and in sight.

@@ -41,7 +41,9 @@ class Played:
 
     Attributes
     ----------
-    looked
+    preparing
+        Whether what is to be played is being rendered.
+    searched
         Whether devices were looked for.
     missing
         Why nothing can be heard, and what to do; "" where it can.
@@ -51,8 +53,6 @@ class Played:
         Pairs of a place of the design and the output that drives it.
     rig_title, calibration
         The rig that is played for, "" without one; whether the output is calibrated, as a text.
-    names
-        What each output plays now; "" where it is silent.
     levels, delay
         How loud each output is, and how late an edit is heard; None while nothing is heard.
     underruns
@@ -66,6 +66,7 @@ class Played:
     """
 
     playing: bool = False
+    preparing: bool = False
     searched: bool = False
     devices: "tuple[Device, ...]" = ()
     missing: str = ""
@@ -74,7 +75,6 @@ class Played:
     wired: tuple[tuple[int, int], ...] = ()
     rig_title: str = ""
     calibration: str = ""
-    names: tuple[str, ...] = ()
     levels: "Levels | None" = None
     delay: "Delay | None" = None
     underruns: int = 0
@@ -85,9 +85,9 @@ class Played:
 
     @property
     def actuators(self) -> str:
-        """State of the actuators: ``"off"``, ``"armed"`` or ``"playing"``."""
+        """State of the actuators: ``"off"``, ``"armed"``, ``"preparing"`` or ``"playing"``."""
         if self.on_actuators:
-            return "playing"
+            return "preparing" if self.preparing else "playing"
         return "off" if self.peak is None else "armed"
 
 
@@ -852,10 +852,10 @@ def _calibration(settings: SoundSettings, design: Design) -> str:
 def played_by(player: Player, design: Design) -> Played:
     """Return the state of playback for the panels."""
     settings, stream = player.settings, player.now.stream if player.now else None
-    mix = None if stream is None else stream.queue.mix
     render_s, rig = player.edits.render_s, settings.rig_for(design)
     return Played(
         playing=player.playing,
+        preparing=player.preparing,
         searched=settings.searched,
         devices=settings.devices,
         missing=settings.missing,
@@ -864,7 +864,6 @@ def played_by(player: Player, design: Design) -> Played:
         wired=tuple(outputs_by_place(design, settings.output, rig).items()),
         rig_title=settings.rig_title if rig is settings.rig else rig.title or "Rig" if rig else "",
         calibration=_calibration(settings, design),
-        names=() if mix is None else mix.names,
         levels=None if stream is None else stream.queue.levels(),
         delay=None if stream is None or not render_s else stream.delay(render_s),
         underruns=0 if stream is None else stream.underruns,

@@ -1,10 +1,11 @@
 """Rig, device, gain, channel map and levels."""
 
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 from PySide6 import QtWidgets
-from PySide6.QtCore import QObject, QSize, Qt, Signal
+from PySide6.QtCore import QObject, Qt, Signal
 
 from skinsource.lab.playing.devices import (
     LEAST_SHIFT_HZ,
@@ -15,7 +16,7 @@ from skinsource.lab.playing.devices import (
     Output,
 )
 from skinsource.lab.playing.mix import HIGHEST_DB, LOWEST_DB, START_DB
-from skinsource.limbs.locations import LocationNames, input_name
+from skinsource.limbs.locations import input_name
 from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
@@ -24,23 +25,23 @@ from skinsource_gui.fields.rig_field import RigField
 from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.fitting import LetterWidth
 from skinsource_gui.qt.labels import FittingLabel, LevelMeter
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import in_row
 from skinsource_gui.qt.theme import UNIT_PX, tabular
 from skinsource_gui.qt.tooltips import show_tooltip
 from skinsource_gui.state.playing import Played
 
-_NUMBER_PX = 88
+_NUMBER_PX, _OUTPUT_NUMBER_PX, _METER_PX = 88, 56, 8
 _SYSTEM = "What the system plays on"
 _BETWEEN = "\n"
 _LATENCY = NumberSpec(
-    label="Delay asked for",
+    label="Delay",
     unit="s",
     minimum=SHORTEST_LATENCY_S,
     maximum=LONGEST_LATENCY_S,
     step=0.001,
     hint="The shorter, the sooner an edit is felt, and the sooner the device runs out of samples",
 )
-GAIN = NumberSpec(
+_GAIN = NumberSpec(
     label="Gain",
     unit="dB",
     minimum=LOWEST_DB,
@@ -56,6 +57,7 @@ _SHIFT = NumberSpec(
     step=10.0,
     hint="How many hertz higher everything sounds",
 )
+_EARS_HINT = "Without actuators: all channels, from left to right, with frequencies shifted up"
 
 
 class DeviceFields(QObject):
@@ -69,66 +71,40 @@ class DeviceFields(QObject):
 
     #: The chosen `Output`.
     output_requested = Signal(object)
-    devices_requested = Signal()
-    #: The chosen rig file, `Path`, or None.
-    rig_requested = Signal(object)
-    #: The new gain, dB.
-    gain_requested = Signal(float)
 
     def __init__(self) -> None:
         super().__init__()
         self._output = Output()
         self._played: tuple[object, ...] = ()
         self.rig = RigField()
-        self.rig.rig_chosen.connect(self.rig_requested)
         self.edit_rig = tool_button(None, "edit_rig", "Edit…", "Places, outputs, volts and limits")
         self.device = ChoiceField(ChoiceSpec(label="Device", options=(("", _SYSTEM),)))
         self.device.edited.connect(self._choose_device)
         self.rescan = tool_button(
             None, "look_for_devices", "Look again", "Look for new devices; ends what is played"
         )
-        self.rescan.clicked.connect(self.devices_requested)
-        self.gain = NumberField(GAIN, widest_unit=GAIN.unit)
-        self.gain.edited.connect(lambda gain_db, _: self.gain_requested.emit(gain_db))
+        self.gain = NumberField(_GAIN, widest_unit=_GAIN.unit)
         self.rate = ChoiceField(ChoiceSpec(label="Sample rate", options=()))
         self.rate.edited.connect(lambda rate, _: self._want(sample_rate_hz=int(rate)))
-        self.latency = NumberField(_LATENCY)
-        self.latency.setToolTip(_LATENCY.hint)
+        self.latency, self.shift = NumberField(_LATENCY), NumberField(_SHIFT)
         self.latency.edited.connect(lambda latency_s, _: self._want(latency_s=latency_s))
-        stand_in_hint = (
-            "For people without actuators: all channels, from left to right in their order, with "
-            "all frequencies shifted up by as many hertz"
-        )
         self.stand_in = tool_button(
-            None, "stand_in", "Play for the ears", stand_in_hint, checkable=True
+            None, "stand_in", "Play for the ears", _EARS_HINT, checkable=True
         )
         self.stand_in.clicked.connect(lambda on: self._want(stand_in=on))
-        self.shift = NumberField(_SHIFT)
-        self.shift.setToolTip(_SHIFT.hint)
         self.shift.edited.connect(lambda shift_hz, _: self._want(shift_hz=shift_hz))
-        for widget, name in (
-            (self.device, "device"),
-            (self.rig, "rig"),
-            (self.gain, "gain"),
-            (self.rate, "sample_rate"),
-            (self.latency, "latency"),
-            (self.shift, "shift"),
-        ):
-            widget.setObjectName(f"{name}_field")
-            widget.setAccessibleName(name.replace("_", " ").capitalize())
         for field in (self.gain, self.latency, self.shift):
             LetterWidth(field, _NUMBER_PX)
+            field.setToolTip(field.spec.hint)
         self.main = _form(
-            ("Rig", in_row((self.rig, 1), self.edit_rig)),
-            ("Device", self.device),
-            ("Gain", in_row(self.gain, None)),
+            ("Rig", self.rig, self.edit_rig), ("Device", self.device), ("Gain", self.gain)
         )
         self.details = _form(
-            ("Devices", in_row(self.rescan, None)),
+            ("Devices", self.rescan),
             ("Sample rate", self.rate),
-            ("Delay", in_row(self.latency, None)),
-            ("Ears", in_row(self.stand_in, None)),
-            ("Shift", in_row(self.shift, None)),
+            ("Delay", self.latency),
+            ("Ears", self.stand_in),
+            ("Shift", self.shift),
         )
 
     def show_played(self, played: Played, rig_title: str | None) -> None:
@@ -138,9 +114,8 @@ class DeviceFields(QObject):
         if shown == self._played:
             return
         self._played, self._output = shown, played.output
-        options = [("", _SYSTEM)]
-        options += [(_key(device.name, device.host_api), device.title) for device in played.devices]
-        _fill(self.device, options, _key_of(played))
+        devices = [(_key(each.name, each.host_api), each.title) for each in played.devices]
+        _fill(self.device, [("", _SYSTEM), *devices], _key_of(played))
         rates = sorted({*played.rates_hz, played.output.sample_rate_hz})
         rate_options = [(str(rate), f"{rate:,} Hz".replace(",", " ")) for rate in rates]
         _fill(self.rate, rate_options, str(played.output.sample_rate_hz))
@@ -158,13 +133,17 @@ class DeviceFields(QObject):
         self.output_requested.emit(replace(self._output, **changes))
 
 
-def _form(*rows: tuple[str, QtWidgets.QWidget | QtWidgets.QLayout]) -> QtWidgets.QWidget:
-    """Return rows of a label and a field."""
+def _form(*rows: tuple[Any, ...]) -> QtWidgets.QWidget:
+    """Return rows of a label, a field and perhaps a button; a list takes the room that is left."""
     widget = QtWidgets.QWidget()
     form = QtWidgets.QFormLayout(widget)
     form.setContentsMargins(0, 0, 0, 0)
-    for label, field in rows:
-        form.addRow(label, field)
+    for label, field, *buttons in rows:
+        wide = isinstance(field, ChoiceField)
+        if not field.objectName():
+            field.setObjectName(f"{label.lower().replace(' ', '_')}_field")
+            field.setAccessibleName(label)
+        form.addRow(label, in_row((field, int(wide)), *buttons, *([] if wide else [None])))
     return widget
 
 
@@ -187,145 +166,71 @@ def _fill(field: ChoiceField, options: list[tuple[str, str]], chosen: str) -> No
     field.set_value(chosen)
 
 
-_METER_PX, _LEAST_METER_PX, _OUTPUT_NUMBER_PX = 8, 48, 56
 _WIDEST_LEVEL = "\u2212100.0 dBFS"
 _SILENT_DB = -200.0
 
 
-class OutputRow(QObject):
-    """One place of the design in a row of a grid: its output, its level, and a test tone.
+class OutputRow:
+    """One place of the design: its level, and unfolded the output that drives it and a test tone.
 
-    Parameters
+    Attributes
     ----------
-    grid, row
-        Where its widgets are added.
-    place, output
-        Input place, and the output, from 1, that drives its actuator.
+    widgets
+        From left to right.
     """
 
-    #: The place, and the output that shall drive it.
-    output_requested = Signal(int, int)
-    #: The output that shall play a tone.
-    tone_requested = Signal(int)
-
-    def __init__(
-        self, grid: QtWidgets.QGridLayout, row: int, place: int, output: int, limb: str
-    ) -> None:
-        super().__init__()
+    def __init__(self, place: int, limb: str) -> None:
         names = input_name(place, limb)
         self.place = place
-        self.title = _Title(place, names)
+        title = FittingLabel()
+        title.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        title.show_phrases((f"{place} · {names.name}", f"{place} · {names.short_name}", f"{place}"))
+        title.setToolTip(names.name)
+        self.meter, self.level = LevelMeter(), QtWidgets.QLabel()
+        self.meter.setFixedHeight(_METER_PX)
+        self.level.setFont(tabular(self.level.font()))
+        self.level.setObjectName(f"level_of_{place}")
         spec = NumberSpec(
             label=f"Output of place {place}", minimum=1, maximum=MOST_OUTPUTS, whole=True
         )
         self.output = NumberField(spec, widest_unit="")
         self.output.setObjectName(f"output_of_{place}")
         self.output.setAccessibleName(spec.label)
-        self.output.setToolTip("Number of the output of the device that its actuator is wired to")
+        self.output.setToolTip("Output of the device that its actuator is wired to")
         LetterWidth(self.output, _OUTPUT_NUMBER_PX)
-        self.output.edited.connect(self._choose)
-        self.meter = LevelMeter()
-        self.meter.setFixedHeight(_METER_PX)
-        self.level = QtWidgets.QLabel()
-        self.level.setFont(tabular(self.level.font()))
-        self.level.setObjectName(f"level_of_{place}")
-        self.level.hide()
-        self.loudness = _Loudness(self.meter, self.level)
         self.tone = tool_button(None, f"tone_of_{place}", "Tone")
-        self.tone.clicked.connect(self._request_tone)
-        for column, widget in enumerate(self.widgets):
-            grid.addWidget(widget, row, column)
-        self.show_output(output)
-
-    @property
-    def widgets(
-        self,
-    ) -> tuple[QtWidgets.QLabel, NumberField, QtWidgets.QWidget, QtWidgets.QToolButton]:
-        """The widgets from left to right."""
-        return self.title, self.output, self.loudness, self.tone
-
-    def unfold(self, unfolded: bool) -> None:
-        """Show output and test tone as well, or the level alone."""
-        for widget in (self.output, self.tone):
-            widget.setVisible(unfolded)
-
-    def show_output(self, output: int) -> None:
-        """Show another output."""
-        self.output.set_value(float(output))
-        self.tone.setAccessibleName(f"Test tone on output {output}, place {self.place}")
-
-    def show_played(self, played: Played) -> None:
-        """Show how loud its output is, and whether a tone can be heard on it."""
-        self._offer_tone("" if played.actuators != "off" else "Arm the actuators first")
-        index = round(self.output.value_si) - 1
-        levels = played.levels
-        if levels is None or index >= levels.rms_db.size:
-            self.meter.show_level(_SILENT_DB, _SILENT_DB)
-            self._show_level_text("")
-            return
-        self.meter.show_level(float(levels.rms_db[index]), float(levels.peak_db[index]))
-        highest_db = float(levels.highest_db[index])
-        self._show_level_text(
-            "silent"
-            if highest_db <= _SILENT_DB
-            else f"{highest_db:z.1f} dBFS".replace("-", "\u2212")
-        )
-
-    def _choose(self, output: float, _gesture: int | None) -> None:
-        self.output_requested.emit(self.place, round(output))
-
-    def _show_level_text(self, text: str) -> None:
-        # Without a text the bar is centred.
-        self.level.setText(text)
-        self.level.setVisible(bool(text))
-
-    def _offer_tone(self, missing: str) -> None:
-        self.tone.setEnabled(not missing)
-        show_tooltip(
+        self.widgets: tuple[QtWidgets.QWidget, ...] = (
+            title,
+            self.meter,
+            self.level,
+            self.output,
             self.tone,
-            missing
-            or f"0.6 s of 100 Hz on output {round(self.output.value_si)} alone, at the gain above, "
-            f"to find the actuator of place {self.place}",
         )
 
-    def _request_tone(self) -> None:
-        self.tone_requested.emit(round(self.output.value_si))
-
-
-class _Title(FittingLabel):
-    """Number and name of a place; the name is shortened where other widgets need the room."""
-
-    def __init__(self, place: int, names: LocationNames) -> None:
-        super().__init__()
-        self._least = f"{place} · …"
-        self.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        self.show_phrases((f"{place} · {names.name}", f"{place} · {names.short_name}"))
-        self.setToolTip(names.name)
-
-    def minimumSizeHint(self) -> QSize:
-        least = self.fontMetrics().horizontalAdvance(self._least) + 4
-        return QSize(least, super().minimumSizeHint().height())
-
-
-class _Loudness(QtWidgets.QWidget):
-    """A level bar with its number below: beside it a narrow panel would have no room."""
-
-    def __init__(self, meter: LevelMeter, level: QtWidgets.QLabel) -> None:
-        super().__init__()
-        self._level = level
-        in_column(meter, level, of=self, margins=0, gap_px=2)
-
-    def minimumSizeHint(self) -> QSize:
-        # This room is also kept in silence; otherwise rows would widen and cut other widgets.
-        room_px = self._level.fontMetrics().horizontalAdvance(_WIDEST_LEVEL)
-        return QSize(max(room_px, _LEAST_METER_PX), super().minimumSizeHint().height())
-
-
-_METER_COLUMN = 2
+    def show_played(self, output: int, played: Played) -> None:
+        """Show its output, how loud that is, and whether a tone can be played on it."""
+        self.output.set_value(float(output))
+        self.output.setEnabled(not played.output.stand_in and not played.rig_title)
+        off = played.actuators == "off"
+        self.tone.setEnabled(not off)
+        self.tone.setAccessibleName(f"Test tone on output {output}, place {self.place}")
+        tone = f"0.6 s of 100 Hz on output {output} alone, to find its actuator"
+        show_tooltip(self.tone, "Arm the actuators first" if off else tone)
+        levels, text = played.levels, ""
+        rms_db = peak_db = _SILENT_DB
+        if levels is not None and output <= levels.rms_db.size:
+            rms_db, peak_db = float(levels.rms_db[output - 1]), float(levels.peak_db[output - 1])
+            highest_db = float(levels.highest_db[output - 1])
+            text = "silent" if highest_db <= _SILENT_DB else f"{highest_db:z.1f} dBFS"
+        self.meter.show_level(rms_db, peak_db)
+        self.level.setText(text.replace("-", "\u2212"))
+        # Room for any level while there is one: otherwise rows would jump.
+        room_px = self.level.fontMetrics().horizontalAdvance(_WIDEST_LEVEL) if levels else 0
+        self.level.setMinimumWidth(room_px)
 
 
 class OutputRows(QtWidgets.QWidget):
-    """A row for each place of the design: its level, and unfolded its output and a test tone."""
+    """A row for each place of the design."""
 
     #: The `Output` with other outputs for places.
     output_requested = Signal(object)
@@ -334,59 +239,57 @@ class OutputRows(QtWidgets.QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        self.setObjectName("output_rows")
         self._played, self._limb, self._unfolded = Played(), "", False
         self.rows: list[OutputRow] = []
         self._table = QtWidgets.QGridLayout(self)
         self._table.setContentsMargins(0, 0, 0, 0)
-        self._table.setColumnStretch(_METER_COLUMN, 1)
+        self._table.setColumnStretch(1, 1)
         self._table.setHorizontalSpacing(UNIT_PX)
 
     def show_limb(self, limb: str) -> None:
         """Name the places as a limb does."""
         if limb != self._limb:
             self._limb = limb
-            self._make_rows(dict(self._played.wired))
+            self._make_rows()
 
     def unfold(self, unfolded: bool) -> None:
         """Show outputs and test tones as well, or levels alone."""
         self._unfolded = unfolded
         for row in self.rows:
-            row.unfold(unfolded)
+            row.output.setVisible(unfolded)
+            row.tone.setVisible(unfolded)
 
     def show_played(self, played: Played) -> None:
         """Take over what is played and how loud."""
         self._played, wired = played, dict(played.wired)
         if [row.place for row in self.rows] != list(wired):
-            self._make_rows(wired)
+            self._make_rows()
         for row in self.rows:
-            row.show_output(wired[row.place])
-            row.show_played(played)
-            row.output.setEnabled(not played.output.stand_in and not played.rig_title)
+            row.show_played(wired[row.place], played)
 
-    def _make_rows(self, wired: dict[int, int]) -> None:
+    def _make_rows(self) -> None:
         for row in self.rows:
             for widget in row.widgets:
                 self._table.removeWidget(widget)
                 widget.deleteLater()
-        self.rows = [
-            OutputRow(self._table, number, place, output, self._limb)
-            for number, (place, output) in enumerate(wired.items())
-        ]
-        for row in self.rows:
-            row.unfold(self._unfolded)
-            row.output_requested.connect(self._wire)
-            row.tone_requested.connect(self.tone_requested)
+        self.rows = [OutputRow(place, self._limb) for place, _ in self._played.wired]
+        for number, row in enumerate(self.rows):
+            for column, widget in enumerate(row.widgets):
+                self._table.addWidget(widget, number, column)
+            row.output.edited.connect(partial(self._wire, row.place))
+            row.tone.clicked.connect(partial(self._play_tone, row))
+        self.unfold(self._unfolded)
 
-    def _wire(self, place: int, output: int) -> None:
+    def _play_tone(self, row: OutputRow) -> None:
+        self.tone_requested.emit(round(row.output.value_si))
+
+    def _wire(self, place: int, output: float, _gesture: int | None) -> None:
         """Give a place an output; the place that had it gets the other's."""
-        before = dict(self._played.wired)
-        pairs = {**dict(self._played.output.outputs), **before}
-        other = next(
-            (mapped_place for mapped_place, number in pairs.items() if number == output), None
-        )
-        if other is not None and other != place:
+        pairs = {**dict(self._played.output.outputs), **dict(self._played.wired)}
+        number = round(output)
+        other = next((mapped for mapped, taken in pairs.items() if taken == number), None)
+        if other is not None:
             pairs[other] = pairs[place]
-        pairs[place] = output
+        pairs[place] = number
         outputs = tuple(sorted(pairs.items()))
         self.output_requested.emit(replace(self._played.output, outputs=outputs))

@@ -6,7 +6,7 @@ from math import isnan
 
 import numpy as np
 from PySide6 import QtWidgets
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QEvent, Qt, Signal
 
 from skinsource.actuators.actuator import Actuator
 from skinsource.actuators.catalog import ActuatorProfile
@@ -22,7 +22,7 @@ from skinsource_gui.plots.curves import CurveName, Curves
 from skinsource_gui.plots.ranges import XAxis
 from skinsource_gui.qt.buttons import page_button, page_label
 from skinsource_gui.qt.layouts import in_column
-from skinsource_gui.qt.theme import UNIT_PX, set_tone, tabular
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
 from skinsource_gui.state.panel import PREPARING
 
 # Smallest drawn range of frequencies, and how far it extends beyond the band, in factors.
@@ -197,7 +197,7 @@ def _value_text(value: float, unit: str) -> str:
     return value_text(value, unit, _DIGITS)
 
 
-class FiguresTable(QtWidgets.QWidget):
+class FiguresTable(QtWidgets.QLabel):
     """A table of label, value and limit; what exceeds its limit is red.
 
     Attributes
@@ -210,29 +210,13 @@ class FiguresTable(QtWidgets.QWidget):
         super().__init__(parent)
         self.setObjectName("actuator_figures")
         self.setAccessibleName("Predicted figures")
+        self.setTextFormat(Qt.TextFormat.RichText)
         self.figures: tuple[Figure, ...] = ()
-        self._rows: list[tuple[QtWidgets.QLabel, QtWidgets.QLabel, QtWidgets.QLabel]] = []
-        self._grid = QtWidgets.QGridLayout(self)
-        self._grid.setContentsMargins(0, 0, 0, 0)
-        self._grid.setHorizontalSpacing(UNIT_PX)
-        self._grid.setVerticalSpacing(0)
-        self._grid.setColumnStretch(3, 1)
 
     def show_figures(self, figures: tuple[Figure, ...]) -> None:
         """Show these rows."""
         self.figures = figures
-        while len(self._rows) < len(figures):
-            self._add_row()
-        for row, labels in enumerate(self._rows):
-            for label in labels:
-                label.setVisible(row < len(figures))
-        for labels, figure in zip(self._rows, figures, strict=False):
-            name, value, limit = labels
-            name.setText(figure.label)
-            value.setText(figure.value)
-            limit.setText(f"of {figure.limit}" if figure.limit else "")
-            set_tone(value, "error" if figure.exceeded else "")
-            set_tone(limit, "error" if figure.exceeded else "dim")
+        self.setText(f"<table>{''.join(map(_row, figures))}</table>" if figures else "")
         self.setAccessibleDescription(
             "; ".join(
                 f"{figure.label} {figure.value}" + (", beyond its limit" if figure.exceeded else "")
@@ -240,14 +224,24 @@ class FiguresTable(QtWidgets.QWidget):
             )
         )
 
-    def _add_row(self) -> None:
-        labels = (QtWidgets.QLabel(self), QtWidgets.QLabel(self), QtWidgets.QLabel(self))
-        set_tone(labels[0], "dim")
-        labels[1].setFont(tabular(labels[1].font()))
-        labels[1].setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        for column, label in enumerate(labels):
-            self._grid.addWidget(label, len(self._rows), column)
-        self._rows.append(labels)
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self.show_figures(self.figures)
+
+
+def _row(figure: Figure) -> str:
+    """Return a row of the table, as HTML."""
+    theme = current_theme()
+    colour = theme.error if figure.exceeded else theme.text
+    limit = f"of {figure.limit}" if figure.limit else ""
+    cells = (theme.dim, "left", figure.label), (colour, "right", figure.value)
+    return "<tr>{}</tr>".format(
+        "".join(
+            f'<td align="{side}" style="color:{shade};padding-right:{UNIT_PX}px">{text}</td>'
+            for shade, side, text in (*cells, (colour, "left", limit))
+        )
+    )
 
 
 _NOTHING = "Nothing plays: add an input to see what it asks of the actuator"
