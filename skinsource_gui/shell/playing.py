@@ -305,12 +305,13 @@ class Playback(QObject):
             return
         player = self.player
         self._panel = panel = cast("OutputPanel", panel)
-        panel.output_requested.connect(player.settings.choose)
-        panel.devices_requested.connect(player.settings.look)
-        panel.rig_requested.connect(self._choose_rig)
-        panel.tone_requested.connect(player.play_tone)
-        panel.gain_requested.connect(player.gain.put)
-        panel.arm_requested.connect(player.arm)
+        for part in (panel.fields, panel.rows):
+            part.output_requested.connect(player.settings.choose)
+        panel.fields.rescan.clicked.connect(player.settings.look)
+        panel.fields.rig.rig_chosen.connect(self._choose_rig)
+        panel.fields.gain.edited.connect(lambda gain_db, _: player.gain.put(gain_db))
+        panel.rows.tone_requested.connect(player.play_tone)
+        panel.arm.clicked.connect(player.arm)
         panel.visibility_changed.connect(self._look)
 
     def _follow(self) -> None:

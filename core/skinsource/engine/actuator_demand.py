@@ -18,21 +18,20 @@ from skinsource.engine.gains import Placed
 from skinsource.limbs.scaling import Scaling
 
 
-def listed_profile(actuator: ActuatorAt) -> ActuatorProfile | None:
-    """Return the listed actuator of the same name or title and kind; None where there is none."""
+def listed_name(actuator: ActuatorAt) -> str | None:
+    """Return the name of the listed actuator of the same title and kind; None: there is none."""
     for name in names():
-        listed = profile(name)
-        same_kind = type(listed.model) is type(actuator.model)
-        if same_kind and actuator.actuator in (name, listed.title):
-            return listed
+        same_kind = type(profile(name).model) is type(actuator.model)
+        if same_kind and actuator.actuator in (name, profile(name).title):
+            return name
     return None
 
 
 def profile_of(actuator: ActuatorAt) -> ActuatorProfile:
     """Return what is known of an actuator of a design, with its own parameters."""
-    listed, model = listed_profile(actuator), actuator.model
-    if listed is not None:
-        return replace(listed, model=model)
+    name, model = listed_name(actuator), actuator.model
+    if name is not None:
+        return replace(profile(name), model=model)
     measured = isinstance(model, MeasuredResponse)
     source = "Its model is that of the design."
     if isinstance(model, MeasuredResponse):

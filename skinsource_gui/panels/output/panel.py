@@ -15,9 +15,8 @@ from PySide6 import QtWidgets
 from PySide6.QtCore import QObject, QSize, Qt, Signal
 
 from skinsource.actuators.actuation import Actuation, ActuatorAt
-from skinsource.actuators.catalog import ActuatorProfile, load, names, profile
+from skinsource.actuators.catalog import load, names, profile
 from skinsource.actuators.equalising import (
-    Equaliser,
     PolePairReplacement,
     RegularisedInverse,
     followed_band,
@@ -31,7 +30,7 @@ from skinsource.design.edits.edit import leading_clip
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import CentredTap, Tap
-from skinsource.engine.actuator_demand import Demand, listed_profile, profile_of
+from skinsource.engine.actuator_demand import Demand, listed_name, profile_of
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import NumberSpec
@@ -48,7 +47,7 @@ from skinsource_gui.panels.output.figures import (
     step_curves,
 )
 from skinsource_gui.panels.output.settings import OutputSettings
-from skinsource_gui.plots.signal_view import SignalView
+from skinsource_gui.plots.response_view import ResponseView
 from skinsource_gui.qt.buttons import page_button, page_label, tool_button
 from skinsource_gui.qt.fitting import SteadyArea
 from skinsource_gui.qt.layouts import in_column, in_row
@@ -57,51 +56,40 @@ from skinsource_gui.state.panel import Panel
 from skinsource_gui.state.playing import Played
 
 _NONE, _OWN = "none", "own"
+# By the names of their classes.
 _EQUALISERS = (
-    ("inverse", "Regularised inverse"),
-    ("pole_pair", "Pole-pair replacement"),
-    (_NONE, "None"),
+    ("RegularisedInverse", "Regularised inverse"),
+    ("PolePairReplacement", "Pole-pair replacement"),
+    ("NoneType", "None"),
 )
 # Of a pole pair the rest follows from the actuator.
 _OF_EQUALISER = ("boost_db", "phase", "new_quality")
 
 
-def kind_of(equaliser: Equaliser | None) -> str:
-    """Return the kind of an equaliser, as the list names it."""
-    if equaliser is None:
-        return _NONE
-    return "inverse" if isinstance(equaliser, RegularisedInverse) else "pole_pair"
-
-
 def with_equaliser(actuation: Actuation, kind: str) -> Actuation:
     """Return the same actuators with an equaliser of another kind."""
-    made: RegularisedInverse | PolePairReplacement | None = None
-    if kind == "inverse":
-        made = RegularisedInverse()
-    elif kind == "pole_pair":
+    if kind == PolePairReplacement.__name__:
         made = PolePairReplacement(*resonance_of(actuation.actuators[0].model))
-    return replace(actuation, equaliser=made)
+        return replace(actuation, equaliser=made)
+    inverse = kind == RegularisedInverse.__name__
+    return replace(actuation, equaliser=RegularisedInverse() if inverse else None)
 
 
-def with_actuator(actuation: Actuation | None, name: str) -> Actuation:
-    """Return a listed actuator at all places, with the equaliser that was chosen before."""
-    model = load(name)
+def with_actuator(actuation: Actuation | None, actuator: ActuatorAt) -> Actuation:
+    """Return one actuator at all places, with the equaliser that was chosen before."""
     equaliser = RegularisedInverse() if actuation is None else actuation.equaliser
     if isinstance(equaliser, PolePairReplacement):
         # Its pole pair is that of one actuator.
-        equaliser = PolePairReplacement(*resonance_of(model), equaliser.new_quality)
-    actuator = ActuatorAt(actuator=profile(name).title, model=model)
+        pair = resonance_of(actuator.model)
+        equaliser = PolePairReplacement(*pair, equaliser.new_quality)
     return Actuation(actuators=(actuator,), equaliser=equaliser)
 
 
-def _listed_name(actuation: Actuation | None) -> str:
-    """Return the entry of the list that an actuation is."""
-    if actuation is None:
-        return _NONE
-    title = actuation.actuators[0].actuator
-    if len(actuation.actuators) > 1 or listed_profile(actuation.actuators[0]) is None:
-        return _OWN
-    return next((name for name in names() if title in (name, profile(name).title)), _OWN)
+def _listed(actuation: Actuation | None) -> str | None:
+    """Return the name of the only actuator; None where it is not listed, or there are several."""
+    if actuation is None or len(actuation.actuators) > 1:
+        return None
+    return listed_name(actuation.actuators[0])
 
 
 class ActuatorChoices(QObject):
@@ -144,10 +132,10 @@ class ActuatorChoices(QObject):
     def show_actuation(self, actuation: Actuation | None) -> None:
         """Show what is chosen."""
         self._actuation = actuation
-        specs: dict[str, Spec] = {"actuator": _actuator_spec(actuation)}
-        values: dict[str, Any] = {"actuator": _listed_name(actuation)}
-        text = "Nothing is known between the drive and the skin."
-        self.reset.hide()
+        name = _listed(actuation)
+        specs: dict[str, Spec] = {"actuator": _actuator_spec(actuation, name)}
+        values: dict[str, Any] = {"actuator": name or (_NONE if actuation is None else _OWN)}
+        text, changed = "Nothing is known between the drive and the skin.", False
         if actuation is not None:
             equaliser, model = actuation.equaliser, actuation.actuators[0].model
             alone = len(actuation.actuators) == 1
@@ -156,65 +144,56 @@ class ActuatorChoices(QObject):
                 options=_EQUALISERS if alone else (_EQUALISERS[0], _EQUALISERS[2]),
                 hint="What makes the actuator move as the design says",
             )
-            values["equaliser"] = kind_of(equaliser)
+            values["equaliser"] = type(equaliser).__name__
             for part in filter(None, (equaliser, model if alone else None)):
-                for name, spec in specs_of(part).items():
+                for field, spec in specs_of(part).items():
                     if isinstance(spec, NumberSpec | ChoiceSpec) and (
-                        part is model or name in _OF_EQUALISER
+                        part is model or field in _OF_EQUALISER
                     ):
-                        specs[name], values[name] = spec, getattr(part, name)
-            listed = listed_profile(actuation.actuators[0])
-            text = _about_text(profile_of(actuation.actuators[0]), listed) if alone else ""
-            self.reset.setVisible(alone and listed is not None and listed.model != model)
+                        specs[field], values[field] = spec, getattr(part, field)
+            text = _about_text(actuation.actuators[0]) if alone else ""
+            changed = name is not None and load(name) != model
         for key in specs.items():
             if key not in self._cached_cells:
                 self._cached_cells[key] = FieldCell(*key, edited=self._edit)
-        cells = {name: self._cached_cells[name, spec] for name, spec in specs.items()}
+        cells = {field: self._cached_cells[field, spec] for field, spec in specs.items()}
         if cells != self._cells:
             self._cells = cells
             self.grid.show_cells(list(cells.values())[:2])
             self.parameters.show_cells(list(cells.values())[2:])
-        for name, cell in cells.items():
-            cell.set_value(values[name])
+        for field, cell in cells.items():
+            cell.set_value(values[field])
         self.about.setText(text)
+        self.reset.setVisible(changed)
 
     def _edit(self, name: str, value: Any, gesture: object) -> None:
-        actuation = self._actuation
+        actuation, after = self._actuation, self._actuation
+        changed: dict[str, Any] = {name: value}
         if name == "actuator" and value != _OWN:
-            after = None if value == _NONE else with_actuator(actuation, value)
-        elif actuation is None or name == "actuator":
-            return
-        elif name == "equaliser":
+            after = None if value == _NONE else with_actuator(actuation, _at_all_places(value))
+        elif actuation is not None and name == "equaliser":
             after = with_equaliser(actuation, value)
-        else:
-            changed: dict[str, Any] = {name: value}
-            if name in _OF_EQUALISER and actuation.equaliser is not None:
-                after = replace(actuation, equaliser=replace(actuation.equaliser, **changed))
-            else:
-                model: Any = actuation.actuators[0].model
-                after = self._with_model(actuation, replace(model, **changed))
+        elif actuation is not None and name in _OF_EQUALISER and actuation.equaliser is not None:
+            after = replace(actuation, equaliser=replace(actuation.equaliser, **changed))
+        elif actuation is not None and name != "actuator":
+            (actuator,) = actuation.actuators
+            model: Any = actuator.model
+            after = with_actuator(actuation, replace(actuator, model=replace(model, **changed)))
         if after != actuation:
             self.changed.emit(after, gesture)
 
     def _reset(self) -> None:
-        actuation = self._actuation
-        listed = None if actuation is None else listed_profile(actuation.actuators[0])
-        if actuation is not None and listed is not None:
-            self.changed.emit(self._with_model(actuation, listed.model), None)
-
-    def _with_model(self, actuation: Actuation, model: Any) -> Actuation:
-        after = replace(actuation, actuators=(replace(actuation.actuators[0], model=model),))
-        equaliser = actuation.equaliser
-        if isinstance(equaliser, PolePairReplacement):
-            pair = PolePairReplacement(*resonance_of(model), equaliser.new_quality)
-            after = replace(after, equaliser=pair)
-        return after
+        name = _listed(self._actuation)
+        if name is not None:
+            self.changed.emit(with_actuator(self._actuation, _at_all_places(name)), None)
 
 
-def _actuator_spec(actuation: Actuation | None) -> ChoiceSpec:
-    own: tuple[tuple[str, str], ...] = ()
-    if actuation is not None and _listed_name(actuation) == _OWN:
-        own = ((_OWN, actuation.title),)
+def _at_all_places(name: str) -> ActuatorAt:
+    return ActuatorAt(actuator=profile(name).title, model=load(name))
+
+
+def _actuator_spec(actuation: Actuation | None, name: str | None) -> ChoiceSpec:
+    own = () if actuation is None or name else ((_OWN, actuation.title),)
     listed = tuple((name, profile(name).title) for name in names())
     return ChoiceSpec(
         label="Actuator",
@@ -223,25 +202,27 @@ def _actuator_spec(actuation: Actuation | None) -> ChoiceSpec:
     )
 
 
-def _about_text(shown: ActuatorProfile, listed: ActuatorProfile | None) -> str:
-    calibration = shown.calibration
-    lines = [shown.source]
+def _about_text(actuator: ActuatorAt) -> str:
+    shown, name = profile_of(actuator), listed_name(actuator)
+    calibration, lines = shown.calibration, [shown.source]
     if calibration:
         lines.append(f"Calibrated: {calibration[:1].lower()}{calibration[1:]}")
-    if listed is not None and listed.model != shown.model:
-        changed = [
-            f"{spec.label} {value_text(getattr(listed.model, name), spec.unit, 4)} → "
-            f"{value_text(getattr(shown.model, name), spec.unit, 4)}"
-            for name, spec in specs_of(shown.model).items()
-            if isinstance(spec, NumberSpec)
-            and getattr(shown.model, name) != getattr(listed.model, name)
-        ]
+    before: Any = shown.model if name is None else load(name)
+    changed = [
+        f"{spec.label} {value_text(getattr(before, field), spec.unit, 4)} → "
+        f"{value_text(getattr(shown.model, field), spec.unit, 4)}"
+        for field, spec in specs_of(shown.model).items()
+        if isinstance(spec, NumberSpec) and getattr(shown.model, field) != getattr(before, field)
+    ]
+    if changed:
         lines.append(f"Changed: {', '.join(changed)}.")
     return " ".join(lines)
 
 
 _THROUGH = "Predict through the actuator"
 _THROUGH_HINT = "All levels, maps and traces are those under this actuator"
+_VOLTS = "An amplitude of 1 is 1 V at the actuator."
+_ACCELERATIONS = "An amplitude of 1 asks the contactor for 1 m/s²."
 _NO_INPUTS = "No place is in use: click one on the hand."
 _NOT_WIRED = "The rig wires no place that is in use."
 _PLOT_PX = 190
@@ -259,19 +240,6 @@ class OutputPanel(Panel):
     name: ClassVar[str] = "output"
     reads_down = True
 
-    #: The `lab` output that is to be played on.
-    output_requested = Signal(object)
-    #: The rig file that is to be used, `Path`, or None.
-    rig_requested = Signal(object)
-    #: The devices are to be listed again.
-    devices_requested = Signal()
-    #: The output that is to play a tone.
-    tone_requested = Signal(int)
-    #: The new gain, dB.
-    gain_requested = Signal(float)
-    #: Whether the actuators are to be armed.
-    arm_requested = Signal(bool)
-
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._design: Design | None = None
@@ -288,17 +256,10 @@ class OutputPanel(Panel):
         self.figures.centred_requested.connect(self._use_centred_tap)
         self.computed = (self.figures, self.figures.table)
         self.fields = DeviceFields()
-        self.fields.output_requested.connect(self.output_requested)
-        self.fields.rescan.clicked.connect(self.devices_requested)
-        self.fields.rig.rig_chosen.connect(self.rig_requested)
-        self.fields.gain.edited.connect(lambda gain_db, _: self.gain_requested.emit(gain_db))
         self.fields.edit_rig.clicked.connect(partial(self.action_requested.emit, "edit_rig"))
         self.rows = OutputRows()
-        self.rows.output_requested.connect(self.output_requested)
-        self.rows.tone_requested.connect(self.tone_requested)
         self.arm = page_button("arm_actuators", "Arm", "Show the peak, and allow to play it")
         self.arm.setCheckable(True)
-        self.arm.clicked.connect(self.arm_requested)
         self.play = page_button("play_on_actuators", "Play on actuators")
         self.play.clicked.connect(partial(self.action_requested.emit, "play_on_actuators"))
         self.stop = page_button("stop_actuators", "Stop", "Stop within 50 ms")
@@ -311,14 +272,15 @@ class OutputPanel(Panel):
         more_hint = "Parameters, figures, response, sample rate, delay, test tones"
         self.more = tool_button(None, "output_more", "More", more_hint)
         self.more.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self.more.clicked.connect(lambda: self._put("more", not self._settings.more))
-        self.plot = SignalView("actuator-plot", "Response of the actuator")
+        self.more.clicked.connect(self._unfold)
+        self.plot = ResponseView("actuator-plot", "Response of the actuator")
         self.plot.setMinimumHeight(_PLOT_PX)
         self._step = self.plot.toolbar.add_switch(
-            "actuator-step", "Step", "What 1 V that comes on does, over time", self._show_step
+            "actuator-step",
+            "Step",
+            "What 1 V that comes on does, over time",
+            lambda _: self._show_plot(),
         )
-        self.plot.toolbar.layout_chosen.connect(partial(self._put, "layout"))
-        self.plot.zoom_requested.connect(partial(self._put, "zoom"))
         self.plot.exports.failed.connect(self.failed)
         self.plot.exports.written.connect(self.written)
         self._lay_out()
@@ -437,45 +399,32 @@ class OutputPanel(Panel):
         self.rows.unfold(settings.more)
         for part in (self.plot, self.figures.table):
             part.setVisible(actuation is not None)
-        if actuation is not None and settings.more:
-            self._show_plot(actuation, band)
+        self._show_plot()
 
-    def _show_plot(self, actuation: Actuation, band: Band) -> None:
-        settings, actuator = self._settings, actuation.actuators[0]
-        model, listed = actuator.model, listed_profile(actuator)
-        before: Any = None if listed is None else listed.model
-        step = settings.picture == "step"
-        self._step.setChecked(step)
-        self.plot.toolbar.show_state(layout=settings.layout, zoomed=settings.zoom is not None)
-        axis = TIME_AXIS if step else frequency_axis(band)
-        self.plot.set_view(axis, settings.zoom, stacked=settings.layout == "stacked")
-        self.plot.show_curves(
-            step_curves(model, before)
-            if step
-            else response_curves(model, before, actuation.equaliser, band),
-            synthetic=False,
-        )
+    def _show_plot(self) -> None:
+        design = self._design
+        if design is None or design.actuation is None or not self._settings.more:
+            return
+        band, actuator = _band_of(design.limb), design.actuation.actuators[0]
+        name, model = listed_name(actuator), actuator.model
+        before = None if name is None else load(name)
+        if self._step.isChecked():
+            self.plot.show_over(TIME_AXIS, step_curves(model, before))
+        else:
+            curves = response_curves(model, before, design.actuation.equaliser, band)
+            self.plot.show_over(frequency_axis(band), curves)
 
     def _show_through(self, actuation: Actuation | None) -> None:
         on = actuation is not None and actuation.on
         self.through.setChecked(on)
         self.through.setEnabled(actuation is not None)
         self.through.setToolTip(_THROUGH_HINT if actuation is not None else "Choose one first")
-        text = ""
-        if on and actuation is not None:
-            volts = actuation.equaliser is None
-            text = (
-                "An amplitude of 1 is 1 V at the actuator."
-                if volts
-                else "An amplitude of 1 asks the contactor for 1 m/s²."
-            )
-        self.through_text.setText(text)
-        self.through_text.setVisible(bool(text))
+        volts = actuation is not None and actuation.equaliser is None
+        self.through_text.setText(_VOLTS if volts else _ACCELERATIONS)
+        self.through_text.setVisible(on)
 
     def _show_text(self, played: Played) -> None:
-        sentences = []
-        if not played.wired:
-            sentences.append(_NOT_WIRED if played.rig_title else _NO_INPUTS)
+        sentences = [] if played.wired else [_NOT_WIRED if played.rig_title else _NO_INPUTS]
         if played.output.stand_in:
             sentences.append(
                 f"All frequencies sound {played.output.shift_hz:g} Hz higher than they are felt."
@@ -483,12 +432,9 @@ class OutputPanel(Panel):
         sentences.append(self._meaning(played))
         if played.delay is not None:
             sentences.append(f"{played.delay.text}.")
-        if played.levels is not None:
+        if played.underruns:
             sentences.append(
-                "The device never ran out of samples."
-                if not played.underruns
-                else f"The device ran out of samples {played.underruns} times: ask for a longer "
-                "delay."
+                f"The device ran out of samples {played.underruns} times: choose a longer delay."
             )
         text = "\n".join(sentences)
         if text != self.text.text():
@@ -496,23 +442,19 @@ class OutputPanel(Panel):
 
     def _meaning(self, played: Played) -> str:
         """Return what a gain of 0 dB means, and whether it is calibrated."""
-        design = self._design
-        in_volts = design is not None and (
-            equaliser_of(design) is not None or amplitude_unit(design) == "V"
-        )
-        unit = "m/s²" if design is None else amplitude_unit(design)
-        full_scale = f"an amplitude of 1{'' if unit == '×' else f' {unit}'} is full scale"
-        if in_volts:
-            full_scale = "1 V for the actuator is full scale"
-        if not played.rig_title or played.output.stand_in:
-            return (
-                f"At a gain of 0 dB {full_scale}. "
-                "Uncalibrated: what reaches the skin depends on amplifier and actuator."
-            )
-        calibration = f"{played.calibration[:1].upper()}{played.calibration[1:]}."
-        if in_volts:
-            full_scale = "the actuators get the volts of the design"
-        return f"At a gain of 0 dB {full_scale}. {calibration}"
+        design, unit = self._design, "m/s²"
+        if design is not None:
+            unit = "V" if equaliser_of(design) is not None else amplitude_unit(design)
+        calibrated = played.rig_title and not played.output.stand_in
+        meaning = f"an amplitude of 1{'' if unit == '×' else f' {unit}'} is full scale"
+        if unit == "V":
+            meaning = "1 V for the actuator is full scale"
+            if calibrated:
+                meaning = "the actuators get the volts of the design"
+        calibration = "Uncalibrated: what reaches the skin depends on amplifier and actuator"
+        if calibrated:
+            calibration = f"{played.calibration[:1].upper()}{played.calibration[1:]}"
+        return f"At a gain of 0 dB {meaning}. {calibration}."
 
     def _use_centred_tap(self) -> None:
         if self._design is not None:
@@ -533,14 +475,8 @@ class OutputPanel(Panel):
             outcome = edits.choose_actuation(self._design, self._view, actuation)
             self.edited.emit(outcome, gesture)
 
-    def _put(self, name: str, value: object) -> None:
-        changed: dict[str, Any] = {name: value}
-        settings = replace(self._settings, **changed)
-        if settings != self._settings:
-            self.view_changed.emit(with_settings(self._view, self.name, settings))
-
-    def _show_step(self, step: bool) -> None:
-        settings = replace(self._settings, picture="step" if step else "response", zoom=None)
+    def _unfold(self) -> None:
+        settings = OutputSettings(more=not self._settings.more)
         self.view_changed.emit(with_settings(self._view, self.name, settings))
 
 

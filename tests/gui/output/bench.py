@@ -9,6 +9,7 @@ COIL = ss.ActuatorAt(
     actuator=ss.actuators.profile("example-voice-coil").title,
     model=ss.actuators.load("example-voice-coil"),
 )
+INVERSE, POLE_PAIR, NO_EQUALISER = "RegularisedInverse", "PolePairReplacement", "NoneType"
 #: Chosen, and not predicted through.
 CHOSEN = ss.Actuation(actuators=(COIL,), equaliser=ss.equalising.RegularisedInverse(), on=False)
 

@@ -13,7 +13,7 @@ from skinsource.design import edits
 from skinsource.design.design import track
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import CentredTap, Tap
-from skinsource.engine.actuator_demand import LONGEST_S, listed_profile, profile_of, strongest
+from skinsource.engine.actuator_demand import LONGEST_S, listed_name, profile_of, strongest
 from skinsource_gui.panels.output.figures import (
     frequencies_of,
     frequency_axis,
@@ -23,6 +23,9 @@ from skinsource_gui.panels.output.figures import (
 from skinsource_gui.panels.output.panel import with_actuator, with_equaliser
 from tests.gui.output.bench import (
     COIL,
+    INVERSE,
+    NO_EQUALISER,
+    POLE_PAIR,
     TONE,
     brought_forward,
     choose,
@@ -104,7 +107,7 @@ def test_curves_show_actuator_filter_and_both_and_the_published_one(window, pane
 
 
 def test_without_an_equaliser_volts_are_known_where_amplitudes_are_volts(window, panel, qtbot):
-    choose(panel, "equaliser", "none")
+    choose(panel, "equaliser", NO_EQUALISER)
     settle(window, qtbot)
     assert panel.figures.table.figures == ()
     assert "not known" in panel.figures.refusal.text()
@@ -118,16 +121,17 @@ def test_without_an_equaliser_volts_are_known_where_amplitudes_are_volts(window,
 
 @pytest.mark.parametrize("name", ss.actuators.names())
 def test_every_actuator_can_be_looked_at(name):
-    for equaliser, band_hz in product(("inverse", "pole_pair", "none"), (BAND_HZ, (5.0, 9000.0))):
-        chosen = with_equaliser(with_actuator(None, name), equaliser)
-        (actuator,) = chosen.actuators
+    for equaliser, band_hz in product((INVERSE, POLE_PAIR, NO_EQUALISER), (BAND_HZ, (5.0, 9000.0))):
+        actuator = ss.ActuatorAt(actuator=name, model=ss.actuators.load(name))
+        chosen = with_equaliser(with_actuator(None, actuator), equaliser)
         drawn = response_curves(actuator.model, actuator.model, chosen.equaliser, band_hz)
         assert np.isfinite(drawn.y).all()
         low, high = frequency_axis(band_hz).extent
         assert (drawn.x[0], drawn.x[-1]) == (low, high)
         assert low < band_hz[0] < band_hz[1] < high
     assert np.isfinite(step_curves(actuator.model, None).y).all()
-    assert profile_of(actuator) == listed_profile(actuator) == ss.actuators.profile(name)
+    assert listed_name(actuator) == name
+    assert profile_of(actuator) == ss.actuators.profile(name)
 
 
 def test_without_an_actuator_there_are_no_figures_and_no_switch(window, panel, qtbot):
@@ -152,11 +156,11 @@ def test_a_tap_that_leaves_a_velocity_is_refused_and_another_is_offered(window, 
     assert "52 % of its energy" in panel.figures.refusal.text()
     assert panel.figures.centred.isVisibleTo(panel)
     # Without an equaliser nothing has to be followed, and nothing is offered.
-    choose(panel, "equaliser", "none")
+    choose(panel, "equaliser", NO_EQUALISER)
     settle(window, qtbot)
     assert "energy" not in panel.figures.refusal.text()
     assert not panel.figures.centred.isVisibleTo(panel)
-    choose(panel, "equaliser", "inverse")
+    choose(panel, "equaliser", INVERSE)
     settle(window, qtbot)
     panel.figures.centred.click()
     settle(window, qtbot)

@@ -11,7 +11,15 @@ from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.quantities import sources
 from skinsource_gui.plots.pictures import caption_of
 from skinsource_gui.plots.signal_view import DESCRIPTION_QUANTITIES, lazy_lines
-from tests.gui.output.bench import CHOSEN, brought_forward, choose, design_of, settle
+from tests.gui.output.bench import (
+    CHOSEN,
+    INVERSE,
+    POLE_PAIR,
+    brought_forward,
+    choose,
+    design_of,
+    settle,
+)
 
 PIEZO = ss.actuators.profile("example-piezo").title
 TONE = track(7, Tone(frequency_hz=40.0, duration_s=0.3), amplitude=2.0)
@@ -66,7 +74,7 @@ def test_the_fields_are_edits_and_a_drag_is_one_step(window, panel, qtbot):
 
 
 def test_the_pole_pair_is_always_that_of_the_actuator(window, panel, qtbot):
-    choose(panel, "equaliser", "pole_pair")
+    choose(panel, "equaliser", POLE_PAIR)
     choose(panel, "new_quality", 0.5)
     choose(panel, "stiffness_n_per_m", 2000.0)
     settle(window, qtbot)
@@ -84,7 +92,7 @@ def test_an_actuator_that_is_not_listed_is_named_and_keeps_its_parameters(window
     settle(window, qtbot)
     assert panel.choices.cell("actuator").field.currentText() == "Piezo of the lab"
     assert panel.choices.parameters._cells == ()
-    choose(panel, "equaliser", "inverse")
+    choose(panel, "equaliser", INVERSE)
     settle(window, qtbot)
     assert window.document.design.actuation.actuators == through.actuators
 
