@@ -238,7 +238,7 @@ def _row(figure: Figure) -> str:
     cells = (theme.dim, "left", figure.label), (colour, "right", figure.value)
     return "<tr>{}</tr>".format(
         "".join(
-            f'<td align="{side}" style="color:{shade};padding-right:{UNIT_PX}px">{text}</td>'
+            f'<td align="{side}" style="color:{shade};padding-right:{UNIT_PX // 2}px">{text}</td>'
             for shade, side, text in (*cells, (colour, "left", limit))
         )
     )

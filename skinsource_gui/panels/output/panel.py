@@ -226,7 +226,7 @@ _ACCELERATIONS = "An amplitude of 1 asks the contactor for 1 m/s²."
 _NO_INPUTS = "No place is in use: click one on the hand."
 _NOT_WIRED = "The rig wires no place that is in use."
 _PLOT_PX = 190
-_LEAST = QSize(300, 160)
+_LEAST = QSize(240, 160)
 
 
 class OutputPanel(Panel):
@@ -260,7 +260,7 @@ class OutputPanel(Panel):
         self.rows = OutputRows()
         self.arm = page_button("arm_actuators", "Arm", "Show the peak, and allow to play it")
         self.arm.setCheckable(True)
-        self.play = page_button("play_on_actuators", "Play on actuators")
+        self.play = page_button("play_on_actuators", "Play", "Send the design to the actuators")
         self.play.clicked.connect(partial(self.action_requested.emit, "play_on_actuators"))
         self.stop = page_button("stop_actuators", "Stop", "Stop within 50 ms")
         self.stop.clicked.connect(partial(self.action_requested.emit, "play_on_actuators"))
