@@ -155,18 +155,13 @@ _REPEAT = (
 class Transport(QtWidgets.QWidget):
     """Animate and repeat, in the bar above the panels."""
 
-    play_requested = Signal()
-    repeat_requested = Signal()
-
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("transport")
         self._played = Played()
         self.play = self._button("play_button", "play", *_PLAY)
-        self.play.clicked.connect(self.play_requested)
         self.repeat = self._button("repeat_button", "repeat", *_REPEAT)
         self.repeat.setCheckable(True)
-        self.repeat.clicked.connect(self.repeat_requested)
         in_row(self.play, self.repeat, of=self, margins=0, gap_px=0)
         self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Fixed, QtWidgets.QSizePolicy.Policy.Fixed)
         self._show_icons()
@@ -288,8 +283,8 @@ class Playback(QObject):
     def connect_to(self, panels: PanelRegistry, reports: Reports) -> None:
         """Connect the bar, the panel once it is made, and ``reports``."""
         player, bar = self.player, self.bar
-        bar.play_requested.connect(player.play_or_stop)
-        bar.repeat_requested.connect(player.toggle_loop)
+        bar.play.clicked.connect(player.play_or_stop)
+        bar.repeat.clicked.connect(player.toggle_loop)
         player.changed.connect(self._follow)
         player.failed.connect(reports.complain)
         self.rigs.failed.connect(reports.complain)

@@ -6,11 +6,11 @@ from math import isnan
 
 import numpy as np
 from PySide6 import QtWidgets
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import QEvent, Qt
 
 from skinsource.actuators.actuator import Actuator
 from skinsource.actuators.catalog import ActuatorProfile
-from skinsource.actuators.equalising import Equaliser, curves
+from skinsource.actuators.equalising import Equaliser, curves, mean_of
 from skinsource.actuators.prediction import Prediction, breaches
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
@@ -27,15 +27,10 @@ from skinsource_gui.state.panel import PREPARING
 
 # Smallest drawn range of frequencies, and how far it extends beyond the band, in factors.
 _SHOWN_HZ, _BELOW, _ABOVE, _POINTS = (10.0, 2000.0), 0.4, 2.0, 500
-#: Sample rate and duration of the drawn step, and the time at which 1 V comes on.
-STEP_RATE_HZ, STEP_S, STEP_AT_S = 13_000, 0.1, 0.01
-
-TIME_AXIS = XAxis(titles=("Time (ms)",), unit="ms", factor=1e3, column="time_s")
 _BEFORE = CurveName(number=0, short="Actuator", full="The actuator alone, re its mean in the band")
 _FILTER = CurveName(number=0, short="Filter", full="Voltage that the equaliser asks for")
 _AFTER = CurveName(number=0, short="Equalised", full="Both together: what the contactor does")
 _PUBLISHED = CurveName(number=0, short="As listed", full="The actuator before it was changed")
-_ALONE = CurveName(number=0, short="1 V", full="Acceleration after 1 V came on")
 
 
 @lru_cache(maxsize=8)
@@ -85,46 +80,21 @@ def response_curves(
         ]
     if listed is not None and model != listed:
         rows.append((_PUBLISHED, _alone_db(listed, band_hz)))
-    return _drawn(frequency_hz, rows, "dB re the mean in the band")
-
-
-def step_curves(model: Actuator, listed: Actuator | None) -> Curves:
-    """Return the acceleration after a step of 1 V, of an actuator and as it is listed."""
-    n = int(STEP_S * STEP_RATE_HZ)
-    time_s = np.arange(n) / STEP_RATE_HZ - STEP_AT_S
-    voltage = (time_s >= 0.0).astype(float)
-    rows = [(_ALONE, model.simulate(voltage, STEP_RATE_HZ).acceleration)]
-    if listed is not None and model != listed:
-        rows.append((_PUBLISHED, listed.simulate(voltage, STEP_RATE_HZ).acceleration))
-    return _drawn(time_s, rows, "", ("acceleration after a step of 1 V", "step of 1 V"))
+    return Curves(
+        x=frequency_hz,
+        y=np.stack([values for _, values in rows]),
+        names=tuple(name for name, _ in rows),
+        kind="level",
+        level_text="dB re the mean in the band",
+        columns=tuple(f"{name.short.lower().replace(' ', '_')}_db" for name, _ in rows),
+    )
 
 
 def _alone_db(model: Actuator, band_hz: Band) -> Floats:
     frequency_hz = frequencies_of(band_hz)
     gain = np.abs(model.response(frequency_hz))
     in_band = gain[(band_hz[0] <= frequency_hz) & (band_hz[1] >= frequency_hz)]
-    moving = in_band[in_band > 0.0]
-    mean = float(np.exp(np.mean(np.log(moving)))) if moving.size else 1.0
-    return decibels(gain / mean)
-
-
-def _drawn(
-    x: Floats,
-    rows: list[tuple[CurveName, Floats]],
-    level_text: str,
-    scaling: tuple[str, ...] = (),
-) -> Curves:
-    """Return curves of rows: levels where ``level_text`` is given, else accelerations."""
-    unit = "db" if level_text else "m_per_s2"
-    return Curves(
-        x=x,
-        y=np.stack([values for _, values in rows]),
-        names=tuple(name for name, _ in rows),
-        kind="level" if level_text else "amplitude",
-        level_text=level_text,
-        scaling=scaling,
-        columns=tuple(f"{name.short.lower().replace(' ', '_')}_{unit}" for name, _ in rows),
-    )
+    return decibels(gain / mean_of(in_band)) if in_band.any() else decibels(gain)
 
 
 _DIGITS = 3
@@ -252,12 +222,9 @@ class DemandView(QtWidgets.QWidget):
 
     Attributes
     ----------
-    heading, refusal, limits, centred, table
+    heading, refusal, limits, mend, table
         Its parts; the table of all figures is laid out elsewhere.
     """
-
-    #: The tap shall be replaced by one that leaves no velocity.
-    centred_requested = Signal()
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
@@ -265,20 +232,15 @@ class DemandView(QtWidgets.QWidget):
         self.refusal = page_label("actuator_refusal")
         self.limits = page_label("actuator_limits", tone="error")
         self.table = FiguresTable()
-        self.centred = page_button(
-            "actuator_centred",
-            "Use a centred tap",
-            "Let the selected clips play a tap that leaves nothing moving",
-        )
-        self.centred.clicked.connect(self.centred_requested)
+        self.mend = page_button("actuator_mend", "", "Change the clips so that it can follow")
         parts = self.heading, self.refusal, self.limits
         column = in_column(*parts, of=self, margins=0, gap_px=UNIT_PX // 4)
-        column.addWidget(self.centred, 0, Qt.AlignmentFlag.AlignLeft)
+        column.addWidget(self.mend, 0, Qt.AlignmentFlag.AlignLeft)
 
     def show_demand(
-        self, demand: Demand, shown: ActuatorProfile | None, *, tap: bool, limb: str = ""
+        self, demand: Demand, shown: ActuatorProfile | None, *, mend: str = "", limb: str = ""
     ) -> None:
-        """Show the figures of an actuator; ``tap``: a tap could be replaced by another one."""
+        """Show the figures of an actuator; ``mend``: the edit that lets it follow, if any."""
         rows: tuple[Figure, ...] = ()
         if shown is not None and demand.figures is not None:
             rows = rows_of(shown, demand.figures)
@@ -294,7 +256,8 @@ class DemandView(QtWidgets.QWidget):
         beyond = _beyond(rows)
         self.limits.setText(beyond)
         self.limits.setVisible(bool(beyond))
-        self.centred.setVisible(demand.leaves_velocity and tap)
+        self.mend.setText(mend)
+        self.mend.setVisible(bool(mend))
         text = ""
         if shown is not None and demand.place is not None:
             place = f"Place {demand.place}, {input_name(demand.place, limb).name}"

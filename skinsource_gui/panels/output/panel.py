@@ -26,10 +26,10 @@ from skinsource.base.measurement_conditions import Band
 from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_unit, equaliser_of
 from skinsource.design.design import Design
-from skinsource.design.edits.edit import leading_clip
+from skinsource.design.edits.edit import Edit
+from skinsource.design.edits.mending import mends
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
-from skinsource.design.waveforms.pulses import CentredTap, Tap
 from skinsource.engine.actuator_demand import Demand, listed_name, profile_of
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.models import specs_of
@@ -40,11 +40,9 @@ from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.fields.units import minus, value_text
 from skinsource_gui.panels.output.device import DeviceFields, OutputRows
 from skinsource_gui.panels.output.figures import (
-    TIME_AXIS,
     DemandView,
     frequency_axis,
     response_curves,
-    step_curves,
 )
 from skinsource_gui.panels.output.settings import OutputSettings
 from skinsource_gui.plots.response_view import ResponseView
@@ -253,7 +251,7 @@ class OutputPanel(Panel):
         self.through.clicked.connect(self._go_through)
         self.through_text = page_label("actuator_through_words", tone="dim")
         self.figures = DemandView()
-        self.figures.centred_requested.connect(self._use_centred_tap)
+        self.figures.mend.clicked.connect(self._mend)
         self.computed = (self.figures, self.figures.table)
         self.fields = DeviceFields()
         self.fields.edit_rig.clicked.connect(partial(self.action_requested.emit, "edit_rig"))
@@ -275,12 +273,6 @@ class OutputPanel(Panel):
         self.more.clicked.connect(self._unfold)
         self.plot = ResponseView("actuator-plot", "Response of the actuator")
         self.plot.setMinimumHeight(_PLOT_PX)
-        self._step = self.plot.toolbar.add_switch(
-            "actuator-step",
-            "Step",
-            "What 1 V that comes on does, over time",
-            lambda _: self._show_plot(),
-        )
         self.plot.exports.failed.connect(self.failed)
         self.plot.exports.written.connect(self.written)
         self._lay_out()
@@ -311,18 +303,17 @@ class OutputPanel(Panel):
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._show_settings()
+        demand: Demand = results["actuator_demand"]
+        edit = self._mending() if demand.leaves_velocity else None
         self.figures.show_demand(
-            results["actuator_demand"],
+            demand,
             results["actuator_looked_at"],
-            tap=_plays_tap(self._design, self._view),
+            mend="" if edit is None else edit.label,
             limb="" if self._design is None else self._design.limb,
         )
 
     def show_problem(self, reason: str) -> None:
-        actuated = self._design is not None and self._design.actuated is not None
-        tap = actuated and _plays_tap(self._design, self._view)
-        refused = Demand(place=None, refusal=reason, leaves_velocity=tap)
-        self.figures.show_demand(refused, None, tap=tap)
+        self.figures.show_demand(Demand(place=None, refusal=reason), None)
 
     def show_folder(self, folder: Path) -> None:
         self.plot.exports.folder = folder
@@ -408,11 +399,8 @@ class OutputPanel(Panel):
         band, actuator = _band_of(design.limb), design.actuation.actuators[0]
         name, model = listed_name(actuator), actuator.model
         before = None if name is None else load(name)
-        if self._step.isChecked():
-            self.plot.show_over(TIME_AXIS, step_curves(model, before))
-        else:
-            curves = response_curves(model, before, design.actuation.equaliser, band)
-            self.plot.show_over(frequency_axis(band), curves)
+        curves = response_curves(model, before, design.actuation.equaliser, band)
+        self.plot.show_over(frequency_axis(band), curves)
 
     def _show_through(self, actuation: Actuation | None) -> None:
         on = actuation is not None and actuation.on
@@ -456,11 +444,21 @@ class OutputPanel(Panel):
             calibration = f"{played.calibration[:1].upper()}{played.calibration[1:]}"
         return f"At a gain of 0 dB {meaning}. {calibration}."
 
-    def _use_centred_tap(self) -> None:
-        if self._design is not None:
-            ids = self._view.selected_inputs
-            outcome = edits.change_kind(self._design, self._view, ids, CentredTap.__name__)
-            self.edited.emit(outcome, None)
+    def _mending(self) -> Edit | None:
+        """Return the edit that lets the actuator follow the selected input; None: there is none."""
+        design, id = self._design, self._view.selected_input
+        if design is None or design.actuation is None or id not in design.ids:
+            return None
+        through = replace(design, actuation=replace(design.actuation, on=True))
+        edit = mends(through, self._view, id)[0]
+        if edit.design.input(id).muted:
+            return None
+        return replace(edit, design=replace(edit.design, actuation=design.actuation))
+
+    def _mend(self) -> None:
+        edit = self._mending()
+        if edit is not None:
+            self.edited.emit(edit, None)
 
     def _go_through(self, on: bool) -> None:
         design = self._design
@@ -498,9 +496,3 @@ def _band_of(limb: str) -> Band:
     """Return the band in which drives are followed on a limb."""
     facts = facts_of(limb)
     return followed_band(facts.band_hz, facts.sample_rate_hz)
-
-
-def _plays_tap(design: Design | None, view: View) -> bool:
-    """Return whether the edited clip plays a tap that leaves a velocity."""
-    clip = None if design is None else leading_clip(design, view)
-    return clip is not None and isinstance(clip.waveform, Tap)
