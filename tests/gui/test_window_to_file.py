@@ -20,7 +20,6 @@ from tests.gui.compare.compare_bench import show_matched
 from tests.gui.output.bench import brought_forward, choose
 from tests.gui.shared_window import rest
 from tests.gui.stimulus.conftest import opened
-from tests.gui.stimulus.stimulus_bench import choose as choose_on_page
 from tests.gui.stimulus.stimulus_bench import export, label
 
 WAIT = {"timeout": 30_000}
@@ -250,11 +249,3 @@ def test_a_snapshot_that_is_shown_matched(window, page, written, qtbot):
     window.do("match_levels")
     rest(window)
     assert window._match_note._frame is None
-
-
-def test_what_the_page_leaves_out_is_left_out(window, page, qtbot):
-    choose(brought_forward(window, qtbot), "actuator", COIL)
-    opened_page = page()
-    choose_on_page(opened_page, qtbot, "equaliser", "none")
-    assert label(opened_page, "summary").endswith("Not equalised (raw accelerations).")
-    assert opened_page.prepared.equaliser is None

@@ -1,6 +1,5 @@
 """Exports start with what the design has chosen, whether or not predictions go through it."""
 
-import json
 from dataclasses import replace
 
 import pytest
@@ -9,10 +8,8 @@ import skinsource as ss
 from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.design.view import View
 from skinsource_gui.pages.stimulus.form import StimulusForm, recall, remembered
-from tests.gui.output.bench import brought_forward
-from tests.gui.output.bench import choose as choose_in_panel
 from tests.gui.stimulus.conftest import opened
-from tests.gui.stimulus.stimulus_bench import choose, export, label
+from tests.gui.stimulus.stimulus_bench import choose, label
 
 DESIGN = ss.Design(
     limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Gabor(200.0, cycles=8.0), onset_s=0.1),)
@@ -44,23 +41,11 @@ def order_of(form):
     return changes[-1]
 
 
-def test_what_was_chosen_in_the_panel_is_exported_and_said(open_window, qtbot, save_as):
-    window = open_window(DESIGN)
-    choose_in_panel(brought_forward(window, qtbot), "actuator", FINGERTIP)
-    assert window.document.design.actuated is None
+def test_it_starts_with_what_the_design_has_and_another_choice_is_free(open_window, qtbot):
+    window = open_window(chosen(RegularisedInverse()))
     window.do("export_stimulus")
     page = opened(window.stimuli, qtbot)
-    assert label(page, "summary").endswith(f"Equalised for {TITLE} (regularised inverse).")
     assert page.form.field("actuator").currentText() == f"{TITLE} (of the design)"
-    path = save_as("volts.wav")
-    export(window, page, qtbot)
-    metadata = json.loads((path.parent / "volts.wav.json").read_text())
-    assert metadata["equalised"] == f"Equalised for {TITLE} (regularised inverse)"
-    assert metadata["unit"] == "V"
-    assert metadata["actuator"] == [TITLE]
-    # The next page starts there again, and another choice is free.
-    window.do("export_stimulus")
-    page = opened(window.stimuli, qtbot)
     choose(page, qtbot, "equaliser", "none")
     assert label(page, "summary").endswith(RAW)
     choose(page, qtbot, "equaliser", "minimum")
