@@ -195,6 +195,7 @@ class Transport(QtWidgets.QWidget):
         return button
 
 
+_TITLE_EM = 18
 _STATES = {
     "off": "Actuators off",
     "armed": "Actuators armed",
@@ -218,10 +219,13 @@ class OutputButton(QtWidgets.QToolButton):
         chosen = design.rig.title or "rig" if design.rig is not None else "none"
         if design.actuation is not None:
             chosen = design.actuation.title
-        text = f"Output: {chosen} \u25be · {_STATES[played.actuators]}"
-        if text != self.text():
-            self.setText(text)
-            self.setAccessibleName(text.replace(" \u25be", ""))
+        state = _STATES[played.actuators]
+        name = f"Output: {chosen} · {state}"
+        if name != self.accessibleName():
+            metrics, elide = self.fontMetrics(), Qt.TextElideMode.ElideRight
+            cut = metrics.elidedText(chosen, elide, _TITLE_EM * metrics.horizontalAdvance("m"))
+            self.setText(f"Output: {cut} \u25be · {state}")
+            self.setAccessibleName(name)
             set_tone(self, "dim" if played.actuators == "off" else "warning")
 
 

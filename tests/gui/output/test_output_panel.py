@@ -52,7 +52,7 @@ def panel(window, qtbot):
 
 
 def test_the_figures_are_those_of_the_selected_input_through_the_equaliser(panel):
-    assert panel.figures.heading.text().startswith("Place 7, Digit II, pad: ")
+    assert panel.figures.heading.text().startswith("Place 7, Digit II, pad: peak ")
     assert "uncalibrated gain" in panel.figures.heading.text()
     # The band-limited tone of 10 m/s² moves the contactor by 10 m/s².
     assert number(panel, "Peak acceleration") == pytest.approx(10.0, rel=0.03)
