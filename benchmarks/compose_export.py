@@ -11,7 +11,7 @@ from composer import Composer
 from PySide6.QtWidgets import QCheckBox, QDialogButtonBox, QFileDialog, QWidget
 
 from skinsource.actuators.actuation import Actuation
-from skinsource.actuators.catalog import load, profile
+from skinsource.actuators.catalog import load, names
 from skinsource.engine.stimulus import stimulus_of
 from skinsource.signals.resampling import resample
 
@@ -33,7 +33,7 @@ def by_mouse(you: Composer, folder: Path) -> None:
     panel = you.window.panel("output")
     actuators = you.widget("actuator_field", panel)
     actuators.setFocus()
-    you.type(profile("example-voice-coil").title)
+    you.key("Down", times=1 + names().index("example-voice-coil"))
     you.settle()
     you.click(you.widget("actuator_through", panel), at=None)
     you.settle()
@@ -60,7 +60,7 @@ def by_keyboard(you: Composer, folder: Path) -> None:
         you.settle()
     you.key("F5")
     you.settle()
-    you.type(profile("example-voice-coil").title)
+    you.key("Down", times=1 + names().index("example-voice-coil"))
     you.settle()
     you.tab_to("actuator_through")
     you.key("Space")

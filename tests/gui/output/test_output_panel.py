@@ -133,7 +133,11 @@ def test_without_an_actuator_there_are_no_figures_and_no_switch(window, panel, q
     assert panel.figures.table.figures == ()
     assert panel.figures.refusal.text() == ""
     assert not panel.through.isEnabled()
-    assert window.playback.button.text().startswith("Output: none")
+    button = window.playback.button
+    assert button.text().startswith("Output: none")
+    window.docks["output"].hide()
+    button.click()
+    assert panel.isVisible()
     choose(panel, "actuator", "kastor-2023-air")
     settle(window, qtbot)
     assert panel.figures.table.figures
