@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import soundfile
-from PySide6.QtWidgets import QFileDialog, QLabel, QPushButton
+from PySide6.QtWidgets import QFileDialog, QLabel
 
 import skinsource as ss
 from skinsource.__main__ import main
@@ -158,7 +158,7 @@ def test_a_clip_that_cannot_be_played(window, page, written, qtbot, tmp_path, ca
     assert content.unplayable_on(content.lanes[2]) == {bad.clips[0].id}
     reason = "52 % of its energy lies below 25 Hz"
     assert reason in window.notice.text
-    buttons = [button.text() for button in window.notice.buttons.findChildren(QPushButton)]
+    buttons = [button.text() for button in window.notice._choices]
     assert buttons == ["Use a centred tap", "Mute it", "Predict without the actuator"]
     # Neither the page nor the command writes a file without it.
     refused = page()
@@ -169,8 +169,7 @@ def test_a_clip_that_cannot_be_played(window, page, written, qtbot, tmp_path, ca
     assert main(["export", str(tmp_path / "bad.skinsource"), "--out", str(tmp_path / "b.wav")])
     assert reason in capsys.readouterr().err
     assert not (tmp_path / "b.wav").exists()
-    mute = window.notice.buttons.findChildren(QPushButton)[1]
-    mute.click()
+    window.notice._choices[1].click()
     rest(window)
     assert window.notice.text == ""
     assert document.design == replace(good, inputs=(*good.inputs, replace(bad, muted=True)))

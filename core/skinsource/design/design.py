@@ -77,7 +77,7 @@ ACTUATION = OptionalSpec(
     label="Actuators", of=ModelSpec(label="Actuators", kinds=lambda: (Actuation,))
 )
 RIG = OptionalSpec(
-    label="Rig", of=ModelSpec(label="Rig", kinds=lambda: (Rig,)), written_if_none=False
+    label="Rig", of=ModelSpec(label="Rig", kinds=lambda: (Rig,)), left_out_empty=True
 )
 SCALING = ChoiceSpec(
     label="Scaling", options=tuple((word.name, word.title) for word in labels.SCALINGS)

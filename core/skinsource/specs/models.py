@@ -74,7 +74,7 @@ def encode(model: Any) -> Tree:
     tree = {KIND: kind.__name__}
     for name, spec in _specs(kind):
         value = getattr(model, name)
-        if value is not None or getattr(spec, "written_if_none", True):
+        if value or not getattr(spec, "left_out_empty", False):
             tree[name] = spec.encoded(value)
     return tree
 

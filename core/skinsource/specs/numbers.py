@@ -242,12 +242,12 @@ class OptionalSpec(Spec):
     ----------
     of
         Specification of a value that is not ``None``.
-    written_if_none
-        Whether trees hold ``None``; without it versions that do not know the field read them too.
+    left_out_empty
+        Whether ``None`` is left out of files, which older versions can read then.
     """
 
     of: Spec
-    written_if_none: bool = True
+    left_out_empty: bool = False
 
     def checked(self, value: Any) -> Any:
         """Return ``None``, or the checked value."""

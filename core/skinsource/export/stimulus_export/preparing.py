@@ -265,6 +265,7 @@ def prepare_stimulus(
         possible.
     """
     choices = format.chosen(options.choices)
+    rig, equaliser = _chosen(design, actuation, rig, equaliser)
     cut, lead_in_s = _cut_ends(options), options.lead_in_s
     # Ringing before time 0 is kept where nothing is cut off or faded in.
     rings = not cut and options.fade_in_s == 0.0
@@ -286,9 +287,8 @@ def prepare_stimulus(
         stop_if(stop)
         drives = stage(drives)
     stop_if(stop)
-    wired, made = _chosen(design, actuation, rig, equaliser)
     actuation = design.actuation if actuation is None else actuation
-    drives = _for_rig(drives, wired, made, options, actuation)
+    drives = _for_rig(drives, rig, equaliser, options, actuation)
     if options.from_s is not None or options.to_s is not None:
         to_s = drives.duration_s if options.to_s is None else options.to_s
         drives = part_of_time(drives, options.from_s or 0.0, to_s)
@@ -317,7 +317,7 @@ def prepare_stimulus(
                 design=_exported_design(design, stimulus, options),
                 digest=digest,
                 choices=choices,
-                calibration=calibration_words(wired, places),
+                calibration=calibration_words(rig, places),
                 dither_seed=options.dither_seed,
             )
         )
@@ -332,13 +332,13 @@ def prepare_stimulus(
             for file in files
         ),
         limits_passed=(
-            *_passed_limits(drives, gain, wired),
+            *_passed_limits(drives, gain, rig),
             *(text for limit in limits for text in limit(drives)),
         ),
         cut=cut,
         actuation=actuation,
-        rig=wired,
-        equaliser=made,
+        rig=rig,
+        equaliser=equaliser,
     )
 
 
