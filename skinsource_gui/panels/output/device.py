@@ -18,14 +18,16 @@ from skinsource.lab.playing.devices import (
 from skinsource.lab.playing.mix import HIGHEST_DB, LOWEST_DB, START_DB
 from skinsource.limbs.locations import input_name
 from skinsource.specs.numbers import NumberSpec
-from skinsource.specs.spec import ChoiceSpec
+from skinsource.specs.spec import ChoiceSpec, Spec, SwitchSpec
 from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.fields.editors import FieldCell
+from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.rig_field import RigField
 from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.fitting import LetterWidth
 from skinsource_gui.qt.labels import FittingLabel, LevelMeter
-from skinsource_gui.qt.layouts import in_row
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, tabular
 from skinsource_gui.qt.tooltips import show_tooltip
 from skinsource_gui.state.playing import Played
@@ -33,7 +35,7 @@ from skinsource_gui.state.playing import Played
 _NUMBER_PX, _OUTPUT_NUMBER_PX, _METER_PX = 88, 56, 8
 _SYSTEM = "What the system plays on"
 _BETWEEN = "\n"
-_LATENCY = NumberSpec(
+_DELAY = NumberSpec(
     label="Delay",
     unit="s",
     minimum=SHORTEST_LATENCY_S,
@@ -57,7 +59,17 @@ _SHIFT = NumberSpec(
     step=10.0,
     hint="How many hertz higher everything sounds",
 )
-_EARS_HINT = "Without actuators: all channels, from left to right, with frequencies shifted up"
+_EARS = SwitchSpec(
+    label="Play for the ears",
+    hint="Without actuators: all channels, from left to right, with frequencies shifted up",
+)
+# By the fields of `Output`.
+_OTHERS: tuple[tuple[str, Spec], ...] = (
+    ("sample_rate_hz", ChoiceSpec(label="Sample rate", options=())),
+    ("latency_s", _DELAY),
+    ("stand_in", _EARS),
+    ("shift_hz", _SHIFT),
+)
 
 
 class DeviceFields(QObject):
@@ -84,28 +96,15 @@ class DeviceFields(QObject):
             None, "look_for_devices", "Look again", "Look for new devices; ends what is played"
         )
         self.gain = NumberField(_GAIN, widest_unit=_GAIN.unit)
-        self.rate = ChoiceField(ChoiceSpec(label="Sample rate", options=()))
-        self.rate.edited.connect(lambda rate, _: self._want(sample_rate_hz=int(rate)))
-        self.latency, self.shift = NumberField(_LATENCY), NumberField(_SHIFT)
-        self.latency.edited.connect(lambda latency_s, _: self._want(latency_s=latency_s))
-        self.stand_in = tool_button(
-            None, "stand_in", "Play for the ears", _EARS_HINT, checkable=True
-        )
-        self.stand_in.clicked.connect(lambda on: self._want(stand_in=on))
-        self.shift.edited.connect(lambda shift_hz, _: self._want(shift_hz=shift_hz))
-        for field in (self.gain, self.latency, self.shift):
-            LetterWidth(field, _NUMBER_PX)
-            field.setToolTip(field.spec.hint)
+        LetterWidth(self.gain, _NUMBER_PX)
+        self.cells = {name: FieldCell(name, spec, edited=self._edit) for name, spec in _OTHERS}
+        grid = FieldGrid()
+        grid.show_cells(list(self.cells.values()))
         self.main = _form(
             ("Rig", self.rig, self.edit_rig), ("Device", self.device), ("Gain", self.gain)
         )
-        self.details = _form(
-            ("Devices", self.rescan),
-            ("Sample rate", self.rate),
-            ("Delay", self.latency),
-            ("Ears", self.stand_in),
-            ("Shift", self.shift),
-        )
+        self.details = QtWidgets.QWidget()
+        in_column(in_row(self.rescan, None), grid, of=self.details, margins=0)
 
     def show_played(self, played: Played, rig_title: str | None) -> None:
         """Take over the chosen output, what can be chosen, and the rig of the design."""
@@ -118,19 +117,20 @@ class DeviceFields(QObject):
         _fill(self.device, [("", _SYSTEM), *devices], _key_of(played))
         rates = sorted({*played.rates_hz, played.output.sample_rate_hz})
         rate_options = [(str(rate), f"{rate:,} Hz".replace(",", " ")) for rate in rates]
-        _fill(self.rate, rate_options, str(played.output.sample_rate_hz))
+        rate: Any = self.cells["sample_rate_hz"].field
+        _fill(rate, rate_options, str(played.output.sample_rate_hz))
         self.rig.show_rig(rig_title)
-        self.latency.set_value(played.output.latency_s)
-        self.shift.set_value(played.output.shift_hz)
-        self.shift.setEnabled(played.output.stand_in)
-        self.stand_in.setChecked(played.output.stand_in)
+        for name in ("latency_s", "stand_in", "shift_hz"):
+            self.cells[name].set_value(getattr(played.output, name))
+        self.cells["shift_hz"].setEnabled(played.output.stand_in)
 
     def _choose_device(self, key: str, _gesture: int | None) -> None:
         name, _, host_api = key.partition(_BETWEEN)
-        self._want(device=name, host_api=host_api)
+        self.output_requested.emit(replace(self._output, device=name, host_api=host_api))
 
-    def _want(self, **changes: Any) -> None:
-        self.output_requested.emit(replace(self._output, **changes))
+    def _edit(self, name: str, value: Any, _gesture: int | None) -> None:
+        changed: dict[str, Any] = {name: int(value) if name == "sample_rate_hz" else value}
+        self.output_requested.emit(replace(self._output, **changed))
 
 
 def _form(*rows: tuple[Any, ...]) -> QtWidgets.QWidget:
@@ -140,9 +140,7 @@ def _form(*rows: tuple[Any, ...]) -> QtWidgets.QWidget:
     form.setContentsMargins(0, 0, 0, 0)
     for label, field, *buttons in rows:
         wide = isinstance(field, ChoiceField)
-        if not field.objectName():
-            field.setObjectName(f"{label.lower().replace(' ', '_')}_field")
-            field.setAccessibleName(label)
+        field.setObjectName(f"{label.lower()}_field")
         form.addRow(label, in_row((field, int(wide)), *buttons, *([] if wide else [None])))
     return widget
 

@@ -413,6 +413,8 @@ class OutputPanel(Panel):
 
     def _show_text(self, played: Played) -> None:
         sentences = [] if played.wired else [_NOT_WIRED if played.rig_title else _NO_INPUTS]
+        if played.rig_title and self._design is not None and self._design.rig is None:
+            sentences.append(f"The design has no rig; this machine plays for {played.rig_title}.")
         if played.output.stand_in:
             sentences.append(
                 f"All frequencies sound {played.output.shift_hz:g} Hz higher than they are felt."

@@ -30,22 +30,25 @@ def test_it_looks_for_devices_when_it_is_first_seen(sound, player, panel, qtbot)
         "What the system plays on", "Two (Made up, 2 outputs)", "Eight (Made up, 8 outputs)",
     ]  # fmt: skip
     qtbot.waitUntil(lambda: player.settings.rates_hz == (44_100, 48_000), **WAIT)
-    rates = [panel.fields.rate.itemText(k) for k in range(panel.fields.rate.count())]
+    rate = panel.fields.cells["sample_rate_hz"].field
+    rates = [rate.itemText(k) for k in range(rate.count())]
     assert rates == ["44 100 Hz", "48 000 Hz"]
 
 
 def test_device_rate_delay_and_stand_in_are_chosen_there(sound, player, panel, qtbot):
     panel.fields.device.choose("Eight\nMade up")
+    cells = panel.fields.cells
+    rate = cells["sample_rate_hz"].field
     # A device is asked for its rates in another thread.
-    qtbot.waitUntil(lambda: panel.fields.rate.findData("44100") >= 0, timeout=20_000)
-    panel.fields.latency.edited.emit(0.05, None)
-    panel.fields.stand_in.click()
-    panel.fields.shift.edited.emit(250.0, None)
+    qtbot.waitUntil(lambda: rate.findData("44100") >= 0, timeout=20_000)
+    cells["latency_s"].field.edited.emit(0.05, None)
+    cells["stand_in"].field.click()
+    cells["shift_hz"].field.edited.emit(250.0, None)
     assert player.settings.output == Output(
         device="Eight", host_api="Made up", latency_s=0.05, stand_in=True, shift_hz=250.0
     )
     assert "All frequencies sound 250 Hz higher" in text_of(panel, "output_words")
-    panel.fields.rate.choose("44100")
+    rate.choose("44100")
     assert player.settings.output.sample_rate_hz == 44_100
 
 

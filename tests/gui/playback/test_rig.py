@@ -119,7 +119,7 @@ def test_a_device_that_goes_while_a_tone_is_played_is_told(
 
 
 def test_a_design_for_another_rig_is_not_played_and_one_without_uses_that_of_the_machine(
-    sound, studio, player, path, qtbot, arm
+    studio, panel, player, path, arm
 ):
     player.settings.choose_rig(path)
     other = replace(BENCH, title="Bench 4")
@@ -129,6 +129,7 @@ def test_a_design_for_another_rig_is_not_played_and_one_without_uses_that_of_the
     assert not player.armed
     assert "made for the rig 'Bench 4'" in studio.notice.text
     studio.document.undo_stack.undo()
+    assert "this machine plays for Bench 3" in panel.text.text()
     arm()
     # 0.9 of 2 V.
     assert player.peak.volts == pytest.approx(1.8, abs=0.01)
