@@ -7,7 +7,7 @@ PLAY: tuple[ActionSpec, ...] = (
     action(
         "play",
         "Animate or stop",
-        "The wave runs over the skin from the playhead on; no actuator moves",
+        "The wave runs over the skin; no actuator moves",
         "Space",
         command="player.play_or_stop",
         keywords="play run start transport wave time",
@@ -23,7 +23,7 @@ PLAY: tuple[ActionSpec, ...] = (
     action(
         "play_on_actuators",
         "Play on actuators",
-        "Send the design to the actuators that are armed under Output, or stop",
+        "Send the design to the armed actuators, or stop",
         "F7",
         command="player.play_on_actuators",
         keywords="audition listen feel sound device output send",
