@@ -11,7 +11,7 @@ from composer import Composer
 from PySide6.QtWidgets import QCheckBox, QDialogButtonBox, QFileDialog, QWidget
 
 from skinsource.actuators.actuation import Actuation
-from skinsource.actuators.catalog import load
+from skinsource.actuators.catalog import load, names
 from skinsource.engine.stimulus import stimulus_of
 from skinsource.signals.resampling import resample
 
@@ -28,9 +28,11 @@ def by_mouse(you: Composer, folder: Path) -> None:
     for place in PLACES:
         you.click(hand, hand.site_centre(place))
         you.settle()
-    you.choose("View", "Panels", "Actuator")
+    you.click(you.widget("output_button"), at=None)
     you.settle()
-    you.click(you.widget("actuator_through", you.window.panel("actuator")), at=None)
+    you.key("Down", times=1 + names().index("example-voice-coil"))
+    you.settle()
+    you.click(you.widget("actuator_through"), at=None)
     you.settle()
     you.choose("File", "Export stimulus…")
     page = you.page()
@@ -53,7 +55,10 @@ def by_keyboard(you: Composer, folder: Path) -> None:
         you.type(str(place))
         you.key("Enter")
         you.settle()
-    compose_by_keyboard.find(you, "actuator")
+    you.key("F5")
+    you.settle()
+    you.key("Down", times=1 + names().index("example-voice-coil"))
+    you.settle()
     you.tab_to("actuator_through")
     you.key("Space")
     you.settle()

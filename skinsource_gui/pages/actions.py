@@ -430,9 +430,7 @@ class StimulusActions(QObject):
     def show(self) -> None:
         """Open the page on the design as it is now."""
         design, view = self._document.design, self._document.view
-        page = pages.StimulusPage(
-            design, view, self._window, self._preferences.export_text, self._preferences.rig_path
-        )
+        page = pages.StimulusPage(design, view, self._window, self._preferences.export_text)
         page.chosen.connect(self._export)
         page.finished.connect(self._forget_page)
         self.page = page

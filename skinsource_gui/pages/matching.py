@@ -295,7 +295,7 @@ def _integer(value: float) -> int:
 
 _DEVICE_LOST = (
     "The device does not ask for sound any more: it may have been unplugged. Connect it, close "
-    "this page, look for devices again (View > Panels > Playback), and come back: what was stored "
+    "this page, look for devices again under Output, and come back: what was stored "
     "stays."
 )
 

@@ -11,6 +11,7 @@ from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QSize, Qt, QTimer, Si
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.job import Job
 from skinsource.design.design import Design
+from skinsource.design.edits.mending import mends
 from skinsource.design.labels import LIMBS
 from skinsource.design.signal_path import unplayable_text
 from skinsource.design.view import View
@@ -369,25 +370,43 @@ class Reports(QObject):
 
     def show_outcome(self, outcome: Outcome) -> None:
         """Take over the outcome that panels show, and report inputs that cannot be played."""
-        text = unplayable_text((outcome.values or {}).get(UNPLAYABLE, ()))
+        unplayable = (outcome.values or {}).get(UNPLAYABLE, ())
+        text = unplayable_text(unplayable)
         if text != self._impossible:
             if self._impossible and self._notice.text == self._impossible:
                 self._notice.be_quiet()
             self._impossible = text
             if text:
-                self.complain(text)
+                self._show(text, "error", choices=self._mends(unplayable[0].id))
         self._status_line.show_outcome(outcome)
         self._accuracy.show_outcome(outcome)
+
+    def _mends(self, id: int) -> list[Choice]:
+        """Return the buttons that let an input be played, or leave it out."""
+        document = self._document
+
+        def mend(label: str) -> None:
+            # The design may have been edited since.
+            for edit in mends(document.design, document.view, id):
+                if edit.label == label:
+                    document.apply(edit)
+
+        if id not in document.design.ids:
+            return []
+        edits = mends(document.design, document.view, id)
+        return [(edit.label, partial(mend, edit.label)) for edit in edits]
 
     def log_fault(self, outcome: Outcome) -> None:
         """Log an error that is a fault of the studio."""
         if outcome.error is not None and not isinstance(outcome.error, SkinSourceError):
             _log.error("an evaluation failed", exc_info=outcome.error)
 
-    def _show(self, text: str, kind: str, *, passes: bool = False) -> None:
+    def _show(
+        self, text: str, kind: str, *, choices: Sequence[Choice] = (), passes: bool = False
+    ) -> None:
         self._status_bar.clearMessage()
         self._reported_design = self._document.design
-        self._notice.say(text, kind, passes=passes)
+        self._notice.say(text, kind, choices, passes=passes)
 
     def _forget_outdated(self) -> None:
         # The reason for missing results stays until they are there.

@@ -2,11 +2,11 @@
 
 from dataclasses import dataclass, fields
 
-from skinsource.engine.actuator_demand import ActuatorSettings
 from skinsource.specs.models import specs_of
 from skinsource_gui.panels.analysis.settings import AnalysisSettings
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.panels.frequency_and_amplitude.settings import ControlSettings
+from skinsource_gui.panels.output.settings import OutputSettings
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.spectra.panel import SpectraSettings
 from skinsource_gui.panels.timeline.content import TimelineSettings
@@ -61,8 +61,7 @@ PANELS: tuple[PanelSpec, ...] = (
     PanelSpec(panel=LazyPanel("compare", "Compare"), settings=CompareSettings),
     PanelSpec(panel=LazyPanel("history", "History")),
     PanelSpec(panel=LazyPanel("library", "Library")),
-    PanelSpec(panel=LazyPanel("actuator", "Actuator"), settings=ActuatorSettings),
-    PanelSpec(panel=LazyPanel("playback", "Playback")),
+    PanelSpec(panel=LazyPanel("output", "Output"), settings=OutputSettings),
     PanelSpec(panel=LazyPanel("analysis", "Analysis"), settings=AnalysisSettings),
     PanelSpec(
         panel=LazyPanel("analysis_2", "Analysis 2", folder="analysis"), settings=AnalysisSettings

@@ -9,30 +9,23 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
 
 from skinsource import actuators
+from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource.actuators.equalising import PolePairReplacement, RegularisedInverse
 from skinsource.base.quoting import printable
-from skinsource.design.edits.edit import Refusal
-from skinsource.design.edits.setup import predict_through
-from skinsource.design.panel_settings import settings_of, with_settings
-from skinsource.engine import actuator_demand
-from skinsource.lab.playing.mix import HIGHEST_DB, LOWEST_DB, START_DB
-from skinsource.specs.numbers import NumberSpec
+from skinsource.design.design import Design
+from skinsource.design.edits.setup import choose_actuation, choose_rig
 from skinsource_gui import pages
-from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.rig_field import RESPONSE_FILES
-from skinsource_gui.fields.units import minus
 from skinsource_gui.pages.actions import MatchingActions
 from skinsource_gui.qt.keys import shortcut_text
-from skinsource_gui.qt.labels import LevelMeter
-from skinsource_gui.qt.layouts import in_column, in_row
-from skinsource_gui.qt.theme import play_icon, repeat_icon, stop_icon
+from skinsource_gui.qt.layouts import in_row
+from skinsource_gui.qt.theme import play_icon, repeat_icon, set_tone, stop_icon
 from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.shell.focus import KeyboardFilter
 from skinsource_gui.shell.notices import Reports
-from skinsource_gui.shell.status import PreparingNote
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.panel import Panel, PanelRegistry
 from skinsource_gui.state.playing import (
-    DECIMALS,
     PlaybackPace,
     Played,
     Player,
@@ -45,7 +38,7 @@ from skinsource_gui.state.preferences import Preferences
 
 if TYPE_CHECKING:
     from skinsource.actuators.measured_response import MeasuredResponse
-    from skinsource_gui.panels.playback.panel import PlaybackPanel
+    from skinsource_gui.panels.output.panel import OutputPanel
 
 
 _WITHIN_S = 0.6
@@ -97,8 +90,8 @@ class EscapeTwice(KeyboardFilter):
             self.pressed.emit()
 
 
-# The panel that it is looked at in, and the longest title there.
-_PANEL, _LONGEST_TITLE = "actuator", 100
+# The panel of all that is played on, and the longest title of an actuator.
+_PANEL, _LONGEST_TITLE = "output", 100
 
 
 class RigPages(QObject):
@@ -121,7 +114,7 @@ class RigPages(QObject):
         pages.RigPage(self._document, self._settings, self._window).open()
 
     def open_response(self) -> None:
-        """Ask for a measured response, and show it in the panel of the actuator."""
+        """Ask for a measured response, and choose it as the actuator of the design."""
         name, _ = QtWidgets.QFileDialog.getOpenFileName(
             self._window, "Response of the actuator", "", RESPONSE_FILES
         )
@@ -142,36 +135,17 @@ class RigPages(QObject):
             self.failed.emit(str(error))
             return
         design, view = self._document.design, self._document.view
-        before = settings_of(view, _PANEL, actuator_demand.ActuatorSettings)
-        after = before.with_measured(response, path.stem[:_LONGEST_TITLE])
-        view = with_settings(view, _PANEL, after)
-        through = design.actuated
-        if through is None or through != actuator_demand.actuation_of(
-            actuator_demand.settings_through(before, through)
-        ):
-            self._document.look(view)
-        else:
-            # The prediction follows the response that the panel shows.
-            outcome = predict_through(design, view, actuator_demand.actuation_of(after))
-            if isinstance(outcome, Refusal):
-                self.failed.emit(outcome.sentence)
-                return
-            self._document.apply(outcome)
+        actuator = ActuatorAt(actuator=path.stem[:_LONGEST_TITLE], model=response)
+        known = design.actuation
+        equaliser = RegularisedInverse() if known is None else known.equaliser
+        if isinstance(equaliser, PolePairReplacement):
+            equaliser = RegularisedInverse()
+        actuation = Actuation(actuators=(actuator,), equaliser=equaliser)
+        self._document.apply(choose_actuation(design, view, actuation))
         self.opened.emit(f"Opened {printable(path.name)}.")
 
 
-GAIN = NumberSpec(
-    label="Gain",
-    unit="dB",
-    minimum=LOWEST_DB,
-    maximum=HIGHEST_DB,
-    step=1.0,
-    hint="How loud it is played: at 0 dB an amplitude of 1 is full scale of the device. Starts "
-    f"at {START_DB:g} dB, and where a sample would pass full scale playing stops",
-)
-_WIDEST = minus(f"{LOWEST_DB:.{DECIMALS}f}")
-_METER_PX = 3
-_PLAY = "Play or stop", "Without a device the playhead runs in silence."
+_PLAY = "Animate or stop", "The wave runs over the skin; no actuator moves."
 _REPEAT = (
     "Repeat",
     "Play the whole design again and again; a loop on the ruler is repeated in any case.",
@@ -179,30 +153,16 @@ _REPEAT = (
 
 
 class Transport(QtWidgets.QWidget):
-    """Play, repeat and gain, in the bar above the panels."""
-
-    play_requested = Signal()
-    repeat_requested = Signal()
-    #: The new gain, dB.
-    gain_requested = Signal(float)
+    """Animate and repeat, in the bar above the panels."""
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("transport")
         self._played = Played()
         self.play = self._button("play_button", "play", *_PLAY)
-        self.play.clicked.connect(self.play_requested)
         self.repeat = self._button("repeat_button", "repeat", *_REPEAT)
         self.repeat.setCheckable(True)
-        self.repeat.clicked.connect(self.repeat_requested)
-        self.gain = NumberField(GAIN, widest_unit=GAIN.unit, widest_number=_WIDEST)
-        self.gain.setObjectName("gain_field")
-        self.gain.set_value(START_DB)
-        self.gain.edited.connect(self._want_gain)
-        self.meter = LevelMeter()
-        self.meter.setFixedHeight(_METER_PX)
-        column = in_column(self.gain, self.meter, gap_px=0)
-        in_row(self.play, self.repeat, column, of=self, margins=0, gap_px=0)
+        in_row(self.play, self.repeat, of=self, margins=0, gap_px=0)
         self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Fixed, QtWidgets.QSizePolicy.Policy.Fixed)
         self._show_icons()
 
@@ -213,11 +173,6 @@ class Transport(QtWidgets.QWidget):
             self._show_icons()
         self._played = played
         self.repeat.setChecked(played.loops)
-        self.gain.set_value(played.gain_db)
-        rms_db, peak_db = -200.0, -200.0
-        if played.levels is not None:
-            rms_db, peak_db = float(played.levels.rms_db.max()), float(played.levels.peak_db.max())
-        self.meter.show_level(rms_db, peak_db)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
@@ -227,7 +182,7 @@ class Transport(QtWidgets.QWidget):
     def _show_icons(self) -> None:
         playing = self._played.playing
         self.play.setIcon((stop_icon if playing else play_icon)())
-        self.play.setAccessibleName("Stop" if playing else "Play")
+        self.play.setAccessibleName("Stop" if playing else "Animate")
         self.repeat.setIcon(repeat_icon())
 
     def _button(self, name: str, action: str, title: str, hint: str) -> QtWidgets.QToolButton:
@@ -239,11 +194,41 @@ class Transport(QtWidgets.QWidget):
         button.setAccessibleName(title)
         return button
 
-    def _want_gain(self, gain_db: float, _gesture: int | None) -> None:
-        self.gain_requested.emit(gain_db)
+
+_TITLE_EM = 18
+_STATES = {
+    "off": "Actuators off",
+    "armed": "Actuators armed",
+    "preparing": "Preparing…",
+    "playing": "Actuators playing",
+}
 
 
-_PLAYBACK_PANEL = "playback"
+class OutputButton(QtWidgets.QToolButton):
+    """Says in the status bar what lies between the design and the skin, and whether it moves."""
+
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("output_button")
+        self.setAutoRaise(True)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setToolTip(f"Actuator, equaliser, rig and device ({shortcut_text('show_output')})")
+
+    def show_state(self, design: Design, played: Played) -> None:
+        """Show what is chosen, and the state of the actuators."""
+        chosen = design.rig.title or "rig" if design.rig is not None else "none"
+        if design.actuation is not None:
+            chosen = design.actuation.title
+        state = _STATES[played.actuators]
+        name = f"Output: {chosen} · {state}"
+        if name != self.accessibleName():
+            metrics, elide = self.fontMetrics(), Qt.TextElideMode.ElideRight
+            cut = metrics.elidedText(chosen, elide, _TITLE_EM * metrics.horizontalAdvance("m"))
+            self.setText(f"Output: {cut} \u25be · {state}")
+            self.setAccessibleName(name)
+            set_tone(self, "dim" if played.actuators == "off" else "warning")
+
+
 # How often levels are shown.
 _STEP_MS = 50
 
@@ -262,9 +247,9 @@ class Playback(QObject):
 
     Attributes
     ----------
-    player, pace, bar, note, matching
-        Who plays; how fast; what asks for it above the panels; what says that it is prepared; who
-        opens the matching page.
+    player, pace, bar, button, matching
+        Who plays; how fast; what asks for it above the panels; what leads to the panel; who opens
+        the matching page.
     """
 
     def __init__(
@@ -274,10 +259,10 @@ class Playback(QObject):
         self._document = document
         self.player = Player(document, preferences, self)
         self.pace = PlaybackPace(document, self.player, self)
-        self.bar, self.note = Transport(window), PreparingNote(window)
+        self.bar, self.button = Transport(window), OutputButton()
         self.matching = MatchingActions(document, preferences, self.player, window)
         self.rigs = RigPages(document, self.player.settings, window)
-        self._panel: PlaybackPanel | None = None
+        self._panel: OutputPanel | None = None
         self._timer = QTimer(self, interval=_STEP_MS)
         self._timer.timeout.connect(self._show)
         self._escape = EscapeTwice(window)
@@ -302,10 +287,8 @@ class Playback(QObject):
     def connect_to(self, panels: PanelRegistry, reports: Reports) -> None:
         """Connect the bar, the panel once it is made, and ``reports``."""
         player, bar = self.player, self.bar
-        bar.play_requested.connect(player.play_or_stop)
-        bar.repeat_requested.connect(player.toggle_loop)
-        bar.gain_requested.connect(player.gain.put)
-        self.note.cancel_requested.connect(player.stop)
+        bar.play.clicked.connect(player.play_or_stop)
+        bar.repeat.clicked.connect(player.toggle_loop)
         player.changed.connect(self._follow)
         player.failed.connect(reports.complain)
         self.rigs.failed.connect(reports.complain)
@@ -313,23 +296,25 @@ class Playback(QObject):
         self.rigs.opened.connect(reports.report)
         player.message.connect(reports.explain)
         panels.each(self._meet)
+        self._document.changed.connect(self._show)
         self._follow()
 
     def _meet(self, panel: Panel) -> None:
-        if panel.name != _PLAYBACK_PANEL:
+        if panel.name != _PANEL:
             return
         player = self.player
-        self._panel = panel = cast("PlaybackPanel", panel)
-        self._document.changed.connect(self._show_places)
-        panel.output_requested.connect(player.settings.choose)
-        panel.devices_requested.connect(player.settings.look)
-        panel.rig_requested.connect(player.settings.choose_rig)
-        panel.tone_requested.connect(player.play_tone)
+        self._panel = panel = cast("OutputPanel", panel)
+        for part in (panel.fields, panel.rows):
+            part.output_requested.connect(player.settings.choose)
+        panel.fields.rescan.clicked.connect(player.settings.look)
+        panel.fields.rig.rig_chosen.connect(self._choose_rig)
+        panel.fields.gain.edited.connect(lambda gain_db, _: player.gain.put(gain_db))
+        panel.rows.tone_requested.connect(player.play_tone)
+        panel.arm.clicked.connect(player.arm)
         panel.visibility_changed.connect(self._look)
 
     def _follow(self) -> None:
         playing = self.player.playing
-        self.note.show_preparing(self.player.preparing)
         self._escape.listen(playing)
         if playing and not self._timer.isActive():
             self._timer.start()
@@ -340,12 +325,16 @@ class Playback(QObject):
     def _show(self) -> None:
         played = played_by(self.player, self._document.design)
         self.bar.show_played(played)
+        self.button.show_state(self._document.design, played)
         if self._panel is not None and self._panel.isVisible():
             self._panel.show_played(played)
 
-    def _show_places(self) -> None:
-        if self._panel is not None and self._panel.isVisible():
-            self._show()
+    def _choose_rig(self, path: Path | None) -> None:
+        """Use the rig of a file, or none, for this machine and the design."""
+        settings = self.player.settings
+        if settings.choose_rig(path):
+            design, view = self._document.design, self._document.view
+            self._document.apply(choose_rig(design, view, settings.rig))
 
     def _look(self) -> None:
         """Look for rig and devices when the panel is first in sight."""

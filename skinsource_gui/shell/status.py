@@ -14,11 +14,10 @@ from skinsource.design.view import View
 from skinsource.engine.gains import TraceError
 from skinsource_gui.qt.buttons import page_button
 from skinsource_gui.qt.error_label import PROMISED, VISIBLE, error_text
-from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.labels import FittingLabel
 from skinsource_gui.qt.layouts import in_row
-from skinsource_gui.qt.overlays import Staleness
-from skinsource_gui.qt.theme import UNIT_PX, set_tone, tabular
+from skinsource_gui.qt.overlays import Overlay, Staleness
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone, tabular
 from skinsource_gui.qt.window_events import WindowEvents
 from skinsource_gui.state.edit_times import EditTimes, summary
 from skinsource_gui.state.engine import Engine, Outcome, Purpose, Request
@@ -222,49 +221,36 @@ class StatusLine(FittingLabel):
         self.changed.emit()
 
 
-_WORDS = "Preparing the sound…"
-_HINT = "It is brought to the rate of the device from beginning to end, and plays then"
-
-
-class PreparingNote(QtWidgets.QWidget):
-    """A text and Cancel, shown while the sound of a long design is prepared."""
-
-    cancel_requested = Signal()
-
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("preparing_sound")
-        label = QtWidgets.QLabel(_WORDS)
-        label.setToolTip(_HINT)
-        hint = f"Do not play ({shortcut_text('play')})"
-        self._cancel = page_button("cancel_preparing", "Cancel", hint)
-        self._cancel.setAccessibleName("Cancel preparing the sound")
-        self._cancel.clicked.connect(self.cancel_requested)
-        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Fixed, QtWidgets.QSizePolicy.Policy.Fixed)
-        in_row(label, self._cancel, of=self, margins=(UNIT_PX, 0, 0, 0), gap_px=UNIT_PX)
-        self._staleness = Staleness(self)
-        self._staleness.changed.connect(self._follow)
-        self.hide()
-
-    def show_preparing(self, preparing: bool) -> None:
-        """Take over whether the sound is being prepared; shown after a while."""
-        self._staleness.set_stale(preparing)
-
-    def _follow(self, stale: bool) -> None:
-        # The keyboard goes back to where work is done.
-        if not stale and self._cancel.hasFocus():
-            self.window().setFocus()
-        self.setVisible(stale)
-
-
 _ABOUT = (
     "What is shown and played has this gain; the design, its file and all exports have the "
     "amplitudes that were stored. Click to keep it, or to see the design as stored."
 )
 
 
+_FRAME_PX = 3
+
+
+class MatchFrame(Overlay):
+    """A coloured frame round a window that shows other levels than those of its design."""
+
+    def __init__(self, window: QtWidgets.QWidget) -> None:
+        super().__init__(window)
+        self.setObjectName("match_frame")
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
+        inner = self.rect().adjusted(_FRAME_PX, _FRAME_PX, -_FRAME_PX, -_FRAME_PX)
+        self.setMask(QtGui.QRegion(self.rect()) - QtGui.QRegion(inner))
+        super().resizeEvent(event)
+
+    def paintEvent(self, _event: QtGui.QPaintEvent) -> None:
+        QtGui.QPainter(self).fillRect(self.rect(), QtGui.QColor(current_theme().warning))
+
+
 class MatchNote(QtWidgets.QToolButton):
     """The gain of a matched snapshot; its menu keeps or removes it.  Hidden where there is none.
+
+    A frame round the window is shown with it.
 
     Parameters
     ----------
@@ -285,6 +271,7 @@ class MatchNote(QtWidgets.QToolButton):
         menu = QtWidgets.QMenu(self)
         menu.addActions(list(actions))
         self.setMenu(menu)
+        self._frame: MatchFrame | None = None
         self.hide()
 
     def show_state(self, design: Design, view: View) -> None:
@@ -296,6 +283,11 @@ class MatchNote(QtWidgets.QToolButton):
             self.setAccessibleName(text)
             self.setToolTip(f"{text}. {_ABOUT}" if text else "")
         self.setVisible(bool(text))
+        if bool(text) == (self._frame is not None):
+            return
+        if self._frame is not None:
+            self._frame.take_away()
+        self._frame = MatchFrame(self.window()) if text else None
 
 
 _BAR_PX, _NAME_PX = 96, 200

@@ -1,6 +1,7 @@
 """The main window."""
 
 from collections.abc import Sequence
+from functools import partial
 
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEventLoop, QObject
@@ -194,10 +195,11 @@ class MainWindow(QtWidgets.QMainWindow):
         self._bar = StudioBar(self.setup_bar, self.playback.bar, groups, self)
         self.statusBar().addWidget(self.status_line, 1)
         self._match_note = MatchNote([actions["keep_match_gain"], actions["match_levels"]])
-        for widget in (self._match_note, self.playback.note, self.job_bar):
+        for widget in (self._match_note, self.job_bar):
             self.statusBar().addPermanentWidget(widget)
         self.conditions = Conditions(self.document, self.engine, self.panels, self.statusBar())
         self.statusBar().addPermanentWidget(self._limb_note)
+        self.statusBar().addPermanentWidget(self.playback.button)
 
     def _install(self, panel: Panel) -> None:
         """Connect a panel that was just made, after all others have met it, and show it."""
@@ -242,6 +244,7 @@ class MainWindow(QtWidgets.QMainWindow):
         self.keeping.connect_to(self.conductor, reports)
         self.running_jobs.show_on(self.actions_by_name["cancel_job"])
         self._limb_note.help_requested.connect(self.pages.show_dataset)
+        self.playback.button.clicked.connect(partial(self.do, "show_output"))
         self.conductor.failed.connect(reports.show_impossible)
         self.conductor.delivered.connect(reports.show_outcome)
         self.conductor.stale.connect(self.status_line.show_stale)

@@ -98,7 +98,7 @@ WORKSPACES: tuple[Workspace, ...] = (
         hosts=dict.fromkeys(
             (
                 *("frequency_and_amplitude", "compare", "history", "library", "analysis_2"),
-                *("actuator", "playback"),
+                "output",
             ),
             "inspector",
         ),
@@ -149,6 +149,23 @@ def shared(whole: int, shares: Sequence[int], least: Sequence[int]) -> list[int]
         cuts = [excess * (part - need) // spare for part, need in zip(parts, least, strict=True)]
         parts = [part - cut for part, cut in zip(parts, cuts, strict=True)]
     return parts
+
+
+# What panels were called in layouts and scenes of before.
+_FORMER = {"actuator": "output", "playback": "output"}
+
+
+def _renamed(content: bytes) -> bytes:
+    """Return a layout with the present names of panels."""
+    for former, name in _FORMER.items():
+        content = content.replace(_stored_name(former), _stored_name(name))
+    return content
+
+
+def _stored_name(name: str) -> bytes:
+    """Return a name as Qt stores it in layouts."""
+    text = name.encode("utf-16-be")
+    return len(text).to_bytes(4, "big") + text
 
 
 #: For each dock, whether it is hidden, floating, and in sight.
@@ -285,6 +302,7 @@ class Workspaces(QObject):
 
     def bring(self, panel: str) -> None:
         """Bring a panel into sight without moving others."""
+        panel = _FORMER.get(panel, panel)
         if panel in self._docks:
             self._docks[panel].bring_forward()
 
@@ -296,7 +314,7 @@ class Workspaces(QObject):
         """Restore the layout ``content`` of this window; do nothing where it is empty."""
         if content:
             with self._arranging():
-                self._window.restoreState(QByteArray(content))
+                self._window.restoreState(QByteArray(_renamed(content)))
             self._settling.stop()
             self._moved = True
 
@@ -308,7 +326,7 @@ class Workspaces(QObject):
         which a file was saved.
         """
         before = self._window.saveState()
-        if not content or not self._window.restoreState(QByteArray(content)):
+        if not content or not self._window.restoreState(QByteArray(_renamed(content))):
             return
         docks = self._docks.values()
         hidden = {dock: dock.isHidden() for dock in docks}

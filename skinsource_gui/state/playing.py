@@ -17,6 +17,7 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from skinsource import lab
 from skinsource.actuators import rigs
 from skinsource.base.errors import InvalidInputError, SkinSourceError
+from skinsource.base.quoting import quoted
 from skinsource.design import edits
 from skinsource.design.comparing import louder
 from skinsource.design.design import Design
@@ -30,7 +31,7 @@ if TYPE_CHECKING:
     from skinsource.actuators.rigs import Rig
     from skinsource.lab.playing.devices import Device
     from skinsource.lab.playing.mix import Delay, Levels
-    from skinsource.lab.playing.session import Playing, Session
+    from skinsource.lab.playing.session import Peak, Playing, Session
     from skinsource.lab.playing.stream import Stream
 
 
@@ -40,7 +41,9 @@ class Played:
 
     Attributes
     ----------
-    looked
+    preparing
+        Whether what is to be played is being rendered.
+    searched
         Whether devices were looked for.
     missing
         Why nothing can be heard, and what to do; "" where it can.
@@ -49,18 +52,21 @@ class Played:
     wired
         Pairs of a place of the design and the output that drives it.
     rig_title, calibration
-        The rig of this machine, "" without one; whether the output is calibrated, as a text.
-    names
-        What each output plays now; "" where it is silent.
+        The rig that is played for, "" without one; whether the output is calibrated, as a text.
     levels, delay
         How loud each output is, and how late an edit is heard; None while nothing is heard.
     underruns
         How often the device ran out of samples since playing began.
     loops
         Whether a design without a loop is played again and again.
+    peak
+        The largest sample that would be sent; None: the actuators are not armed.
+    on_actuators
+        Whether actuators move, or are about to.
     """
 
     playing: bool = False
+    preparing: bool = False
     searched: bool = False
     devices: "tuple[Device, ...]" = ()
     missing: str = ""
@@ -69,12 +75,20 @@ class Played:
     wired: tuple[tuple[int, int], ...] = ()
     rig_title: str = ""
     calibration: str = ""
-    names: tuple[str, ...] = ()
     levels: "Levels | None" = None
     delay: "Delay | None" = None
     underruns: int = 0
     gain_db: float = START_DB
     loops: bool = False
+    peak: "Peak | None" = None
+    on_actuators: bool = False
+
+    @property
+    def actuators(self) -> str:
+        """State of the actuators: ``"off"``, ``"armed"``, ``"preparing"`` or ``"playing"``."""
+        if self.on_actuators:
+            return "preparing" if self.preparing else "playing"
+        return "off" if self.peak is None else "armed"
 
 
 #: Digits behind the decimal point: nobody hears, or reads, more.
@@ -369,25 +383,41 @@ class SoundSettings(QObject):
             except SkinSourceError as error:
                 self.rig_problem = f"The rig of this machine cannot be read: {error}"
 
-    def rig_is_read(self) -> bool:
-        """Return whether the rig was read, or there is none; else emit `refused`."""
+    def rig_is_read(self, design: Design | None = None) -> bool:
+        """Return whether the rig was read, or there is none, and is that of a design.
+
+        Else emit `refused`: the rig of this machine says the limits of what is wired to it.
+        """
         self.look_for_rig()
+        own, wanted = self.rig, None if design is None else design.rig
         if self.rig_problem:
             self.refused.emit(f"{self.rig_problem} Choose another rig, or none.")
-        return not self.rig_problem
+        elif own is not None and wanted is not None and own != wanted:
+            self.refused.emit(
+                f"The design is made for the rig {quoted(wanted.title)}, and this machine plays "
+                f"for {quoted(self.rig_title)}, or an older one. Choose the rig anew under Output."
+            )
+        else:
+            return True
+        return False
 
-    def choose_rig(self, path: Path | None) -> None:
-        """Use another rig from now on; None: no rig."""
+    def rig_for(self, design: Design) -> "Rig | None":
+        """Return the rig that a design is played for: its own, or else that of this machine."""
+        return design.rig if design.rig is not None else self.rig
+
+    def choose_rig(self, path: Path | None) -> bool:
+        """Use another rig from now on; None: no rig.  Return whether it was opened."""
         self._rig_was_read = True
         try:
             self._open_rig(path)
         except SkinSourceError as error:
             self.refused.emit(str(error))
-            return
+            return False
         self._preferences.rig_path = "" if path is None else str(path)
         self.output_changed.emit()
         self.changed.emit()
         self.device_changed.emit()
+        return True
 
     def _open_rig(self, path: Path | None) -> None:
         rig = None if path is None else rigs.open_rig(path)
@@ -453,7 +483,7 @@ def _stored_output(preferences: Preferences) -> Output:
 
 _DEVICE_LOST = (
     "The device does not ask for sound any more: it may have been unplugged. Connect it, look for "
-    "devices again (View > Panels > Playback), and play."
+    "devices again under Output, and play."
 )
 # How often the device is checked to be still there.
 _WATCH_MS = 250
@@ -468,6 +498,10 @@ class Player(QObject):
         What is being played; None where nothing is.
     preparing
         Whether the sound is being rendered and the device opened.
+    peak
+        The largest sample that would be sent; None: the actuators are not armed.
+    on_actuators
+        Whether actuators move, or are about to.
     loops
         Whether a design without a loop is played again and again.
     """
@@ -503,6 +537,14 @@ class Player(QObject):
         self.settings.output_changed.connect(self.stop)
         self.settings.device_changed.connect(self.gain.reset)
         self.gain.changed.connect(self._pass_gain)
+        self.peak: Peak | None = None
+        self.on_actuators = False
+        # What was armed, or is to be; and the rig that is played for.
+        self._armed: Design | None = None
+        self._played_rig: Rig | None = None
+        document.changed.connect(self._follow)
+        document.jumped.connect(self._note_jump)
+        self.settings.output_changed.connect(partial(self.arm, False))
         self.edits.replaced.connect(self._replace)
         self.edits.failed.connect(self.failed)
         self.playhead.stepped.connect(self._watch)
@@ -513,46 +555,116 @@ class Player(QObject):
         return self.preparing or self.now is not None
 
     def play_or_stop(self) -> None:
-        """Play from the playhead, or stop."""
+        """Animate the skin from the playhead, or stop; no actuator moves."""
         if self.playing:
             self.stop()
         else:
-            self.play()
+            self.animate()
 
-    def play(self) -> None:
-        """Play from the playhead in the slow motion of the view, in place of what is played now."""
-        if not self.settings.rig_is_read():
-            return
+    def animate(self) -> None:
+        """Move the playhead through the design, in the slow motion of the view."""
         design, view = played_of(self._document), self._document.view
-        output, loops, rig = self.settings.output, self.loops, self.settings.rig
+        animate = partial(
+            self._session().animate,
+            design,
+            loops=self.loops,
+            at_s=view.playhead_s,
+            slow_motion=view.slow_motion,
+        )
+        self._begin(animate, partial(self._run, design, None))
+
+    @property
+    def armed(self) -> bool:
+        """Whether actuators may be played on."""
+        return self.peak is not None
+
+    def arm(self, on: bool) -> None:
+        """Look at what would be sent to the actuators, and allow to send it; or forbid it."""
+        if not on:
+            self._armed = self.peak = None
+            if self.on_actuators:
+                self.stop()
+            self.changed.emit()
+        elif self.settings.rig_is_read(self._document.design):
+            self._look_at_peak()
+
+    def play_on_actuators(self) -> None:
+        """Play from the playhead on the armed actuators in real time, or stop."""
+        if self.on_actuators:
+            self.stop()
+            return
+        design = played_of(self._document)
+        if not self._may_play():
+            return
+        self._played_rig = rig = self.settings.rig_for(design)
         start = object()
         play = partial(
             self._session().play,
             design,
-            output,
-            loops=loops,
-            at_s=view.playhead_s,
+            self.settings.output,
+            loops=self.loops,
+            at_s=self._document.view.playhead_s,
             gain_db=self.gain.gain_db,
-            slow_motion=view.slow_motion,
             rig=rig,
             stop=lambda: self._start is not start,
         )
-
-        def follow() -> None:
-            self.playhead.run(self._position)
-            self.edits.end()
-            if self.now is not None:
-                self.edits.begin(self.now, design, output, rig, loops=loops)
-
-        self._begin(play, follow, start)
+        self.on_actuators = True
+        self._begin(play, partial(self._run, design, rig), start)
 
     def play_tone(self, number: int) -> None:
         """Play the test tone on one output, in place of what is played now."""
-        if not self.preparing and self.settings.rig_is_read():
+        if not self.preparing and self._may_play():
             self._end_playing()
-            output, gain_db, rig = self.settings.output, self.gain.gain_db, self.settings.rig
-            tone = partial(self._session().tone, number, output, gain_db, rig)
-            self._begin(tone, None, object())
+            output, gain_db = self.settings.output, self.gain.gain_db
+            self._played_rig = rig = self.settings.rig_for(self._document.design)
+            self.on_actuators = True
+            self._begin(partial(self._session().tone, number, output, gain_db, rig))
+
+    def _may_play(self) -> bool:
+        if not self.armed:
+            self.failed.emit("Nothing is sent to the actuators. Arm them under Output first.")
+        return self.armed and self.settings.rig_is_read(self._document.design)
+
+    def _run(self, design: Design, rig: "Rig | None") -> None:
+        """Have playhead and edits follow what began."""
+        self.playhead.run(self._position)
+        self.edits.end()
+        if self.now is not None:
+            self.edits.begin(self.now, design, self.settings.output, rig, loops=self.loops)
+
+    def _look_at_peak(self) -> None:
+        self._armed = design = self._document.design
+        peak = partial(
+            self._session().peak,
+            played_of(self._document),
+            self.settings.output,
+            rig=self.settings.rig_for(design),
+        )
+        self._thread.run_newest("peak", peak, partial(self._receive_peak, design))
+
+    def _receive_peak(self, design: Design, peak: "Peak | None", error: Exception | None) -> None:
+        if self._armed is not design:
+            return
+        self.peak = peak
+        if error is not None:
+            self._armed = None
+            self.settings.note_missing(str(error))
+            self.failed.emit(str(error))
+        self.changed.emit()
+
+    def _follow(self) -> None:
+        """Look at an edited design that is armed; stop where it is for another rig now."""
+        design = self._document.design
+        if self._armed is None or self._armed is design:
+            return
+        self._look_at_peak()
+        if self.on_actuators and self.settings.rig_for(design) != self._played_rig:
+            self.stop()
+
+    def _note_jump(self) -> None:
+        """Disarm for another file; undone edits leave it armed."""
+        if not self._document.undo_stack.count():
+            self.arm(False)
 
     def stop(self) -> None:
         """Fade out, or give up preparing."""
@@ -565,8 +677,9 @@ class Player(QObject):
             stream.queue.stop()
 
     def stop_at_once(self) -> None:
-        """Be silent within a millisecond, and reset the gain."""
+        """Be silent within a millisecond, disarm the actuators, and reset the gain."""
         self.preparing, self._start = False, None
+        self._armed = self.peak = None
         if self.now is not None and self.now.stream is not None:
             self.now.stream.queue.stop_at_once()
         else:
@@ -587,8 +700,12 @@ class Player(QObject):
         end_sound(self._thread, self._session().close if used else None)
 
     def _begin(
-        self, play: "Callable[[], Playing]", follow: Callable[[], None] | None, start: object
+        self,
+        play: "Callable[[], Playing]",
+        follow: Callable[[], None] | None = None,
+        start: object = None,
     ) -> None:
+        start = start or object()
         self.preparing, self._start = True, start
 
         def take(playing: "Playing | None", error: Exception | None) -> None:
@@ -597,7 +714,7 @@ class Player(QObject):
                 if playing is not None and not self.preparing:
                     self._thread.run(self._session().close)
             elif playing is None:
-                self.preparing = False
+                self.preparing = self.on_actuators = False
                 self.failed.emit(str(error))
             else:
                 self.preparing, self.now = False, playing
@@ -648,7 +765,7 @@ class Player(QObject):
             self._end_playing()
         else:
             # The last waves are still on their way.
-            self.now = seen_on
+            self.now, self.on_actuators = seen_on, False
         self._thread.run(partial(self._session().close_stream, stream))
         if ending is None:
             self.failed.emit(_DEVICE_LOST)
@@ -660,7 +777,7 @@ class Player(QObject):
     def _end_playing(self) -> None:
         self.edits.end()
         self.playhead.rest()
-        self.now = None
+        self.now, self.on_actuators = None, False
         self.changed.emit()
 
 
@@ -717,42 +834,41 @@ class PlaybackPace(QObject):
         now = self._player.now
         if now is None or before == self._now:
             return
-        if now.silent is not None and 1.0 not in (before, self._now):
+        if now.silent is not None:
             now.silent.run_at(self._now)
-        else:
-            # Only playback in real time is heard: it has to begin or end.
-            self._player.play()
 
 
 def _calibration(settings: SoundSettings, design: Design) -> str:
     """Return the text on whether m/s² follow from the output."""
     if settings.rig_problem:
         return settings.rig_problem
-    if settings.rig is None:
+    rig = settings.rig_for(design)
+    if rig is None:
         return ""
     places = tuple(dict.fromkeys(track.location for track in design.inputs))
-    return rigs.calibration_words(settings.rig, places)
+    return rigs.calibration_words(rig, places)
 
 
 def played_by(player: Player, design: Design) -> Played:
     """Return the state of playback for the panels."""
     settings, stream = player.settings, player.now.stream if player.now else None
-    mix = None if stream is None else stream.queue.mix
-    render_s = player.edits.render_s
+    render_s, rig = player.edits.render_s, settings.rig_for(design)
     return Played(
         playing=player.playing,
+        preparing=player.preparing,
         searched=settings.searched,
         devices=settings.devices,
         missing=settings.missing,
         output=settings.output,
         rates_hz=settings.rates_hz,
-        wired=tuple(outputs_by_place(design, settings.output, settings.rig).items()),
-        rig_title=settings.rig_title,
+        wired=tuple(outputs_by_place(design, settings.output, rig).items()),
+        rig_title=settings.rig_title if rig is settings.rig else rig.title or "Rig" if rig else "",
         calibration=_calibration(settings, design),
-        names=() if mix is None else mix.names,
         levels=None if stream is None else stream.queue.levels(),
         delay=None if stream is None or not render_s else stream.delay(render_s),
         underruns=0 if stream is None else stream.underruns,
         gain_db=player.gain.gain_db,
         loops=player.loops,
+        peak=player.peak,
+        on_actuators=player.on_actuators,
     )

@@ -191,3 +191,32 @@ def test_switching_it_on_and_off_are_edits_that_remember():
     assert off.label == "Predict without the actuator"
     assert off.design.actuated is None
     assert off.design.actuation == actuation(on=False)
+
+
+def test_a_rig_brings_the_actuators_that_it_knows_and_is_kept_in_files(tmp_path):
+    chosen = ss.Actuation(
+        actuators=(ss.ActuatorAt(actuator="Coil", model=COIL),), equaliser=INVERSE, on=False
+    )
+    design = ss.Design(limb="synthetic-1", inputs=(ss.track(7),), actuation=chosen)
+    known = ss.rigs.RigChannel(place=7, actuator="example-piezo", full_scale_v=2.0)
+    rig = ss.rigs.Rig(title="Bench 3", channels=(known, replace(known, place=8, output=2)))
+    wired = edits.choose_rig(design, SEEN, rig).design
+    assert (wired.rig, wired.actuation.rig, wired.actuation.at(8).model) == (rig, "Bench 3", PIEZO)
+    assert (wired.actuation.equaliser, wired.actuated) == (INVERSE, None)
+    ss.save_design(tmp_path / "d.skinsource", wired)
+    assert ss.open_design(tmp_path / "d.skinsource").design == wired
+    removed = edits.choose_rig(wired, SEEN, None).design
+    assert (removed.rig, removed.actuation) == (None, None)
+    # A rig that does not say how its actuators move leaves the choice.
+    blank = ss.rigs.Rig(channels=(ss.rigs.RigChannel(place=7),))
+    assert edits.choose_rig(design, SEEN, blank).design == replace(design, rig=blank)
+
+
+def test_what_is_chosen_is_predicted_through_only_where_that_is_switched_on():
+    design = ss.Design(limb="synthetic-1", inputs=(ss.track(7),))
+    chosen = ss.Actuation(actuators=(ss.ActuatorAt(actuator="Coil", model=COIL),))
+    off = edits.choose_actuation(design, SEEN, chosen).design
+    assert off.actuation == replace(chosen, on=False)
+    on = edits.predict_through(off, SEEN, chosen).design
+    changed = edits.choose_actuation(on, SEEN, replace(chosen, equaliser=INVERSE, on=False)).design
+    assert changed.actuated == replace(chosen, equaliser=INVERSE)

@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from skinsource import actuators
 from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource.actuators.rigs import Rig, RigChannel
 from skinsource.base.measurement_conditions import LIMB_NAMES
 from skinsource.design import edits
 from skinsource.design.design import Design, track
@@ -29,6 +30,7 @@ START = Design(
 )
 COIL = ActuatorAt(actuator="coil", model=actuators.load("example-voice-coil"))
 ACTUATION = Actuation(actuators=(COIL,))
+RIG = Rig(channels=(RigChannel(place=2, actuator="example-piezo"),))
 # Mostly what there is, and now and then what there is not.
 likely_id = st.integers(1, 3)
 one_id = st.one_of(*(4 * [likely_id]), st.integers(-1, 8))
@@ -91,6 +93,7 @@ BY_NAME = {
     "outputs": st.lists(st.integers(0, 73), max_size=4),
     "sample_rate_hz": st.sampled_from([1300.0, 48_000.0]),
     "samples": st.sampled_from([(0.0, 0.5, -1.0), (), (1.0, float("nan"))]),
+    "rig": st.none() | st.just(RIG),
     "scaling": st.sampled_from(["upstream", "relative", "probe", "loud"]),
     "span": st.sampled_from(["record", "loudest", "other"]),
     "start": st.none() | one_id,

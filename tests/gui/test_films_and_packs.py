@@ -2,16 +2,17 @@
 
 import sys
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtWidgets import QFileDialog
 
-from skinsource.actuators.rigs import Rig, save_rig
+from skinsource.actuators.rigs import Rig, RigChannel, save_rig
 from skinsource_gui.pages.files import exports
 from skinsource_gui.panels.skin.film import FilmOptions
 
 
-def test_a_film_asks_for_its_size_and_a_pack_takes_the_rig_of_this_machine(
+def test_a_film_asks_for_its_size_and_a_pack_takes_the_rig_of_the_design(
     window, qtbot, monkeypatch, write_with, tmp_path
 ):
     given, asked, suggested, answers = [], [], [], {}
@@ -50,8 +51,11 @@ def test_a_film_asks_for_its_size_and_a_pack_takes_the_rig_of_this_machine(
     assert asked[1][1:3] == (640, 480)
     assert len(given) == 1
     path = tmp_path / "two.skinrig"
-    save_rig(path, Rig())
-    window.preferences.rig_path = str(path)
+    rig = Rig(channels=(RigChannel(place=1), RigChannel(place=7, output=2)))
+    save_rig(path, rig)
+    design = window.document.design
+    wired = tuple(replace(track, location=7) for track in design.inputs)
+    window.document.edit("Wire", replace(design, inputs=wired, rig=rig))
     answers["save"] = str(tmp_path / "all.zip")
     window.do("export_pack")
     wait()

@@ -78,7 +78,6 @@ def test_tab_goes_through_all_panels_in_the_order_of_the_work_and_shift_tab_back
         ("setup", "limb"),
         ("setup", "method"),
         ("transport", "play_button"),
-        ("transport", "gain_field"),
         ("timeline", "amplitude_field"),
         ("inspector", "kind_field"),
         ("inspector", "location_field"),

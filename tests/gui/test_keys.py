@@ -13,7 +13,6 @@ from skinsource_gui.panels.skin.time import ScrubBar
 from skinsource_gui.qt.keys import KEYS, MOUSE, SHORTCUTS, meaning_of
 from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.playing import Transport
-from skinsource_gui.shell.status import PreparingNote
 
 _Key, _Held = Qt.Key, Qt.KeyboardModifier
 SIGNS = [Qt.Key(ord(sign)) for sign in "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ+-=. "]
@@ -80,7 +79,7 @@ def test_a_single_key_is_called_what_stands_on_it():
             assert gesture.shown == "+".join((*held, ON_KEYS.get(key, key)))
 
 
-@pytest.mark.parametrize("part", [Transport, ScrubBar, PreparingNote])
+@pytest.mark.parametrize("part", [Transport, ScrubBar])
 def test_tooltips_name_the_shortcut_that_an_action_has(qtbot, monkeypatch, part):
     monkeypatch.setitem(SHORTCUTS, "play", ("Ctrl+P",))
     widget = part()

@@ -11,6 +11,7 @@ from skinsource.design.effects.level import Fade
 from skinsource_gui.panels.analysis.panel import AnalysisPanel
 from skinsource_gui.qt.questions import CopyButton
 from tests.gui.analysis.analysis_bench import analysis
+from tests.gui.output.bench import CHOSEN
 
 SELECTED = (3, 9, 15, 21)
 #: What they show is of the selected outputs, or of one of them.
@@ -29,7 +30,7 @@ OF_OUTPUTS = {
 }
 #: Others too ask for results of the design.
 COMPUTED = sorted(
-    {"skin", "timeline", "inspector", "clip_editor", "actuator", "analysis/windowed"} | OF_OUTPUTS
+    {"skin", "timeline", "inspector", "clip_editor", "output", "analysis/windowed"} | OF_OUTPUTS
 )
 #: What is known of limbs and snapshots is forgotten, or held against what it is of.
 OF_LIMBS = ["analysis/regions"]
@@ -52,6 +53,7 @@ def studio(open_window, qtbot):
     """A studio with selected outputs, which can hide a panel and bring it forward again."""
     window = open_window()
     window.document.look(replace(window.document.view, outputs=SELECTED))
+    window.document.edit("Choose", replace(window.document.design, actuation=CHOSEN))
 
     def look_at(name):
         name, _, view = name.partition("/")

@@ -39,11 +39,15 @@ def test_the_inspector_is_walked_from_top_to_bottom(window):
     assert tops(panel) == sorted(tops(panel))
 
 
-@pytest.mark.parametrize("name", ["actuator", "playback"])
-def test_other_panels_of_fields_too(window, settle, name):
-    window.docks[name].bring_forward()
+@pytest.mark.parametrize("unfolded", [False, True])
+def test_the_output_too(window, settle, unfolded):
+    window.docks["output"].bring_forward()
     settle()
-    panel = window.panel(name)
+    panel = window.panel("output")
+    if unfolded:
+        panel.choices.cell("actuator").edited.emit("actuator", "example-piezo", None)
+        panel.more.click()
+        settle()
     # Wherever its middle is: what scrolls is no line among those that it holds.
     inside = panel.findChild(QScrollArea).widget().layout()
     for top_px in range(0, 60, 6):

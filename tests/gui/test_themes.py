@@ -6,7 +6,7 @@ from skinsource_gui.qt.theme import THEMES
 from skinsource_gui.shell.panels import PANELS
 
 #: What is known of the sound card comes at any time.
-NAMES = [spec.panel.name for spec in PANELS if spec.panel.name != "playback"]
+NAMES = [spec.panel.name for spec in PANELS if spec.panel.name != "output"]
 
 
 def make_all(window):

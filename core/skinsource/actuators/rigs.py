@@ -1,7 +1,7 @@
 """The rig: which actuator is wired to which output, its calibration, and its limits.
 
-A rig is a JSON file of its own beside designs, made by hand or from measurements.  Limits stand in
-it, and in nothing that a design holds: no design can loosen them.
+A rig is a JSON file of its own, made by hand or from measurements; a design holds a copy of the
+one that it is exported for.  A machine plays for its own rig: no design can loosen its limits.
 """
 
 from __future__ import annotations

@@ -4,10 +4,10 @@ import argparse
 import sys
 from dataclasses import fields
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 from skinsource.actuators.equalising import RegularisedInverse
-from skinsource.actuators.rigs import open_rig
+from skinsource.actuators.rigs import Rig, open_rig
 from skinsource.base.files import make_folder
 from skinsource.cli.help_format import HelpFormatter
 from skinsource.design.design_file import open_design
@@ -107,11 +107,11 @@ def _add_numbers(add: Any) -> None:
 
 
 def _add_rig(add: Any) -> None:
-    add("--rig", type=Path, metavar="FILE", help="a .skinrig file: what is wired")
+    add("--rig", type=Path, metavar="FILE", help="a .skinrig file, or none (default: the design's)")
     add(
         "--equalise",
-        choices=("linear", "minimum"),
-        help="make volts of accelerations for the rig, with this phase",
+        choices=("linear", "minimum", "none"),
+        help="make volts of accelerations, with this phase (default: as the design says)",
     )
     add("--boost", type=float, metavar="DB", help="most that --equalise boosts (default: 20)")
 
@@ -133,7 +133,9 @@ def _export(arguments: argparse.Namespace) -> int:
     given = {field.name: getattr(arguments, field.name, None) for field in fields(StimulusOptions)}
     given["choices"] = {name: value for name, value in choices.items() if value is not None}
     options = StimulusOptions(**{name: value for name, value in given.items() if value is not None})
-    rig = None if arguments.rig is None else open_rig(arguments.rig)
+    rig: Rig | Literal["none"] | None = None
+    if arguments.rig is not None:
+        rig = "none" if str(arguments.rig) == "none" else open_rig(arguments.rig)
     make_folder(arguments.out.parent)
     exported = export_stimulus(
         open_design(arguments.design).design,
@@ -156,8 +158,8 @@ def _export(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _equaliser(arguments: argparse.Namespace) -> RegularisedInverse | None:
-    if arguments.equalise is None:
-        return None
+def _equaliser(arguments: argparse.Namespace) -> RegularisedInverse | Literal["none"] | None:
+    if arguments.equalise in (None, "none"):
+        return arguments.equalise
     boost = {} if arguments.boost is None else {"boost_db": arguments.boost}
     return RegularisedInverse(phase=arguments.equalise, **boost)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from skinsource.actuators.actuation import Actuation
+from skinsource.actuators.equalising import Equaliser
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.quoting import lowered
 from skinsource.design.clips import Clip
@@ -119,6 +120,15 @@ def drive_unit(design: "Design", limb: Limb | None = None) -> str:
     if known or design.scaling == "upstream":
         return _DRIVE_UNITS[design.scaling]
     return ARBITRARY_UNIT
+
+
+def equaliser_of(design: "Design") -> Equaliser | None:
+    """Return the equaliser that a design is exported and played through.
+
+    None where none is chosen, or drives are no accelerations.
+    """
+    chosen = design.actuation
+    return chosen.equaliser if chosen is not None and drive_unit(design) == "m/s²" else None
 
 
 def _has_its_own_size(waveform: Waveform) -> bool:

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from skinsource.actuators.actuation import Actuation
+from skinsource.actuators.rigs import Rig
 from skinsource.base.arguments import checking
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.quoting import quoted
@@ -75,6 +76,9 @@ LOOP = RangeSpec(label="Loop", unit="s", minimum=0.0, maximum=LATEST_S)
 ACTUATION = OptionalSpec(
     label="Actuators", of=ModelSpec(label="Actuators", kinds=lambda: (Actuation,))
 )
+RIG = OptionalSpec(
+    label="Rig", of=ModelSpec(label="Rig", kinds=lambda: (Rig,)), left_out_empty=True
+)
 SCALING = ChoiceSpec(
     label="Scaling", options=tuple((word.name, word.title) for word in labels.SCALINGS)
 )
@@ -133,8 +137,10 @@ class Design:
         ``"upstream"``, ``"relative"`` or ``"probe"``, see `skinsource.predict`.  The default is
         probe scaling, because there a new clip does not change the effect of the others.
     actuation
-        Actuators of the prediction, and the equaliser that makes their voltages; None: drives are
-        the motion of the contactor.
+        Actuators, the equaliser that makes their voltages, and whether predictions go through both;
+        exported and played is what the equaliser makes in either case.  None: none is chosen.
+    rig
+        The wiring that is exported and played for; None: not known.
     markers
         Names for times.
     loop_s
@@ -147,6 +153,7 @@ class Design:
     inputs: tuple[Input, ...] = fields.field(INPUTS, ())
     scaling: Scaling = fields.choice("probe", SCALING)
     actuation: Actuation | None = fields.field(ACTUATION, None)
+    rig: Rig | None = fields.field(RIG, None)
     markers: tuple[Marker, ...] = fields.field(MARKERS, ())
     loop_s: Range | None = fields.interval(None, LOOP)
     title: str = fields.text("", TITLE)

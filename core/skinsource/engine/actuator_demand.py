@@ -1,205 +1,50 @@
-"""Settings of the actuator panel, and the demand of a design on an actuator: volts and travel."""
+"""The demand of a design on an actuator: volts, current and travel."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from typing import Any
 
 import numpy as np
 
 from skinsource.actuators.actuation import Actuation, ActuatorAt
-from skinsource.actuators.actuator import Actuator
-from skinsource.actuators.catalog import ActuatorProfile, names, profile, shape_names
-from skinsource.actuators.equalising import (
-    BOOST,
-    NEW_QUALITY,
-    PHASE,
-    Equaliser,
-    PolePairReplacement,
-    RegularisedInverse,
-    equalised,
-    followed_band,
-    net_velocity,
-    resonance_of,
-)
+from skinsource.actuators.catalog import ActuatorProfile, names, profile
+from skinsource.actuators.equalising import equalised, followed_band, net_velocity
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.prediction import Prediction, duty_of, predicted
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import BAND_HZ, Band
 from skinsource.engine.gains import Placed
-from skinsource.specs import fields
-from skinsource.specs.models import specs_of
-from skinsource.specs.numbers import NumberSpec, Range, RangeSpec
-from skinsource.specs.spec import ChoiceSpec, PlainSpec, TextSpec
-
-ACTUATOR = TextSpec(label="Actuator", longest=100, one_line=True)
-#: Name of the actuator where its response was measured.
-MEASURED = "measured"
-_TITLE = "Measured response"
-# A view stores at most so many numbers for a panel.
-_MOST_POINTS = 2000
-POINTS = PlainSpec(label=_TITLE)
-FROM = TextSpec(label="Measured as", longest=100, one_line=True)
-PARAMETERS = PlainSpec(label="Changed parameters")
-EQUALISER = ChoiceSpec(
-    label="Equaliser",
-    options=(
-        ("inverse", "Regularised inverse"),
-        ("pole_pair", "Pole-pair replacement"),
-        ("none", "None"),
-    ),
-    hint="What makes the actuator move as the design says",
-)
-STRENGTH = NumberSpec(
-    label="Amplitude 1 is",
-    unit="m/s²",
-    minimum=1e-3,
-    maximum=1e3,
-    step=0.02,
-    logarithmic=True,
-    hint="Acceleration of the contactor that an amplitude of 1 asks for",
-)
-VOLTS = NumberSpec(
-    label="Amplitude 1 is",
-    unit="V",
-    minimum=1e-3,
-    maximum=1e3,
-    step=0.02,
-    logarithmic=True,
-    hint="Voltage that an amplitude of 1 puts on the actuator",
-)
-PICTURE = ChoiceSpec(
-    label="Picture", options=(("response", "Response"), ("step", "Step")), hint="Over what"
-)
-LAYOUT = ChoiceSpec(label="Layout", options=(("overlaid", "Overlaid"), ("stacked", "Stacked")))
-ZOOM = RangeSpec(label="Zoom")
-DEFAULT_ACTUATOR = "example-voice-coil"
+from skinsource.limbs.scaling import Scaling
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ActuatorSettings:
-    """Actuator and equaliser of the panel, and how they are drawn.
+def listed_name(actuator: ActuatorAt) -> str | None:
+    """Return the name of the listed actuator of the same title and kind; None: there is none."""
+    for name in names():
+        same_kind = type(profile(name).model) is type(actuator.model)
+        if same_kind and actuator.actuator in (name, profile(name).title):
+            return name
+    return None
 
-    Attributes
-    ----------
-    actuator
-        A name of `skinsource.actuators.names` or ``shape_names``, or ``"measured"``.
-    measured, measured_from
-        Points of a measured response, (Hz, m/s² per V, rad) each, and its title.
-    parameters
-        Changed fields of the model: pairs of name and value.
-    equaliser
-        ``"inverse"``, ``"pole_pair"`` or ``"none"``.
-    boost_db, phase, new_quality
-        See the equalisers.
-    strength_m_per_s2, volts
-        Meaning of an amplitude of 1, with an equaliser and without.
-    picture
-        ``"response"`` over frequency or ``"step"`` over time.
-    """
 
-    actuator: str = fields.text(DEFAULT_ACTUATOR, ACTUATOR)
-    measured: Any = fields.field(POINTS, ())
-    measured_from: str = fields.text("", FROM)
-    parameters: Any = fields.field(PARAMETERS, ())
-    equaliser: str = fields.choice("inverse", EQUALISER)
-    boost_db: float = fields.number(20.0, BOOST)
-    phase: str = fields.choice("linear", PHASE)
-    new_quality: float = fields.number(0.7, NEW_QUALITY)
-    strength_m_per_s2: float = fields.number(1.0, STRENGTH)
-    volts: float = fields.number(1.0, VOLTS)
-    picture: str = fields.choice("response", PICTURE)
-    layout: str = fields.choice("overlaid", LAYOUT)
-    zoom: Range | None = fields.interval(None, ZOOM)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
-
-    @property
-    def profile(self) -> ActuatorProfile:
-        """Profile of the actuator, or of the default one where its name is not known."""
-        if self.actuator == MEASURED:
-            measured = _measured_profile(self.measured, self.measured_from)
-            if measured is not None:
-                return measured
-        known = self.actuator in (*names(), *shape_names())
-        return profile(self.actuator if known else DEFAULT_ACTUATOR)
-
-    @property
-    def measured_title(self) -> str:
-        """Title of the measured response; "" where there is none."""
-        measured = _measured_profile(self.measured, self.measured_from)
-        return "" if measured is None else measured.title
-
-    @property
-    def model(self) -> Actuator | None:
-        """Model with changed parameters; None where only a shape is known."""
-        published = self.profile.model
-        if not isinstance(published, Actuator):
-            return None
-        try:
-            return replace(published, **dict(self.parameters))
-        except (InvalidInputError, TypeError, ValueError):
-            # Parameters of another actuator, or of a newer studio.
-            return published
-
-    def made(self, model: Actuator) -> Equaliser | None:
-        """Return the equaliser for a model; None where none is chosen."""
-        if self.equaliser == "inverse":
-            return RegularisedInverse(self.boost_db, self.phase)
-        if self.equaliser == "pole_pair":
-            return PolePairReplacement(*resonance_of(model), self.new_quality)
-        return None
-
-    def with_measured(self, response: MeasuredResponse, title: str) -> "ActuatorSettings":
-        """Return settings with a measured response; very many points are thinned out."""
-        step = -(-len(response.points) // _MOST_POINTS)
-        return replace(
-            self,
-            actuator=MEASURED,
-            measured=response.points[::step],
-            measured_from=title,
-            parameters=(),
-            zoom=None,
+def profile_of(actuator: ActuatorAt) -> ActuatorProfile:
+    """Return what is known of an actuator of a design, with its own parameters."""
+    name, model = listed_name(actuator), actuator.model
+    if name is not None:
+        return replace(profile(name), model=model)
+    measured = isinstance(model, MeasuredResponse)
+    source = "Its model is that of the design."
+    if isinstance(model, MeasuredResponse):
+        first, last = model.points[0][0], model.points[-1][0]
+        source = (
+            f"{len(model.points)} points that were measured, from {first:.4g} to {last:.4g} Hz."
         )
-
-    def with_parameter(self, name: str, value: float) -> "ActuatorSettings":
-        """Return settings with another value of a field of the model."""
-        changed: dict[str, float] = dict(self.parameters)
-        changed.pop(name, None)
-        if getattr(self.profile.model, name) != value:
-            changed[name] = value
-        return replace(self, parameters=tuple(changed.items()))
-
-
-@lru_cache(maxsize=8)
-def _measured_profile(points: Any, title: str) -> ActuatorProfile | None:
-    """Return the profile of a measured response; None where points are no response."""
-    try:
-        model = MeasuredResponse(points)
-    except (InvalidInputError, TypeError, ValueError, IndexError):
-        # A newer studio, or a person, wrote them.
-        return None
     return ActuatorProfile(
-        title=title or _TITLE,
-        source=f"{len(model.points)} points that were measured, from {model.points[0][0]:.4g} to "
-        f"{model.points[-1][0]:.4g} Hz.",
-        calibration="As far as the measurement is; the current is not known.",
-        gain_calibrated=True,
+        title=actuator.actuator or model.title,
+        source=source,
+        calibration="As far as the measurement is; the current is not known." if measured else "",
+        gain_calibrated=measured,
         model=model,
-    )
-
-
-def actuator_spec(measured: str = "") -> ChoiceSpec:
-    """Return the choice of actuators: complete ones first, then ``measured`` if there is one."""
-    moving = tuple((name, profile(name).title) for name in names())
-    shapes = tuple((name, f"{profile(name).title} (shape)") for name in shape_names())
-    from_file = ((MEASURED, f"{measured} (measured)"),) if measured else ()
-    return ChoiceSpec(
-        label="Actuator",
-        options=(*moving, *from_file, *shapes),
-        hint="Of shapes only the resonance is known: nothing is predicted in volts",
     )
 
 
@@ -207,7 +52,12 @@ def actuator_spec(measured: str = "") -> ChoiceSpec:
 LONGEST_S = 1.0
 # Fine enough for figures on the screen; exports are checked at 48 kHz.
 _LEAST_RATE_HZ = 20_000
-_SHAPE_ONLY = "Too little is known of this actuator to predict volts."
+_NO_ACCELERATIONS = (
+    "The equaliser makes volts of accelerations alone. Choose the scaling Probe acceleration."
+)
+_NO_VOLTS = (
+    "Without an equaliser the volts are not known. Choose one, or predict through the actuator."
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -217,7 +67,7 @@ class Demand:
     Attributes
     ----------
     place
-        Number of the location; None where nothing plays.
+        Number of the location; None where nothing plays, or no actuator is chosen.
     part
         Whether only the strongest part of a long drive was predicted.
     figures
@@ -247,18 +97,20 @@ def drive_at(placed: Sequence[Placed], location: int) -> Floats:
 
 
 def demand_of(
-    settings: ActuatorSettings,
+    actuation: Actuation | None,
     placed: Sequence[Placed],
     selected_input: int | None,
     sample_rate_hz: float,
     band_hz: Band | None = BAND_HZ,
+    *,
+    scaling: Scaling = "probe",
 ) -> Demand:
     """Return the demand at the location of the selected input, else of the first that plays.
 
     Parameters
     ----------
-    settings
-        Actuator, equaliser, and the meaning of an amplitude of 1.
+    actuation
+        Actuators and equaliser; None: none is chosen.
     placed
         Voices with their drives, in order of time.
     selected_input
@@ -267,37 +119,39 @@ def demand_of(
         Of the drives.
     band_hz
         Frequencies at which the limb was measured; None where they are not known.
+    scaling
+        What amplitudes mean.
     """
-    if not placed:
+    if not placed or actuation is None:
         return Demand(place=None)
     chosen = next((player for player in placed if player.voice.id == selected_input), placed[0])
-    location, model = chosen.voice.location, settings.model
-    if model is None:
-        return Demand(place=location, refusal=_SHAPE_ONLY)
+    location, equaliser = chosen.voice.location, actuation.equaliser
+    if scaling != "probe" or (equaliser is None and not actuation.on):
+        refusal = _NO_VOLTS if equaliser is None else _NO_ACCELERATIONS
+        return Demand(place=location, refusal=refusal)
     drive = drive_at(placed, location)
     shown, band = strongest(drive, sample_rate_hz), followed_band(band_hz, sample_rate_hz)
     part = shown.size < drive.size
     try:
-        equaliser = settings.made(model)
-        if equaliser is None:
-            voltage = settings.volts * shown
-        else:
-            acceleration = settings.strength_m_per_s2 * shown
+        shown_profile = profile_of(actuation.at(location))
+        model: Any = shown_profile.model
+        voltage = shown
+        if equaliser is not None:
             voltage = equalised(
-                acceleration, sample_rate_hz, model, equaliser, band_hz=band, lead_s=0.1, tail_s=0.1
+                shown, sample_rate_hz, model, equaliser, band_hz=band, lead_s=0.1, tail_s=0.1
             )
         (figures,) = predicted(
             voltage,
             int(sample_rate_hz),
             model,
-            thermal=settings.profile.thermal,
+            thermal=shown_profile.thermal,
             least_rate_hz=-(-_LEAST_RATE_HZ // int(sample_rate_hz)) * int(sample_rate_hz),
         )
     except InvalidInputError as error:
         rest = net_velocity(shown, sample_rate_hz, band[0])
-        leaves_velocity = settings.equaliser != "none" and not rest.returns
         text = str(error)
         refusal = f"{text[:1].upper()}{text[1:]}"
+        leaves_velocity = equaliser is not None and not rest.returns
         return Demand(place=location, part=part, refusal=refusal, leaves_velocity=leaves_velocity)
     # The duty is that of the drive, without the ringing of the filter before and after.
     figures = replace(figures, duty=duty_of(drive, sample_rate_hz))
@@ -311,53 +165,3 @@ def strongest(drive: Floats, sample_rate_hz: float) -> Floats:
         return drive if drive.size else np.zeros(1)
     start = min(max(int(np.abs(drive).argmax()) - longest // 2, 0), drive.size - longest)
     return drive[start : start + longest]
-
-
-def actuation_of(settings: ActuatorSettings) -> Actuation | None:
-    """Return the actuation of a prediction under these settings; None for a shape."""
-    model: Any = settings.model
-    if model is None:
-        return None
-    equaliser: Any = settings.made(model)
-    actuator = ActuatorAt(actuator=settings.profile.title, model=model)
-    return Actuation(actuators=(actuator,), equaliser=equaliser)
-
-
-def settings_through(settings: ActuatorSettings, actuated: Actuation | None) -> ActuatorSettings:
-    """Return settings that describe the actuation of a design.
-
-    ``settings`` are returned where there is no actuation, or settings cannot describe it.
-    """
-    if actuated is None or len(actuated.actuators) > 1:
-        return settings
-    (actuator,) = actuated.actuators
-    if isinstance(actuator.model, MeasuredResponse):
-        through = settings.with_measured(actuator.model, actuator.actuator)
-        through = replace(through, **_equaliser_settings(actuated.equaliser))
-        return through if actuation_of(through) == actuated else settings
-    listed = next((name for name in names() if profile(name).title == actuator.actuator), None)
-    if listed is None or type(profile(listed).model) is not type(actuator.model):
-        return settings
-    before = profile(listed).model
-    changed = tuple(
-        (name, getattr(actuator.model, name))
-        for name in specs_of(actuator.model)
-        if getattr(actuator.model, name) != getattr(before, name)
-    )
-    through = replace(
-        settings, actuator=listed, parameters=changed, **_equaliser_settings(actuated.equaliser)
-    )
-    # The same parameters in another order are the same settings.
-    if dict(through.parameters) == dict(settings.parameters):
-        through = replace(through, parameters=settings.parameters)
-    return through if actuation_of(through) == actuated else settings
-
-
-def _equaliser_settings(equaliser: Equaliser | None) -> dict[str, Any]:
-    """Return the fields of settings that describe an equaliser."""
-    if isinstance(equaliser, RegularisedInverse):
-        phase, boost_db = equaliser.phase, equaliser.boost_db
-        return {"equaliser": "inverse", "boost_db": boost_db, "phase": phase}
-    if isinstance(equaliser, PolePairReplacement):
-        return {"equaliser": "pole_pair", "new_quality": equaliser.new_quality}
-    return {"equaliser": "none"}

@@ -1,6 +1,7 @@
 """Rules for the panels of analysis: actuators, noise, single axes, outputs, sensation and more."""
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
@@ -10,20 +11,16 @@ import numpy as np
 import scipy
 
 from skinsource.actuators.actuation import Actuation, transfers_of
+from skinsource.actuators.catalog import ActuatorProfile
 from skinsource.base.arrays import Floats
+from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Stop, stop_if
 from skinsource.base.measurement_conditions import Band
 from skinsource.design.panel_settings import SpectrogramSettings, settings_of
 from skinsource.design.signal_path import Drive, UnplayableInput, Voice, unplayable_text
 from skinsource.design.view import View
 from skinsource.engine import level_rules
-from skinsource.engine.actuator_demand import (
-    ActuatorSettings,
-    Demand,
-    actuation_of,
-    demand_of,
-    settings_through,
-)
+from skinsource.engine.actuator_demand import Demand, demand_of, profile_of
 from skinsource.engine.gains import Placed, Responses
 from skinsource.engine.moments import Moments, Projection
 from skinsource.engine.spectra import TotalSpectrum
@@ -78,15 +75,15 @@ from skinsource.signals.projection import MainAxes, main_axes
 
 
 def actuator_looked_at(
-    actuator_settings: ActuatorSettings, actuation: Actuation | None
-) -> ActuatorSettings:
-    """Actuator and equaliser, and the unit of amplitudes; not how they are drawn."""
-    settings = settings_through(actuator_settings, actuation)
-    if actuation is not None and actuation == actuation_of(settings):
-        # Amplitudes are accelerations of the contactor, or volts at the coil.
-        settings = replace(settings, strength_m_per_s2=1.0, volts=1.0)
-    usual = ActuatorSettings()
-    return replace(settings, picture=usual.picture, layout=usual.layout, zoom=None)
+    chosen_actuation: Actuation | None, voices: tuple[Voice, ...], selected_input: int | None
+) -> ActuatorProfile | None:
+    """The actuator at the place of the selected input, else the first one; None: none is chosen."""
+    if chosen_actuation is None:
+        return None
+    place = next((voice.location for voice in voices if voice.id == selected_input), None)
+    with suppress(InvalidInputError):
+        return profile_of(chosen_actuation.at(0 if place is None else place))
+    return profile_of(chosen_actuation.actuators[0])
 
 
 def actuator_demand(
@@ -94,10 +91,13 @@ def actuator_demand(
     selected_input: int | None,
     sample_rate_hz: float,
     band_hz: Band | None,
-    actuator_looked_at: ActuatorSettings,
+    scaling: Scaling,
+    chosen_actuation: Actuation | None,
 ) -> Demand:
     """Demand on the actuator at the location of the selected input."""
-    return demand_of(actuator_looked_at, sampled_voices, selected_input, sample_rate_hz, band_hz)
+    return demand_of(
+        chosen_actuation, sampled_voices, selected_input, sample_rate_hz, band_hz, scaling=scaling
+    )
 
 
 def place_drives(
@@ -769,6 +769,5 @@ def choices_of(view: View) -> dict[str, Any]:
     """Return the settings in a view that only these rules need, by name."""
     return {
         "spectrogram_settings": settings_of(view, "spectrogram", SpectrogramSettings),
-        "actuator_settings": settings_of(view, "actuator", ActuatorSettings),
         "perception_settings": settings_of(view, "perception", PerceptionSettings),
     }

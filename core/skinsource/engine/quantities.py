@@ -131,6 +131,7 @@ def sources(
         "inputs": design.inputs,
         "scaling": design.scaling,
         "actuation": design.actuated,
+        "chosen_actuation": design.actuation,
         "match_gain": match_gain,
         "leave_out_unplayable": leave_out_unplayable,
         "axes": view.axes,

@@ -131,7 +131,7 @@ def pack(
     design, view
         Design and view to pack; traces are those of the selected outputs.
     rig
-        Wiring of its places, if that is known.
+        Wiring of its places; None: that of the design, if it has one.
     progress, stop
         As those of a job.
 
@@ -182,11 +182,12 @@ def _writers(
     if audible_inputs(design.inputs):
         # Imported when something is packed: the studio starts without it.
         stimuli = importlib.import_module("skinsource.export.stimulus_export.export")
-        # Full scale is the largest sample: nothing clips. The sidecar says what the rate loses.
+        # The sidecar says what the rate loses, and what clips where a rig says full scale.
         options = stimuli.StimulusOptions(accept_loss=True)
         writers["stimulus.wav"] = lambda path: stimuli.export_stimulus(
-            design, path, "wav", _RATE_HZ, options=options, stop=stop
+            design, path, "wav", _RATE_HZ, options=options, confirmed=True, stop=stop
         )
+    rig = rig or design.rig
     if rig is not None:
         writers["rig.skinrig"] = lambda path: save_rig(path, rig)
     return writers

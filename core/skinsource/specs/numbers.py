@@ -242,9 +242,12 @@ class OptionalSpec(Spec):
     ----------
     of
         Specification of a value that is not ``None``.
+    left_out_empty
+        Whether ``None`` is left out of files, which older versions can read then.
     """
 
     of: Spec
+    left_out_empty: bool = False
 
     def checked(self, value: Any) -> Any:
         """Return ``None``, or the checked value."""

@@ -14,7 +14,6 @@ from typing import Any
 from PySide6 import QtGui
 from PySide6.QtCore import QObject, Signal
 
-from skinsource.actuators import rigs
 from skinsource.base.errors import MissingExtraError, SkinSourceError, TooInaccurateError
 from skinsource.base.extras import package_of_extra
 from skinsource.base.job import Job, Progress, Stop
@@ -48,7 +47,7 @@ from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.services import Services
 
 #: The exports that are written with more than design and view.
-_FILM, _PACK = "animation", "pack"
+_FILM = "animation"
 _PICTURES = (("PNG", ".png"), ("SVG", ".svg"), ("PDF", ".pdf"))
 
 #: Computes and writes a file, given path, design and view, and by name ``progress``, ``stop`` and
@@ -127,14 +126,12 @@ def _pack(
     design: Design,
     view: View,
     *,
-    rig_path: Path | None,
     progress: Progress,
     stop: Stop,
     largest_error: float,
 ) -> None:
     del largest_error  # each table states its own
-    rig = None if rig_path is None else rigs.open_rig(rig_path)
-    packing.pack(path, design, view, rig=rig, progress=progress, stop=stop)
+    packing.pack(path, design, view, progress=progress, stop=stop)
 
 
 EXPORTS: tuple[ExportSpec, ...] = (
@@ -230,7 +227,7 @@ EXPORTS: tuple[ExportSpec, ...] = (
         keywords="python numpy matlab data array",
     ),
     ExportSpec(
-        name=_PACK,
+        name="pack",
         title="all of it as ZIP…",
         file_name="design.zip",
         kinds=(("ZIP", ".zip"),),
@@ -348,9 +345,6 @@ class ExportActions(QObject):
                 return
             spec = replace(spec, file_name=film_name(design, view, options))
             arguments = {"options": options, "seen": self._drawer_of("skin").visible}
-        elif name == _PACK:
-            rig = self._preferences.rig_path
-            arguments = {"rig_path": Path(rig) if rig else None}
         path = self._ask_where(spec)
         if path is not None:
             # Tables and films hold the design without the gain that matches its level to another's.

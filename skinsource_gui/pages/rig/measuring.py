@@ -38,7 +38,7 @@ from skinsource_gui.fields.units import minus
 from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.plots.curves import CurveName, Curves
 from skinsource_gui.plots.ranges import XAxis
-from skinsource_gui.plots.signal_view import SignalView
+from skinsource_gui.plots.response_view import ResponseView
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX
@@ -183,46 +183,6 @@ def _db(model: Actuator, hz: Floats) -> Floats:
 _NOTHING = "Nothing is measured yet"
 
 
-class MeasuredView(SignalView):
-    """Plots gain over frequency: measured now, of the model, and measured before."""
-
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__("measured-plot", "Measured response", parent)
-        self._measurement: ChannelMeasurement | None = None
-        self._zoom: tuple[float, float] | None = None
-        self._layout = "overlaid"
-        self.zoom_requested.connect(self._show_part)
-        self.toolbar.layout_chosen.connect(self._lay_curves)
-        self.show_measured(None, None)
-
-    def show_measured(
-        self,
-        measurement: ChannelMeasurement | None,
-        channel: RigChannel | None,
-        message: str = _NOTHING,
-    ) -> None:
-        """Plot a measurement of a channel; None: show ``message`` instead."""
-        self._measurement, self._zoom = measurement, None
-        self._show_view()
-        if measurement is None or channel is None:
-            self.show_message(message)
-        else:
-            self.show_curves(measured_curves(measurement, channel), synthetic=False)
-
-    def _show_part(self, zoom: tuple[float, float] | None) -> None:
-        self._zoom = zoom
-        self._show_view()
-
-    def _lay_curves(self, layout: str) -> None:
-        self._layout = layout
-        self._show_view()
-
-    def _show_view(self) -> None:
-        self.toolbar.show_state(layout=self._layout, zoomed=self._zoom is not None)
-        if self._measurement is not None:
-            self.set_view(axis_of(self._measurement), self._zoom, stacked=self._layout == "stacked")
-
-
 _INTRODUCTION = (
     "Fix the accelerometer to the contactor, and wire it to an input of the sound card. After two "
     "seconds of silence a quiet sweep comes, then those that are measured."
@@ -265,7 +225,8 @@ class MeasurePage(ToolPage):
         self._running = self._looking = False
         self.measurement: ChannelMeasurement | None = None
         self.fields = MeasureFields(setup_of(settings.sensor_text), self)
-        self.plot = MeasuredView()
+        self.plot = ResponseView("measured-plot", "Measured response")
+        self.plot.show_message(_NOTHING)
         self._bar = QtWidgets.QProgressBar()
         self.start = self.add_button("measure_start", "Start", _START, self._start)
         self.stop = self.add_button(
@@ -339,7 +300,7 @@ class MeasurePage(ToolPage):
         self._settings.sensor_text = setup_text(setup)
         self._stop.clear()
         self._running, self.measurement = True, None
-        self.plot.show_measured(None, None, "Measuring…")
+        self.plot.show_message("Measuring…")
         self.say("Two seconds of silence first.")
         self._show_state()
         work = partial(
@@ -355,12 +316,14 @@ class MeasurePage(ToolPage):
 
     def _take(self, measurement: ChannelMeasurement | None, error: Exception | None) -> None:
         self._running, self.measurement = False, measurement
-        self.plot.show_measured(measurement, self._channel)
         if measurement is not None:
+            curves = measured_curves(measurement, self._channel)
+            self.plot.show_over(axis_of(measurement), curves)
             self.say(
                 " ".join((*measurement.lines, *model_difference_text(measurement, self._channel)))
             )
         else:
+            self.plot.show_message(_NOTHING)
             self.say("Stopped." if isinstance(error, Stopped) else str(error))
         self._show_state()
 

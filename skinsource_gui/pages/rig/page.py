@@ -10,7 +10,6 @@ from PySide6 import QtWidgets
 from PySide6.QtCore import QObject, QSignalBlocker, Qt, Signal
 
 from skinsource.actuators.catalog import names, profile, shape_names
-from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.measuring import open_response
 from skinsource.actuators.prediction import Limits
@@ -20,8 +19,6 @@ from skinsource.base.files import path_text
 from skinsource.base.quoting import sentence
 from skinsource.design import edits
 from skinsource.design.design import Design
-from skinsource.design.edits.edit import Refusal
-from skinsource.design.signal_path import actuation_of_rig
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.models import specs_of
@@ -313,7 +310,7 @@ class RigPage(ToolPage):
         self.channels.setObjectName("rig_channels")
         self.channels.setAccessibleName("Channels")
         self.fields = ChannelFields(self)
-        self._use = QtWidgets.QCheckBox("Play for it on this machine")
+        self._use = QtWidgets.QCheckBox("Use it for this design")
         self._use.setObjectName("rig_use")
         self._use.setChecked(True)
         self._lay_out()
@@ -338,7 +335,6 @@ class RigPage(ToolPage):
         ends = in_row(
             self._use,
             None,
-            self.add_button("rig_predict", "Predict through it", "", self._predict),
             self.add_button("rig_open", "Open…", "", self._open),
             self.add_button("rig_save", "Save…", "", self._save),
             self.add_button("rig_close", "Close", "", self.reject),
@@ -422,27 +418,11 @@ class RigPage(ToolPage):
         if path is not None and not path.suffix:
             path = path.with_name(f"{path.name}{SUFFIX}")
         if path is not None and draft.save(path):
-            if self._use.isChecked():
-                self._settings.choose_rig(path)
+            if self._use.isChecked() and self._settings.choose_rig(path):
+                design, view = self._document.design, self._document.view
+                self._document.apply(edits.choose_rig(design, view, draft.rig))
             self._show(self.channels.currentRow())
             self.say(f"Saved {path_text(Path(path.name))}")
-
-    def _predict(self) -> None:
-        """Predict the design through these actuators, with the equaliser that it has."""
-        design, view = self._document.design, self._document.view
-        known = design.actuation
-        equaliser = RegularisedInverse() if known is None else known.equaliser
-        try:
-            through = actuation_of_rig(self.draft.rig, equaliser)
-        except InvalidInputError as error:
-            self.say(str(error))
-            return
-        outcome = edits.predict_through(design, view, through)
-        if isinstance(outcome, Refusal):
-            self.say(outcome.sentence)
-        else:
-            self._document.apply(outcome)
-            self.say(f"Predicted through {through.words}")
 
     def _may_lose_changes(self) -> bool:
         """Return whether changes may go: they are saved now, or the user gives them up."""

@@ -23,11 +23,9 @@ from skinsource.actuators.rigs import Rig, open_rig
 from skinsource.base.errors import InvalidInputError, SkinSourceError
 from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ
 from skinsource.base.quoting import quoted
-from skinsource.design.amplitudes import ARBITRARY_UNIT, drive_unit
+from skinsource.design.amplitudes import ARBITRARY_UNIT, drive_unit, equaliser_of
 from skinsource.design.design import Design
-from skinsource.design.panel_settings import settings_of
 from skinsource.design.view import View
-from skinsource.engine.actuator_demand import ActuatorSettings, actuation_of
 from skinsource.engine.stimulus import LONGEST_LEAD_IN_S
 from skinsource.export.formats import FORMATS, format_named
 from skinsource.export.formats.format import StimulusFormat
@@ -113,7 +111,7 @@ SCALE = ChoiceSpec(
 ACTUATOR = ChoiceSpec(
     label="Actuator",
     options=(("none", "None"), *((name, profile(name).title) for name in names())),
-    hint="What stands at each place; starts with what the panel Actuator shows",
+    hint="What stands at each place; starts with that of the design",
 )
 EQUALISER = ChoiceSpec(
     label="Equaliser",
@@ -170,50 +168,49 @@ def scale_number(unit: str) -> NumberSpec:
     )
 
 
-_PANEL = "panel"
+_OF_DESIGN = "design"
 
 
 class RigFields(QObject):
     """Lists from which a rig file, an actuator and an equaliser are chosen.
 
-    They start with what the panel Actuator shows, or what the design is predicted through.
+    They start with those of the design.
 
     Attributes
     ----------
     chosen
-        Actuation that was chosen in the panel; None where the panel was not changed.
-    rig, path
-        Content and path of the rig file; None without a file.
+        Actuation of the design; None where none is chosen.
+    rig
+        The rig; None without one.
     """
 
     changed = Signal()
     #: Why a file was not opened.
     refused = Signal(str)
 
-    def __init__(self, design: Design, view: View, parent: QtWidgets.QWidget) -> None:
+    def __init__(self, design: Design, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
         self._volts = drive_unit(design) == "V"
-        self.chosen = design.actuated or _chosen_in_panel(view)
-        self.rig: Rig | None = None
-        self.path: Path | None = None
+        self.chosen, self.rig = design.actuation, design.rig
         self.rig_field = RigField()
         self.actuator_field = ChoiceField(ACTUATOR)
         self.equaliser_field = ChoiceField(EQUALISER)
         if self.chosen is not None:
             self._offer(self.chosen, design)
+        if self.rig is not None:
+            self.rig_field.show_rig(self.rig.title or "Rig")
         self.rig_field.rig_chosen.connect(self.open_rig)
         self.actuator_field.edited.connect(self.changed)
         self.equaliser_field.edited.connect(self.changed)
 
     def _offer(self, chosen: Actuation, design: Design) -> None:
-        """Offer the actuation of the panel, and start with it."""
-        self.actuator_field.insertItem(1, f"{chosen.title} (as in the panel)", _PANEL)
-        self.actuator_field.set_value(_PANEL)
+        """Offer the actuation of the design, and start with it."""
+        self.actuator_field.insertItem(1, f"{chosen.title} (of the design)", _OF_DESIGN)
+        self.actuator_field.set_value(_OF_DESIGN)
         if chosen.equaliser is not None:
-            label = "As in the panel" if design.actuated is None else "As predicted"
-            self.equaliser_field.insertItem(1, label, _PANEL)
-            if drive_unit(design) == "m/s²":
-                self.equaliser_field.set_value(_PANEL)
+            self.equaliser_field.insertItem(1, "That of the design", _OF_DESIGN)
+        if equaliser_of(design) is not None:
+            self.equaliser_field.set_value(_OF_DESIGN)
 
     @property
     def can_choose_actuator(self) -> bool:
@@ -231,7 +228,7 @@ class RigFields(QObject):
         name = self.actuator_field.value
         if name == "none":
             return None
-        if name == _PANEL:
+        if name == _OF_DESIGN:
             return self.chosen
         actuator = ActuatorAt(actuator=profile(name).title, model=load(name))
         return Actuation(actuators=(actuator,))
@@ -242,7 +239,7 @@ class RigFields(QObject):
         kind = self.equaliser_field.value
         if not self.can_equalise or kind == "none":
             return None
-        if kind != _PANEL or self.chosen is None:
+        if kind != _OF_DESIGN or self.chosen is None:
             return RegularisedInverse(phase=kind)
         equaliser, actuation = self.chosen.equaliser, self.actuation
         if (
@@ -262,16 +259,10 @@ class RigFields(QObject):
         except SkinSourceError as error:
             self.refused.emit(str(error))
             return
-        self.rig, self.path = rig, path
+        self.rig = rig
         title = None if rig is None or path is None else rig.title or path.stem
         self.rig_field.show_rig(title)
         self.changed.emit()
-
-
-def _chosen_in_panel(view: View) -> Actuation | None:
-    """Return actuator and equaliser of the panel Actuator; None where it was not changed."""
-    actuation = actuation_of(settings_of(view, "actuator", ActuatorSettings))
-    return None if actuation == actuation_of(ActuatorSettings()) else actuation
 
 
 #: Seed of dither; the sidecar names it.
@@ -333,7 +324,7 @@ class StimulusForm(QtWidgets.QWidget):
         }
         for name, value in (("to", longest_s), ("other_rate", 48_000), ("full_scale", 1.0)):
             self._numbers[name].set_value(value)
-        self.rigs = RigFields(design, view, self)
+        self.rigs = RigFields(design, self)
         self._map = QtWidgets.QLineEdit()
         self._map.setAccessibleName("Channel map")
         self._map.setPlaceholderText("as they are")
@@ -503,33 +494,24 @@ def channel_map_of(text: str) -> tuple[int, ...]:
         ) from None
 
 
-# Fields that are remembered; times, drives and channel maps belong to one design.
-_LISTS = ("format", "rate", "channels", "equaliser")
+# Fields that are remembered; times, drives, channel maps and what is equalised for belong to a
+# design.
+_LISTS = ("format", "rate", "channels")
 _NUMBERS = ("other_rate", "fade_in", "fade_out", "lead_in")
 _BOXES = ("sync", "dither")
 _MOST_CHARACTERS = 10_000
 
 
-def remembered(form: StimulusForm, machine_rig: str = "") -> str:
-    """Return the settings of ``form`` and the rig that this machine plays for now, as JSON."""
+def remembered(form: StimulusForm) -> str:
+    """Return the settings of ``form``, as JSON."""
     settings = {name: _value(form.field(name)) for name in (*_LISTS, *_NUMBERS, *_BOXES)}
     settings["choices"] = form.chosen
-    settings["rig"] = "" if form.rigs.path is None else str(form.rigs.path)
-    settings["machine_rig"] = machine_rig
     return json.dumps(settings)
 
 
-def recall(form: StimulusForm, text: str, machine_rig: str = "") -> None:
-    """Restore the settings of ``form`` from `remembered`; unknown values are left out.
-
-    A rig that this machine has come to play for since then replaces the remembered rig.
-    """
+def recall(form: StimulusForm, text: str) -> None:
+    """Restore the settings of ``form`` from `remembered`; unknown values are left out."""
     settings = _settings_in(text)
-    rig = settings.get("rig")
-    if machine_rig and machine_rig != settings.get("machine_rig"):
-        rig = machine_rig
-    if rig and isinstance(rig, str):
-        form.rigs.open_rig(Path(rig))
     if not settings:
         return
     # The format comes first: it decides which choices there are.
@@ -540,9 +522,7 @@ def recall(form: StimulusForm, text: str, machine_rig: str = "") -> None:
         if name in form.chosen:
             _put(form.field(name), value)
     for name in (*_LISTS[1:], *_NUMBERS, *_BOXES):
-        # A choice in the panel Actuator replaces the equaliser of another design.
-        if name != "equaliser" or form.rigs.chosen is None:
-            _put(form.field(name), settings.get(name))
+        _put(form.field(name), settings.get(name))
 
 
 def _settings_in(text: str) -> dict[str, Any]:

@@ -219,8 +219,6 @@ class StimulusPage(ToolPage):
         The design that is exported, and what is selected in it.
     last_settings
         Settings of the last export, as ``chosen`` emitted them.
-    machine_rig
-        Rig file that this machine plays for; empty: none.
     """
 
     #: The `PreparedStimulus`; whether clipping was confirmed; settings to remember.
@@ -232,7 +230,6 @@ class StimulusPage(ToolPage):
         view: View,
         parent: QtWidgets.QWidget | None = None,
         last_settings: str = "",
-        machine_rig: str = "",
     ) -> None:
         super().__init__(parent, "stimulus_page", "Export stimulus", (960, 680))
         self._colours = {track.id: track.colour for track in design.inputs}
@@ -256,8 +253,7 @@ class StimulusPage(ToolPage):
         self._lay_out()
         self._design, self._worker = design, Worker("skinsource-stimulus", self)
         self._connect()
-        recall(self.form, last_settings, machine_rig)
-        self._machine_rig = machine_rig
+        recall(self.form, last_settings)
         self.form.emit_order()
 
     @property
@@ -273,7 +269,7 @@ class StimulusPage(ToolPage):
     def done(self, result: int) -> None:
         """Close the page, with or without an export."""
         prepared, confirmed = self.prepared, self._confirm.isChecked()
-        settings = remembered(self.form, self._machine_rig)
+        settings = remembered(self.form)
         # The page closes before the worker, which may take time to stop.
         super().done(result)
         self._worker.close()
@@ -340,8 +336,8 @@ class StimulusPage(ToolPage):
             order.rate_hz,
             order.options,
             actuation=order.actuation,
-            rig=order.rig,
-            equaliser=order.equaliser,
+            rig=order.rig or "none",
+            equaliser=order.equaliser or "none",
             progress=lambda done, total, _: self._worker.tell(
                 self._show_progress, order, done, total
             ),

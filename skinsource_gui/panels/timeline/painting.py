@@ -187,8 +187,10 @@ def paint_clip(
     """
     theme, clip = current_theme(), box.clip
     samples, selected = content.waveforms.get(clip.id), clip.id in content.selected
-    pale = clip.muted or bool(box.lane.silent)
+    pale = clip.muted or bool(box.lane.silent and not unplayable)
     colour = QtGui.QColor(theme.dim) if pale else theme.input_colour(box.lane.track.colour)
+    if unplayable:
+        colour = QtGui.QColor(theme.error)
     shown = box.rect.intersected(view.adjusted(-2, 0, 2, 0))
     if shown.isEmpty():
         # Of its lane no more is in sight than the edge.
@@ -207,8 +209,6 @@ def paint_clip(
         text = f"{text} · updating…" if clip.id in content.awaited else text
         _write(painter, text, shown, theme, pale=pale)
     _paint_frame(painter, box.rect, shown, theme, colour, selected=selected)
-    if unplayable:
-        _paint_frame(painter, box.rect, shown, theme, QtGui.QColor(theme.error), selected=False)
     if clip.id in content.chosen and not selected:
         # The inspector shows it.
         painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 0, Qt.PenStyle.DashLine))

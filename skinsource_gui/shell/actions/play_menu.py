@@ -6,11 +6,11 @@ from skinsource_gui.shell.actions.spec import ActionSpec, action
 PLAY: tuple[ActionSpec, ...] = (
     action(
         "play",
-        "Play or stop",
-        "Play from the playhead on; without a device the playhead runs in silence",
+        "Animate or stop",
+        "The wave runs over the skin; no actuator moves",
         "Space",
         command="player.play_or_stop",
-        keywords="audition listen feel start pause transport sound device",
+        keywords="play run start transport wave time",
     ),
     action(
         "pause",
@@ -21,9 +21,18 @@ PLAY: tuple[ActionSpec, ...] = (
         keywords="hold freeze frame stop time",
     ),
     action(
+        "play_on_actuators",
+        "Play on actuators",
+        "Send the design to the armed actuators, or stop",
+        "F7",
+        command="player.play_on_actuators",
+        keywords="audition listen feel sound device output send",
+        separated=True,
+    ),
+    action(
         "stop_at_once",
         "Stop at once",
-        "Silence within a millisecond, and the gain back at where it starts "
+        "Silence within a millisecond, actuators off, and the first gain again "
         f"({KEYS['window'].gestures['stop'].shown})",
         command="player.stop_at_once",
         keywords="panic emergency silence halt mute",
@@ -72,13 +81,13 @@ PLAY: tuple[ActionSpec, ...] = (
         keywords="gain volume level quieter",
     ),
     action(
-        "show_playback",
-        "Playback",
-        "Device, channel map, test tones, levels and delay",
+        "show_output",
+        "Output",
+        "Actuator, equaliser, rig, device and levels",
         "F5",
         command="panel_focus.show",
-        argument="playback",
-        keywords="audio sound card output channel map sonify headphones latency meter device",
+        argument="output",
+        keywords="actuator equaliser playback audio sound card channel map headphones meter device",
         separated=True,
     ),
     action(
@@ -98,7 +107,7 @@ PLAY: tuple[ActionSpec, ...] = (
     action(
         "open_response",
         "Measured response…",
-        "Look at an actuator that was measured: a table, or a sweep with an accelerometer",
+        "Choose an actuator that was measured: a table, or a recorded sweep",
         command="rigs.open_response",
         keywords="actuator frequency response accelerometer csv wav sweep equaliser panel",
     ),

@@ -77,6 +77,18 @@ def test_what_is_predicted_through_an_equaliser_is_played_through_it(sound, sess
     assert played[: expected.size] == pytest.approx(expected, abs=4e-3 * np.abs(expected).max())
 
 
+@pytest.mark.parametrize("on", [False, True])
+def test_without_a_rig_the_actuators_of_the_design_get_their_volts(sound, session, on):
+    coil, equaliser = ss.actuators.load("example-voice-coil"), ss.equalising.RegularisedInverse()
+    actuator = ss.ActuatorAt(actuator="coil", model=coil)
+    chosen = ss.Actuation(actuators=(actuator,), equaliser=equaliser, on=on)
+    peak = session.peak(replace(ONE, actuation=chosen), Output(device="Eight"))
+    drive = ss.stimulus_of(ONE, RATE_HZ).samples[0]
+    volts = ss.equalising.equalised(drive, RATE_HZ, coil, equaliser)
+    assert peak.full_scale == pytest.approx(np.abs(volts).max(), rel=0.01)
+    assert (peak.volts, peak.device, sound.streams) == (None, "Eight", [])
+
+
 def test_a_limit_of_the_rig_stops_it_before_anything_is_heard(sound, session):
     limited = rig_of(limits=Limits(peak_voltage_v=1.0))
     loud = ONE.with_input(0, amplitude=0.9)

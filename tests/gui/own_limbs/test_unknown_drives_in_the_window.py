@@ -75,7 +75,7 @@ def checked_unit(field):
 
 
 def played_unit(window):
-    text = window.panel("playback").findChild(QLabel, "playback_words").text()
+    text = window.panel("output").findChild(QLabel, "output_words").text()
     return text.partition("an amplitude of 1 ")[2].partition(" is full scale")[0]
 
 
@@ -85,7 +85,7 @@ IN_FRONT = {
     "frequency_and_amplitude": lambda window: checked_unit(
         window.panel("frequency_and_amplitude")._amplitude.field
     ),
-    "playback": played_unit,
+    "output": played_unit,
 }
 
 
@@ -113,7 +113,7 @@ def opened(request, limbs, open_window, qtbot, monkeypatch):
 
 @pytest.fixture
 def playback_in_front(limbs, open_window, qtbot, monkeypatch):
-    return opened_with("playback", open_window, qtbot, monkeypatch)
+    return opened_with("output", open_window, qtbot, monkeypatch)
 
 
 def test_another_limb_changes_the_unit_everywhere_at_once(opened, qtbot):

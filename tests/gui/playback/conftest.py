@@ -47,13 +47,37 @@ def player(studio):
 
 
 @pytest.fixture
-def listen(qtbot, studio, player):
-    """Play, and wait until something is heard, or would be."""
+def arm(qtbot, player):
+    """Arm the actuators."""
+
+    def begin():
+        player.arm(True)
+        qtbot.waitUntil(lambda: player.armed, timeout=20_000)
+
+    return begin
+
+
+@pytest.fixture
+def animate(qtbot, studio, player):
+    """Press Space, and wait until the wave runs."""
+
+    def begin():
+        studio.do("play")
+        qtbot.waitUntil(lambda: player.now is not None, timeout=20_000)
+        return player.now
+
+    return begin
+
+
+@pytest.fixture
+def listen(qtbot, studio, player, arm):
+    """Play on actuators, and wait until something is heard."""
 
     def begin(**changes):
         if changes.get("loops"):
             studio.do("repeat")
-        studio.do("play")
+        arm()
+        studio.do("play_on_actuators")
         qtbot.waitUntil(lambda: player.now is not None, timeout=20_000)
         return player.now
 

@@ -19,7 +19,7 @@ def settled(player):
     return lambda: not player.playing
 
 
-def test_space_plays_and_the_playhead_comes_back_where_it_was(sound, studio, player, qtbot, listen):
+def test_it_plays_and_the_playhead_comes_back_where_it_was(sound, studio, player, qtbot, listen):
     document = studio.document
     document.look(replace(document.view, playhead_s=0.1))
     playheads_s = []
@@ -64,10 +64,11 @@ def test_an_edit_is_heard_while_it_loops_without_a_click(sound, studio, player, 
     assert delay.total_s == pytest.approx(delay.render_s + delay.wait_s + delay.device_s)
 
 
-def test_the_limit_stops_and_names_the_output(sound, studio, player, qtbot):
+def test_the_limit_stops_and_names_the_output(sound, studio, player, qtbot, arm):
     player.gain.put(6.0)
+    arm()
     # It may be over before anybody looks whether it plays.
-    studio.do("play")
+    studio.do("play_on_actuators")
     qtbot.waitUntil(lambda: "output 1 (place 7)" in studio.notice.text, **WAIT)
     assert "would have passed full scale" in studio.notice.text
     assert not player.playing
@@ -81,11 +82,13 @@ def test_stop_at_once_is_silent_and_turns_the_gain_back(sound, studio, player, q
     qtbot.waitUntil(settled(player), **WAIT)
     assert now.stream.queue.ending.reason == "panic"
     assert player.gain.gain_db == START_DB
+    assert not player.armed
 
 
-@pytest.mark.parametrize("stop", ["stop_at_once", "play"])
-def test_a_stop_before_the_device_has_begun_holds(sound, studio, player, qtbot, stop):
-    studio.do("play")
+@pytest.mark.parametrize("stop", ["stop_at_once", "play", "play_on_actuators"])
+def test_a_stop_before_the_device_has_begun_holds(sound, studio, player, qtbot, arm, stop):
+    arm()
+    studio.do("play_on_actuators")
     studio.do(stop)
     assert not player.playing
     # The thread of the sound does one thing after another: this comes after what was stopped.
@@ -108,7 +111,6 @@ def test_the_gain_reaches_what_is_heard(sound, studio, player, qtbot, listen):
     studio.do("play_louder")
     studio.do("play_louder")
     assert player.gain.gain_db == START_DB + 2
-    assert studio.playback.bar.gain.value_si == START_DB + 2
     assert now.stream.queue.gain_db == pytest.approx(START_DB + 2)
     studio.do("play_softer")
     assert now.stream.queue.gain_db == pytest.approx(START_DB + 1)
@@ -122,17 +124,19 @@ def test_a_playhead_that_is_put_elsewhere_is_followed(sound, studio, player, qtb
     document = studio.document
     document.look(replace(document.view, playhead_s=0.4))
     qtbot.waitUntil(lambda: queue.swap is None and queue.position > 0.39 * 48_000, **WAIT)
-    studio.do("play")
+    studio.do("play_on_actuators")
     qtbot.waitUntil(settled(player), **WAIT)
     assert document.view.playhead_s == 0.4
 
 
-def test_without_a_device_the_playhead_runs_in_silence(no_sound, studio, player, qtbot, listen):
-    now = listen()
+def test_space_animates_the_skin_and_never_moves_an_actuator(
+    sound, studio, player, qtbot, arm, animate
+):
+    arm()
+    now = animate()
     assert now.stream is None
-    # The status bar would cut it.
-    text = studio.notice.text
-    assert text.startswith("In silence: No device to play on was found.")
+    assert not player.on_actuators
+    assert studio.playback.button.text().endswith("Actuators armed")
     playheads_s = []
     studio.document.playhead_moved.connect(
         lambda: playheads_s.append(studio.document.view.playhead_s)
@@ -140,6 +144,45 @@ def test_without_a_device_the_playhead_runs_in_silence(no_sound, studio, player,
     qtbot.waitUntil(settled(player), **WAIT)
     assert max(playheads_s) > 0.2
     assert studio.document.view.playhead_s == 0.0
+    assert sound.streams == []
+
+
+def test_space_stops_what_is_played_on_actuators(sound, studio, player, qtbot, listen):
+    now = listen(loops=True)
+    assert studio.playback.button.text().endswith("Actuators playing")
+    studio.do("play")
+    qtbot.waitUntil(settled(player), **WAIT)
+    assert now.stream.queue.ending.reason == "stopped"
+    assert len(sound.streams) == 1
+
+
+def test_nothing_is_sent_before_the_actuators_are_armed(sound, studio, player, qtbot):
+    studio.do("play_on_actuators")
+    assert not player.playing
+    assert "Arm them under Output" in studio.notice.text
+    player.play_tone(1)
+    assert not player.playing
+    assert sound.streams == []
+
+
+def test_without_a_device_nothing_is_armed_and_the_reason_is_said(no_sound, studio, player, qtbot):
+    player.arm(True)
+    qtbot.waitUntil(lambda: "No device to play on was found" in studio.notice.text, **WAIT)
+    assert not player.armed
+
+
+def test_the_peak_follows_edits_and_another_file_disarms(sound, studio, player, qtbot, arm):
+    arm()
+    assert player.peak.full_scale == pytest.approx(0.9, abs=0.01)
+    studio.document.edit("Softer", DESIGN.with_input(0, amplitude=0.2))
+    qtbot.waitUntil(lambda: player.peak.full_scale == pytest.approx(0.5, abs=0.01), **WAIT)
+    studio.document.undo_stack.undo()
+    qtbot.waitUntil(lambda: player.peak.full_scale == pytest.approx(0.9, abs=0.01), **WAIT)
+    studio.document.start_over(DESIGN, studio.document.view, None)
+    assert not player.armed
+    arm()
+    player.settings.choose(Output(device="Eight", host_api="Made up"))
+    assert not player.armed
 
 
 def test_what_is_chosen_is_kept_on_this_machine_but_not_the_gain(sound, preferences, qapp):

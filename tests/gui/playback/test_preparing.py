@@ -3,11 +3,16 @@
 import threading
 
 import pytest
-from PySide6.QtWidgets import QPushButton
 
 from skinsource.lab.playing import mixer
 
 WAIT = {"timeout": 20_000}
+
+
+@pytest.fixture
+def armed(sound, arm):
+    """Actuators that are armed before mixes take long."""
+    arm()
 
 
 @pytest.fixture
@@ -24,25 +29,26 @@ def made(monkeypatch):
     ready.set()
 
 
-def test_it_is_said_that_sound_is_prepared_until_it_plays(sound, studio, player, qtbot, made):
-    note = studio.playback.note
-    studio.do("play")
-    assert not note.isVisible()
-    qtbot.waitUntil(note.isVisible, **WAIT)
+def test_it_is_said_that_sound_is_prepared_until_it_plays(
+    sound, studio, player, qtbot, armed, made
+):
+    button = studio.playback.button
+    studio.do("play_on_actuators")
+    assert button.text().endswith("Preparing…")
     assert studio.playback.bar.play.accessibleName() == "Stop"
     made.set()
     qtbot.waitUntil(lambda: player.now is not None, **WAIT)
-    assert not note.isVisible()
+    assert button.text().endswith("Actuators playing")
     player.stop_at_once()
     qtbot.waitUntil(lambda: not player.playing, **WAIT)
+    assert button.text().endswith("Actuators off")
 
 
-def test_what_is_prepared_can_be_cancelled_and_is_not_played(sound, studio, player, qtbot, made):
-    note = studio.playback.note
-    studio.do("play")
-    qtbot.waitUntil(note.isVisible, **WAIT)
-    note.findChild(QPushButton, "cancel_preparing").click()
-    assert not note.isVisible()
+def test_what_is_prepared_can_be_stopped_and_is_not_played(
+    sound, studio, player, qtbot, armed, made
+):
+    studio.do("play_on_actuators")
+    studio.do("play_on_actuators")
     assert not player.playing
     made.set()
     # The thread of the sound does one thing after another: this comes after it.
@@ -55,11 +61,10 @@ def test_what_is_prepared_can_be_cancelled_and_is_not_played(sound, studio, play
 
 
 def test_what_is_played_after_something_was_cancelled_is_what_is_heard(
-    sound, studio, player, qtbot, made
+    sound, studio, player, qtbot, armed, made
 ):
-    studio.do("play")
-    studio.do("play")
-    studio.do("play")
+    for _ in range(3):
+        studio.do("play_on_actuators")
     assert player.preparing
     made.set()
     qtbot.waitUntil(lambda: player.now is not None, **WAIT)

@@ -7,7 +7,8 @@ import pytest
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.prediction import Limits
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
-from skinsource_gui.panels.playback.panel import PlaybackPanel
+from skinsource.design import edits
+from skinsource_gui.panels.output.panel import OutputPanel
 
 WAIT = {"timeout": 20_000}
 FLAT = MeasuredResponse(((1.0, 50.0, 0.0), (2000.0, 50.0, 0.0)))
@@ -28,24 +29,25 @@ def path(tmp_path):
 
 @pytest.fixture
 def panel(sound, studio, qtbot):
-    studio.docks["playback"].bring_forward()
-    panel = studio.panel("playback")
-    assert isinstance(panel, PlaybackPanel)
+    studio.docks["output"].bring_forward()
+    panel = studio.panel("output")
+    assert isinstance(panel, OutputPanel)
     qtbot.waitUntil(panel.isVisible)
     qtbot.waitUntil(lambda: studio.playback.player.settings.searched, **WAIT)
     return panel
 
 
-def test_a_rig_wires_the_places_and_says_how_calibrated_it_is(panel, player, path):
-    player.settings.choose_rig(path)
+def test_a_rig_wires_the_places_and_says_how_calibrated_it_is(panel, studio, player, path):
+    panel.fields.rig.rig_chosen.emit(path)
+    assert studio.document.design.rig == player.settings.rig == BENCH
     assert panel.fields.rig.currentText() == "Bench 3"
     assert "Calibrated, measured on 2026-03-04." in panel.text.text()
     assert "Uncalibrated" not in panel.text.text()
-    assert [(row.place, row.output.value_si) for row in panel._rows] == [(7, 2.0), (12, 1.0)]
-    assert not panel._rows[0].output.isEnabled()
+    assert [(row.place, row.output.value_si) for row in panel.rows.rows] == [(7, 2.0), (12, 1.0)]
+    assert not panel.rows.rows[0].output.isEnabled()
     panel.fields.rig.rig_chosen.emit(None)
     assert panel.fields.rig.currentText() == "None"
-    assert panel._rows[0].output.isEnabled()
+    assert panel.rows.rows[0].output.isEnabled()
 
 
 def test_what_is_no_rig_is_refused_and_the_present_one_stays(panel, player, path, studio, tmp_path):
@@ -62,8 +64,8 @@ def test_a_rig_that_is_gone_is_no_reason_to_play_without_its_limits(
 ):
     player.settings._preferences.rig_path = str(tmp_path / "gone.skinrig")
     player.settings._rig_was_read = False
-    studio.do("play")
-    assert not player.playing
+    player.arm(True)
+    assert not player.armed
     assert "The rig of this machine cannot be read" in studio.notice.text
     assert not sound.streams
 
@@ -79,7 +81,7 @@ def test_it_is_played_on_the_outputs_of_the_rig(sound, studio, player, path, lis
 
 
 def test_a_limit_in_the_first_block_is_said_even_if_that_is_over_before_play_was_under_way(
-    sound, studio, player, tmp_path, qtbot, monkeypatch
+    sound, studio, player, tmp_path, qtbot, monkeypatch, arm
 ):
     limited = Rig(
         channels=tuple(
@@ -96,15 +98,17 @@ def test_a_limit_in_the_first_block_is_said_even_if_that_is_over_before_play_was
         return playing
 
     monkeypatch.setattr(player._session(), "play", play_to_the_end)
-    studio.do("play")
+    arm()
+    studio.do("play_on_actuators")
     qtbot.waitUntil(lambda: "Stopped" in studio.notice.text, **WAIT)
     assert not player.playing
     assert "a limit of the rig would have been passed (place" in studio.notice.text
 
 
 def test_a_device_that_goes_while_a_tone_is_played_is_told(
-    sound, studio, player, qtbot, monkeypatch
+    sound, studio, player, qtbot, monkeypatch, arm
 ):
+    arm()
     # Else a short tone may be over before anybody looks.
     sound.is_stuck = True
     player.play_tone(1)
@@ -112,3 +116,20 @@ def test_a_device_that_goes_while_a_tone_is_played_is_told(
     monkeypatch.setattr(type(player.now.stream), "unresponsive", property(lambda stream: True))
     qtbot.waitUntil(lambda: not player.playing, **WAIT)
     assert "may have been unplugged" in studio.notice.text
+
+
+def test_a_design_for_another_rig_is_not_played_and_one_without_uses_that_of_the_machine(
+    studio, panel, player, path, arm
+):
+    player.settings.choose_rig(path)
+    other = replace(BENCH, title="Bench 4")
+    design, view = studio.document.design, studio.document.view
+    studio.document.apply(edits.choose_rig(design, view, other))
+    player.arm(True)
+    assert not player.armed
+    assert "made for the rig 'Bench 4'" in studio.notice.text
+    studio.document.undo_stack.undo()
+    assert "this machine plays for Bench 3" in panel.text.text()
+    arm()
+    # 0.9 of 2 V.
+    assert player.peak.volts == pytest.approx(1.8, abs=0.01)

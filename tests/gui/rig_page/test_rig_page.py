@@ -134,18 +134,23 @@ def test_changes_are_not_lost_unasked(page, monkeypatch, tmp_path):
     assert path.exists()
 
 
-def test_a_design_is_predicted_through_the_rig(page, window):
+def test_a_saved_rig_is_that_of_the_design_with_its_actuators(page, window, answer):
     press(page, "add")
-    press(page, "predict")
-    assert "does not say how any" in page.message.text()
     put(page, "place", 7)
     put(page, "actuator", "example-voice-coil")
-    press(page, "predict")
-    actuated = window.document.design.actuated
-    assert actuated.at(7).model == ss.actuators.load("example-voice-coil")
-    assert "regularised inverse" in page.message.text()
+    answer("bench.skinrig")
+    press(page, "save")
+    design = window.document.design
+    assert design.rig == page.draft.rig
+    assert design.actuation.at(7).model == ss.actuators.load("example-voice-coil")
+    assert design.actuated is None
     with pytest.raises(ss.SkinSourceError, match="Place 3 has no actuator"):
-        actuated.at(3)
+        design.actuation.at(3)
+    window.document.undo_stack.undo()
+    assert (window.document.design.rig, window.document.design.actuation) == (None, None)
+    page._use.setChecked(False)
+    press(page, "save")
+    assert window.document.design.rig is None
 
 
 def test_places_are_those_of_the_limb_of_the_design_the_driven_ones_first(user_data, qtbot):

@@ -1,19 +1,15 @@
-"""Exports start with what the panel Actuator shows, whether or not predictions go through it."""
+"""Exports start with what the design has chosen, whether or not predictions go through it."""
 
-import json
+from dataclasses import replace
 
 import pytest
 
 import skinsource as ss
 from skinsource.actuators.equalising import RegularisedInverse
-from skinsource.design.panel_settings import with_settings
 from skinsource.design.view import View
-from skinsource.engine.actuator_demand import ActuatorSettings, actuation_of
 from skinsource_gui.pages.stimulus.form import StimulusForm, recall, remembered
-from tests.gui.actuator.bench import brought_forward
-from tests.gui.actuator.bench import choose as choose_in_panel
 from tests.gui.stimulus.conftest import opened
-from tests.gui.stimulus.stimulus_bench import choose, export, label
+from tests.gui.stimulus.stimulus_bench import choose, label
 
 DESIGN = ss.Design(
     limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Gabor(200.0, cycles=8.0), onset_s=0.1),)
@@ -22,14 +18,16 @@ FINGERTIP, TITLE = "kastor-2023-air", "Fingertip voice coil, in air"
 RAW = "Not equalised (raw accelerations)."
 
 
-def view_of(**settings):
-    return with_settings(View(), "actuator", ActuatorSettings(**settings))
+def chosen(equaliser, **changes):
+    model = replace(ss.actuators.load(FINGERTIP), **changes)
+    coil = ss.ActuatorAt(actuator=TITLE, model=model)
+    return replace(DESIGN, actuation=ss.Actuation(actuators=(coil,), equaliser=equaliser, on=False))
 
 
 @pytest.fixture
 def form_on(qtbot):
-    def make(design, view):
-        form = StimulusForm(design, view)
+    def make(design):
+        form = StimulusForm(design, View())
         qtbot.addWidget(form)
         return form
 
@@ -43,23 +41,11 @@ def order_of(form):
     return changes[-1]
 
 
-def test_what_was_chosen_in_the_panel_is_exported_and_said(open_window, qtbot, save_as):
-    window = open_window(DESIGN)
-    choose_in_panel(brought_forward(window, qtbot), "actuator", FINGERTIP)
-    assert window.document.design.actuated is None
+def test_it_starts_with_what_the_design_has_and_another_choice_is_free(open_window, qtbot):
+    window = open_window(chosen(RegularisedInverse()))
     window.do("export_stimulus")
     page = opened(window.stimuli, qtbot)
-    assert label(page, "summary").endswith(f"Equalised for {TITLE} (regularised inverse).")
-    assert page.form.field("actuator").currentText() == f"{TITLE} (as in the panel)"
-    path = save_as("volts.wav")
-    export(window, page, qtbot)
-    metadata = json.loads((path.parent / "volts.wav.json").read_text())
-    assert metadata["equalised"] == f"Equalised for {TITLE} (regularised inverse)"
-    assert metadata["unit"] == "V"
-    assert metadata["actuator"] == [TITLE]
-    # The next page starts there again, and another choice is free.
-    window.do("export_stimulus")
-    page = opened(window.stimuli, qtbot)
+    assert page.form.field("actuator").currentText() == f"{TITLE} (of the design)"
     choose(page, qtbot, "equaliser", "none")
     assert label(page, "summary").endswith(RAW)
     choose(page, qtbot, "equaliser", "minimum")
@@ -71,26 +57,24 @@ def test_what_was_chosen_in_the_panel_is_exported_and_said(open_window, qtbot, s
 
 
 def test_changed_parameters_and_equaliser_go_with_it(form_on):
-    settings = ActuatorSettings(actuator=FINGERTIP, boost_db=6.0).with_parameter(
-        "resistance_ohm", 5.5
-    )
-    order = order_of(form_on(DESIGN, with_settings(View(), "actuator", settings)))
-    assert order.actuation == actuation_of(settings)
-    assert order.actuation.actuators[0].model.resistance_ohm == 5.5
+    design = chosen(RegularisedInverse(boost_db=6.0), resistance_ohm=5.5)
+    order = order_of(form_on(design))
+    assert order.actuation == design.actuation
     assert order.equaliser == RegularisedInverse(boost_db=6.0)
 
 
 @pytest.mark.parametrize("last", ["none", "linear"])
-def test_what_is_remembered_does_not_replace_what_the_panel_shows(form_on, last):
-    before = form_on(DESIGN, View())
+def test_what_is_remembered_does_not_replace_what_the_design_says(form_on, last):
+    before = form_on(DESIGN)
     before.field("equaliser").choose(last)
-    form = form_on(DESIGN, view_of(actuator=FINGERTIP, boost_db=9.0))
+    form = form_on(chosen(RegularisedInverse(boost_db=9.0)))
     recall(form, remembered(before))
     assert order_of(form).equaliser == RegularisedInverse(boost_db=9.0)
+    assert order_of(form_on(DESIGN)).equaliser is None
 
 
 def test_full_scale_of_equalised_drives_is_in_volts(form_on):
-    form = form_on(DESIGN, view_of(actuator=FINGERTIP))
+    form = form_on(chosen(RegularisedInverse()))
     form.emit_order()
     assert form.field("full_scale").spec.unit == "V"
     form.field("equaliser").choose("none")

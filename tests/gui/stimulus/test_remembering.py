@@ -4,7 +4,6 @@ import pytest
 from PySide6.QtWidgets import QFileDialog
 
 import skinsource as ss
-from skinsource.actuators.rigs import Rig, RigChannel, save_rig
 from skinsource.design.view import View
 from skinsource_gui.pages.stimulus.form import StimulusForm, recall, remembered
 from skinsource_gui.pages.stimulus.page import (
@@ -41,18 +40,13 @@ def orders(form):
     return changes[-1]
 
 
-def test_the_next_page_exports_as_the_last_one_did(form, other, tmp_path):
-    rig = Rig(title="Bench", channels=(RigChannel(place=7, full_scale_v=1.0),))
-    save_rig(tmp_path / "bench.skinrig", rig)
+def test_the_next_page_exports_as_the_last_one_did(form, other):
     form.field("format").choose("flac")
     form.field("rate").choose("96000")
     form.field("lead_in").set_value(0.25)
     form.field("sync").setChecked(True)
-    form.rigs.open_rig(tmp_path / "bench.skinrig")
-    form.field("equaliser").choose("minimum")
     recall(other, remembered(form))
     assert orders(other) == orders(form)
-    assert orders(other).rig == rig
     assert orders(other).options.lead_in_s == 0.25
 
 
@@ -64,36 +58,6 @@ def test_choices_of_a_format_are_kept_with_it(form, other):
     recall(other, remembered(form))
     assert other.chosen == form.chosen
     assert other.chosen[name] == last
-
-
-def test_a_rig_that_is_gone_is_said_and_the_rest_is_kept(form, other, tmp_path):
-    save_rig(tmp_path / "bench.skinrig", Rig(channels=(RigChannel(place=7),)))
-    form.field("format").choose("flac")
-    form.rigs.open_rig(tmp_path / "bench.skinrig")
-    text = remembered(form)
-    (tmp_path / "bench.skinrig").unlink()
-    messages = []
-    other.refused.connect(messages.append)
-    recall(other, text)
-    assert "bench.skinrig" in messages[0]
-    assert orders(other).rig is None
-    assert orders(other).format.name == "flac"
-
-
-def test_the_rig_of_the_machine_goes_before_until_another_is_chosen(form, other, tmp_path):
-    paths = [str(tmp_path / name) for name in ("bench.skinrig", "booth.skinrig")]
-    for path in paths:
-        save_rig(path, Rig(channels=(RigChannel(place=7, full_scale_v=1.0),)))
-    bench, booth = paths
-    recall(form, "", bench)
-    assert str(form.rigs.path) == bench
-    # What was chosen for an export stays for the next one ...
-    form.rigs.open_rig(None)
-    recall(other, remembered(form, bench), bench)
-    assert other.rigs.path is None
-    # ... until the machine plays for another rig.
-    recall(other, remembered(form, bench), booth)
-    assert str(other.rigs.path) == booth
 
 
 def test_full_scale_in_volts_without_a_rig_is_what_shall_be(qtbot):
@@ -110,13 +74,13 @@ def test_full_scale_in_volts_without_a_rig_is_what_shall_be(qtbot):
     page.reject()
 
 
-def test_a_design_that_is_predicted_through_an_equaliser_is_offered_as_predicted(qtbot):
+def test_a_design_that_is_predicted_through_an_equaliser_starts_with_that(qtbot):
     equaliser = ss.equalising.RegularisedInverse(boost_db=12.0)
     through = ss.Actuation(actuators=(COIL,), equaliser=equaliser)
     design = ss.Design(limb="synthetic-1", inputs=DESIGN.inputs, actuation=through)
     form = StimulusForm(design, View())
     qtbot.addWidget(form)
-    assert form.field("equaliser").currentText() == "As predicted"
+    assert form.field("equaliser").currentText() == "That of the design"
     assert orders(form).equaliser == equaliser
     # The rig that says full scale is missing, so the page asks for it.
     assert not form.field("scale").isHidden()

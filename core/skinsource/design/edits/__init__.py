@@ -83,6 +83,8 @@ from skinsource.design.edits.inputs import (
 from skinsource.design.edits.setup import (
     change_limb,
     change_scaling,
+    choose_actuation,
+    choose_rig,
     level_over,
     look_along,
     look_by_method,
@@ -122,6 +124,8 @@ __all__ = [
     "change_limb",
     "change_scaling",
     "change_waveform",
+    "choose_actuation",
+    "choose_rig",
     "clear_inputs",
     "copy_clips",
     "cut_clips",

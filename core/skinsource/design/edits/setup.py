@@ -1,9 +1,12 @@
 """Change the limb, the scaling, the actuators and how results are shown; repair findings."""
 
+from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
 from skinsource.actuators.actuation import Actuation
+from skinsource.actuators.rigs import Rig
+from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import ALL_AXES
 from skinsource.base.quoting import lowered, quoted
 from skinsource.design.clips import Clip
@@ -13,6 +16,7 @@ from skinsource.design.edits.clips import with_clips
 from skinsource.design.edits.edit import Edit, Refusal, change_view, refusing
 from skinsource.design.effects.level import BandLimit
 from skinsource.design.labels import SCALINGS, label_of
+from skinsource.design.signal_path import actuation_of_rig
 from skinsource.design.view import View
 from skinsource.limbs.own_limbs import axes_on, facts_of
 from skinsource.perception.validity import Finding
@@ -101,6 +105,30 @@ def predict_through(design: Design, view: View, actuation: Actuation | None) -> 
     else:
         label = "Predict through the actuator" if on else "Predict without the actuator"
     return Edit(label=label, design=replace(design, actuation=actuation), view=view)
+
+
+@refusing
+def choose_actuation(design: Design, view: View, actuation: Actuation | None) -> Edit | Refusal:
+    """Choose actuators and equaliser; predictions go through them as before.  None: none."""
+    if actuation is not None:
+        actuation = replace(actuation, on=design.actuated is not None)
+    label = "Remove the actuator" if actuation is None else "Change the actuator"
+    return Edit(label=label, design=replace(design, actuation=actuation), view=view)
+
+
+@refusing
+def choose_rig(design: Design, view: View, rig: Rig | None) -> Edit | Refusal:
+    """Choose the rig, and its actuators where it says how they move; None: no rig."""
+    known = design.actuation
+    actuation = None if known is not None and known.rig else known
+    if rig is not None:
+        # A rig that does not say how its actuators move leaves the choice of them.
+        with suppress(InvalidInputError):
+            equaliser = None if known is None else known.equaliser
+            on = design.actuated is not None
+            actuation = replace(actuation_of_rig(rig, equaliser), on=on)
+    label = "Remove the rig" if rig is None else "Change the rig"
+    return Edit(label=label, design=replace(design, actuation=actuation, rig=rig), view=view)
 
 
 _NO_REPAIR = Refusal(sentence="Nothing can be done about this one here.")

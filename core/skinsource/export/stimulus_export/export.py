@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Literal
 
 from skinsource.actuators.actuation import Actuation
 from skinsource.actuators.equalising import Equaliser
@@ -69,8 +70,8 @@ def export_stimulus(
     options: StimulusOptions | None = None,
     confirmed: bool = False,
     actuation: Actuation | None = None,
-    rig: Rig | None = None,
-    equaliser: Equaliser | None = None,
+    rig: Rig | Literal["none"] | None = None,
+    equaliser: Equaliser | Literal["none"] | None = None,
     stages: Sequence[Stage] = (),
     limits: Sequence[Limit] = (),
     progress: Progress = silent,
@@ -93,8 +94,8 @@ def export_stimulus(
     confirmed
         Whether it is written even though samples clip or limits are passed.
     actuation, rig, equaliser
-        Actuators, None: those that the design is predicted through; the wiring; the filter that
-        makes volts, for the rig or else for the actuators.
+        Actuators; the wiring; the filter that makes volts, for the rig or else for the actuators.
+        None: those of the design; ``"none"``: no wiring, or no filter.
     stages, limits, progress, stop
         Processing at the rate of the device; limits of the drives; as those of a job.
 

@@ -20,6 +20,7 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.base.json_text import dumped
 from skinsource.base.work import counted
+from skinsource.design.amplitudes import equaliser_of
 from skinsource.design.design import Design, audible_inputs
 from skinsource.engine.stimulus import (
     FULL_SCALE_UNIT,
@@ -233,8 +234,8 @@ def prepare_stimulus(
     stages: Sequence[Stage] = (),
     limits: Sequence[Limit] = (),
     actuation: Actuation | None = None,
-    rig: Rig | None = None,
-    equaliser: Equaliser | None = None,
+    rig: Rig | Literal["none"] | None = None,
+    equaliser: Equaliser | Literal["none"] | None = None,
     progress: Progress = silent,
     stop: Stop = never,
 ) -> PreparedStimulus:
@@ -247,13 +248,13 @@ def prepare_stimulus(
     rate_hz
         Rate of the files; None, or a format with a fixed rate: the usual one of the format.
     stages, actuation
-        Processing at that rate; the actuators where no rig names them, None: those that the
-        design is predicted through.
+        Processing at that rate; the actuators where no rig names them, None: those of the design.
     limits
         Limits of the drives.
     rig, equaliser
         The wiring of the channels; the filter that makes volts of accelerations: with a rig, full
-        scale is then that of each channel, not the largest sample.
+        scale is then that of each channel, not the largest sample.  None: those of the design;
+        ``"none"``: no wiring, or no filter.
     progress, stop
         Called with the number of channels that have that rate; as those of a job.
 
@@ -264,6 +265,7 @@ def prepare_stimulus(
         possible.
     """
     choices = format.chosen(options.choices)
+    rig, equaliser = _chosen(design, actuation, rig, equaliser)
     cut, lead_in_s = _cut_ends(options), options.lead_in_s
     # Ringing before time 0 is kept where nothing is cut off or faded in.
     rings = not cut and options.fade_in_s == 0.0
@@ -285,7 +287,7 @@ def prepare_stimulus(
         stop_if(stop)
         drives = stage(drives)
     stop_if(stop)
-    actuation = design.actuated if actuation is None else actuation
+    actuation = design.actuation if actuation is None else actuation
     drives = _for_rig(drives, rig, equaliser, options, actuation)
     if options.from_s is not None or options.to_s is not None:
         to_s = drives.duration_s if options.to_s is None else options.to_s
@@ -338,6 +340,20 @@ def prepare_stimulus(
         rig=rig,
         equaliser=equaliser,
     )
+
+
+def _chosen(
+    design: Design,
+    actuation: Actuation | None,
+    rig: Rig | Literal["none"] | None,
+    equaliser: Equaliser | Literal["none"] | None,
+) -> tuple[Rig | None, Equaliser | None]:
+    """Return rig and equaliser: those of the design where no others are asked for."""
+    if rig is None and actuation is None:
+        rig = design.rig
+    if equaliser is None:
+        equaliser = equaliser_of(design)
+    return None if rig == "none" else rig, None if equaliser == "none" else equaliser
 
 
 def _cut_ends(options: StimulusOptions) -> tuple[Ends, ...]:

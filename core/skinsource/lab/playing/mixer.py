@@ -13,8 +13,9 @@ import scipy
 from skinsource.actuators.rigs import Margin, Rig, RigChannel, highest_gain
 from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
+from skinsource.design.amplitudes import equaliser_of
 from skinsource.design.design import Design
-from skinsource.engine.stimulus import Stimulus, for_rig, stimulus_of
+from skinsource.engine.stimulus import Stimulus, for_rig, stimulus_of, through_actuators
 from skinsource.lab.playing.devices import DeviceRows, Output, outputs_by_place
 from skinsource.lab.playing.mix import SHORTEST_LOOP_S, Mix, mix_of
 from skinsource.limbs.catalog import load_limb
@@ -76,8 +77,8 @@ _EARS = {1: "left", 2: "right"}
 class Mixer:
     """Makes mixes; unchanged rows and margins of the last mix are used again.
 
-    An amplitude of 1 is full scale, before the gain, so that the level of a track does not depend
-    on other tracks.
+    An amplitude of 1, or 1 V, is full scale before the gain where no rig says otherwise, so that
+    the level of a track does not depend on other tracks.
     """
 
     def __init__(self) -> None:
@@ -109,8 +110,8 @@ class Mixer:
         least_outputs
             Outputs of the mix at least; further ones are silent.
         rig
-            What the outputs are wired to: locations, volts, polarity and limits.  Drives are
-            equalised for it as for the prediction of the design.
+            What the outputs are wired to: locations, volts, polarity and limits.  The equaliser of
+            the design makes the volts for it; without a rig, for the actuators of the design.
 
         Raises
         ------
@@ -130,8 +131,11 @@ class Mixer:
             rows = on_two_ears(turned_up(parts, rate_hz, output.shift_hz))
             outputs, titles = list(_EARS), list(_EARS.values())
         else:
-            equaliser = None if design.actuated is None else design.actuated.equaliser
-            sent = stimulus if rig is None else for_rig(stimulus, rig, equaliser)
+            sent, equaliser = stimulus, equaliser_of(design)
+            if rig is not None:
+                sent = for_rig(stimulus, rig, equaliser)
+            elif equaliser is not None and design.actuation is not None:
+                sent = through_actuators(stimulus, design.actuation, equaliser)
             rows = self.rows.at(sent.samples, own_hz, rate_hz)
             wired = outputs_by_place(design, output, rig)
             places = [channel.place for channel in stimulus.channels if channel.place is not None]

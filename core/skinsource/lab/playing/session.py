@@ -1,11 +1,10 @@
 """Playing designs on a device, one after the other, with changes while they play.
 
-Where there is no device, and in slow motion, a clock moves the playhead in silence.
+Where there is no device, and in animations, a clock moves the playhead in silence.
 """
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import partial
 from time import perf_counter
 
 import numpy as np
@@ -144,6 +143,25 @@ class Playing:
         return self.silent is not None and self.silent.over
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Peak:
+    """The largest sample of a design for a device, before the gain.
+
+    Attributes
+    ----------
+    full_scale
+        In parts of full scale.
+    volts
+        At the actuators; None where no rig says it.
+    device
+        Name of the device.
+    """
+
+    full_scale: float
+    volts: float | None
+    device: str
+
+
 class Session:
     """Renders and plays designs, for one thread, which may wait for the device.
 
@@ -163,19 +181,10 @@ class Session:
         self.close()
         return refresh_devices()
 
-    def play(
-        self,
-        design: Design,
-        output: Output,
-        *,
-        loops: bool,
-        at_s: float,
-        gain_db: float,
-        slow_motion: float = 1.0,
-        rig: Rig | None = None,
-        stop: Stop = never,
+    def animate(
+        self, design: Design, *, loops: bool, at_s: float, slow_motion: float = 1.0
     ) -> Playing:
-        """Begin to play a design; in slow motion, and without a device, in silence.
+        """Begin to move the playhead through a design; no device is opened.
 
         Parameters
         ----------
@@ -185,6 +194,49 @@ class Session:
             Time to begin at; where it is after the end or outside the loop, the beginning.
         slow_motion
             How many times slower than real time.
+        """
+        self._start_over()
+        duration_s = response_end_s(design, self._mixer.stimulus(design).duration_s)
+        loop_s = loop_of(design, duration_s, loops=loops)
+        begin_s = _begin(at_s, duration_s, loop_s)
+        silent = SilentRun(duration_s, loop_s, begin_s, slow_motion=slow_motion)
+        return Playing(silent=silent, visible_s=duration_s)
+
+    def peak(self, design: Design, output: Output, *, rig: Rig | None = None) -> Peak:
+        """Return the largest sample that `play` would send, before the gain; none is sent.
+
+        Raises
+        ------
+        SkinSourceError
+            As for `play`.
+        """
+        device = device_of(output, devices())
+        mix = self._mix(design, output, device, loops=False, rig=rig)
+        peaks = np.abs(mix.samples).max(axis=1, initial=0.0)
+        volts = [
+            abs(channel.volts_at_full_scale) * float(peaks[channel.output - 1])
+            for channel in (rig.channels if rig is not None and not output.stand_in else ())
+            if channel.volts_at_full_scale is not None and mix.plays_on(channel.output)
+        ]
+        return Peak(full_scale=mix.peak, volts=max(volts, default=None), device=device.name)
+
+    def play(
+        self,
+        design: Design,
+        output: Output,
+        *,
+        loops: bool,
+        at_s: float,
+        gain_db: float,
+        rig: Rig | None = None,
+        stop: Stop = never,
+    ) -> Playing:
+        """Begin to play a design on a device; where there is none, in silence.
+
+        Parameters
+        ----------
+        loops, at_s
+            As for `animate`.
         rig
             What is wired to the device; None where it is not known.
         stop
@@ -197,23 +249,22 @@ class Session:
         Stopped
             ``stop`` returned True.
         """
-        self.close()
-        # The name of a limb may mean other data by now.
-        self._mixer = Mixer()
-        silently = partial(self._in_silence, design, loops=loops, at_s=at_s)
-        if slow_motion != 1.0:
-            return silently(reason="", slow_motion=slow_motion)
+        self._start_over()
         try:
-            known_devices = devices()
-            device = device_of(output, known_devices)
+            device = device_of(output, devices())
         except NothingToPlayOnError as missing:
-            return silently(reason=str(missing))
-        _check_rig_device(rig, device)
+            silent = self.animate(design, loops=loops, at_s=at_s)
+            return replace(silent, reason=str(missing))
         mix = self._mix(design, output, device, loops=loops, rig=rig)
         stop_if(stop)
         begin_s = _begin(at_s, mix.duration_s, loop_of(design, mix.duration_s, loops=loops))
         stream = self._open(mix, device, output, begin_s, gain_db)
         return Playing(stream=stream, visible_s=response_end_s(design, mix.duration_s))
+
+    def _start_over(self) -> None:
+        self.close()
+        # The name of a limb may mean other data by now.
+        self._mixer = Mixer()
 
     def change(
         self,
@@ -295,6 +346,7 @@ class Session:
     def _mix(
         self, design: Design, output: Output, device: Device, *, loops: bool, rig: Rig | None
     ) -> Mix:
+        _check_rig_device(rig, device)
         least = min(_FEWEST, device.n_outputs)
         mix = self._mixer.mix(design, output, loops=loops, least_outputs=least, rig=rig)
         if not output.stand_in:
@@ -302,15 +354,6 @@ class Session:
             audible = {place: number for place, number in wired.items() if mix.plays_on(number)}
             check_outputs(device, audible)
         return mix
-
-    def _in_silence(
-        self, design: Design, *, loops: bool, at_s: float, reason: str, slow_motion: float = 1.0
-    ) -> Playing:
-        duration_s = response_end_s(design, self._mixer.stimulus(design).duration_s)
-        loop_s = loop_of(design, duration_s, loops=loops)
-        begin_s = _begin(at_s, duration_s, loop_s)
-        silent = SilentRun(duration_s, loop_s, begin_s, slow_motion=slow_motion)
-        return Playing(silent=silent, reason=reason, visible_s=duration_s)
 
 
 def response_end_s(design: Design, duration_s: float) -> float:

@@ -1,4 +1,4 @@
-"""The panel of the actuator: curves, figures and fields, live, and nothing while it is hidden."""
+"""The panel of the output: curves, figures and fields, live, and nothing while it is hidden."""
 
 from dataclasses import replace
 from itertools import product
@@ -13,21 +13,24 @@ from skinsource.design import edits
 from skinsource.design.design import track
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import CentredTap, Tap
-from skinsource.engine.actuator_demand import LONGEST_S, ActuatorSettings, strongest
-from skinsource_gui.panels.actuator.figures import (
+from skinsource.engine.actuator_demand import LONGEST_S, listed_name, profile_of, strongest
+from skinsource_gui.panels.output.figures import (
     frequencies_of,
     frequency_axis,
     response_curves,
-    step_curves,
 )
-from tests.gui.actuator.bench import (
+from skinsource_gui.panels.output.panel import with_actuator, with_equaliser
+from tests.gui.output.bench import (
+    COIL,
+    INVERSE,
+    NO_EQUALISER,
+    POLE_PAIR,
     TONE,
     brought_forward,
     choose,
     design_of,
     figures,
     number,
-    settings,
     settle,
 )
 
@@ -42,11 +45,14 @@ def window(open_window):
 
 @pytest.fixture
 def panel(window, qtbot):
-    return brought_forward(window, qtbot)
+    panel = brought_forward(window, qtbot)
+    panel.more.click()
+    settle(window, qtbot)
+    return panel
 
 
 def test_the_figures_are_those_of_the_selected_input_through_the_equaliser(panel):
-    assert panel.figures.heading.text().startswith("Place 7, Digit II, pad")
+    assert panel.figures.heading.text().startswith("Place 7, Digit II, pad: peak ")
     assert "uncalibrated gain" in panel.figures.heading.text()
     # The band-limited tone of 10 m/s² moves the contactor by 10 m/s².
     assert number(panel, "Peak acceleration") == pytest.approx(10.0, rel=0.03)
@@ -65,9 +71,12 @@ def test_figures_follow_edits_and_settings_and_are_red_beyond_a_limit(window, pa
     window.document.apply(edits.change_field(design, view, view.selected_inputs, "amplitude", 20.0))
     settle(window, qtbot)
     assert number(panel, "Peak voltage") == pytest.approx(2.0 * before, rel=0.02)
-    choose(panel, "strength_m_per_s2", 10.0)
+    window.document.apply(
+        edits.change_field(design, view, view.selected_inputs, "amplitude", 100.0)
+    )
     settle(window, qtbot)
     assert figures(panel)["Peak velocity"].exceeded
+    assert "Beyond its limit: peak velocity" in panel.figures.limits.text()
     assert "beyond its limit" in panel.figures.table.accessibleDescription()
 
 
@@ -79,55 +88,60 @@ def test_curves_show_actuator_filter_and_both_and_the_published_one(window, pane
     assert curves.y[2, place] == pytest.approx(0.0, abs=0.2)
     assert curves.columns == ("actuator_db", "filter_db", "equalised_db")
     assert not panel.choices.reset.isVisibleTo(panel)
-    choose(panel, "parameter resistance_ohm", 8.0)
+    choose(panel, "resistance_ohm", 8.0)
     settle(window, qtbot)
-    assert settings(window).model.resistance_ohm == 8.0
+    assert window.document.design.actuation.actuators[0].model.resistance_ohm == 8.0
     assert "Resistance 4 Ω → 8 Ω" in panel.choices.about.text()
     assert [name.short for name in panel.plot.plot.curves.names][-1] == "As listed"
     panel.choices.reset.click()
     settle(window, qtbot)
-    assert settings(window).parameters == ()
+    assert window.document.design.actuation.actuators == (COIL,)
     assert len(panel.plot.plot.curves.names) == 3
-    panel._step.click()
-    settle(window, qtbot)
-    curves = panel.plot.plot.curves
-    exact = ss.actuators.load("example-voice-coil").simulate(np.ones(500), 13_000.0).acceleration
-    assert curves.y[0, 130:630] == pytest.approx(exact, abs=1e-9)
-    assert not curves.y[0, :130].any()
 
 
-def test_without_an_equaliser_an_amplitude_is_volts(window, panel, qtbot):
-    choose(panel, "equaliser", "none")
-    choose(panel, "volts", 2.0)
+def test_without_an_equaliser_volts_are_known_where_amplitudes_are_volts(window, panel, qtbot):
+    choose(panel, "equaliser", NO_EQUALISER)
     settle(window, qtbot)
-    assert number(panel, "Peak voltage") == pytest.approx(20.0, rel=0.02)
+    assert panel.figures.table.figures == ()
+    assert "not known" in panel.figures.refusal.text()
+    panel.through.click()
+    settle(window, qtbot)
+    assert number(panel, "Peak voltage") == pytest.approx(10.0, rel=0.02)
     assert len(panel.plot.plot.curves.names) == 1
-    with pytest.raises(StopIteration):
+    with pytest.raises(KeyError):
         panel.choices.cell("boost_db")
 
 
-@pytest.mark.parametrize("actuator", [*ss.actuators.names(), *ss.actuators.shape_names()])
-def test_every_actuator_can_be_looked_at(actuator):
-    for equaliser, band_hz in product(("inverse", "pole_pair", "none"), (BAND_HZ, (5.0, 9000.0))):
-        chosen = ActuatorSettings(actuator=actuator, equaliser=equaliser)
-        drawn = response_curves(chosen, band_hz)
+@pytest.mark.parametrize("name", ss.actuators.names())
+def test_every_actuator_can_be_looked_at(name):
+    for equaliser, band_hz in product((INVERSE, POLE_PAIR, NO_EQUALISER), (BAND_HZ, (5.0, 9000.0))):
+        actuator = ss.ActuatorAt(actuator=name, model=ss.actuators.load(name))
+        chosen = with_equaliser(with_actuator(None, actuator), equaliser)
+        drawn = response_curves(actuator.model, actuator.model, chosen.equaliser, band_hz)
         assert np.isfinite(drawn.y).all()
         low, high = frequency_axis(band_hz).extent
         assert (drawn.x[0], drawn.x[-1]) == (low, high)
         assert low < band_hz[0] < band_hz[1] < high
-    step = step_curves(chosen)
-    assert (step is None) == (actuator in ss.actuators.shape_names())
+    assert listed_name(actuator) == name
+    assert profile_of(actuator) == ss.actuators.profile(name)
 
 
-def test_a_shape_is_drawn_and_nothing_is_predicted_in_volts(window, panel, qtbot):
-    choose(panel, "actuator", "bk-4810")
+def test_without_an_actuator_there_are_no_figures_and_no_switch(window, panel, qtbot):
+    choose(panel, "actuator", "none")
     settle(window, qtbot)
+    assert window.document.design.actuation is None
     assert panel.figures.table.figures == ()
-    assert "Too little is known" in panel.figures.refusal.text()
-    assert "shape" in panel.plot.plot.curves.level_text + panel.plot.plot.curves.scaling[0]
+    assert panel.figures.refusal.text() == ""
+    assert not panel.through.isEnabled()
+    button = window.playback.button
+    assert button.text().startswith("Output: none")
+    window.docks["output"].hide()
+    button.click()
+    assert panel.isVisible()
     choose(panel, "actuator", "kastor-2023-air")
     settle(window, qtbot)
     assert panel.figures.table.figures
+    assert "Fingertip voice coil, in air" in window.playback.button.text()
 
 
 def test_a_tap_that_leaves_a_velocity_is_refused_and_another_is_offered(window, panel, qtbot):
@@ -136,21 +150,21 @@ def test_a_tap_that_leaves_a_velocity_is_refused_and_another_is_offered(window, 
     settle(window, qtbot)
     assert panel.figures.heading.text().startswith("Place 3")
     assert "52 % of its energy" in panel.figures.refusal.text()
-    assert panel.figures.centred.isVisibleTo(panel)
-    # Without an equaliser nothing is refused, and nothing offered.
-    choose(panel, "equaliser", "none")
+    assert panel.figures.mend.isVisibleTo(panel)
+    # Without an equaliser nothing has to be followed, and nothing is offered.
+    choose(panel, "equaliser", NO_EQUALISER)
     settle(window, qtbot)
-    assert panel.figures.refusal.text() == ""
-    assert not panel.figures.centred.isVisibleTo(panel)
-    choose(panel, "equaliser", "inverse")
+    assert "energy" not in panel.figures.refusal.text()
+    assert not panel.figures.mend.isVisibleTo(panel)
+    choose(panel, "equaliser", INVERSE)
     settle(window, qtbot)
-    panel.figures.centred.click()
+    panel.figures.mend.click()
     settle(window, qtbot)
     clip = window.document.design.inputs[1].clips[0]
     assert isinstance(clip.waveform, CentredTap)
     assert panel.figures.refusal.text() == ""
     assert panel.figures.table.figures
-    assert not panel.figures.centred.isVisibleTo(panel)
+    assert not panel.figures.mend.isVisibleTo(panel)
 
 
 def test_figures_are_computed_beside_the_window_and_not_while_the_panel_is_hidden(
@@ -168,18 +182,17 @@ def test_figures_are_computed_beside_the_window_and_not_while_the_panel_is_hidde
         edit(3.0)
     assert sum(moved) > 0
     assert in_the_way.samples_moved == 0
-    window.docks["actuator"].hide()
+    window.docks["output"].hide()
     settle(window, qtbot)
     moved.clear()
     with counting() as hidden:
         edit(4.0)
-        choose(panel, "parameter resistance_ohm", 5.0)
         ids = window.document.design.ids
         for chosen in (ids[1], ids[0]):
             window.document.look(replace(window.document.view, selected_inputs=(chosen,)))
             settle(window, qtbot)
     assert sum(moved) + hidden.samples_moved == 0
-    window.docks["actuator"].bring_forward()
+    window.docks["output"].bring_forward()
     qtbot.waitUntil(panel.isVisible)
     settle(window, qtbot)
     assert number(panel, "Peak acceleration") == pytest.approx(4.0, rel=0.03)

@@ -1,23 +1,18 @@
-"""A response that is opened is shown whole, predicted through, and ends what was said before."""
-
-from dataclasses import replace
+"""A response that is opened is the actuator of the design, and ends what was said before."""
 
 import numpy as np
 import pytest
 from PySide6.QtWidgets import QFileDialog
 
 import skinsource as ss
-from skinsource.design.panel_settings import with_settings
 from skinsource.design.view import View
-from skinsource.engine.actuator_demand import ActuatorSettings
-from tests.gui.actuator.bench import (
+from tests.gui.output.bench import (
     TONE,
     brought_forward,
     choose,
     design_of,
     figures,
     number,
-    settings,
     settle,
 )
 
@@ -27,39 +22,25 @@ def window(open_window):
     return open_window(design_of(TONE), View(selected_inputs=(1,)))
 
 
-def zoom(window):
-    zoomed = replace(settings(window), zoom=(10.0, 10.4))
-    window.document.look(with_settings(window.document.view, "actuator", zoomed))
-    window.catch_up()
-
-
-def test_another_actuator_is_shown_whole_and_a_good_file_ends_the_complaint(
-    window, qtbot, tmp_path, monkeypatch
-):
+def test_a_good_file_ends_the_complaint_about_a_bad_one(window, qtbot, tmp_path, monkeypatch):
     panel = brought_forward(window, qtbot)
-    zoom(window)
-    choose(panel, "actuator", "example-voice-coil")
-    assert settings(window).actuator == "example-voice-coil"
-    assert settings(window).zoom is None
-    zoom(window)
     bad, good = tmp_path / "bad.csv", tmp_path / "good.csv"
     bad.write_text("1,2\n3,4\n", encoding="utf-8")
     good.write_text("frequency_hz,gain\n20,1\n100,2\n500,1\n", encoding="utf-8")
     paths = iter((bad, good))
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(next(paths)), ""))
+    before = window.document.design
     panel.choices.open.click()
     qtbot.waitUntil(lambda: "bad.csv" in window.notice.text, timeout=30_000)
-    assert settings(window).zoom == (10.0, 10.4)
+    assert window.document.design is before
     panel.choices.open.click()
-    qtbot.waitUntil(lambda: settings(window).actuator == "measured", timeout=30_000)
+    qtbot.waitUntil(lambda: window.document.design is not before, timeout=30_000)
+    assert window.document.design.actuation.title == "good"
     assert window.notice.text == ""
     assert window.statusBar().currentMessage() == "Opened good.csv."
-    assert settings(window).zoom is None
 
 
-def test_a_response_that_was_measured_is_looked_at_and_predicted_through(
-    window, qtbot, tmp_path, monkeypatch
-):
+def test_a_response_that_was_measured_is_predicted_through(window, qtbot, tmp_path, monkeypatch):
     panel = brought_forward(window, qtbot)
     coil = ss.actuators.load("example-voice-coil")
     hz = np.geomspace(10.0, 2000.0, 150)
@@ -69,27 +50,18 @@ def test_a_response_that_was_measured_is_looked_at_and_predicted_through(
     path.write_text("\n".join(["frequency_hz,gain,phase_rad", *rows]) + "\n", encoding="utf-8")
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
     before = number(panel, "Peak voltage")
-    panel.through.box.click()
+    panel.through.click()
     settle(window, qtbot)
     panel.choices.open.click()
-    qtbot.waitUntil(lambda: settings(window).actuator == "measured", timeout=30_000)
+    qtbot.waitUntil(lambda: window.document.design.actuation.title == "lab coil", timeout=30_000)
     settle(window, qtbot)
-    # The same coil, by what was measured of it; what is predicted goes with what is shown.
+    # The same coil, by what was measured of it; the equaliser and the switch are as they were.
     assert number(panel, "Peak voltage") == pytest.approx(before, rel=0.05)
     assert "Peak current" not in figures(panel)
     assert "uncalibrated" not in panel.figures.heading.text()
     assert "150 points that were measured, from 10 to 2000 Hz" in panel.choices.about.text()
     assert window.document.design.actuated.actuators[0].actuator == "lab coil"
-    assert panel.choices.cell("actuator").field.currentText() == "lab coil (measured)"
+    assert panel.choices.cell("actuator").field.currentText() == "lab coil"
     choose(panel, "actuator", "example-voice-coil")
     settle(window, qtbot)
     assert window.document.design.actuated.actuators[0].model == coil
-    # It can be chosen again.
-    choose(panel, "actuator", "measured")
-    settle(window, qtbot)
-    assert settings(window).profile.title == "lab coil"
-    path.write_text("a,b\n1,2\n", encoding="utf-8")
-    with qtbot.waitSignal(window.playback.rigs.failed, timeout=30_000) as failure:
-        panel.choices.open.click()
-    assert "lab coil.csv" in failure.args[0]
-    assert ActuatorSettings(actuator="measured", measured=((1.0,), "x")).profile.title

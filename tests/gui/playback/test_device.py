@@ -12,9 +12,12 @@ WAIT = {"timeout": 20_000}
 @pytest.fixture
 def panel(studio, player, qtbot):
     """The panel of playback, with what there is to choose from."""
-    studio.do("show_playback")
+    studio.do("show_output")
     qtbot.waitUntil(lambda: player.settings.searched, **WAIT)
-    return studio.panel("playback")
+    panel = studio.panel("output")
+    if not panel._settings.more:
+        panel.more.click()
+    return panel
 
 
 def text_of(panel, name):
@@ -27,38 +30,43 @@ def test_it_looks_for_devices_when_it_is_first_seen(sound, player, panel, qtbot)
         "What the system plays on", "Two (Made up, 2 outputs)", "Eight (Made up, 8 outputs)",
     ]  # fmt: skip
     qtbot.waitUntil(lambda: player.settings.rates_hz == (44_100, 48_000), **WAIT)
-    rates = [panel.fields.rate.itemText(k) for k in range(panel.fields.rate.count())]
+    rate = panel.fields.cells["sample_rate_hz"].field
+    rates = [rate.itemText(k) for k in range(rate.count())]
     assert rates == ["44 100 Hz", "48 000 Hz"]
 
 
 def test_device_rate_delay_and_stand_in_are_chosen_there(sound, player, panel, qtbot):
     panel.fields.device.choose("Eight\nMade up")
+    cells = panel.fields.cells
+    rate = cells["sample_rate_hz"].field
     # A device is asked for its rates in another thread.
-    qtbot.waitUntil(lambda: panel.fields.rate.findData("44100") >= 0, timeout=20_000)
-    panel.fields.latency.edited.emit(0.05, None)
-    panel.fields.stand_in.click()
-    panel.fields.shift.edited.emit(250.0, None)
+    qtbot.waitUntil(lambda: rate.findData("44100") >= 0, timeout=20_000)
+    cells["latency_s"].field.edited.emit(0.05, None)
+    cells["stand_in"].field.click()
+    cells["shift_hz"].field.edited.emit(250.0, None)
     assert player.settings.output == Output(
         device="Eight", host_api="Made up", latency_s=0.05, stand_in=True, shift_hz=250.0
     )
-    assert "All frequencies sound 250 Hz higher" in text_of(panel, "playback_words")
-    panel.fields.rate.choose("44100")
+    assert "All frequencies sound 250 Hz higher" in text_of(panel, "output_words")
+    rate.choose("44100")
     assert player.settings.output.sample_rate_hz == 44_100
 
 
 def test_each_place_has_an_output_and_two_of_them_change_places(sound, player, panel):
-    first, second = panel._rows
-    assert [round(row.output.value_si) for row in panel._rows] == [1, 2]
+    first, second = panel.rows.rows
+    assert [round(row.output.value_si) for row in panel.rows.rows] == [1, 2]
     first.output.edited.emit(2.0, None)
     assert player.settings.output.outputs == ((7, 2), (12, 1))
-    assert [round(row.output.value_si) for row in panel._rows] == [2, 1]
+    assert [round(row.output.value_si) for row in panel.rows.rows] == [2, 1]
     second.output.edited.emit(5.0, None)
     assert player.settings.output.outputs == ((7, 2), (12, 5))
 
 
-def test_a_tone_is_heard_on_the_output_of_its_place_alone(sound, player, panel, qtbot):
+def test_a_tone_is_heard_on_the_output_of_its_place_alone(sound, player, panel, qtbot, arm):
     button = panel.findChild(QToolButton, "tone_of_12")
-    assert button.text() == "Test tone"
+    assert not button.isEnabled()
+    assert "Arm" in button.toolTip()
+    arm()
     assert button.accessibleName() == "Test tone on output 2, place 12"
     assert "on output 2 alone" in button.toolTip()
     button.click()
@@ -69,17 +77,34 @@ def test_a_tone_is_heard_on_the_output_of_its_place_alone(sound, player, panel, 
     assert np.abs(samples[1]).max() == pytest.approx(0.1, rel=1e-3)
 
 
-def test_where_nothing_can_be_heard_no_tone_is_offered_and_the_button_says_why(
-    no_sound, player, panel, qtbot
-):
-    button = panel.findChild(QToolButton, "tone_of_12")
-    assert not button.isEnabled()
-    assert button.toolTip() == text_of(panel, "playback_problem") != ""
+def test_a_device_that_is_connected_later_is_found(no_sound, player, panel, qtbot):
+    assert text_of(panel, "output_problem")
     no_sound.outputs = {"New": 4}
     no_sound.default.device["output"] = 0
     panel.fields.rescan.click()
-    qtbot.waitUntil(button.isEnabled, **WAIT)
-    assert "on output 2 alone" in button.toolTip()
+    qtbot.waitUntil(lambda: not text_of(panel, "output_problem"), **WAIT)
+
+
+def test_armed_the_peak_is_shown_and_the_buttons_play_and_stop(sound, player, panel, qtbot):
+    assert not panel.play.isEnabled()
+    panel.arm.click()
+    qtbot.waitUntil(panel.play.isEnabled, **WAIT)
+    # 0.9 of full scale, at the first gain.
+    assert text_of(panel, "output_peak") == "Armed: peak \u221220.9 dBFS, on Two."
+    panel.fields.gain.edited.emit(-30.0, None)
+    assert "\u221230.9 dBFS" in text_of(panel, "output_peak")
+    player.toggle_loop()
+    panel.play.click()
+    qtbot.waitUntil(lambda: player.now is not None, **WAIT)
+    assert panel.stop.isEnabled()
+    assert text_of(panel, "output_peak").startswith("Playing")
+    stream = player.now.stream
+    panel.stop.click()
+    qtbot.waitUntil(lambda: not player.playing, **WAIT)
+    assert stream.queue.ending.reason == "stopped"
+    panel.arm.click()
+    assert not player.armed
+    assert not panel.play.isEnabled()
 
 
 def test_levels_delay_and_underruns_are_shown(sound, studio, player, panel, qtbot, listen):
@@ -87,14 +112,10 @@ def test_levels_delay_and_underruns_are_shown(sound, studio, player, panel, qtbo
     sound.streams[-1].underflows = 2
     design = studio.document.design
     studio.document.edit("Louder", design.with_input(1, amplitude=0.6))
-    qtbot.waitUntil(
-        lambda: "from an edit to the output" in text_of(panel, "playback_words"), **WAIT
-    )
-    qtbot.waitUntil(
-        lambda: "ran out of samples 2 times" in text_of(panel, "playback_words"), **WAIT
-    )
+    qtbot.waitUntil(lambda: "from an edit to the output" in text_of(panel, "output_words"), **WAIT)
+    qtbot.waitUntil(lambda: "ran out of samples 2 times" in text_of(panel, "output_words"), **WAIT)
     qtbot.waitUntil(lambda: text_of(panel, "level_of_7") == "\u221220.9 dBFS", **WAIT)
-    meter = panel._rows[0].meter
+    meter = panel.rows.rows[0].meter
     qtbot.waitUntil(lambda: -30 < meter.rms_db < -20 and meter.peak_db > -22, **WAIT)
     assert now.stream.underruns == 2
 
@@ -102,7 +123,7 @@ def test_levels_delay_and_underruns_are_shown(sound, studio, player, panel, qtbo
 def test_rows_follow_the_places_of_the_design(sound, studio, panel):
     design = studio.document.design
     studio.document.edit("Remove", design.without_input(0))
-    assert [row.place for row in panel._rows] == [12]
+    assert [row.place for row in panel.rows.rows] == [12]
     studio.document.edit("Remove", replace(design, inputs=()))
-    assert panel._rows == []
-    assert "No place is in use" in text_of(panel, "playback_words")
+    assert panel.rows.rows == []
+    assert "No place is in use" in text_of(panel, "output_words")

@@ -1,20 +1,26 @@
-"""The panel of the actuator in a window, and what it shows."""
+"""The panel of the output in a window, and what it shows."""
 
+import skinsource as ss
 from skinsource.design.design import Design, track
-from skinsource.design.panel_settings import settings_of
 from skinsource.design.waveforms.tones import Tone
-from skinsource.engine.actuator_demand import ActuatorSettings
 
 TONE = track(7, Tone(frequency_hz=100.0, duration_s=0.3), amplitude=10.0)
+COIL = ss.ActuatorAt(
+    actuator=ss.actuators.profile("example-voice-coil").title,
+    model=ss.actuators.load("example-voice-coil"),
+)
+INVERSE, POLE_PAIR, NO_EQUALISER = "RegularisedInverse", "PolePairReplacement", "NoneType"
+#: Chosen, and not predicted through.
+CHOSEN = ss.Actuation(actuators=(COIL,), equaliser=ss.equalising.RegularisedInverse(), on=False)
 
 
-def design_of(*inputs):
-    return Design(limb="synthetic-1", scaling="probe", inputs=inputs)
+def design_of(*inputs, actuation=CHOSEN):
+    return Design(limb="synthetic-1", inputs=inputs, actuation=actuation)
 
 
 def brought_forward(window, qtbot):
-    window.docks["actuator"].bring_forward()
-    panel = window.panel("actuator")
+    window.docks["output"].bring_forward()
+    panel = window.panel("output")
     qtbot.waitUntil(panel.isVisible)
     settle(window, qtbot)
     return panel
@@ -31,10 +37,6 @@ def figures(panel):
 
 def number(panel, label):
     return float(figures(panel)[label].value.split()[0])
-
-
-def settings(window):
-    return settings_of(window.document.view, "actuator", ActuatorSettings)
 
 
 def choose(panel, name, value, gesture=None):

@@ -3,38 +3,34 @@
 from dataclasses import dataclass
 from functools import lru_cache
 from math import isnan
-from typing import Any
 
 import numpy as np
 from PySide6 import QtWidgets
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QEvent, Qt
 
-from skinsource.actuators.actuator import Actuator, ResponseShape
-from skinsource.actuators.equalising import curves
+from skinsource.actuators.actuator import Actuator
+from skinsource.actuators.catalog import ActuatorProfile
+from skinsource.actuators.equalising import Equaliser, curves, mean_of
 from skinsource.actuators.prediction import Prediction, breaches
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
 from skinsource.base.measurement_conditions import LARGEST_VELOCITY_M_PER_S, Band
-from skinsource.engine.actuator_demand import LONGEST_S, ActuatorSettings, Demand
+from skinsource.engine.actuator_demand import LONGEST_S, Demand
 from skinsource.limbs.locations import input_name
 from skinsource_gui.fields.units import value_text
 from skinsource_gui.plots.curves import CurveName, Curves
 from skinsource_gui.plots.ranges import XAxis
+from skinsource_gui.qt.buttons import page_button, page_label
 from skinsource_gui.qt.layouts import in_column
-from skinsource_gui.qt.theme import UNIT_PX, set_tone, tabular
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
 from skinsource_gui.state.panel import PREPARING
 
 # Smallest drawn range of frequencies, and how far it extends beyond the band, in factors.
 _SHOWN_HZ, _BELOW, _ABOVE, _POINTS = (10.0, 2000.0), 0.4, 2.0, 500
-#: Sample rate and duration of the drawn step, and the time at which 1 V comes on.
-STEP_RATE_HZ, STEP_S, STEP_AT_S = 13_000, 0.1, 0.01
-
-TIME_AXIS = XAxis(titles=("Time (ms)",), unit="ms", factor=1e3, column="time_s")
 _BEFORE = CurveName(number=0, short="Actuator", full="The actuator alone, re its mean in the band")
 _FILTER = CurveName(number=0, short="Filter", full="Voltage that the equaliser asks for")
 _AFTER = CurveName(number=0, short="Equalised", full="Both together: what the contactor does")
 _PUBLISHED = CurveName(number=0, short="As listed", full="The actuator before it was changed")
-_ALONE = CurveName(number=0, short="1 V", full="Acceleration after 1 V came on")
 
 
 @lru_cache(maxsize=8)
@@ -64,16 +60,15 @@ def frequency_axis(band_hz: Band) -> XAxis:
     )
 
 
-def response_curves(settings: ActuatorSettings, band_hz: Band) -> Curves:
-    """Return gains over frequency: of the actuator, of the filter, and of both."""
+def response_curves(
+    model: Actuator, listed: Actuator | None, equaliser: Equaliser | None, band_hz: Band
+) -> Curves:
+    """Return gains over frequency: of the actuator, of the filter, and of both.
+
+    ``listed``: the actuator before its parameters were changed; None where it is not listed.
+    """
     frequency_hz = frequencies_of(band_hz)
-    model = settings.model
-    published: Any = settings.profile.model
     rows: list[tuple[CurveName, Floats]]
-    if isinstance(published, ResponseShape) or model is None:
-        rows = [(_BEFORE, decibels(np.abs(published.shape(frequency_hz))))]
-        return _drawn(frequency_hz, rows, "dB", ("a shape without a scale", "shape"))
-    equaliser = settings.made(model)
     if equaliser is None:
         rows = [(_BEFORE, _alone_db(model, band_hz))]
     else:
@@ -83,51 +78,23 @@ def response_curves(settings: ActuatorSettings, band_hz: Band) -> Curves:
             (_FILTER, responses.filter_db),
             (_AFTER, responses.after_db),
         ]
-    if isinstance(published, Actuator) and model != published:
-        rows.append((_PUBLISHED, _alone_db(published, band_hz)))
-    return _drawn(frequency_hz, rows, "dB re the mean in the band")
-
-
-def step_curves(settings: ActuatorSettings) -> Curves | None:
-    """Return the acceleration after a step of 1 V; None for a shape."""
-    model, published = settings.model, settings.profile.model
-    if model is None:
-        return None
-    n = int(STEP_S * STEP_RATE_HZ)
-    time_s = np.arange(n) / STEP_RATE_HZ - STEP_AT_S
-    voltage = (time_s >= 0.0).astype(float)
-    rows = [(_ALONE, model.simulate(voltage, STEP_RATE_HZ).acceleration)]
-    if isinstance(published, Actuator) and model != published:
-        rows.append((_PUBLISHED, published.simulate(voltage, STEP_RATE_HZ).acceleration))
-    return _drawn(time_s, rows, "", ("acceleration after a step of 1 V", "step of 1 V"))
+    if listed is not None and model != listed:
+        rows.append((_PUBLISHED, _alone_db(listed, band_hz)))
+    return Curves(
+        x=frequency_hz,
+        y=np.stack([values for _, values in rows]),
+        names=tuple(name for name, _ in rows),
+        kind="level",
+        level_text="dB re the mean in the band",
+        columns=tuple(f"{name.short.lower().replace(' ', '_')}_db" for name, _ in rows),
+    )
 
 
 def _alone_db(model: Actuator, band_hz: Band) -> Floats:
     frequency_hz = frequencies_of(band_hz)
     gain = np.abs(model.response(frequency_hz))
     in_band = gain[(band_hz[0] <= frequency_hz) & (band_hz[1] >= frequency_hz)]
-    moving = in_band[in_band > 0.0]
-    mean = float(np.exp(np.mean(np.log(moving)))) if moving.size else 1.0
-    return decibels(gain / mean)
-
-
-def _drawn(
-    x: Floats,
-    rows: list[tuple[CurveName, Floats]],
-    level_text: str,
-    scaling: tuple[str, ...] = (),
-) -> Curves:
-    """Return curves of rows: levels where ``level_text`` is given, else accelerations."""
-    unit = "db" if level_text else "m_per_s2"
-    return Curves(
-        x=x,
-        y=np.stack([values for _, values in rows]),
-        names=tuple(name for name, _ in rows),
-        kind="level" if level_text else "amplitude",
-        level_text=level_text,
-        scaling=scaling,
-        columns=tuple(f"{name.short.lower().replace(' ', '_')}_{unit}" for name, _ in rows),
-    )
+    return decibels(gain / mean_of(in_band)) if in_band.any() else decibels(gain)
 
 
 _DIGITS = 3
@@ -165,9 +132,9 @@ _ROWS = (
 )
 
 
-def rows_of(settings: ActuatorSettings, prediction: Prediction) -> tuple[Figure, ...]:
+def rows_of(shown: ActuatorProfile, prediction: Prediction) -> tuple[Figure, ...]:
     """Return a row for each figure that is known, with its limit."""
-    limits = settings.profile.limits
+    limits = shown.limits
     exceeded = {breach.name for breach in breaches(prediction, limits)}
     rows = []
     for label, name, unit, limit_name in _ROWS:
@@ -200,7 +167,7 @@ def _value_text(value: float, unit: str) -> str:
     return value_text(value, unit, _DIGITS)
 
 
-class FiguresTable(QtWidgets.QWidget):
+class FiguresTable(QtWidgets.QLabel):
     """A table of label, value and limit; what exceeds its limit is red.
 
     Attributes
@@ -213,29 +180,13 @@ class FiguresTable(QtWidgets.QWidget):
         super().__init__(parent)
         self.setObjectName("actuator_figures")
         self.setAccessibleName("Predicted figures")
+        self.setTextFormat(Qt.TextFormat.RichText)
         self.figures: tuple[Figure, ...] = ()
-        self._rows: list[tuple[QtWidgets.QLabel, QtWidgets.QLabel, QtWidgets.QLabel]] = []
-        self._grid = QtWidgets.QGridLayout(self)
-        self._grid.setContentsMargins(0, 0, 0, 0)
-        self._grid.setHorizontalSpacing(UNIT_PX)
-        self._grid.setVerticalSpacing(0)
-        self._grid.setColumnStretch(3, 1)
 
     def show_figures(self, figures: tuple[Figure, ...]) -> None:
         """Show these rows."""
         self.figures = figures
-        while len(self._rows) < len(figures):
-            self._add_row()
-        for row, labels in enumerate(self._rows):
-            for label in labels:
-                label.setVisible(row < len(figures))
-        for labels, figure in zip(self._rows, figures, strict=False):
-            name, value, limit = labels
-            name.setText(figure.label)
-            value.setText(figure.value)
-            limit.setText(f"of {figure.limit}" if figure.limit else "")
-            set_tone(value, "error" if figure.exceeded else "")
-            set_tone(limit, "error" if figure.exceeded else "dim")
+        self.setText(f"<table>{''.join(map(_row, figures))}</table>" if figures else "")
         self.setAccessibleDescription(
             "; ".join(
                 f"{figure.label} {figure.value}" + (", beyond its limit" if figure.exceeded else "")
@@ -243,76 +194,79 @@ class FiguresTable(QtWidgets.QWidget):
             )
         )
 
-    def _add_row(self) -> None:
-        labels = (QtWidgets.QLabel(self), QtWidgets.QLabel(self), QtWidgets.QLabel(self))
-        set_tone(labels[0], "dim")
-        labels[1].setFont(tabular(labels[1].font()))
-        labels[1].setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        for column, label in enumerate(labels):
-            self._grid.addWidget(label, len(self._rows), column)
-        self._rows.append(labels)
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self.show_figures(self.figures)
+
+
+def _row(figure: Figure) -> str:
+    """Return a row of the table, as HTML."""
+    theme = current_theme()
+    colour = theme.error if figure.exceeded else theme.text
+    limit = f"of {figure.limit}" if figure.limit else ""
+    cells = (theme.dim, "left", figure.label), (colour, "right", figure.value)
+    return "<tr>{}</tr>".format(
+        "".join(
+            f'<td align="{side}" style="color:{shade};padding-right:{UNIT_PX // 2}px">{text}</td>'
+            for shade, side, text in (*cells, (colour, "left", limit))
+        )
+    )
 
 
 _NOTHING = "Nothing plays: add an input to see what it asks of the actuator"
 
 
-class FiguresView(QtWidgets.QWidget):
-    """A heading over the table of figures, or the reason why the equaliser refuses the drive.
+class DemandView(QtWidgets.QWidget):
+    """What a design asks of the actuator, in a line, or the reason why it cannot be played.
 
     Attributes
     ----------
-    heading, refusal, limits, centred, table
-        Its parts.
+    heading, refusal, limits, mend, table
+        Its parts; the table of all figures is laid out elsewhere.
     """
-
-    #: The tap shall be replaced by one that leaves no velocity.
-    centred_requested = Signal()
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self.heading, self.refusal, self.table = (
-            QtWidgets.QLabel(),
-            QtWidgets.QLabel(),
-            FiguresTable(),
-        )
-        self.heading.setObjectName("actuator_heading")
-        self.refusal.setObjectName("actuator_refusal")
-        self.limits = QtWidgets.QLabel()
-        self.limits.setObjectName("actuator_limits")
-        set_tone(self.limits, "error")
-        for label in (self.heading, self.refusal, self.limits):
-            label.setWordWrap(True)
-            label.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
-        self.centred = QtWidgets.QPushButton("Use a centred tap")
-        self.centred.setToolTip("Let the selected clips play a tap that leaves nothing moving")
-        self.centred.clicked.connect(self.centred_requested)
-        column = in_column(
-            self.heading, self.refusal, self.limits, of=self, margins=0, gap_px=UNIT_PX // 4
-        )
-        column.addWidget(self.centred, 0, Qt.AlignmentFlag.AlignLeft)
-        column.addWidget(self.table)
+        self.heading = page_label("actuator_heading")
+        self.refusal = page_label("actuator_refusal")
+        self.limits = page_label("actuator_limits", tone="error")
+        self.table = FiguresTable()
+        self.mend = page_button("actuator_mend", "", "Change the clips so that it can follow")
+        parts = self.heading, self.refusal, self.limits
+        column = in_column(*parts, of=self, margins=0, gap_px=UNIT_PX // 4)
+        column.addWidget(self.mend, 0, Qt.AlignmentFlag.AlignLeft)
 
     def show_demand(
-        self, demand: Demand, settings: ActuatorSettings, *, tap: bool, limb: str = ""
+        self, demand: Demand, shown: ActuatorProfile | None, *, mend: str = "", limb: str = ""
     ) -> None:
-        """Show the figures of an actuator; ``tap``: a tap could be replaced by another one."""
-        rows = () if demand.figures is None else rows_of(settings, demand.figures)
+        """Show the figures of an actuator; ``mend``: the edit that lets it follow, if any."""
+        rows: tuple[Figure, ...] = ()
+        if shown is not None and demand.figures is not None:
+            rows = rows_of(shown, demand.figures)
         self.table.show_figures(rows)
-        reason = demand.refusal or ("" if demand.place is not None else _NOTHING)
+        reason = demand.refusal
+        if shown is not None and demand.place is None:
+            reason = reason or _NOTHING
         self.refusal.setText(reason)
         self.refusal.setVisible(bool(reason))
         # Silence and results that are not ready yet are no errors.
-        set_tone(self.refusal, "dim" if demand.refusal in ("", PREPARING) else "error")
+        quiet = demand.place is None or demand.refusal in ("", PREPARING)
+        set_tone(self.refusal, "dim" if quiet else "error")
         beyond = _beyond(rows)
         self.limits.setText(beyond)
         self.limits.setVisible(bool(beyond))
-        self.centred.setVisible(demand.leaves_velocity and tap)
-        place = ""
-        if demand.place is not None:
+        self.mend.setText(mend)
+        self.mend.setVisible(bool(mend))
+        text = ""
+        if shown is not None and demand.place is not None:
             place = f"Place {demand.place}, {input_name(demand.place, limb).name}"
-        part = f" · the strongest {LONGEST_S:g} s" if demand.part else ""
-        gain = " · uncalibrated gain" if place and not settings.profile.gain_calibrated else ""
-        self.heading.setText(f"{place}{part}{gain}")
+            peak = next((f": peak {row.value}" for row in rows if row.label == "Peak voltage"), "")
+            part = f", the strongest {LONGEST_S:g} s" if demand.part else ""
+            gain = "" if shown.gain_calibrated else " (uncalibrated gain)"
+            text = f"{place}{peak}{part}{gain}"
+        self.heading.setText(text)
+        self.heading.setVisible(bool(text))
 
 
 def _beyond(rows: tuple[Figure, ...]) -> str:

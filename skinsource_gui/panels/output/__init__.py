@@ -1,0 +1,1 @@
+"""The panel of all that lies between the design and the skin."""

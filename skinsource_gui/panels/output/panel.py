@@ -1,0 +1,500 @@
+"""The panel of all that lies between the design and the skin.
+
+From the skin to the device: actuator, equaliser, whether predictions go through both, rig, device,
+and the levels that are sent.  What is chosen here is exported and played.
+"""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from functools import partial
+from math import log10
+from pathlib import Path
+from typing import Any, ClassVar
+
+from PySide6 import QtWidgets
+from PySide6.QtCore import QObject, QSize, Qt, Signal
+
+from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource.actuators.catalog import load, names, profile
+from skinsource.actuators.equalising import (
+    PolePairReplacement,
+    RegularisedInverse,
+    followed_band,
+    resonance_of,
+)
+from skinsource.base.measurement_conditions import Band
+from skinsource.design import edits
+from skinsource.design.amplitudes import amplitude_unit, equaliser_of
+from skinsource.design.design import Design
+from skinsource.design.edits.edit import Edit
+from skinsource.design.edits.mending import mends
+from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.design.view import View
+from skinsource.engine.actuator_demand import Demand, listed_name, profile_of
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.specs.models import specs_of
+from skinsource.specs.numbers import NumberSpec
+from skinsource.specs.spec import ChoiceSpec, Spec
+from skinsource_gui.fields.editors import FieldCell
+from skinsource_gui.fields.grid import FieldGrid
+from skinsource_gui.fields.units import minus, value_text
+from skinsource_gui.panels.output.device import DeviceFields, OutputRows
+from skinsource_gui.panels.output.figures import (
+    DemandView,
+    frequency_axis,
+    response_curves,
+)
+from skinsource_gui.panels.output.settings import OutputSettings
+from skinsource_gui.plots.response_view import ResponseView
+from skinsource_gui.qt.buttons import page_button, page_label, tool_button
+from skinsource_gui.qt.fitting import SteadyArea
+from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.theme import UNIT_PX, set_tone
+from skinsource_gui.state.panel import Panel
+from skinsource_gui.state.playing import Played
+
+_NONE, _OWN = "none", "own"
+# By the names of their classes.
+_EQUALISERS = (
+    ("RegularisedInverse", "Regularised inverse"),
+    ("PolePairReplacement", "Pole-pair replacement"),
+    ("NoneType", "None"),
+)
+# Of a pole pair the rest follows from the actuator.
+_OF_EQUALISER = ("boost_db", "phase", "new_quality")
+
+
+def with_equaliser(actuation: Actuation, kind: str) -> Actuation:
+    """Return the same actuators with an equaliser of another kind."""
+    if kind == PolePairReplacement.__name__:
+        made = PolePairReplacement(*resonance_of(actuation.actuators[0].model))
+        return replace(actuation, equaliser=made)
+    inverse = kind == RegularisedInverse.__name__
+    return replace(actuation, equaliser=RegularisedInverse() if inverse else None)
+
+
+def with_actuator(actuation: Actuation | None, actuator: ActuatorAt) -> Actuation:
+    """Return one actuator at all places, with the equaliser that was chosen before."""
+    equaliser = RegularisedInverse() if actuation is None else actuation.equaliser
+    if isinstance(equaliser, PolePairReplacement):
+        # Its pole pair is that of one actuator.
+        pair = resonance_of(actuator.model)
+        equaliser = PolePairReplacement(*pair, equaliser.new_quality)
+    return Actuation(actuators=(actuator,), equaliser=equaliser)
+
+
+def _listed(actuation: Actuation | None) -> str | None:
+    """Return the name of the only actuator; None where it is not listed, or there are several."""
+    if actuation is None or len(actuation.actuators) > 1:
+        return None
+    return listed_name(actuation.actuators[0])
+
+
+class ActuatorChoices(QObject):
+    """Cells of actuator, equaliser and their parameters, as far as there are some.
+
+    Attributes
+    ----------
+    grid, parameters
+        The cells that are always in sight, and the parameters.
+    about, reset, open
+        Where the parameters come from; gives them back; opens a measured response.
+    """
+
+    #: The new `Actuation` or None, number of the gesture or None.
+    changed = Signal(object, object)
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._actuation: Actuation | None = None
+        self._cells: dict[str, FieldCell] = {}
+        self._cached_cells: dict[tuple[str, Spec], FieldCell] = {}
+        self.grid, self.parameters = FieldGrid(), FieldGrid()
+        self.about = page_label("actuator_about", tone="dim")
+        self.about.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
+        self.reset = page_button(
+            "actuator_reset", "As listed", "Give all parameters back the values that are listed"
+        )
+        self.reset.clicked.connect(self._reset)
+        self.open = page_button(
+            "actuator_open",
+            "Measured response…",
+            "A table of frequency_hz, gain and phase, or a recorded sweep",
+        )
+        self.show_actuation(None)
+
+    def cell(self, name: str) -> FieldCell:
+        """Return the cell of a field of model or equaliser, ``"actuator"`` or ``"equaliser"``."""
+        return self._cells[name]
+
+    def show_actuation(self, actuation: Actuation | None) -> None:
+        """Show what is chosen."""
+        self._actuation = actuation
+        name = _listed(actuation)
+        specs: dict[str, Spec] = {"actuator": _actuator_spec(actuation, name)}
+        values: dict[str, Any] = {"actuator": name or (_NONE if actuation is None else _OWN)}
+        text, changed = "Nothing is known between the drive and the skin.", False
+        if actuation is not None:
+            equaliser, model = actuation.equaliser, actuation.actuators[0].model
+            alone = len(actuation.actuators) == 1
+            specs["equaliser"] = ChoiceSpec(
+                label="Equaliser",
+                options=_EQUALISERS if alone else (_EQUALISERS[0], _EQUALISERS[2]),
+                hint="What makes the actuator move as the design says",
+            )
+            values["equaliser"] = type(equaliser).__name__
+            for part in filter(None, (equaliser, model if alone else None)):
+                for field, spec in specs_of(part).items():
+                    if isinstance(spec, NumberSpec | ChoiceSpec) and (
+                        part is model or field in _OF_EQUALISER
+                    ):
+                        specs[field], values[field] = spec, getattr(part, field)
+            text = _about_text(actuation.actuators[0]) if alone else ""
+            changed = name is not None and load(name) != model
+        for key in specs.items():
+            if key not in self._cached_cells:
+                self._cached_cells[key] = FieldCell(*key, edited=self._edit)
+        cells = {field: self._cached_cells[field, spec] for field, spec in specs.items()}
+        if cells != self._cells:
+            self._cells = cells
+            self.grid.show_cells(list(cells.values())[:2])
+            self.parameters.show_cells(list(cells.values())[2:])
+        for field, cell in cells.items():
+            cell.set_value(values[field])
+        self.about.setText(text)
+        self.reset.setVisible(changed)
+
+    def _edit(self, name: str, value: Any, gesture: object) -> None:
+        actuation, after = self._actuation, self._actuation
+        changed: dict[str, Any] = {name: value}
+        if name == "actuator" and value != _OWN:
+            after = None if value == _NONE else with_actuator(actuation, _at_all_places(value))
+        elif actuation is not None and name == "equaliser":
+            after = with_equaliser(actuation, value)
+        elif actuation is not None and name in _OF_EQUALISER and actuation.equaliser is not None:
+            after = replace(actuation, equaliser=replace(actuation.equaliser, **changed))
+        elif actuation is not None and name != "actuator":
+            (actuator,) = actuation.actuators
+            model: Any = actuator.model
+            after = with_actuator(actuation, replace(actuator, model=replace(model, **changed)))
+        if after != actuation:
+            self.changed.emit(after, gesture)
+
+    def _reset(self) -> None:
+        name = _listed(self._actuation)
+        if name is not None:
+            self.changed.emit(with_actuator(self._actuation, _at_all_places(name)), None)
+
+
+def _at_all_places(name: str) -> ActuatorAt:
+    return ActuatorAt(actuator=profile(name).title, model=load(name))
+
+
+def _actuator_spec(actuation: Actuation | None, name: str | None) -> ChoiceSpec:
+    own = () if actuation is None or name else ((_OWN, actuation.title),)
+    listed = tuple((name, profile(name).title) for name in names())
+    return ChoiceSpec(
+        label="Actuator",
+        options=((_NONE, "None"), *own, *listed),
+        hint="What moves the skin at each place",
+    )
+
+
+def _about_text(actuator: ActuatorAt) -> str:
+    shown, name = profile_of(actuator), listed_name(actuator)
+    calibration, lines = shown.calibration, [shown.source]
+    if calibration:
+        lines.append(f"Calibrated: {calibration[:1].lower()}{calibration[1:]}")
+    before: Any = shown.model if name is None else load(name)
+    changed = [
+        f"{spec.label} {value_text(getattr(before, field), spec.unit, 4)} → "
+        f"{value_text(getattr(shown.model, field), spec.unit, 4)}"
+        for field, spec in specs_of(shown.model).items()
+        if isinstance(spec, NumberSpec) and getattr(shown.model, field) != getattr(before, field)
+    ]
+    if changed:
+        lines.append(f"Changed: {', '.join(changed)}.")
+    return " ".join(lines)
+
+
+_THROUGH = "Predict through the actuator"
+_THROUGH_HINT = "All levels, maps and traces are those under this actuator"
+_VOLTS = "An amplitude of 1 is 1 V at the actuator."
+_ACCELERATIONS = "An amplitude of 1 asks the contactor for 1 m/s²."
+_NO_INPUTS = "No place is in use: click one on the hand."
+_NOT_WIRED = "The rig wires no place that is in use."
+_PLOT_PX = 190
+_LEAST = QSize(240, 160)
+
+
+class OutputPanel(Panel):
+    """Actuator, equaliser, rig and device, and what is sent to the actuators.
+
+    Figures are those of the place of the selected input.  Actuator, equaliser and rig belong to the
+    design, the device to this machine.
+    """
+
+    title: ClassVar[str] = "Output"
+    name: ClassVar[str] = "output"
+    reads_down = True
+
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._design: Design | None = None
+        self._view, self._settings, self._played = View(), OutputSettings(), Played()
+        self._drawn: object = None
+        self.choices = ActuatorChoices(self)
+        self.choices.changed.connect(self._choose)
+        self.choices.open.clicked.connect(partial(self.action_requested.emit, "open_response"))
+        self.through = QtWidgets.QCheckBox(_THROUGH)
+        self.through.setObjectName("actuator_through")
+        self.through.clicked.connect(self._go_through)
+        self.through_text = page_label("actuator_through_words", tone="dim")
+        self.figures = DemandView()
+        self.figures.mend.clicked.connect(self._mend)
+        self.computed = (self.figures, self.figures.table)
+        self.fields = DeviceFields()
+        self.fields.edit_rig.clicked.connect(partial(self.action_requested.emit, "edit_rig"))
+        self.rows = OutputRows()
+        self.arm = page_button("arm_actuators", "Arm", "Show the peak, and allow to play it")
+        self.arm.setCheckable(True)
+        self.play = page_button("play_on_actuators", "Play", "Send the design to the actuators")
+        self.play.clicked.connect(partial(self.action_requested.emit, "play_on_actuators"))
+        self.stop = page_button("stop_actuators", "Stop", "Stop within 50 ms")
+        self.stop.clicked.connect(partial(self.action_requested.emit, "play_on_actuators"))
+        self.peak = page_label("output_peak")
+        self.problem = page_label("output_problem", tone="error")
+        self.text = page_label("output_words", tone="dim")
+        for label in (self.problem, self.text):
+            label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        more_hint = "Parameters, figures, response, sample rate, delay, test tones"
+        self.more = tool_button(None, "output_more", "More", more_hint)
+        self.more.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.more.clicked.connect(self._unfold)
+        self.plot = ResponseView("actuator-plot", "Response of the actuator")
+        self.plot.setMinimumHeight(_PLOT_PX)
+        self.plot.exports.failed.connect(self.failed)
+        self.plot.exports.written.connect(self.written)
+        self._lay_out()
+        self.setFocusProxy(self.choices.cell("actuator"))
+        self._show_settings()
+        self.show_played(self._played)
+
+    @property
+    def needs(self) -> frozenset[str]:
+        """What is asked of the actuator, and of which: before any response."""
+        return frozenset({"actuator_demand", "actuator_looked_at"})
+
+    def sizeHint(self) -> QSize:
+        return QSize(440, 480)
+
+    def minimumSizeHint(self) -> QSize:
+        # Fields scroll down, never sideways.
+        bar = self.style().pixelMetric(QtWidgets.QStyle.PixelMetric.PM_ScrollBarExtent)
+        return QSize(self._content.minimumSizeHint().width() + bar, 0).expandedTo(_LEAST)
+
+    def show_state(self, design: Design, view: View) -> None:
+        self._design, self._view = design, view
+        self._settings = settings_of(view, self.name, OutputSettings)
+        self.rows.show_limb(design.limb)
+        if self.isVisible():
+            self._show_settings()
+            self.show_played(self._played)
+
+    def show_results(self, results: Mapping[str, Any]) -> None:
+        self._show_settings()
+        demand: Demand = results["actuator_demand"]
+        edit = self._mending() if demand.leaves_velocity else None
+        self.figures.show_demand(
+            demand,
+            results["actuator_looked_at"],
+            mend="" if edit is None else edit.label,
+            limb="" if self._design is None else self._design.limb,
+        )
+
+    def show_problem(self, reason: str) -> None:
+        self.figures.show_demand(Demand(place=None, refusal=reason), None)
+
+    def show_folder(self, folder: Path) -> None:
+        self.plot.exports.folder = folder
+
+    def show_played(self, played: Played) -> None:
+        """Take over what is played and how loud; called while the panel is visible."""
+        self._played = played
+        self.problem.setText(played.missing)
+        self.problem.setVisible(bool(played.missing))
+        own = None if self._design is None else self._design.rig
+        self.fields.show_played(played, None if own is None else own.title or "Rig")
+        self.rows.show_played(played)
+        self.arm.setChecked(played.actuators != "off")
+        self.arm.setText({"off": "Arm"}.get(played.actuators, "Armed"))
+        self.play.setEnabled(played.actuators == "armed")
+        self.stop.setEnabled(played.on_actuators)
+        self.peak.setText(peak_text(played))
+        set_tone(self.peak, "warning" if played.peak is not None else "dim")
+        self._show_text(played)
+
+    def _lay_out(self) -> None:
+        """Lay the parts out from the skin to the device."""
+        self._details, choices = QtWidgets.QWidget(), self.choices
+        in_column(
+            choices.parameters,
+            choices.about,
+            in_row(choices.reset, choices.open, None),
+            self.figures.table,
+            self.plot,
+            self.fields.details,
+            of=self._details,
+            margins=0,
+            gap_px=UNIT_PX // 2,
+        )
+        parts = (
+            choices.grid,
+            self.through,
+            self.through_text,
+            self.figures,
+            self.fields.main,
+            self.rows,
+            in_row(self.arm, self.play, self.stop, None),
+            self.peak,
+            self.problem,
+            self.text,
+            in_row(self.more, None),
+            self._details,
+            None,
+        )
+        self._content = QtWidgets.QWidget()
+        margins = (UNIT_PX, UNIT_PX // 2, UNIT_PX // 2, UNIT_PX)
+        in_column(*parts, of=self._content, margins=margins, gap_px=UNIT_PX // 2)
+        scroll = SteadyArea()
+        scroll.setObjectName("output_scroll")
+        scroll.setFrameShape(SteadyArea.Shape.NoFrame)
+        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        scroll.setWidget(self._content)
+        in_column(scroll, of=self, margins=0)
+
+    def _show_settings(self) -> None:
+        design, settings = self._design, self._settings
+        actuation = None if design is None else design.actuation
+        band = _band_of("" if design is None else design.limb)
+        drawn = actuation, settings, band
+        if drawn == self._drawn:
+            return
+        self._drawn = drawn
+        self.choices.show_actuation(actuation)
+        self._show_through(actuation)
+        self.more.setText("Less" if settings.more else "More")
+        arrow = Qt.ArrowType.DownArrow if settings.more else Qt.ArrowType.RightArrow
+        self.more.setArrowType(arrow)
+        self._details.setVisible(settings.more)
+        self.rows.unfold(settings.more)
+        for part in (self.plot, self.figures.table):
+            part.setVisible(actuation is not None)
+        self._show_plot()
+
+    def _show_plot(self) -> None:
+        design = self._design
+        if design is None or design.actuation is None or not self._settings.more:
+            return
+        band, actuator = _band_of(design.limb), design.actuation.actuators[0]
+        name, model = listed_name(actuator), actuator.model
+        before = None if name is None else load(name)
+        curves = response_curves(model, before, design.actuation.equaliser, band)
+        self.plot.show_over(frequency_axis(band), curves)
+
+    def _show_through(self, actuation: Actuation | None) -> None:
+        on = actuation is not None and actuation.on
+        self.through.setChecked(on)
+        self.through.setEnabled(actuation is not None)
+        self.through.setToolTip(_THROUGH_HINT if actuation is not None else "Choose one first")
+        volts = actuation is not None and actuation.equaliser is None
+        self.through_text.setText(_VOLTS if volts else _ACCELERATIONS)
+        self.through_text.setVisible(on)
+
+    def _show_text(self, played: Played) -> None:
+        sentences = [] if played.wired else [_NOT_WIRED if played.rig_title else _NO_INPUTS]
+        if played.rig_title and self._design is not None and self._design.rig is None:
+            sentences.append(f"The design has no rig; this machine plays for {played.rig_title}.")
+        if played.output.stand_in:
+            sentences.append(
+                f"All frequencies sound {played.output.shift_hz:g} Hz higher than they are felt."
+            )
+        sentences.append(self._meaning(played))
+        if played.delay is not None:
+            sentences.append(f"{played.delay.text}.")
+        if played.underruns:
+            sentences.append(
+                f"The device ran out of samples {played.underruns} times: choose a longer delay."
+            )
+        text = "\n".join(sentences)
+        if text != self.text.text():
+            self.text.setText(text)
+
+    def _meaning(self, played: Played) -> str:
+        """Return what a gain of 0 dB means, and whether it is calibrated."""
+        design, unit = self._design, "m/s²"
+        if design is not None:
+            unit = "V" if equaliser_of(design) is not None else amplitude_unit(design)
+        calibrated = played.rig_title and not played.output.stand_in
+        meaning = f"an amplitude of 1{'' if unit == '×' else f' {unit}'} is full scale"
+        if unit == "V":
+            meaning = "1 V for the actuator is full scale"
+            if calibrated:
+                meaning = "the actuators get the volts of the design"
+        calibration = "Uncalibrated: what reaches the skin depends on amplifier and actuator"
+        if calibrated:
+            calibration = f"{played.calibration[:1].upper()}{played.calibration[1:]}"
+        return f"At a gain of 0 dB {meaning}. {calibration}."
+
+    def _mending(self) -> Edit | None:
+        """Return the edit that lets the actuator follow the selected input; None: there is none."""
+        design, id = self._design, self._view.selected_input
+        if design is None or design.actuation is None or id not in design.ids:
+            return None
+        through = replace(design, actuation=replace(design.actuation, on=True))
+        edit = mends(through, self._view, id)[0]
+        if edit.design.input(id).muted:
+            return None
+        return replace(edit, design=replace(edit.design, actuation=design.actuation))
+
+    def _mend(self) -> None:
+        edit = self._mending()
+        if edit is not None:
+            self.edited.emit(edit, None)
+
+    def _go_through(self, on: bool) -> None:
+        design = self._design
+        if design is not None and design.actuation is not None:
+            through = replace(design.actuation, on=on)
+            self.edited.emit(edits.predict_through(design, self._view, through), None)
+            # After a refusal the box shows the state of the design again.
+            self._show_through(self._design.actuation if self._design else None)
+
+    def _choose(self, actuation: Actuation | None, gesture: int | None = None) -> None:
+        if self._design is not None:
+            outcome = edits.choose_actuation(self._design, self._view, actuation)
+            self.edited.emit(outcome, gesture)
+
+    def _unfold(self) -> None:
+        settings = OutputSettings(more=not self._settings.more)
+        self.view_changed.emit(with_settings(self._view, self.name, settings))
+
+
+def peak_text(played: Played) -> str:
+    """Return the text on the largest sample that would be sent at the present gain."""
+    peak = played.peak
+    if peak is None:
+        return "Actuators off: nothing is sent to them."
+    factor = 10.0 ** (played.gain_db / 20.0)
+    if peak.full_scale == 0.0:
+        return f"Armed: silence on {peak.device}."
+    level_db = 20.0 * log10(peak.full_scale * factor)
+    volts = "" if peak.volts is None else f", {value_text(peak.volts * factor, 'V', 3)}"
+    state = "Playing" if played.on_actuators else "Armed"
+    return f"{state}: peak {minus(f'{level_db:z.1f}')} dBFS{volts}, on {peak.device}."
+
+
+def _band_of(limb: str) -> Band:
+    """Return the band in which drives are followed on a limb."""
+    facts = facts_of(limb)
+    return followed_band(facts.band_hz, facts.sample_rate_hz)

@@ -1,1 +1,0 @@
-"""Panel of what this machine plays on."""
