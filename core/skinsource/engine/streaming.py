@@ -18,7 +18,6 @@ from skinsource.engine.drives import active_samples, delayed
 from skinsource.engine.moments import Moments, Projection
 from skinsource.engine.spectra import Stack, TotalSpectrum
 from skinsource.engine.transforms import (
-    OUTPUTS_AT_ONCE,
     Blocks,
     ChannelsOnDemand,
     Played,
@@ -31,6 +30,8 @@ from skinsource.signals.loudest_window import LoudestEnergy, loudest_energy, win
 
 # Blocks whose spectra are one matrix product: enough for it to pay.
 _GROUP = 4
+# Outputs that are transformed back to time at once, between two questions whether to stop.
+_OUTPUTS_AT_ONCE = 18
 
 
 class StreamedVibration:
@@ -272,8 +273,8 @@ class Vibration:
 
 def output_groups(n_outputs: int) -> Iterator[Indices]:
     """Yield numbers of outputs, counted from 0, that are transformed back to time at once."""
-    for first in range(0, n_outputs, OUTPUTS_AT_ONCE):
-        yield np.arange(first, min(first + OUTPUTS_AT_ONCE, n_outputs))
+    for first in range(0, n_outputs, _OUTPUTS_AT_ONCE):
+        yield np.arange(first, min(first + _OUTPUTS_AT_ONCE, n_outputs))
 
 
 def projected_signals(total: TotalSpectrum, projection: Projection, outputs: Indices) -> Floats:
