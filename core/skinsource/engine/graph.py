@@ -116,8 +116,8 @@ class Graph:
         for need in self._needs[name]:
             self._add(need, known, steps)
         # ``stop`` is passed on, but the result does not depend on it.
-        needs = tuple(need for need in self._needs[name] if need != "stop")
-        steps[name] = _Step(name, self._rules[name], needs, "stop" in self._needs[name])
+        takes_stop = "stop" in self._needs[name]
+        steps[name] = _Step(name, self._rules[name], self.needs_of(name), takes_stop)
 
     def _refresh(self, step: "_Step", known: dict[str, Any]) -> Any:
         name = step.name

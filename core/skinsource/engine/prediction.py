@@ -136,7 +136,8 @@ def predict(
     n_locations = len({location for _, location, _ in played})
     n_fft = length_at_once(response_samples, n_locations, limb.n_outputs * limb.n_axes)
     if n_fft is None:
-        return _streamed(limb, played, scaling, response_samples).everything()
+        streamed = _streamed(limb, played, scaling, response_samples)
+        return streamed.traces(*streamed.every_channel)
     return _at_once(
         limb, played, scaling, response_samples, _shorter_length(n_fft, response_samples)
     )

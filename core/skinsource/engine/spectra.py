@@ -26,7 +26,6 @@ from skinsource.engine.memory import (
 )
 from skinsource.engine.transforms import (
     Channel,
-    driven,
     forward,
     forward_here,
     inverse_here,
@@ -395,8 +394,7 @@ class ExactSpectra:
         """
 
         def spectra(channels: list[Channel]) -> Complexes:
-            drive = forward(samples, n_times)
-            return driven(self._responses(taps, name, n_times, channels), drive)
+            return self._responses(taps, name, n_times, channels) * forward(samples, n_times)
 
         return spectra
 

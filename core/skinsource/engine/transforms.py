@@ -70,11 +70,6 @@ def rows_of(spectrum: Complexes, channels: list[Channel]) -> Complexes:
     return np.array([spectrum[output - 1, axis] for output, axis in channels])
 
 
-def driven(rows: Complexes, drive: Complexes) -> Complexes:
-    """Multiply rows with the spectrum of a drive, (n_bins,), in place, and return them."""
-    return np.multiply(rows, drive, out=rows)
-
-
 class ChannelsOnDemand:
     """A vibration as a spectrum, whose channels are transformed back to time when requested.
 
