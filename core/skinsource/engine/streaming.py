@@ -215,7 +215,7 @@ class Vibration:
         others = None if self.others is None else self.others.traces(outputs, axes)
         if self.edited is None or self.weight == 0.0:
             shape = len(outputs), len(axes), self.n_times
-            return np.zeros(shape) if others is None else others.copy()
+            return np.zeros(shape) if others is None else others
         unit, start = self.edited.traces(outputs, axes), self.delay_samples
         total = np.empty(unit.shape)
         total[..., :start] = 0.0

@@ -109,60 +109,34 @@ class ChannelsOnDemand:
         self._n_fft = n_fft
         self._active = active
         self._exact_spectra = exact_spectra
-        self._traces = _Channels(np.empty((0, active.size)))
-        self._trace_spectra = _Channels(np.empty((0, active.size // 2 + 1), np.complex128))
+        self._traces: dict[Channel, Floats] = {}
+        self._trace_spectra: dict[Channel, Complexes] = {}
 
     def traces(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> Floats:
         """Return the acceleration of some outputs, (n_outputs, n_axes, n_times)."""
-        missing = self._traces.missing(outputs, axes)
+        channels = [(output, axis) for output in outputs for axis in axes]
+        missing = [channel for channel in channels if channel not in self._traces]
         if missing:
             samples = inverse(self._spectra(missing), self._n_fft)[:, : self._active.size]
             np.copyto(samples, 0.0, where=~self._active)
-            self._traces.add(missing, samples)
-        return self._traces.of(outputs, axes)
+            self._traces.update(zip(missing, samples, strict=True))
+        rows = np.array([self._traces[channel] for channel in channels])
+        return rows.reshape(len(outputs), len(axes), self._active.size)
 
     def trace_spectra(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> Complexes:
         """Return spectra over exactly n_times samples, (n_outputs, n_axes, n_times // 2 + 1)."""
-        missing = self._trace_spectra.missing(outputs, axes)
+        channels = [(output, axis) for output in outputs for axis in axes]
+        missing = [channel for channel in channels if channel not in self._trace_spectra]
         if missing:
             if self._exact_spectra is None:
                 self.traces(outputs, axes)
-                traces = np.array([self._traces.known[channel] for channel in missing])
+                traces = np.array([self._traces[channel] for channel in missing])
                 spectra = forward(traces, self._active.size)
             else:
                 spectra = self._exact_spectra(missing)
-            self._trace_spectra.add(missing, spectra)
-        return self._trace_spectra.of(outputs, axes)
-
-
-class _Channels:
-    """Remembers single channels, and the latest selection of them as one array."""
-
-    __slots__ = ("_latest", "known")
-
-    def __init__(self, none: np.ndarray) -> None:
-        self.known: dict[Channel, np.ndarray] = {}
-        self._latest: tuple[list[Channel], np.ndarray] = [], none
-
-    def missing(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> list[Channel]:
-        return [channel for channel in _all(outputs, axes) if channel not in self.known]
-
-    def add(self, channels: list[Channel], rows: np.ndarray) -> None:
-        self.known.update(zip(channels, rows, strict=True))
-        self._latest = channels, rows
-
-    def of(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> np.ndarray:
-        selected = _all(outputs, axes)
-        channels, rows = self._latest
-        if channels != selected:
-            rows = np.array([self.known[channel] for channel in selected], rows.dtype)
-            rows = rows.reshape(len(selected), self._latest[1].shape[-1])
-            self._latest = selected, rows
-        return rows.reshape(len(outputs), len(axes), rows.shape[-1])
-
-
-def _all(outputs: tuple[int, ...], axes: tuple[int, ...]) -> list[Channel]:
-    return [(output, axis) for output in outputs for axis in axes]
+            self._trace_spectra.update(zip(missing, spectra, strict=True))
+        rows = np.array([self._trace_spectra[channel] for channel in channels], np.complex128)
+        return rows.reshape(len(outputs), len(axes), self._active.size // 2 + 1)
 
 
 def run_on_two_threads(tasks: Iterable[Callable[[], None]]) -> None:
