@@ -199,9 +199,9 @@ def _at_once(
     response_samples: int,
     n_fft: int,
 ) -> Floats:
-    vibration = np.zeros((limb.n_outputs, limb.n_axes, response_samples))
+    vibration = np.empty((limb.n_outputs, limb.n_axes, response_samples))
     if not placed_drives:
-        return vibration
+        return np.zeros_like(vibration)
     drives, locations, amplitudes = (list(column) for column in zip(*placed_drives, strict=True))
     spectra = [forward(drive.samples, n_fft) for drive in drives]
     responses: Sequence[Response]

@@ -56,9 +56,13 @@ class Response:
     taps: Floats
     n_fft: int
 
-    def spectra(self, outputs: slice) -> Complexes:
-        """Return the spectra of some outputs, (n, n_axes, n_fft // 2 + 1)."""
-        return forward_here(self.taps[outputs], self.n_fft)
+    def driven(self, outputs: slice, drive: Complexes, out: Complexes | None = None) -> Complexes:
+        """Return the spectra of some outputs, (n, n_axes, n_bins), times that of a drive.
+
+        They are written to ``out`` where it is given, else to a new array.
+        """
+        spectra = forward_here(self.taps[outputs], self.n_fft)
+        return np.multiply(spectra, drive, out=spectra if out is None else out)
 
     @cached_property
     def norms(self) -> Floats:
@@ -78,9 +82,9 @@ class ResponseSpectrum(Response):
 
     values: Complexes
 
-    def spectra(self, outputs: slice) -> Complexes:
-        """Return the spectra of some outputs, (n, n_axes, n_fft // 2 + 1)."""
-        return self.values[outputs]
+    def driven(self, outputs: slice, drive: Complexes, out: Complexes | None = None) -> Complexes:
+        """Return the spectra of some outputs, (n, n_axes, n_bins), times that of a drive."""
+        return np.multiply(self.values[outputs], drive, out=out)
 
     @cached_property
     def rows(self) -> Complexes:
@@ -146,17 +150,17 @@ def superpose(
     """
     n_outputs, n_axes, _ = vibration.shape
     n_bins, n_fft, in_time = drives[0].size, responses[0].n_fft, vibration.dtype.kind == "f"
-    parts = parts_of(n_outputs, n_axes * n_bins)
+    # Several drives need a second array.
+    parts = parts_of(n_outputs, n_axes * n_bins * min(len(drives), 2))
     # Rows in one piece are multiplied faster than row by row.
     tiled = [np.tile(drive, (parts[0].stop, n_axes, 1)) for drive in drives]
 
     def compute(part: slice) -> None:
-        shape = part.stop - part.start, n_axes, n_bins
-        total = np.empty(shape, np.complex128) if in_time else vibration[part]
-        buffer = np.empty(shape, np.complex128)
-        np.multiply(responses[0].spectra(part), tiled[0][: len(total)], out=total)
-        for response, drive in zip(responses[1:], tiled[1:], strict=True):
-            total += np.multiply(response.spectra(part), drive[: len(total)], out=buffer)
+        played = [drive[: part.stop - part.start] for drive in tiled]
+        total = responses[0].driven(part, played[0], None if in_time else vibration[part])
+        buffer = np.empty_like(total)
+        for response, drive in zip(responses[1:], played[1:], strict=True):
+            total += response.driven(part, drive, buffer)
         if in_time:
             vibration[part] = inverse_here(total, n_fft)[..., : vibration.shape[-1]]
 
