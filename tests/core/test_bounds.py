@@ -36,7 +36,7 @@ DRIVES = {
 
 def response_of(taps: np.ndarray, n_times: int) -> ResponseSpectrum:
     n_fft = transform_length(n_times + N_TAPS - 1)
-    return ResponseSpectrum(taps, forward(taps, n_fft), n_fft)
+    return ResponseSpectrum(taps, n_fft, forward(taps, n_fft))
 
 
 def bounds_of(samples: np.ndarray, taps: np.ndarray) -> np.ndarray:

@@ -349,7 +349,7 @@ def test_outputs_that_move_alike_in_all_directions_are_named(limb_of):
 
 
 def response_of(taps: np.ndarray, n_fft: int) -> ResponseSpectrum:
-    return ResponseSpectrum(taps, forward(taps, n_fft), n_fft)
+    return ResponseSpectrum(taps, n_fft, forward(taps, n_fft))
 
 
 @pytest.mark.parametrize("waveform", [Tone(), Impulse(), Noise(seed=1), Noise(duration_s=8.0)])

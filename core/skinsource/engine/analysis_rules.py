@@ -22,10 +22,10 @@ from skinsource.design.view import View
 from skinsource.engine import level_rules
 from skinsource.engine.actuator_demand import Demand, demand_of, profile_of
 from skinsource.engine.gains import Placed, Responses
-from skinsource.engine.moments import Moments, Projection
+from skinsource.engine.moments import Moments, Projection, energies_of
 from skinsource.engine.spectra import TotalSpectrum
 from skinsource.engine.streaming import StreamedVibration, Vibration, loudest_energies
-from skinsource.engine.transforms import Played, forward
+from skinsource.engine.transforms import Played, forward, transform_length
 from skinsource.limbs.limb import PUBLISHED, Limb
 from skinsource.limbs.scaling import Scaling, per_probe_acceleration
 from skinsource.limbs.surface.operator import SurfaceOperator
@@ -130,8 +130,18 @@ def noise_energy(
     noise = noise_of_places(place_drives, limb_data)
     if noise is None:
         return None
-    drives = shaped_drives(place_drives, limb_data, scaling, actuation)
-    return match_gain**2 * predicted_noise_energy(drives, noise, limb_data.n_taps)
+    energies = {
+        location: _energy_after(played, noise_path(limb_data, scaling, actuation, location))
+        for location, played in place_drives
+    }
+    return match_gain**2 * predicted_noise_energy(energies, noise, limb_data.n_taps)
+
+
+def _energy_after(played: Floats, path: Floats) -> float:
+    # By Parseval: each stimulus of a sweep asks for it.
+    n_fft = transform_length(played.size + path.size - 1)
+    spectrum = scipy.fft.rfft(played, n_fft) * scipy.fft.rfft(path, n_fft)
+    return float(energies_of(spectrum[None], n_fft)[0])
 
 
 def output_noise_rms(

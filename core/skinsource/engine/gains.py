@@ -28,6 +28,7 @@ from skinsource.engine.memory import GAINS_BYTES, Memory
 from skinsource.engine.spectra import (
     BAND_BINS,
     ExactSpectra,
+    Response,
     ResponseSpectra,
     ResponseSpectrum,
     Stack,
@@ -79,11 +80,11 @@ def channel_bounds(
     tight
         Whether the bound over frequency is used too, which takes long to prepare.
     """
-    section_norms = np.array([response.norms.sections for response in responses])
+    section_norms = np.array([response.section_norms for response in responses])
     bounds: Floats = (
-        section_norms @ _largest_norms(samples, responses[0].norms.section_lengths)[:, :, None]
+        section_norms @ _largest_norms(samples, responses[0].section_lengths)[:, :, None]
     )[:, :, 0]
-    by_peak = np.array([response.norms.absolute_sums for response in responses])
+    by_peak = np.array([response.absolute_sums for response in responses])
     by_peak *= np.abs(samples).max(axis=-1, initial=0.0)[:, None]
     np.minimum(bounds, by_peak, out=bounds)
     if tight:
@@ -292,27 +293,22 @@ def unit_gains(
     tight
         As in `channel_bounds`.
     """
-    samples = [drive.samples for drive in drives]
-    peaks = peaks_of(samples, spectra, responses, stop, tight=tight)
-    # The factor of the drive cancels: the vibration reaches the amplitude in any case.
+    peaks = peaks_of([drive.samples for drive in drives], spectra, responses, stop, tight=tight)
     return [
-        1.0 / peak.value if is_positive(peak, drive, response) else drive.factor
+        unit_gain(peak.value, drive, response)
         for drive, peak, response in zip(drives, peaks, responses, strict=True)
     ]
 
 
-def is_positive(peak: Peak, drive: Drive, response: ResponseSpectrum) -> bool:
-    """Return whether a maximum is above 0 by more than the rounding of the transforms."""
-    return exceeds_rounding(peak.value, drive, response.norms.energies.max(), response.n_fft)
+def unit_gain(largest: float, drive: Drive, response: Response) -> float:
+    """Return the factor of the vibration by the scaled samples of a drive from its signed maximum.
 
-
-def exceeds_rounding(largest: float, drive: Drive, energy: float, n_fft: int) -> bool:
-    """Return whether a sample is above the rounding of transforms of ``drive`` and a response.
-
-    ``energy`` is the norm of the response, or a bound of it.
+    The factor of the drive cancels: the vibration reaches the amplitude in any case.  It is left as
+    it is where no sample is above 0 by more than the rounding of the transforms.
     """
-    norms = float(np.linalg.norm(drive.samples) * energy)
-    return largest >= max(_SMALLEST, rounding_bound(norms, n_fft))
+    norms = float(np.linalg.norm(drive.samples) * response.norms.max())
+    is_positive = largest >= max(_SMALLEST, rounding_bound(norms, response.n_fft))
+    return 1.0 / largest if is_positive else drive.factor
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -485,8 +481,7 @@ class ExactVoice:
 
     def rounding(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> float:
         """Return what rounding is proportional to: norms of drive and strongest response."""
-        energies = self.response.norms.energies.reshape(self.response.taps.shape[:2])
-        strongest = energies[[output - 1 for output in outputs]][:, list(axes)].max()
+        strongest = self.response.norms[[output - 1 for output in outputs]][:, list(axes)].max()
         return float(abs(self.weight) * np.linalg.norm(self.drive.samples) * strongest)
 
 
@@ -506,8 +501,7 @@ def exact_gains(
         unit_voice = ExactVoice(drive=drive, delay_samples=0, weight=1.0, response=response)
         output, axis = divmod(peak.channel, response.taps.shape[1])
         value = float(unit_voice.exact(output + 1, axis, peak.time))
-        positive = is_positive(peak, drive, response) and value > 0.0
-        gains.append(1.0 / value if positive else drive.factor)
+        gains.append(unit_gain(value, drive, response))
     return gains
 
 

@@ -16,7 +16,7 @@ import numpy as np
 
 from skinsource.base.job import Stop, never, stop_if
 from skinsource.base.quoting import quoted
-from skinsource.base.work import Work, counting, tally
+from skinsource.base.work import Work, counting
 
 
 class UnknownQuantity(LookupError):
@@ -89,8 +89,8 @@ class Graph:
         """Return the ``wanted`` quantities, starting from the ``given`` ones.
 
         ``stop`` is called before each rule runs; once it returns True,
-        `skinsource.base.errors.Stopped` is raised.  A rule that takes long has a parameter ``stop``
-        and calls it itself.
+        `skinsource.base.errors.Stopped` is raised.  A rule that takes long has a last parameter
+        ``stop`` and calls it itself.
         """
         known = {"stop": stop, **given}
         wanted = frozenset(wanted)
@@ -116,8 +116,8 @@ class Graph:
         for need in self._needs[name]:
             self._add(need, known, steps)
         # ``stop`` is passed on, but the result does not depend on it.
-        needs = tuple(need for need in self._needs[name] if need != "stop")
-        steps[name] = _Step(name, self._rules[name], needs, "stop" in self._needs[name])
+        takes_stop = "stop" in self._needs[name]
+        steps[name] = _Step(name, self._rules[name], self.needs_of(name), takes_stop)
 
     def _refresh(self, step: "_Step", known: dict[str, Any]) -> Any:
         name = step.name
@@ -130,12 +130,10 @@ class Graph:
             # Arrays are never compared, so the old one, which may be large, is freed first.
             del self._memo[name]
             memo = None
-        arguments = dict(zip(step.needs, inputs, strict=True))
-        if step.takes_stop:
-            arguments["stop"] = known["stop"]
-        result = step.rule(**arguments)
+        stop = {"stop": known["stop"]} if step.takes_stop else {}
+        result = step.rule(*inputs, **stop)
         self.runs[name] += 1
-        tally(rules_run=1)
+        self.work.rules_run += 1
         _freeze(result)  # it is remembered, and other threads read it
         if memo is not None and _same(memo[1], result):
             result = memo[1]  # equal, so that results that depend on it stay valid

@@ -53,16 +53,16 @@ def moments_of(spectra: Complexes, n_fft: int, *, products: bool) -> Moments:
     n_axes = spectra.shape[1]
     second = np.zeros((*spectra.shape[:2], n_axes))
     for a in range(n_axes):
-        second[:, a, a] = _product_sum(spectra[:, a], spectra[:, a])
-    for a, b in pairs(n_axes) if products else ():
-        second[:, a, b] = second[:, b, a] = _product_sum(spectra[:, a], spectra[:, b])
+        others = slice(a, n_axes if products else a + 1)
+        second[:, a, others] = _product_sum(spectra[:, a : a + 1], spectra[:, others])
+        second[:, others, a] = second[:, a, others]
     return Moments(second / n_fft, spectra[:, :, 0].real.copy())
 
 
 def _product_sum(left: Complexes, right: Complexes) -> Floats:
     # All bins count twice, but for both ends of the spectrum.
     whole = np.vecdot(left.view(np.float64), right.view(np.float64))
-    ends = left[:, 0].real * right[:, 0].real + left[:, -1].real * right[:, -1].real
+    ends = left[..., 0].real * right[..., 0].real + left[..., -1].real * right[..., -1].real
     result: Floats = 2.0 * whole - ends
     return result
 

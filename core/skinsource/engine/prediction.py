@@ -6,8 +6,8 @@ paper).  Spectra of responses and gains of drives are remembered for all threads
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from functools import cache, partial
+from collections.abc import Iterable, Sequence
+from functools import cache
 from hashlib import sha256
 from itertools import islice
 from weakref import ref
@@ -20,114 +20,22 @@ from skinsource.base.arguments import checking, real_array
 from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import check_input_location
-from skinsource.base.work import tally
 from skinsource.design.signal_path import LARGEST, Drive, check_drive, drive_of, first_unusable
 from skinsource.engine.drives import active_samples
-from skinsource.engine.gains import Gains, exceeds_rounding, unit_gains
+from skinsource.engine.gains import Gains, unit_gain, unit_gains
 from skinsource.engine.memory import PREDICT_BYTES, PREDICT_GAINS_BYTES
 from skinsource.engine.spectra import (
+    Response,
     ResponseSpectra,
     ResponseSpectrum,
     actuated_limb,
-    scaled_taps,
+    superpose,
 )
 from skinsource.engine.streaming import StreamedVibration
-from skinsource.engine.transforms import (
-    Blocks,
-    Played,
-    add_up,
-    forward,
-    forward_in_parts,
-    inverse_here,
-    length_at_once,
-    parts_of,
-    run_on_two_threads,
-)
+from skinsource.engine.transforms import Blocks, Played, forward, length_at_once
 from skinsource.limbs.catalog import limb_of
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.scaling import Scaling, check_scaling
-
-
-def superposed(
-    responses: Sequence[ResponseSpectrum],
-    drives: Sequence[Complexes],
-    shape: tuple[int, int, int],
-    n_fft: int,
-) -> Floats:
-    """Return the vibration by ``drives``, (n_outputs, 3 axes, n_times), m/s².
-
-    Some outputs at a time go from spectra to samples: they stay in the cache of a core.
-
-    Parameters
-    ----------
-    responses
-        To the location of each drive.
-    drives : (n_fft // 2 + 1,) each
-        Spectra, at least one.
-    shape
-        Outputs, axes and samples of the vibration.
-    """
-    vibration = np.empty(shape)
-
-    def compute(part: slice) -> None:
-        spectra = [response.values[part] for response in responses]
-        total = np.empty_like(spectra[0])
-        add_up(spectra, drives, total)
-        vibration[part] = inverse_here(total, n_fft)[..., : shape[-1]]
-
-    run_on_two_threads(partial(compute, part) for part in parts_of(shape[0]))
-    tally(inverse_transforms=shape[0] * shape[1])
-    return vibration
-
-
-def single_response(
-    responses: Floats | ResponseSpectrum,
-    drive: Complexes,
-    shape: tuple[int, int, int],
-    n_fft: int,
-) -> tuple[Floats, float]:
-    """Return the vibration by one drive, (n_outputs, 3 axes, n_times), and its maximum, m/s².
-
-    One thread computes it: a second one gains little in a few milliseconds, and makes it slower
-    where no processor is free.
-
-    Parameters
-    ----------
-    responses
-        To the location of the drive: samples, (n_outputs, 3 axes, n_taps), or spectra.
-    drive : (n_fft // 2 + 1,)
-        Its spectrum.
-    shape
-        Outputs, axes and samples of the vibration.
-    """
-    n_outputs, n_axes, n_times = shape
-    vibration, largest = np.empty(shape), -np.inf
-    at_once = max(1, _SAMPLES_AT_ONCE // (n_axes * n_fft))
-    for part, spectra in _spectra_in_parts(responses, drive, n_fft, at_once):
-        piece = vibration[part]
-        piece[:] = inverse_here(spectra, n_fft)[..., :n_times]
-        largest = max(largest, float(piece.max()))
-    tally(inverse_transforms=n_outputs * n_axes)
-    return vibration, largest
-
-
-def _spectra_in_parts(
-    responses: Floats | ResponseSpectrum, drive: Complexes, n_fft: int, at_once: int
-) -> Iterator[tuple[slice, Complexes]]:
-    if isinstance(responses, ResponseSpectrum):
-        for low in range(0, len(responses.values), at_once):
-            part = slice(low, low + at_once)
-            yield part, responses.values[part] * drive
-    else:
-        for part, spectra in forward_in_parts(responses, n_fft, at_once):
-            # Nobody else uses them.
-            spectra *= drive
-            yield part, spectra
-        tally(forward_transforms=responses.shape[0] * responses.shape[1])
-
-
-# So many spectra and samples fit into the cache of a core, with the responses.
-_SAMPLES_AT_ONCE = 2**16
 
 
 def _gains_of(
@@ -228,7 +136,8 @@ def predict(
     n_locations = len({location for _, location, _ in played})
     n_fft = length_at_once(response_samples, n_locations, limb.n_outputs * limb.n_axes)
     if n_fft is None:
-        return _streamed(limb, played, scaling, response_samples).everything()
+        streamed = _streamed(limb, played, scaling, response_samples)
+        return streamed.traces(*streamed.every_channel)
     return _at_once(
         limb, played, scaling, response_samples, _shorter_length(n_fft, response_samples)
     )
@@ -290,13 +199,33 @@ def _at_once(
     response_samples: int,
     n_fft: int,
 ) -> Floats:
-    shape = limb.n_outputs, limb.n_axes, response_samples
+    vibration = np.empty((limb.n_outputs, limb.n_axes, response_samples))
     if not placed_drives:
-        return np.zeros(shape)
-    drives = [drive for drive, _, _ in placed_drives]
-    played = [forward(drive.samples, n_fft) for drive in drives]
-    respond = _response_to_drive if len(placed_drives) == 1 else _response_to_drives
-    vibration = respond(limb, placed_drives, played, scaling, shape, n_fft)
+        return np.zeros_like(vibration)
+    drives, locations, amplitudes = (list(column) for column in zip(*placed_drives, strict=True))
+    spectra = [forward(drive.samples, n_fft) for drive in drives]
+    responses: Sequence[Response]
+    if len(drives) == 1:
+        responses = [_cached_spectra().of_one(limb, locations[0], scaling, n_fft)]
+        superpose(responses, spectra, vibration)
+        # The maximum of a single vibration needs no search.
+        gain = drives[0].factor
+        if scaling == "upstream":
+            gain = unit_gain(float(vibration.max()), drives[0], responses[0])
+        vibration *= amplitudes[0] * gain
+    else:
+        responses = _cached_spectra().of(limb, locations, scaling, n_fft)
+        gains = [drive.factor for drive in drives]
+        if scaling == "upstream":
+            gains = _gains_of(limb, locations, drives, spectra, responses)
+        superpose(
+            responses,
+            [
+                spectrum * (gain * amplitude)
+                for spectrum, gain, amplitude in zip(spectra, gains, amplitudes, strict=True)
+            ],
+            vibration,
+        )
     # Where nothing can move, the vibration is exactly 0, without the rounding of the transforms.
     if any(drive.samples.all() for drive in drives):
         return vibration
@@ -306,54 +235,6 @@ def _at_once(
     active = active_samples(sounding, limb.n_taps)
     if not active.all():
         vibration[..., ~active] = 0.0
-    return vibration
-
-
-def _response_to_drives(
-    limb: Limb,
-    placed_drives: list[_PlacedDrive],
-    played: list[Complexes],
-    scaling: Scaling,
-    shape: tuple[int, int, int],
-    n_fft: int,
-) -> Floats:
-    drives, locations = (
-        [drive for drive, _, _ in placed_drives],
-        [location for _, location, _ in placed_drives],
-    )
-    responses = _cached_spectra().of(limb, locations, scaling, n_fft)
-    gains = [drive.factor for drive in drives]
-    if scaling == "upstream":
-        gains = _gains_of(limb, locations, drives, played, responses)
-    weighted = [
-        spectrum * (gain * amplitude)
-        for spectrum, gain, (_, _, amplitude) in zip(played, gains, placed_drives, strict=True)
-    ]
-    return superposed(responses, weighted, shape, n_fft)
-
-
-def _response_to_drive(
-    limb: Limb,
-    placed_drives: list[_PlacedDrive],
-    played: list[Complexes],
-    scaling: Scaling,
-    shape: tuple[int, int, int],
-    n_fft: int,
-) -> Floats:
-    """Return the same for a single drive, whose gain follows from the computed vibration."""
-    ((drive, location, amplitude),) = placed_drives
-    known = _cached_spectra().of_one(limb, location, scaling, n_fft)
-    if known is None:
-        taps = scaled_taps(limb, location, scaling)
-        vibration, largest = single_response(taps, played[0], shape, n_fft)
-        energy = float(np.sqrt(np.vecdot(taps, taps).max()))
-    else:
-        vibration, largest = single_response(known, played[0], shape, n_fft)
-        energy = float(known.norms.energies.max())
-    gain = drive.factor
-    if scaling == "upstream" and exceeds_rounding(largest, drive, energy, n_fft):
-        gain = 1.0 / largest
-    vibration *= amplitude * gain
     return vibration
 
 

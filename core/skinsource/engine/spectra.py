@@ -6,10 +6,12 @@ from functools import cached_property, partial
 from itertools import pairwise
 from math import prod
 from threading import Lock
+from typing import Any
 from weakref import WeakKeyDictionary
 
 import numpy as np
 import scipy
+from numpy.typing import NDArray
 
 from skinsource.actuators.actuation import Actuation, transfers_of
 from skinsource.base.arrays import Complexes, Floats
@@ -23,11 +25,11 @@ from skinsource.engine.memory import (
     untouched_array,
 )
 from skinsource.engine.transforms import (
-    OUTPUTS_AT_ONCE,
     Channel,
-    driven,
     forward,
-    forward_in_parts,
+    forward_here,
+    inverse_here,
+    parts_of,
     run_on_two_threads,
 )
 from skinsource.limbs.limb import Limb
@@ -40,20 +42,49 @@ BAND_BINS = 8
 
 
 @dataclass(frozen=True, eq=False)
-class ResponseSpectrum:
-    """Responses to one location, in time and in frequency.
+class Response:
+    """Responses to one location, which are transformed each time that spectra are used.
 
     Attributes
     ----------
     taps : (n_outputs, n_axes, n_taps)
         m/s².
-    values : (n_outputs, n_axes, n_fft // 2 + 1)
-        Their spectra.
+    n_fft
+        Length of the transforms.
     """
 
     taps: Floats
-    values: Complexes
     n_fft: int
+
+    def driven(self, outputs: slice, drive: Complexes, out: Complexes | None = None) -> Complexes:
+        """Return the spectra of some outputs, (n, n_axes, n_bins), times that of a drive.
+
+        They are written to ``out`` where it is given, else to a new array.
+        """
+        spectra = forward_here(self.taps[outputs], self.n_fft)
+        return np.multiply(spectra, drive, out=spectra if out is None else out)
+
+    @cached_property
+    def norms(self) -> Floats:
+        """Root of the sum of squares of each response, (n_outputs, n_axes)."""
+        return np.sqrt(np.vecdot(self.taps, self.taps))
+
+
+@dataclass(frozen=True, eq=False)
+class ResponseSpectrum(Response):
+    """Responses to one location, with their spectra.
+
+    Attributes
+    ----------
+    values : (n_outputs, n_axes, n_fft // 2 + 1)
+        The spectra.
+    """
+
+    values: Complexes
+
+    def driven(self, outputs: slice, drive: Complexes, out: Complexes | None = None) -> Complexes:
+        """Return the spectra of some outputs, (n, n_axes, n_bins), times that of a drive."""
+        return np.multiply(self.values[outputs], drive, out=out)
 
     @cached_property
     def rows(self) -> Complexes:
@@ -78,45 +109,71 @@ class ResponseSpectrum:
         return bands
 
     @cached_property
-    def norms(self) -> "Norms":
-        """Norms of the responses, for bounds of samples."""
-        return Norms.of(self.taps)
+    def section_lengths(self) -> tuple[int, ...]:
+        """Taps in each section of a response."""
+        n_taps = self.taps.shape[-1]
+        return tuple(b - a for a, b in pairwise((*(n for n in SECTIONS if n < n_taps), n_taps)))
+
+    @cached_property
+    def section_norms(self) -> Floats:
+        """Root of the sum of squares of each section, (n_channels, n_sections)."""
+        squares = np.square(self.taps.reshape(len(self.rows), -1))
+        begins = np.cumsum((0, *self.section_lengths[:-1]))
+        return np.sqrt(np.add.reduceat(squares, begins, axis=-1))
+
+    @cached_property
+    def absolute_sums(self) -> Floats:
+        """Sum of magnitudes of each response, (n_channels,)."""
+        return np.abs(self.taps).sum(axis=-1).ravel()
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Norms:
-    """Norms of responses.
+# A second thread pays from about a millisecond of work on.
+_SUMS_WORTH_A_THREAD = 10**6
 
-    Attributes
+
+def superpose(
+    responses: Sequence[Response], drives: Sequence[Complexes], vibration: NDArray[Any]
+) -> None:
+    """Add up the vibrations by some drives: responses times drives, frequency by frequency.
+
+    Some outputs at a time: they stay in the cache of a core.  Results have the same bits with one
+    thread or two.
+
+    Parameters
     ----------
-    sections : (n_channels, n_sections)
-        Root of the sum of squares of each section of each response.
-    section_lengths
-        Taps in each section.
-    energies : (n_channels,)
-        Root of the sum of squares of each response.
-    absolute_sums : (n_channels,)
-        Sum of magnitudes of each response.
+    responses
+        To the location of each drive; at least one.
+    drives : (n_bins,) each
+        Spectra with their gains.
+    vibration : (n_outputs, n_axes, n_bins) or (n_outputs, n_axes, n_times)
+        Where the sum is written: its spectra into complex numbers, its samples into real ones.
     """
+    n_outputs, n_axes, _ = vibration.shape
+    n_bins, n_fft, in_time = drives[0].size, responses[0].n_fft, vibration.dtype.kind == "f"
+    # Several drives need a second array.
+    parts = parts_of(n_outputs, n_axes * n_bins * min(len(drives), 2))
+    # Rows in one piece are multiplied faster than row by row.
+    tiled = [np.tile(drive, (parts[0].stop, n_axes, 1)) for drive in drives]
 
-    sections: Floats
-    section_lengths: tuple[int, ...]
-    energies: Floats
-    absolute_sums: Floats
+    def compute(part: slice) -> None:
+        played = [drive[: part.stop - part.start] for drive in tiled]
+        total = responses[0].driven(part, played[0], None if in_time else vibration[part])
+        buffer = np.empty_like(total)
+        for response, drive in zip(responses[1:], played[1:], strict=True):
+            total += response.driven(part, drive, buffer)
+        if in_time:
+            vibration[part] = inverse_here(total, n_fft)[..., : vibration.shape[-1]]
 
-    @classmethod
-    def of(cls, taps: Floats) -> "Norms":
-        """Return the norms of responses, (n_outputs, n_axes, n_taps)."""
-        n_taps = taps.shape[-1]
-        rows = taps.reshape(-1, n_taps)
-        begins = [tap for tap in SECTIONS if tap < n_taps]
-        squares = np.add.reduceat(np.square(rows), begins, axis=-1)
-        return cls(
-            sections=np.sqrt(squares),
-            section_lengths=tuple(b - a for a, b in pairwise((*begins, n_taps))),
-            energies=np.sqrt(squares.sum(axis=-1)),
-            absolute_sums=np.abs(rows).sum(axis=-1),
-        )
+    tasks = [partial(compute, part) for part in parts]
+    work = len(drives) * n_outputs * n_axes * n_bins
+    # For a single drive, a second thread gains little, and costs where no processor is free.
+    if len(drives) > 1 and (in_time or work >= _SUMS_WORTH_A_THREAD):
+        run_on_two_threads(tasks)
+    else:
+        for task in tasks:
+            task()
+    if in_time:
+        tally(inverse_transforms=n_outputs * n_axes)
 
 
 class _Places:
@@ -143,7 +200,7 @@ class _Places:
         rooms = list(self._values[first : first + len(taps)])
         rooms += [np.empty(self._shape, np.complex128) for _ in range(len(taps) - len(rooms))]
         added = {
-            location: ResponseSpectrum(samples, values, self._n_fft)
+            location: ResponseSpectrum(samples, self._n_fft, values)
             for (location, samples), values in zip(taps.items(), rooms, strict=True)
         }
         run_on_two_threads(partial(_transform, response) for response in added.values())
@@ -153,9 +210,9 @@ class _Places:
 
 
 def _transform(response: ResponseSpectrum) -> None:
-    # A few outputs at a time: their spectra stay in the cache of a core.
-    for part, spectra in forward_in_parts(response.taps, response.n_fft, OUTPUTS_AT_ONCE):
-        response.values[part] = spectra
+    n_outputs, n_axes, n_taps = response.taps.shape
+    for part in parts_of(n_outputs, n_axes * n_taps):
+        response.values[part] = forward_here(response.taps[part], response.n_fft)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -227,10 +284,8 @@ class ResponseSpectra:
             self._remember(limb, key, places)
             return [added[each] if each in added else places.known[each] for each in locations]
 
-    def of_one(
-        self, limb: Limb, location: int, scaling: Scaling, n_fft: int
-    ) -> ResponseSpectrum | None:
-        """Return the responses to ``location``; None where they are requested the first time.
+    def of_one(self, limb: Limb, location: int, scaling: Scaling, n_fft: int) -> Response:
+        """Return the responses to ``location``; spectra are remembered from the second time on.
 
         Whoever predicts once does not pay for remembered spectra.
         """
@@ -243,7 +298,8 @@ class ResponseSpectra:
                 if len(requested) >= _MOST_REQUESTED:
                     requested.clear()
                 requested.add((location, key))
-                return None
+                tally(forward_transforms=limb.n_outputs * limb.n_axes)
+                return Response(scaled_taps(limb, location, scaling), n_fft)
         return self.of(limb, [location], scaling, n_fft)[0]
 
     def stack(self, limb: Limb, locations: tuple[int, ...], scaling: Scaling, n_fft: int) -> Stack:
@@ -311,7 +367,7 @@ def _stack(limb: Limb, locations: tuple[int, ...], scaling: Scaling, n_fft: int)
         taps = scaled_taps(limb, location, scaling)
         values[:, row] = forward(taps.reshape(n_channels, -1), n_fft).T
         by_channel = values[:, row].T.reshape(limb.n_outputs, limb.n_axes, n_bins)
-        responses[location] = ResponseSpectrum(taps, by_channel, n_fft)
+        responses[location] = ResponseSpectrum(taps, n_fft, by_channel)
     return Stack(values, responses)
 
 
@@ -342,8 +398,7 @@ class ExactSpectra:
         """
 
         def spectra(channels: list[Channel]) -> Complexes:
-            drive = forward(samples, n_times)
-            return driven(self._responses(taps, name, n_times, channels), drive)
+            return self._responses(taps, name, n_times, channels) * forward(samples, n_times)
 
         return spectra
 

@@ -18,7 +18,6 @@ from skinsource.engine.drives import active_samples, delayed
 from skinsource.engine.moments import Moments, Projection
 from skinsource.engine.spectra import Stack, TotalSpectrum
 from skinsource.engine.transforms import (
-    OUTPUTS_AT_ONCE,
     Blocks,
     ChannelsOnDemand,
     Played,
@@ -31,6 +30,8 @@ from skinsource.signals.loudest_window import LoudestEnergy, loudest_energy, win
 
 # Blocks whose spectra are one matrix product: enough for it to pay.
 _GROUP = 4
+# Outputs that are transformed back to time at once, between two questions whether to stop.
+_OUTPUTS_AT_ONCE = 18
 
 
 class StreamedVibration:
@@ -71,18 +72,24 @@ class StreamedVibration:
         shape = (*self._channels_shape, self.n_times)
         return StreamedVibration(played, self._stack, shape, self.cut)
 
+    @property
+    def every_channel(self) -> tuple[range, range]:
+        """All outputs, counted from 1, and all axes, from 0."""
+        n_outputs, n_axes = self._channels_shape
+        return range(1, n_outputs + 1), range(n_axes)
+
     def moments(self, stop: Stop = never) -> Moments:
         """Return the moments over the whole response, with all products of axes."""
         if self._moments is None:
             second = np.zeros((*self._channels_shape, self._channels_shape[1]))
             total = np.zeros(self._channels_shape)
-            for _, block in self.blocks(stop):
+            for _, block in self.blocks_of(*self.every_channel, stop):
                 second += block @ block.transpose(0, 2, 1)
                 total += block.sum(axis=-1)
             self._moments = Moments(second, total)
         return self._moments
 
-    def traces(self, outputs: tuple[int, ...], axes: tuple[int, ...], stop: Stop = never) -> Floats:
+    def traces(self, outputs: Sequence[int], axes: Sequence[int], stop: Stop = never) -> Floats:
         """Return the acceleration of some outputs, (n_outputs, n_axes, n_times)."""
         result = np.zeros((len(outputs), len(axes), self.n_times))
         if result.size == 0:
@@ -91,16 +98,6 @@ class StreamedVibration:
             result[..., first : first + block.shape[-1]] = block
         return result
 
-    def everything(self) -> Floats:
-        """Return all outputs and axes, (n_outputs, n_axes, n_times), over the whole response."""
-        n_outputs, n_axes = self._channels_shape
-        return self.traces(tuple(range(1, n_outputs + 1)), tuple(range(n_axes)))
-
-    def blocks(self, stop: Stop = never) -> Iterator[tuple[int, Floats]]:
-        """Yield first sample and samples, (n_outputs, n_axes, n), of each block with vibration."""
-        for first, block in self._blocks(None, stop):
-            yield first, block.reshape(*self._channels_shape, -1)
-
     def blocks_of(
         self,
         outputs: Sequence[int],
@@ -108,25 +105,18 @@ class StreamedVibration:
         stop: Stop = never,
         within: tuple[int, int] | None = None,
     ) -> Iterator[tuple[int, Floats]]:
-        """Yield the same for some outputs, 1, 2, …, and axes, 0 to 2; at least one of each.
+        """Yield first sample and samples, (n_outputs, n_axes, n), of each block with vibration.
 
-        With ``within``, first sample and end, only blocks that hold a sample between them.
+        For some outputs, 1, 2, …, and axes, 0 to 2; at least one of each.  With ``within``, first
+        sample and end, only blocks that hold a sample between them.
         """
-        n_axes = self._channels_shape[1]
-        chosen = [(output - 1) * n_axes + axis for output in outputs for axis in axes]
-        # Responses of all channels are not copied: those of a large limb take gigabytes.
-        every = chosen == list(range(self._channels_shape[0] * n_axes))
-        for first, block in self._blocks(None if every else chosen, stop, within):
-            yield first, block.reshape(len(outputs), len(axes), -1)
-
-    def _blocks(
-        self, channels: list[int] | None, stop: Stop, within: tuple[int, int] | None = None
-    ) -> Iterator[tuple[int, Floats]]:
-        """Yield first sample and samples, (n_channels, n), of ``channels``, or of all if None."""
         if self._stack is None:
             return
+        n_axes = self._channels_shape[1]
         values = self._stack.values
-        if channels is not None:
+        channels = [(output - 1) * n_axes + axis for output in outputs for axis in axes]
+        # Responses of all channels are not copied: those of a large limb take gigabytes.
+        if channels != list(range(values.shape[-1])):
             values = np.ascontiguousarray(values[:, :, channels])
         cut = self.cut
         begin, end = within or (0, self.n_times)
@@ -138,12 +128,13 @@ class StreamedVibration:
             if not sounding:
                 continue
             spectra = self._spectra([segments[number] for number in sounding], values)
-            samples = inverse(spectra, cut.n_fft).reshape(len(sounding), -1, cut.n_fft)
+            shape = len(sounding), len(outputs), len(axes), cut.n_fft
+            samples = inverse(spectra, cut.n_fft).reshape(shape)
             for block, number in zip(samples, sounding, strict=True):
                 first = starts[k + number]
                 inside = slice(cut.overlap, cut.overlap + min(cut.n_samples, self.n_times - first))
                 active = self._active(segments[number])[inside]
-                block = block[:, inside]
+                block = block[..., inside]
                 yield first, block if active.all() else np.where(active, block, 0.0)
 
     def _segments(self, first: int) -> dict[int, Floats]:
@@ -224,7 +215,7 @@ class Vibration:
         others = None if self.others is None else self.others.traces(outputs, axes)
         if self.edited is None or self.weight == 0.0:
             shape = len(outputs), len(axes), self.n_times
-            return np.zeros(shape) if others is None else others.copy()
+            return np.zeros(shape) if others is None else others
         unit, start = self.edited.traces(outputs, axes), self.delay_samples
         total = np.empty(unit.shape)
         total[..., :start] = 0.0
@@ -272,8 +263,8 @@ class Vibration:
 
 def output_groups(n_outputs: int) -> Iterator[Indices]:
     """Yield numbers of outputs, counted from 0, that are transformed back to time at once."""
-    for first in range(0, n_outputs, OUTPUTS_AT_ONCE):
-        yield np.arange(first, min(first + OUTPUTS_AT_ONCE, n_outputs))
+    for first in range(0, n_outputs, _OUTPUTS_AT_ONCE):
+        yield np.arange(first, min(first + _OUTPUTS_AT_ONCE, n_outputs))
 
 
 def projected_signals(total: TotalSpectrum, projection: Projection, outputs: Indices) -> Floats:

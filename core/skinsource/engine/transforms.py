@@ -1,10 +1,10 @@
-"""Counted Fourier transforms and their lengths, sums of spectra, and blocks of long drives."""
+"""Counted Fourier transforms and their lengths, two threads, and blocks of long drives."""
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import dataclass
-from functools import cache, partial
+from functools import cache
 
 import numpy as np
 import scipy
@@ -45,31 +45,10 @@ def inverse(spectra: Complexes, n_fft: int) -> Floats:
     return signals
 
 
-def forward_in_parts(
-    signals: Floats, n_fft: int, at_once: int
-) -> Iterator[tuple[slice, Complexes]]:
-    """Yield spectra as `forward`, of some signals at a time, in this thread; the caller counts.
-
-    Parameters
-    ----------
-    signals : (n, m, n_times)
-        Signals.
-    at_once
-        How many of the n are transformed at a time.
-
-    Yields
-    ------
-    Which of the n, and their spectra, (at most at_once, m, n_fft // 2 + 1), a new array each time.
-    """
-    count, each, n_times = signals.shape
-    padded = np.empty((min(at_once, count), each, n_fft))
-    padded[..., n_times:] = 0.0
-    for low in range(0, count, at_once):
-        part = slice(low, min(low + at_once, count))
-        room = padded[: part.stop - low]
-        room[..., :n_times] = signals[part]
-        spectra: Complexes = scipy.fft.rfft(room)
-        yield part, spectra
+def forward_here(signals: Floats, n_fft: int) -> Complexes:
+    """Return spectra as `forward`, computed in this thread; the caller counts."""
+    spectra: Complexes = scipy.fft.rfft(signals, n_fft)
+    return spectra
 
 
 def inverse_here(spectra: Complexes, n_fft: int) -> Floats:
@@ -89,11 +68,6 @@ Channel = tuple[int, int]
 def rows_of(spectrum: Complexes, channels: list[Channel]) -> Complexes:
     """Return a copy of some channels of (n_outputs, 3 axes, n_bins), a row for each."""
     return np.array([spectrum[output - 1, axis] for output, axis in channels])
-
-
-def driven(rows: Complexes, drive: Complexes) -> Complexes:
-    """Multiply rows with the spectrum of a drive, (n_bins,), in place, and return them."""
-    return np.multiply(rows, drive, out=rows)
 
 
 class ChannelsOnDemand:
@@ -135,60 +109,34 @@ class ChannelsOnDemand:
         self._n_fft = n_fft
         self._active = active
         self._exact_spectra = exact_spectra
-        self._traces = _Channels(np.empty((0, active.size)))
-        self._trace_spectra = _Channels(np.empty((0, active.size // 2 + 1), np.complex128))
+        self._traces: dict[Channel, Floats] = {}
+        self._trace_spectra: dict[Channel, Complexes] = {}
 
     def traces(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> Floats:
         """Return the acceleration of some outputs, (n_outputs, n_axes, n_times)."""
-        missing = self._traces.missing(outputs, axes)
+        channels = [(output, axis) for output in outputs for axis in axes]
+        missing = [channel for channel in channels if channel not in self._traces]
         if missing:
             samples = inverse(self._spectra(missing), self._n_fft)[:, : self._active.size]
             np.copyto(samples, 0.0, where=~self._active)
-            self._traces.add(missing, samples)
-        return self._traces.of(outputs, axes)
+            self._traces.update(zip(missing, samples, strict=True))
+        rows = np.array([self._traces[channel] for channel in channels])
+        return rows.reshape(len(outputs), len(axes), self._active.size)
 
     def trace_spectra(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> Complexes:
         """Return spectra over exactly n_times samples, (n_outputs, n_axes, n_times // 2 + 1)."""
-        missing = self._trace_spectra.missing(outputs, axes)
+        channels = [(output, axis) for output in outputs for axis in axes]
+        missing = [channel for channel in channels if channel not in self._trace_spectra]
         if missing:
             if self._exact_spectra is None:
                 self.traces(outputs, axes)
-                traces = np.array([self._traces.known[channel] for channel in missing])
+                traces = np.array([self._traces[channel] for channel in missing])
                 spectra = forward(traces, self._active.size)
             else:
                 spectra = self._exact_spectra(missing)
-            self._trace_spectra.add(missing, spectra)
-        return self._trace_spectra.of(outputs, axes)
-
-
-class _Channels:
-    """Remembers single channels, and the latest selection of them as one array."""
-
-    __slots__ = ("_latest", "known")
-
-    def __init__(self, none: np.ndarray) -> None:
-        self.known: dict[Channel, np.ndarray] = {}
-        self._latest: tuple[list[Channel], np.ndarray] = [], none
-
-    def missing(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> list[Channel]:
-        return [channel for channel in _all(outputs, axes) if channel not in self.known]
-
-    def add(self, channels: list[Channel], rows: np.ndarray) -> None:
-        self.known.update(zip(channels, rows, strict=True))
-        self._latest = channels, rows
-
-    def of(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> np.ndarray:
-        selected = _all(outputs, axes)
-        channels, rows = self._latest
-        if channels != selected:
-            rows = np.array([self.known[channel] for channel in selected], rows.dtype)
-            rows = rows.reshape(len(selected), self._latest[1].shape[-1])
-            self._latest = selected, rows
-        return rows.reshape(len(outputs), len(axes), rows.shape[-1])
-
-
-def _all(outputs: tuple[int, ...], axes: tuple[int, ...]) -> list[Channel]:
-    return [(output, axis) for output in outputs for axis in axes]
+            self._trace_spectra.update(zip(missing, spectra, strict=True))
+        rows = np.array([self._trace_spectra[channel] for channel in channels], np.complex128)
+        return rows.reshape(len(outputs), len(axes), self._active.size // 2 + 1)
 
 
 def run_on_two_threads(tasks: Iterable[Callable[[], None]]) -> None:
@@ -227,50 +175,14 @@ def _second_thread() -> ThreadPoolExecutor:
 
 #: Outputs whose spectra, for stimuli of a second, stay in the cache of a core.
 OUTPUTS_AT_ONCE = 18
-# A second thread pays from about a millisecond of work on.
-_SUMS_WORTH_A_THREAD = 10**6
+# Complex numbers of which a few arrays stay in the cache of a core.
+_NUMBERS_AT_ONCE = 2**15
 
 
-def sum_of_vibrations(responses: Sequence[Complexes], drives: Sequence[Complexes]) -> Complexes:
-    """Return the sum over voices of the spectra of responses times those of drives.
-
-    Parameters
-    ----------
-    responses : (n_outputs, 3 axes, n_bins) each
-        At least one.
-    drives : (n_bins,) each
-        As many.
-
-    Returns
-    -------
-    (n_outputs, 3 axes, n_bins), the same bits with one thread or two
-    """
-    total = np.empty(responses[0].shape, np.complex128)
-    tasks = [
-        partial(add_up, [response[part] for response in responses], drives, total[part])
-        for part in parts_of(len(total))
-    ]
-    if len(responses) * total.size < _SUMS_WORTH_A_THREAD:
-        for task in tasks:
-            task()
-    else:
-        run_on_two_threads(tasks)
-    return total
-
-
-def parts_of(n_outputs: int) -> list[slice]:
-    """Return slices of outputs that are summed at once, which stay in the cache of a core."""
-    return [slice(low, low + OUTPUTS_AT_ONCE) for low in range(0, n_outputs, OUTPUTS_AT_ONCE)]
-
-
-def add_up(responses: Sequence[Complexes], drives: Sequence[Complexes], total: Complexes) -> None:
-    """Write the sum of responses times drives to ``total``, as `sum_of_vibrations` says."""
-    # ``total`` may be the first response.
-    np.multiply(responses[0], drives[0], out=total)
-    if len(responses) > 1:
-        buffer = np.empty(total.shape, np.complex128)
-        for response, drive in zip(responses[1:], drives[1:], strict=True):
-            total += np.multiply(response, drive, out=buffer)
+def parts_of(n_outputs: int, numbers_each: int) -> list[slice]:
+    """Return slices of outputs that are computed at once, by how many numbers each output has."""
+    at_once = min(max(_NUMBERS_AT_ONCE // numbers_each, 1), n_outputs)
+    return [slice(low, min(low + at_once, n_outputs)) for low in range(0, n_outputs, at_once)]
 
 
 #: Samples of a block of a drive, for responses of up to half as many.

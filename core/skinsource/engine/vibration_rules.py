@@ -6,20 +6,16 @@ loud as another one is applied here: to the vibration, and to no drive.
 
 from weakref import ref
 
+import numpy as np
+
 from skinsource.base.arrays import Booleans, Complexes
 from skinsource.base.job import Stop
 from skinsource.design.signal_path import Drive, UnitVoice, Voice
 from skinsource.engine.drives import delayed
 from skinsource.engine.gains import EngineMemory, Placed, Responses, Sounding
-from skinsource.engine.spectra import ResponseSpectrum, TotalSpectrum
+from skinsource.engine.spectra import ResponseSpectrum, TotalSpectrum, superpose
 from skinsource.engine.streaming import StreamedVibration, Vibration
-from skinsource.engine.transforms import (
-    ChannelsOnDemand,
-    Played,
-    driven,
-    rows_of,
-    sum_of_vibrations,
-)
+from skinsource.engine.transforms import ChannelsOnDemand, Played, rows_of
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.scaling import Scaling
 
@@ -44,7 +40,9 @@ def others_spectrum(
         * (other.voice.amplitude * match_gain * gain)
         for other, _, gain in moving
     ]
-    return sum_of_vibrations([response.values for _, response, _ in moving], spectra)
+    total = np.empty_like(moving[0][1].values)
+    superpose([response for _, response, _ in moving], spectra, total)
+    return total
 
 
 def edited_sounding(
@@ -139,7 +137,7 @@ def edited_channels(
     name = ref(responses.limb), location, responses.scaling == "probe"
     exact = responses.remembered.exact_spectra
     return ChannelsOnDemand(
-        lambda channels: driven(rows_of(values, channels), edited_spectrum),
+        lambda channels: rows_of(values, channels) * edited_spectrum,
         response.n_fft,
         edited_active,
         exact.of(drive.samples, taps, name, edited_active.size),

@@ -153,7 +153,7 @@ class ExportedDesign:
             yield self.value("axis_traces", outputs=self.all_outputs, axes=ALL_AXES)
             return
         done = 0
-        for first, block in self.streamed.blocks(self.stop):
+        for first, block in self.streamed.blocks_of(*self.streamed.every_channel, self.stop):
             yield from self._silence(done, first)
             yield block
             done = first + block.shape[-1]

@@ -123,11 +123,11 @@ def principal_axis_of(covariance: Floats) -> Floats:
     _, vectors = np.linalg.eigh(covariance)
     axis = vectors[:, :, -1]
     still = ~covariance.any(axis=(1, 2))
-    axis[still] = np.eye(covariance.shape[1])[0]
+    axis[still] = np.arange(axis.shape[1]) == 0
     size = np.abs(axis)
     # Equal coefficients differ in their last digits, which depend on the machine.
     largest = (size >= (1.0 - _TIE) * size.max(axis=1, keepdims=True)).argmax(axis=1)
-    axis *= np.sign(np.take_along_axis(axis, largest[:, None], axis=1))
+    axis *= np.sign(axis[np.arange(len(axis)), largest])[:, None]
     return axis
 
 

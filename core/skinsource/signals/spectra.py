@@ -238,9 +238,14 @@ def share_outside_band(samples: ArrayLike, sample_rate_hz: float, band: Band = B
     if not data.any():
         return 0.0
     data, _ = _scaled(data)
-    low, high = np.minimum(edges_hz, rate / 2).tolist()
+    return share_of_scaled(data, rate, (float(edges_hz[0]), float(edges_hz[1])))
+
+
+def share_of_scaled(data: Floats, rate_hz: float, band: Band) -> float:
+    """Return the same for a signal whose largest sample is about 1, without any check."""
+    low_hz, high_hz = (min(edge_hz, rate_hz / 2) for edge_hz in band)
     outside, whole = (_cached_shares if data.size <= _SHORT else _shares)(
-        low, high, data.size, rate
+        low_hz, high_hz, data.size, rate_hz
     )
     # numpy's transform: the clip editor calls this before scipy.fft has been imported.
     spectrum = np.fft.rfft(data, _length(2 * data.size))

@@ -44,7 +44,7 @@ def test_windows_over_all_hold_all_of_the_noise():
     noise = {3: np.array([[0.1, 0.2, 0.3]])}
     whole = Windows(first_sample=0, window_samples=40 + 59, count=1)
     energies = windowed_noise_energy({3: drive}, noise, 60, whole)
-    assert energies[0] == pytest.approx(predicted_noise_energy({3: drive}, noise, 60))
+    assert energies[0] == pytest.approx(predicted_noise_energy({3: drive @ drive}, noise, 60))
     after = Windows(first_sample=99, window_samples=10, count=2)
     assert windowed_noise_energy({3: drive}, noise, 60, after) == pytest.approx(0.0, abs=1e-12)
     with pytest.raises(InvalidInputError, match="place 4"):

@@ -124,7 +124,7 @@ def test_wrong_figures_are_refused_in_one_sentence():
     with pytest.raises(InvalidInputError, match="39 samples before the pulse"):
         noise_rms(np.zeros((2, 39)), RATE)
     with pytest.raises(InvalidInputError, match="place 4 is not given"):
-        predicted_noise_energy({4: np.ones(3)}, {}, 10)
+        predicted_noise_energy({4: 3.0}, {}, 10)
     with pytest.raises(InvalidInputError, match="expected \\(n_times,\\)"):
         onset_time(np.ones((2, 5)), np.arange(4.0))
 

@@ -74,7 +74,7 @@ def _n_quiet_samples(sample_rate_hz: float, pre_trigger_s: float) -> int:
 
 
 def predicted_noise_energy(
-    drives: Mapping[int, Floats], noise: Mapping[int, Floats], n_taps: int
+    energies: Mapping[int, float], noise: Mapping[int, Floats], n_taps: int
 ) -> Floats:
     """Return the energy of the noise of responses in a prediction from them.
 
@@ -84,8 +84,8 @@ def predicted_noise_energy(
 
     Parameters
     ----------
-    drives
-        By input location: the sum of all drives there, (n_times,), scaled as the response.
+    energies
+        By input location: sum of squares of all drives there together, scaled as the response.
     noise
         By input location: `noise_rms`, (n_outputs, n_axes).
     n_taps
@@ -100,16 +100,13 @@ def predicted_noise_energy(
     InvalidInputError
         There is no drive, or the noise of a location is not given.
     """
-    _check_noise_known(drives, noise)
-    parts = [
-        n_taps * float(np.vdot(drive, drive)) * np.square(noise[location])
-        for location, drive in drives.items()
-    ]
+    _check_noise_known(energies, noise)
+    parts = [n_taps * each * np.square(noise[location]) for location, each in energies.items()]
     energy: Floats = np.sum(parts, axis=0)
     return energy
 
 
-def _check_noise_known(drives: Mapping[int, Floats], noise: Mapping[int, Floats]) -> None:
+def _check_noise_known(drives: Mapping[int, object], noise: Mapping[int, Floats]) -> None:
     """Raise `InvalidInputError` if there is no drive, or one at a location of unknown noise."""
     missing = sorted(drives.keys() - noise.keys())
     if missing or not drives:
@@ -124,8 +121,8 @@ def windowed_noise_energy(
     """Return the energy of the noise of responses within windows of a prediction.
 
     It is the part of `predicted_noise_energy` in each window: at an instant the noise has the
-    variance sigma² times the energy that was played during the n taps up to it.  Parameters and
-    errors are the same.
+    variance sigma² times the energy that was played during the n taps up to it.  ``drives`` are the
+    sums of all drives at each location, (n_times,); errors are the same.
 
     Returns
     -------

@@ -15,6 +15,7 @@ from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.streaming import projected_signals
 from skinsource.engine.trace_rules import shown_outputs
 from skinsource.engine.transforms import inverse
+from skinsource.limbs.own_limbs import facts_of
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.signals.loudest_window import loudest_energy, window_samples
 from skinsource.studies.sweeps.metrics import (
@@ -37,7 +38,7 @@ _QUANTITIES = (
     "projection",
     "total_spectrum",
     "streamed_vibration",
-    "above_noise_db",
+    "loudest_rms",
 )
 
 
@@ -97,9 +98,9 @@ class Measurer:
         """
         plan = self.plan
         design = plan.design_of(number)
-        values = self._graph.evaluate(
-            (*_QUANTITIES, "loudest_rms"), sources(design, self._view), stop
-        )
+        # Nothing else needs the drives that noise is computed from, and synthetic limbs have none.
+        noise = () if facts_of(design.limb).synthetic else ("above_noise_db",)
+        values = self._graph.evaluate((*_QUANTITIES, *noise), sources(design, self._view), stop)
         placed, limb, rms = values["placed"], values["driven_limb"], values["record_rms"]
         n_times = values["stimulus_samples"]
         level = self._level(values, design.scaling, stop)
@@ -115,7 +116,7 @@ class Measurer:
             **_of_output("", rms[loudest - 1], windows[0], factor),
             **_levels_db(plan.level, level, factor),
             **extent_metrics(rms, limb, placed),
-            "outputs_in_noise": _outputs_in_noise(values["above_noise_db"]),
+            "outputs_in_noise": _outputs_in_noise(values.get("above_noise_db")),
         }
         for output, window in zip(outputs[1:], windows[1:], strict=True):
             metrics |= _of_output(f"output_{output}_", rms[output - 1], window, factor)

@@ -11,13 +11,12 @@ from skinsource.actuators.prediction import Limits, Prediction, Thermal, breache
 from skinsource.actuators.rigs import strictest
 from skinsource.base.arrays import Floats
 from skinsource.base.measurement_conditions import Band
-from skinsource.design.signal_path import Drive
 from skinsource.engine.actuator_demand import drive_at
 from skinsource.engine.gains import Placed
 from skinsource.export.tables import EXTENT_COLUMNS
-from skinsource.limbs.extent import extent
+from skinsource.limbs.extent import distances_mm, spread
 from skinsource.limbs.limb import Limb
-from skinsource.signals.spectra import share_outside_band
+from skinsource.signals.spectra import share_of_scaled
 from skinsource.studies.sweeps.plan import Plan
 
 #: Names of the metrics of a stimulus, in the order of the columns, without those of outputs.
@@ -68,18 +67,19 @@ def moving_locations(placed: Sequence[Placed]) -> tuple[int, ...]:
 def extent_metrics(rms: Floats, limb: Limb, placed: Sequence[Placed]) -> Metrics:
     """Return the metrics of `skinsource.extent` for the RMS of all outputs; NaN for silence."""
     locations = moving_locations(placed)
-    if locations and rms[np.isfinite(limb.map.output_positions[:, 0])].any():
-        reach = extent(rms, limb, locations)
-        return {name: getattr(reach, name) for name in EXTENT_COLUMNS}
+    if locations:
+        distance_mm = distances_mm(limb, locations)
+        if rms[np.isfinite(distance_mm)].any():
+            return {name: float(value) for name, value in spread(rms, distance_mm).items()}
     return dict.fromkeys(EXTENT_COLUMNS, np.nan)
 
 
 class DriveMetrics:
-    """Measures drives; the spectrum of a drive that does not vary is computed once."""
+    """Measures drives; what inputs at a place play is measured once for as long as it stays."""
 
     def __init__(self) -> None:
-        # Drive and band of each input, its energy, and the share of it outside the band.
-        self._cached: dict[int, tuple[Drive, Band | None, float, float]] = {}
+        # The inputs at a place; peak and energy of their sum, energies of each, and outside of it.
+        self._cached: dict[int, tuple[list[Placed], Band | None, tuple[float, ...]]] = {}
 
     def of(self, placed: Sequence[Placed], n_times: int, limb: Limb, factor: float) -> Metrics:
         """Return peak and RMS of all channels, and the share of energy outside the band.
@@ -93,33 +93,35 @@ class DriveMetrics:
         factor
             Factor of all amplitudes.
         """
-        channels = [
-            drive_at(placed, at) for at in dict.fromkeys(each.voice.location for each in placed)
-        ]
-        energy = outside = 0.0
+        places: dict[int, list[Placed]] = {}
         for each in placed:
-            weight = each.voice.amplitude * each.drive.factor
-            of_drive, share = self._energy_and_share(each, limb.sample_rate_hz, limb.band_hz)
-            energy += weight**2 * of_drive
-            outside += weight**2 * of_drive * share
-        peak = max((float(np.abs(samples).max(initial=0.0)) for samples in channels), default=0.0)
-        squares = sum(float(np.vecdot(samples, samples)) for samples in channels)
+            places.setdefault(each.voice.location, []).append(each)
+        figures = [self._of_place(here, limb) for here in places.values()] or [(0.0,) * 4]
+        peaks, squares, energies, outside = zip(*figures, strict=True)
+        energy = sum(energies)
         return {
-            "drive_peak": factor * peak,
-            "drive_rms": factor * float(np.sqrt(squares / (n_times * max(len(channels), 1)))),
-            "share_outside_band": outside / energy if energy > 0.0 else np.nan,
+            "drive_peak": factor * max(peaks),
+            "drive_rms": factor * float(np.sqrt(sum(squares) / (n_times * len(figures)))),
+            "share_outside_band": sum(outside) / energy if energy > 0.0 else np.nan,
         }
 
-    def _energy_and_share(
-        self, placed: Placed, rate_hz: float, band_hz: Band | None
-    ) -> tuple[float, float]:
-        cached = self._cached.get(placed.voice.id)
-        if cached is None or cached[0] is not placed.drive or cached[1] != band_hz:
-            samples = placed.drive.samples
-            energy = float(np.vecdot(samples, samples))
-            share = share_outside_band(samples, rate_hz, band_hz) if band_hz else np.nan
-            cached = self._cached[placed.voice.id] = placed.drive, band_hz, energy, share
-        return cached[2:]
+    def _of_place(self, here: list[Placed], limb: Limb) -> tuple[float, ...]:
+        location = here[0].voice.location
+        cached = self._cached.get(location)
+        if cached is None or cached[:2] != (here, limb.band_hz):
+            channel = drive_at(here, location)
+            energy = outside = 0.0
+            for each in here:
+                samples, share = each.drive.samples, np.nan
+                if limb.band_hz is not None and not each.drive.silent:
+                    share = share_of_scaled(samples, limb.sample_rate_hz, limb.band_hz)
+                own = (each.voice.amplitude * each.drive.factor) ** 2 * np.vecdot(samples, samples)
+                energy += own
+                outside += own * share if own else 0.0
+            peak = float(np.abs(channel).max(initial=0.0))
+            figures = peak, float(np.vecdot(channel, channel)), float(energy), float(outside)
+            cached = self._cached[location] = here, limb.band_hz, figures
+        return cached[2]
 
 
 # An equaliser rings before and after the drive, and the actuator has to play that too.
