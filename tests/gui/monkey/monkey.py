@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QApplication
 import skinsource as ss
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
+from skinsource.engine import prediction
 from skinsource_gui.panels.skin.settings import LEVELS, SkinSettings
 from skinsource_gui.state.history import MOST_STEPS
 from skinsource_gui.state.preferences import start_design
@@ -210,6 +211,8 @@ class Monkey:
         shown = self.window.panel("skin").map.content
         try:
             expected = plain_levels(design, view)
+            # What predictions of the check remember is no memory of the studio.
+            prediction._cached_spectra.cache_clear()
         except ss.SkinSourceError as error:
             # Only what the studio refuses too.
             self.tally.impossible += 1
