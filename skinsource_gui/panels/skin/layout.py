@@ -21,6 +21,8 @@ PALMAR_ROWS: Rows = ((61, 62), (63, 64), (66, 65))
 #: What stands over outputs of other limbs that have no place on the map.
 NO_PLACE = "No place"
 _MOST_ROWS, _FEWEST_COLUMNS = 5, 2
+# Distance of their discs, in lines of text: each takes a click within half of it.
+_PITCH_LINES = 2.0
 
 _MARGIN_PX = 6.0
 #: The fit that shows the hand without the arm.
@@ -34,7 +36,7 @@ _USUAL_LINE_PX = 14.0
 def hand_bounds(limb_map: LimbMap) -> QRectF:
     """Return box around the outline from the fingertips to just past the wrist."""
     outline = limb_map.outline
-    wrist = outline[:, 1].max() - 1.06 * limb_map.hand_length_px
+    wrist = outline[:, 1].max() - 1.01 * limb_map.hand_length_px
     box = bounds_of(outline[outline[:, 1] >= wrist])
     box.setTop(max(wrist, outline[:, 1].min()))
     return box
@@ -91,8 +93,8 @@ def palmar_size(rows: Rows, metrics: QtGui.QFontMetricsF) -> QSizeF:
         return QSizeF(0.0, 0.0)
     line = metrics.height()
     columns = max(map(len, rows))
-    width = max(metrics.horizontalAdvance(PALM_SIDE), 1.7 * columns * line) + 0.9 * line
-    return QSizeF(width, (1.6 + 1.75 * len(rows)) * line)
+    width = max(metrics.horizontalAdvance(PALM_SIDE), _PITCH_LINES * columns * line) + 0.6 * line
+    return QSizeF(width, (1.6 + _PITCH_LINES * len(rows)) * line)
 
 
 # Shares of the size of the group of unplaced outputs by which a fitted map makes room for it.
@@ -142,8 +144,8 @@ def map_layout(
         for column, number in enumerate(numbers):
             aside = 2 * column + 1 - max(map(len, rows))
             points[number - 1] = (
-                card.center().x() + aside * 0.95 * line,
-                card.top() + (2.1 + 1.75 * row) * line,
+                card.center().x() + aside * _PITCH_LINES / 2.0 * line,
+                card.top() + (2.2 + _PITCH_LINES * row) * line,
             )
     spacing = smallest_spacing(limb_map) * frame.scale
     return MapLayout(

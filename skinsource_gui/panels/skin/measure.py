@@ -156,6 +156,7 @@ class MeasureLine(QtWidgets.QWidget):
         """Show the words, in short where there is too little room."""
         what, signal, over, unit = self._content.quantity.words
         over = "" if self._settings.quantity == RMS else over
+        self.axes.setToolTip(tooltip(signal, TRIAD_SENTENCE))
         self.unit.setToolTip(tooltip(unit, "Range, colours and style of the map"))
         # That levels are matched is said in any width.
         short_unit = self._content.quantity.matched or unit.split(" ")[0]
@@ -164,6 +165,7 @@ class MeasureLine(QtWidgets.QWidget):
         for words in (
             (what, signal, over, unit),
             (what, signal, over, short_unit),
+            (what, shorter, over, unit),
             (what, shorter, over, short_unit),
             (what, shorter, "", self._content.quantity.matched),
         ):
