@@ -1,4 +1,4 @@
-"""What the window is measured by, on four screens: the skin first, and all that is needed in sight."""
+"""What the window is measured by, on four screens: the skin first, and what is needed in sight."""
 
 import pytest
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 from functools import partial
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QSize, Qt, Signal
 
 from skinsource.design import edits
 from skinsource.design.design import Design
@@ -125,6 +125,8 @@ class MeasureLine(QtWidgets.QWidget):
         self.arm = tool_button(
             self, "map_arm", "Arm", f"Show hand and arm ({key_text('skin', 'arm')})", checkable=True
         )
+        # What the words were fitted for last.
+        self._fitted: tuple[object, ...] = ()
         self._words = (self.quantity, self.axes, self.span, self.unit)
         row = (self.quantity, self.axes, self.span, self.rms_window, self.unit)
         in_row(*row, None, self.arm, of=self, margins=0, gap_px=0)
@@ -152,10 +154,19 @@ class MeasureLine(QtWidgets.QWidget):
         super().resizeEvent(event)
         self._fit()
 
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._fit()
+
     def _fit(self) -> None:
         """Show the words, in short where there is too little room."""
         what, signal, over, unit = self._content.quantity.words
         over = "" if self._settings.quantity == RMS else over
+        fitted = what, signal, over, unit, self.width(), self.fontMetrics().height()
+        if fitted == self._fitted:
+            return
+        self._fitted = fitted
         self.axes.setToolTip(tooltip(signal, TRIAD_SENTENCE))
         self.unit.setToolTip(tooltip(unit, "Range, colours and style of the map"))
         # That levels are matched is said in any width.
