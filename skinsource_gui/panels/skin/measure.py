@@ -178,6 +178,7 @@ class MeasureLine(QtWidgets.QWidget):
             (what, signal, over, short_unit),
             (what, shorter, over, unit),
             (what, shorter, over, short_unit),
+            (what, shorter, over.split(" ", 1)[-1], short_unit),
             (what, shorter, "", self._content.quantity.matched),
         ):
             for button, word in zip(self._words, words, strict=True):
