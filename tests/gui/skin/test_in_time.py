@@ -70,6 +70,9 @@ def test_the_map_shows_the_skin_where_the_playhead_is(open_window, look):
     content = look(window, quantity=RMS, rms_window_s=0.05)
     energy = computed(SHORT, window.document.view, RMS)
     assert content.values == pytest.approx(ss.decibels(energy.rms(0.0751, 0.05)))
+    # After the response there is silence.
+    assert not look(window, quantity=Z, playhead_s=9.0).values.any()
+    assert not window.panel("skin").is_stale
     levels = look(window, quantity=LEVELS)
     assert levels.values.max() < 0.0
     assert levels.quantity.name == LEVELS
@@ -93,10 +96,9 @@ def test_levels_and_hidden_maps_are_not_made_anew_at_each_step(open_window, look
     assert look(window, playhead_s=0.08) is content
     look(window, quantity=Z)
     window.docks["skin"].hide()
-    content = window.panel("skin").content
     for time_s in (0.1, 0.11):
         look(window, playhead_s=time_s)
-    assert window.panel("skin").content is content
+        assert window.panel("skin").content.quantity.time_s == 0.08
     window.docks["skin"].show()
     content = look(window)
     assert content.quantity.time_s == 0.11

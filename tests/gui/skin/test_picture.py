@@ -3,7 +3,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, QPointF, QRectF
+from PySide6.QtCore import QPoint, QPointF, QRect, QRectF
 from PySide6.QtGui import QColor, QImage, QPainter
 from PySide6.QtWidgets import QApplication
 
@@ -92,8 +92,17 @@ def test_silence_is_told_and_shows_no_colours(window):
         output_levels_db=np.full(72, -200.0),
         surface_levels_db=np.where(window.results["surface"].mask, -200.0, np.nan),
     )
-    assert window.panel.map.content.message == SILENT
-    assert window.panel.map.content.shown_field is None
+    view = window.panel.map
+    assert view.content.message == SILENT
+    assert view.content.shown_field is None
+    view.stage.show_arm(shown=False)
+    said = view.grab().toImage()
+    view.show_content(replace(view.content, message=" "))
+    other = view.grab().toImage()
+    # No finger is under the message.
+    above = QRect(0, 0, view.width(), view.height() * 3 // 4)
+    assert said.copy(above) == other.copy(above)
+    assert said != other
     window.deliver()
     assert window.panel.map.content.message == ""
     assert window.panel.map.content.shown_field is not None
@@ -143,6 +152,7 @@ def test_a_limb_about_which_there_is_something_to_know_says_so_below_the_map(win
     assert window.panel.note.isVisible()
     assert "not the published" in window.panel.note.toolTip()
     QApplication.processEvents()
+    assert window.panel.note.height() < 1.5 * window.panel.note.fontMetrics().height()
     assert window.panel.map.height() < without[0].height()
     # Below a picture the caption says it, which the window gives.
     assert window.panel.picture(400, 600) == without[1]
