@@ -29,7 +29,7 @@ from skinsource_gui.plots.small_map import COLOURS
 from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.keys import key_text
 from skinsource_gui.qt.layouts import in_row
-from skinsource_gui.qt.tooltips import tooltip
+from skinsource_gui.qt.tooltips import show_tooltip, tooltip
 
 _ARROW = " ▾"
 
@@ -76,12 +76,19 @@ class MeasureWord(QtWidgets.QToolButton):
         menu.aboutToShow.connect(menu.clear)
         menu.aboutToShow.connect(partial(fill, menu))
         self.setMenu(menu)
+        self.setText(_ARROW)
+
+    def width_of(self, word: str) -> int:
+        """Return how wide it is with a word; without one it is hidden."""
+        metrics, shown = self.fontMetrics(), self.text()
+        more = metrics.horizontalAdvance(word + _ARROW) - metrics.horizontalAdvance(shown)
+        return self.sizeHint().width() + more if word else 0
 
     def show_word(self, word: str) -> None:
-        """Show the present choice; without a word there is nothing to choose."""
+        """Show the present choice, perhaps in short."""
         self.setVisible(bool(word))
-        self.setText(word + _ARROW)
-        self.setAccessibleDescription(word)
+        if word:
+            self.setText(word + _ARROW)
 
 
 class MeasureLine(QtWidgets.QWidget):
@@ -125,8 +132,6 @@ class MeasureLine(QtWidgets.QWidget):
         self.arm = tool_button(
             self, "map_arm", "Arm", f"Show hand and arm ({key_text('skin', 'arm')})", checkable=True
         )
-        # What the words were fitted for last.
-        self._fitted: tuple[object, ...] = ()
         self._words = (self.quantity, self.axes, self.span, self.unit)
         row = (self.quantity, self.axes, self.span, self.rms_window, self.unit)
         in_row(*row, None, self.arm, of=self, margins=0, gap_px=0)
@@ -154,39 +159,41 @@ class MeasureLine(QtWidgets.QWidget):
         super().resizeEvent(event)
         self._fit()
 
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.FontChange:
+    def event(self, event: QEvent) -> bool:
+        # Letters of another size come one by one.
+        if event.type() == QEvent.Type.LayoutRequest:
             self._fit()
+        return super().event(event)
 
     def _fit(self) -> None:
         """Show the words, in short where there is too little room."""
         what, signal, over, unit = self._content.quantity.words
         over = "" if self._settings.quantity == RMS else over
-        fitted = what, signal, over, unit, self.width(), self.fontMetrics().height()
-        if fitted == self._fitted:
-            return
-        self._fitted = fitted
-        self.axes.setToolTip(tooltip(signal, TRIAD_SENTENCE))
-        self.unit.setToolTip(tooltip(unit, "Range, colours and style of the map"))
+        for button, word in zip(self._words, (what, signal, over, unit), strict=True):
+            if button.accessibleDescription() != word:
+                button.setAccessibleDescription(word)
+        show_tooltip(self.axes, tooltip(signal, TRIAD_SENTENCE))
+        show_tooltip(self.unit, tooltip(unit, "Range, colours and style of the map"))
         # That levels are matched is said in any width.
         short_unit = self._content.quantity.matched or unit.split(" ")[0]
         combined = self._settings.quantity in (LEVELS, RMS)
         shorter = label_of(AXES, self._view.axes).title if combined else signal
-        for words in (
+        shortened = (
             (what, signal, over, unit),
             (what, signal, over, short_unit),
             (what, shorter, over, unit),
             (what, shorter, over, short_unit),
             (what, shorter, over.split(" ", 1)[-1], short_unit),
             (what, shorter, "", self._content.quantity.matched),
-        ):
-            for button, word in zip(self._words, words, strict=True):
-                button.show_word(word)
-            parts = (*self._words, self.rms_window, self.arm)
-            needed = sum(part.sizeHint().width() for part in parts if not part.isHidden())
-            if needed <= self.width():
-                break
+        )
+        others = (part for part in (self.rms_window, self.arm) if not part.isHidden())
+        room = self.width() - sum(part.sizeHint().width() for part in others)
+        fitting = (words for words in shortened if self._width_of(words) <= room)
+        for button, word in zip(self._words, next(fitting, shortened[-1]), strict=True):
+            button.show_word(word)
+
+    def _width_of(self, words: tuple[str, ...]) -> int:
+        return sum(b.width_of(word) for b, word in zip(self._words, words, strict=True))
 
     def _offer_quantities(self, menu: QtWidgets.QMenu) -> None:
         options = ((name, title, "") for name, title in QUANTITY.options)
