@@ -6,7 +6,6 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
-import scipy
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QPointF, QRectF, QSize, QSizeF, Qt, Signal
 
@@ -78,11 +77,38 @@ def drawing_of(limb: str, *, through: bool = False) -> HandDrawing:
     return mirrored(drawing) if through else drawing
 
 
+class _Plate:
+    """A thin plate that is bent so that points ``start`` go to points ``end``, both (n, 2).
+
+    SciPy has it too, but takes half a second to begin, which the pointer would show.
+    """
+
+    def __init__(self, start: Floats, end: Floats) -> None:
+        self._start, n = start / _HAND_PX, len(start)
+        flat = np.column_stack((np.ones(n), self._start))
+        system = np.block([[self._bending(self._start), flat], [flat.T, np.zeros((3, 3))]])
+        self._weights = np.linalg.solve(system, np.vstack((end, np.zeros((3, 2)))))
+
+    def __call__(self, at: tuple[float, float]) -> tuple[float, float]:
+        point = np.array([at]) / _HAND_PX
+        x, y = np.concatenate((self._bending(point)[0], [1.0], point[0])) @ self._weights
+        return float(x), float(y)
+
+    def _bending(self, points: Floats) -> Floats:
+        squares = np.square(points[:, None] - self._start).sum(axis=-1)
+        bending: Floats = squares * np.log(np.maximum(squares, 1e-30))
+        return bending
+
+
 class PlacesOfMap:
     """Finds places of a limb's map on the drawing of its hand, and back.
 
-    The project's own hand has other fingers than a limb that was measured: thin plates are bent so
-    that all input places meet.
+    The project's own hand has other fingers than a limb that was measured.
+
+    Attributes
+    ----------
+    on_map, on_drawing
+        Return the place on the map of a point of the drawing; the point of a place on the map.
     """
 
     def __init__(self, drawing: HandDrawing, limb_map: LimbMap) -> None:
@@ -90,21 +116,10 @@ class PlacesOfMap:
         if not drawing.contacts:
             # An own limb is drawn as its map is.
             places = limb_map.outline[:: _step(limb_map.outline)]
-        plate = scipy.interpolate.RBFInterpolator
-        self._to_map, self._to_drawing = (
-            plate(drawing.anchors, places),
-            plate(places, drawing.anchors),
+        self.on_map, self.on_drawing = (
+            _Plate(drawing.anchors, places),
+            _Plate(places, drawing.anchors),
         )
-
-    def on_map(self, at: tuple[float, float]) -> tuple[float, float]:
-        """Return the place on the map of a point of the drawing."""
-        [[x, y]] = self._to_map(np.array([at]))
-        return float(x), float(y)
-
-    def on_drawing(self, at: tuple[float, float]) -> tuple[float, float]:
-        """Return the point of the drawing of a place on the map."""
-        [[x, y]] = self._to_drawing(np.array([at]))
-        return float(x), float(y)
 
 
 #: The same with a cache, for the pointer.

@@ -85,6 +85,9 @@ def test_names_places_and_axes_are_those_of_the_limb(lab_window, lab):
     hand = window.panel("hand").diagram
     assert hand.stage.layout.n_sites == N_INPUTS
     assert "site 3" in hand.stage.text(3)
+    places = window.panel("hand")._places()
+    at = tuple(window.panel("skin").map.content.limb_map.output_positions[0])
+    assert places.on_map(places.on_drawing(at)) == pytest.approx(at, abs=1e-3)
     drawn = window.panel("skin").map.stage.layout
     assert drawn.unplaced == (5,)
     assert drawn.card_title == "No place"
