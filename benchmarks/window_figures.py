@@ -178,7 +178,7 @@ def hidden_fields(inspector: QtWidgets.QWidget) -> tuple[str, ...]:
     fields = {
         widget.objectName().removesuffix("_field"): widget
         for widget in inspector.findChildren(QtWidgets.QWidget)
-        if widget.objectName().endswith("_field") and not widget.isHidden()
+        if widget.objectName().endswith("_field") and widget.isVisible()
     }
     of_waveform = [name for name in fields if name not in ALWAYS][:OF_WAVEFORM]
     needed = [name for name in (*ALWAYS, *of_waveform) if name in fields]

@@ -24,11 +24,11 @@ _MOST_ROWS, _FEWEST_COLUMNS = 5, 2
 # Distance of their discs, in lines of text: each takes a click within half of it.
 _PITCH_LINES = 2.0
 
-_MARGIN_PX = 6.0
+_MARGIN_PX = 3.0
 #: The fit that shows the hand without the arm.
 HAND = "hand"
 #: Room for text above a fitted map, in lines, so that none lies on the skin.
-TEXT_LINES = 1.6
+TEXT_LINES = 1.5
 # Height of a line of text at which sizes are those written here, px.
 _USUAL_LINE_PX = 14.0
 

@@ -179,7 +179,7 @@ def _paint_synthetic_mark(painter: QtGui.QPainter, area: QRectF, theme: Theme) -
     metrics = QtGui.QFontMetricsF(font)
     line = metrics.height()
     width = metrics.horizontalAdvance(SYNTHETIC_MARK) + 0.7 * line
-    badge = QRectF(area.right() - width, area.top(), width, 1.35 * line)
+    badge = QRectF(area.right() - width, area.top(), width, 1.25 * line)
     painter.setPen(QtGui.QColor(theme.warning))
     painter.setBrush(QtGui.QColor(theme.base))
     painter.drawRoundedRect(badge, 3, 3)
