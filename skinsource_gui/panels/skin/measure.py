@@ -78,6 +78,12 @@ class MeasureWord(QtWidgets.QToolButton):
         self.setMenu(menu)
         self.setText(_ARROW)
 
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Down):
+            self.showMenu()
+        else:
+            super().keyPressEvent(event)
+
     def width_of(self, word: str) -> int:
         """Return how wide it is with a word; without one it is hidden."""
         metrics, shown = self.fontMetrics(), self.text()

@@ -1,7 +1,8 @@
 """The measure line: what the numbers on the map are, chosen word by word."""
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from skinsource.design.labels import AXES, METHODS, SPANS
@@ -85,3 +86,13 @@ def test_where_there_is_little_room_words_are_short_and_nothing_is_cut(window):
             assert part.width() >= part.sizeHint().width()
             assert part.geometry().right() < line.width()
     assert line.unit.focusPolicy() & Qt.FocusPolicy.TabFocus
+
+
+@pytest.mark.parametrize("key", [Qt.Key.Key_Return, Qt.Key.Key_Down])
+def test_keys_open_the_menu_of_a_word(window, key):
+    word, opened = window.panel.measure.axes, []
+    # It returns only once the menu is closed.
+    word.menu().aboutToShow.connect(lambda: QTimer.singleShot(0, word.menu().close))
+    word.menu().aboutToShow.connect(lambda: opened.append(word))
+    QTest.keyClick(word, key)
+    assert opened == [word]
