@@ -135,5 +135,5 @@ def check_levels(you: Composer) -> None:
     expected = ss.decibels(ss.rms(signals, view.span, limb.sample_rate_hz))
     shown = you.window.panel("skin").map.content
     off = float(np.abs(np.asarray(shown.values) - expected).max())
-    you.expect(not shown.outdated, "the map is up to date")
+    you.expect(not you.window.panel("skin").is_stale, "the map is up to date")
     you.expect(off < _TOLERANCE_DB, f"levels shown are those of predict ({off:.1e} dB off)")

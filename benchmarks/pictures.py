@@ -1,4 +1,4 @@
-"""Pictures of the whole window and of each panel, light and dark, in two sizes.
+"""Pictures of the whole window and of each panel, light and dark, in two sizes, and its figures.
 
 make pictures     (writes build/pictures; open them and look; and docs/window.png for the README)
 """
@@ -16,6 +16,7 @@ import soundfile
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage, QPixmap
 from PySide6.QtWidgets import QApplication
+from window_figures import print_figures
 
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, track
@@ -101,6 +102,7 @@ def main() -> int:
         for theme in ("light", "dark"):
             for size in SIZES:
                 photograph(name, design, view, arrangement, theme, size)
+    print_figures()
     return 0
 
 

@@ -519,10 +519,15 @@ def _outline(samples: Floats, box: QRectF) -> QtGui.QPainterPath:
 
 
 class SharesPointedInput(DrawableWidget):
-    """A panel that shares with others which input is under the pointer."""
+    """A panel that shares with others which input, and which place, is under the pointer."""
 
     #: Id of the input under the pointer in this panel, or None.
     input_pointed_at = Signal(object)
+    #: Place of the limb under the pointer, (x, y) in pixels of its outline, or None.
+    place_pointed_at = Signal(object)
+
+    def show_pointed_place(self, at: tuple[float, float] | None) -> None:
+        """Mark the place that is under the pointer in another panel; None: there is none."""
 
     def show_pointed_input(self, input_id: int | None) -> None:
         """Mark the input that is under the pointer in another panel; None: there is none."""

@@ -96,10 +96,8 @@ class FieldImage:
         source = _inside_pixels(mask)[::-1]
         self._targets = np.flatnonzero(source >= 0)
         self._sources = source.ravel()[self._targets]
-        self._pixels = np.zeros(source.shape, np.uint32)
         rows, columns = self._size = source.shape
-        self._image = self._of_pixels()
-        self._drawn: tuple[Floats, tuple[float, float], NDArray[np.uint32]] | None = None
+        self._drawn: tuple[Floats, Range, NDArray[np.uint32], QtGui.QImage] | None = None
         (dx, dy), (x0, y0) = self._step_mm, self._origin_mm
         self.rect = QRectF(
             (x0 - (_COLLAR + 0.5) * dx) * px_per_mm,
@@ -108,31 +106,20 @@ class FieldImage:
             rows * dy * px_per_mm,
         )
 
-    def image(
-        self, levels_db: Floats, range_db: tuple[float, float], table: NDArray[np.uint32]
-    ) -> QtGui.QImage:
-        """Return the image of levels, (rows, columns); its first line is the highest y.
-
-        The next call changes its pixels.
-        """
+    def image(self, levels_db: Floats, range_db: Range, table: NDArray[np.uint32]) -> QtGui.QImage:
+        """Return the image of levels, (rows, columns); its first line is the highest y."""
         drawn = self._drawn
-        if (
-            drawn is None
-            or drawn[0] is not levels_db
-            or drawn[1] != range_db
-            or drawn[2] is not table
-        ):
-            codes = colour_indices(levels_db.ravel().take(self._sources), range_db)
-            self._pixels.ravel()[self._targets] = table.take(codes)
-            self._drawn = levels_db, range_db, table
-            self._image = self._of_pixels()
-        return self._image
-
-    def _of_pixels(self) -> QtGui.QImage:
-        """Return a new image of the pixels: a PDF takes images with one key for the same."""
+        if drawn and drawn[0] is levels_db and drawn[1] == range_db and drawn[2] is table:
+            return drawn[3]
         rows, columns = self._size
+        pixels = np.zeros(rows * columns, np.uint32)
+        pixels[self._targets] = table.take(
+            colour_indices(levels_db.ravel().take(self._sources), range_db)
+        )
         depth = QtGui.QImage.Format.Format_ARGB32_Premultiplied
-        return QtGui.QImage(self._pixels.data, columns, rows, 4 * columns, depth)
+        image = QtGui.QImage(pixels.data, columns, rows, 4 * columns, depth).copy()
+        self._drawn = levels_db, range_db, table, image
+        return image
 
     def level_at(self, levels_db: Floats, x_px: float, y_px: float) -> float | None:
         """Return the level of the pixel at a place of the outline, dB; None outside."""
@@ -145,8 +132,9 @@ class FieldImage:
         return level if np.isfinite(level) else None
 
 
+@lru_cache(maxsize=4)
 def field_image(surface: SurfaceOperator, limb: Limb) -> FieldImage:
-    """Return the image of the surface of ``limb``."""
+    """Return the image of the surface of ``limb``; it is made once."""
     return FieldImage(surface.mask, surface.x_mm, surface.y_mm, px_per_mm_of(limb))
 
 
@@ -201,11 +189,7 @@ class SmallMap:
 
 
 class SmallMaps:
-    """Makes small maps of results; the pixels of one surface are made once."""
-
-    def __init__(self) -> None:
-        self._surface: SurfaceOperator | None = None
-        self._field: FieldImage | None = None
+    """Makes small maps of results."""
 
     def map_of(self, results: Mapping[str, Any]) -> SmallMap:
         """Return the map of ``results``; only ``limb_map`` is required.
@@ -221,9 +205,8 @@ class SmallMaps:
         plain = SmallMap(limb_map=results["limb_map"], levels_db=results.get("output_levels_db"))
         if surface is None or levels is None or "limb_data" not in results:
             return plain
-        if surface is not self._surface:
-            self._surface, self._field = surface, field_image(surface, results["limb_data"])
-        return replace(plain, field=self._field, field_levels_db=levels)
+        field = field_image(surface, results["limb_data"])
+        return replace(plain, field=field, field_levels_db=levels)
 
 
 def paint_small_map(
@@ -555,7 +538,7 @@ def tick_text(
     signed
         Whether positive numbers have a sign.
     """
-    text = minus(f"{value:+g}" if signed and value != 0.0 else f"{value:g}")
+    text = minus(f"{value:+.4g}" if signed and value != 0.0 else f"{value:.4g}")
     if reached_db is None:
         return text
     if value <= range_db[0] and reached_db[0] < range_db[0]:
@@ -641,6 +624,15 @@ def paint_scale_row(
     line = painter.fontMetrics().height()
     width = max(min(area.width() - 4.0 * line, 20.0 * line), 4.0 * line)
     ramp = QRectF(area.center().x() - width / 2.0, area.top() + _ABOVE_PX, width, _RAMP_PX)
+    paint_ramp(painter, ramp, scale, theme)
+    painter.setPen(QtGui.QColor(theme.dim))
+    below = QRectF(area.left(), ramp.bottom() + line, area.width(), line)
+    painter.drawText(below, _CENTRE, scale.text_below)
+
+
+def paint_ramp(painter: QtGui.QPainter, ramp: QRectF, scale: ColourScale, theme: Theme) -> None:
+    """Draw the colours into ``ramp``, and numbers below it."""
+    line = painter.fontMetrics().height()
     row = np.ascontiguousarray(colour_table(scale.colours))
     image = QtGui.QImage(row.data, len(row), 1, 4 * len(row), QtGui.QImage.Format.Format_RGB32)
     painter.drawImage(ramp, image)
@@ -657,6 +649,3 @@ def paint_scale_row(
         text_area = QRectF(x - 3.0 * line, ramp.bottom(), 6.0 * line, line)
         number = tick_text(value, scale.range_db, scale.reached_db, signed=scale.signed)
         painter.drawText(text_area, _CENTRE, number)
-    painter.setPen(QtGui.QColor(theme.dim))
-    below = QRectF(area.left(), ramp.bottom() + line, area.width(), line)
-    painter.drawText(below, _CENTRE, scale.text_below)

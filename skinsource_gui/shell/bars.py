@@ -1,4 +1,4 @@
-"""The bar above the panels: limb, scaling, axes, method, levels, transport and a few actions."""
+"""The bar above the panels: limb, scaling, transport and a few actions."""
 
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -37,40 +37,22 @@ class SetupBar(QtWidgets.QWidget):
         self._design: Design | None = None
         self._view: View | None = None
         self._limb_options: tuple[Word, ...] = LIMBS
-        self._measured, self._drive_unit_known = "xyz", True
+        self._drive_unit_known = True
         self._row = in_row(of=self, margins=0, gap_px=6)
-        self._limb, self._scaling, self._axes, self._method, self._span = (
-            self._choice(label, sentence, options) for _, label, sentence, options in CHOICES
+        self._limb, self._scaling = (
+            self._choice(label, sentence, options) for _, label, sentence, options in CHOICES[:2]
         )
-        self._method_hint = self._method.toolTip()
         self._row.addStretch(1)
         self._titles = self.findChildren(QtWidgets.QLabel)
-        for field, edit in (
-            (self._limb, edits.change_limb),
-            (self._scaling, edits.change_scaling),
-            (self._axes, edits.look_along),
-            (self._method, edits.look_by_method),
-            (self._span, edits.level_over),
-        ):
-            field.edited.connect(partial(self._choose, edit))
+        self._limb.edited.connect(partial(self._choose, edits.change_limb))
+        self._scaling.edited.connect(partial(self._choose, edits.change_scaling))
 
     def show_state(self, design: Design, view: View) -> None:
         """Take over the present design and view."""
         self._design, self._view = design, view
-        for field, value in (
-            (self._limb, design.limb),
-            (self._scaling, design.scaling),
-            (self._axes, view.axes),
-            (self._method, view.method),
-            (self._span, view.span),
-        ):
-            field.set_value(value)
-        self._offer_axes(design.limb)
+        self._limb.set_value(design.limb)
+        self._scaling.set_value(design.scaling)
         self._explain_scalings(drive_unit_known(design.limb, design.limb_digest))
-        single = len(view.axes) == 1
-        self._method.setEnabled(not single)
-        hint = "A single axis needs no method" if single else self._method_hint
-        show_tooltip(self._method, hint)
 
     def show_playhead(self, view: View) -> None:
         """Take over a view in which the playhead alone has moved."""
@@ -109,15 +91,6 @@ class SetupBar(QtWidgets.QWidget):
                 hint = "" if there else f"{NOT_INSTALLED} Help > {TITLE}… installs them."
                 self._limb.setItemData(index, hint, Qt.ItemDataRole.ToolTipRole)
 
-    def _offer_axes(self, limb: str) -> None:
-        """Enable the axes along which the limb was measured."""
-        measured = facts_of(limb).axes
-        if measured == self._measured:
-            return
-        self._measured = measured
-        for index in range(self._axes.count()):
-            _set_enabled(self._axes, index, there=set(self._axes.itemData(index)) <= set(measured))
-
     def _explain_scalings(self, unit_known: bool) -> None:
         """Explain what amplitudes mean on the limb."""
         if unit_known == self._drive_unit_known:
@@ -126,18 +99,25 @@ class SetupBar(QtWidgets.QWidget):
         _explain(self._scaling, scalings_on(drive_unit_known=unit_known))
 
     def choices(self, parent: QObject | None) -> list[QtGui.QAction]:
-        """Return an action for each choice, owned by ``parent``."""
+        """Return an action for each choice, also those of the measure line, owned by ``parent``."""
         actions = []
-        for field in (self._limb, self._scaling, self._axes, self._method, self._span):
+        for field in (self._limb, self._scaling):
             model = field.model()
             for index in range(field.count()):
-                action = QtGui.QAction(f"{field.accessibleName()}: {field.itemText(index)}", parent)
-                action.setToolTip(field.itemData(index, Qt.ItemDataRole.ToolTipRole) or "")
-                action.setEnabled(
-                    field.isEnabled() and bool(model.flags(model.index(index, 0)) & _ENABLED)
-                )
-                action.triggered.connect(partial(field.choose, field.itemData(index)))
-                actions.append(action)
+                title = f"{field.accessibleName()}: {field.itemText(index)}"
+                there = bool(model.flags(model.index(index, 0)) & _ENABLED)
+                hint = field.itemData(index, Qt.ItemDataRole.ToolTipRole) or ""
+                choose = partial(field.choose, field.itemData(index))
+                actions.append(_action(title, hint, choose, parent, there=there))
+        measured = set(facts_of(self._design.limb if self._design else "").axes)
+        single = self._view is not None and len(self._view.axes) == 1
+        for edit, (name, label, _, words) in zip(_LOOKS, CHOICES[2:], strict=True):
+            for word in words:
+                there = not (name == "method" and single)
+                there = there and (name != "axes" or set(word.name) <= measured)
+                choose = partial(self._choose, edit, word.name, None)
+                title = f"{label}: {word.title}"
+                actions.append(_action(title, tooltip(word.sentence), choose, parent, there=there))
         return actions
 
     def _choice(self, label: str, sentence: str, options: tuple[Word, ...]) -> ChoiceField:
@@ -161,6 +141,20 @@ class SetupBar(QtWidgets.QWidget):
             self.edited.emit(outcome, gesture)
             if isinstance(outcome, Refusal):
                 self.show_state(self._design, self._view)
+
+
+#: Edits of what is looked at: axes, method, levels.
+_LOOKS = (edits.look_along, edits.look_by_method, edits.level_over)
+
+
+def _action(
+    title: str, hint: str, choose: Callable[[], object], parent: QObject | None, *, there: bool
+) -> QtGui.QAction:
+    action = QtGui.QAction(title, parent)
+    action.setToolTip(hint)
+    action.setEnabled(there)
+    action.triggered.connect(choose)
+    return action
 
 
 def _spec(label: str, sentence: str, words: tuple[Word, ...]) -> ChoiceSpec:

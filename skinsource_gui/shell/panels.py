@@ -6,6 +6,7 @@ from skinsource.specs.models import specs_of
 from skinsource_gui.panels.analysis.settings import AnalysisSettings
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.panels.frequency_and_amplitude.settings import ControlSettings
+from skinsource_gui.panels.hand.settings import HandSettings
 from skinsource_gui.panels.output.settings import OutputSettings
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.spectra.panel import SpectraSettings
@@ -47,7 +48,7 @@ class PanelSpec:
 
 #: In the order in which the keyboard reaches them.
 PANELS: tuple[PanelSpec, ...] = (
-    PanelSpec(panel=LazyPanel("hand", "Hand")),
+    PanelSpec(panel=LazyPanel("hand", "Hand"), settings=HandSettings),
     PanelSpec(panel=LazyPanel("timeline", "Timeline"), settings=TimelineSettings),
     PanelSpec(panel=LazyPanel("inspector", "Inspector")),
     PanelSpec(

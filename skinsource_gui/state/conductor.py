@@ -256,6 +256,7 @@ class PanelController(QObject):
         panel.view_changed.connect(self._look)
         panel.playhead_requested.connect(self._put_playhead)
         panel.input_pointed_at.connect(self._point_at)
+        panel.place_pointed_at.connect(self._point_at_place)
 
     def _apply(self, outcome: Edit | Refusal, gesture: int | None) -> None:
         if isinstance(outcome, Edit):
@@ -273,6 +274,11 @@ class PanelController(QObject):
         for panel in self._panels:
             if panel is not self.sender():
                 panel.show_pointed_input(input_id)
+
+    def _point_at_place(self, at: tuple[float, float] | None) -> None:
+        for panel in self._panels:
+            if panel is not self.sender():
+                panel.show_pointed_place(at)
 
     def _with_playhead(self, view: View) -> View:
         # While it moves, most panels have a view with an older playhead.

@@ -1,14 +1,14 @@
-from dataclasses import replace
-
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog
 
 from skinsource.design.design import Design, track
+from skinsource.design.panel_settings import with_settings
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.fields.editors import FieldCell
+from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.timeline.head_row import InputRow
 
 KEY = Qt.Key
@@ -63,6 +63,7 @@ def test_tab_goes_through_all_panels_in_the_order_of_the_work_and_shift_tab_back
     names = walk(at_work)
     assert walk(at_work, SHIFT)[:-1] == names[-2::-1]
     assert in_turn(names) == [
+        "hand",  # the switch that mirrors it
         "timeline",
         "inspector",
         "skin",
@@ -76,13 +77,14 @@ def test_tab_goes_through_all_panels_in_the_order_of_the_work_and_shift_tab_back
     assert len(set(names)) == len(names)
     assert {
         ("setup", "limb"),
-        ("setup", "method"),
+        ("setup", "scaling"),
         ("transport", "play_button"),
         ("timeline", "amplitude_field"),
         ("inspector", "kind_field"),
         ("inspector", "location_field"),
-        ("skin", "map_fit_hand"),
-        ("skin", "range_auto"),
+        ("skin", "measure_span"),
+        ("skin", "map_arm"),
+        ("skin", "colour_strip"),
         ("traces", "overlaid"),
         ("traces", "relative"),
         ("traces", "traces-plot"),
@@ -92,12 +94,13 @@ def test_tab_goes_through_all_panels_in_the_order_of_the_work_and_shift_tab_back
 
 
 def test_what_is_disabled_or_hidden_is_left_out(at_work, settle):
-    at_work.document.look(replace(at_work.document.view, axes="z"))
+    view = at_work.document.view
+    at_work.document.look(with_settings(view, "skin", SkinSettings(quantity="sensation")))
     at_work.docks["inspector"].close()
     settle()
     names = walk(at_work)
-    assert ("setup", "axes") in names
-    assert ("setup", "method") not in names
+    assert ("skin", "measure_axes") in names
+    assert ("skin", "measure_span") not in names
     assert "inspector" not in in_turn(names)
 
 
@@ -134,7 +137,7 @@ def test_tab_ends_typing_and_goes_on(at_work):
 def test_a_field_that_tab_reaches_scrolls_into_sight(at_work):
     at_work.resize(1366, 620)
     QApplication.processEvents()
-    at_work.panel("skin").toolbar.setFocus()
+    at_work.panel("skin").measure.quantity.setFocus()
     while QApplication.focusWidget().objectName() != "location_field":
         press(at_work, KEY.Key_Tab, SHIFT)
     place = QApplication.focusWidget()

@@ -93,7 +93,7 @@ def paint_dot(painter: QtGui.QPainter, place: Marker, theme: Theme) -> None:
 
 def paint_hovered(painter: QtGui.QPainter, place: Marker, theme: Theme) -> None:
     """Paint an empty site under the mouse, or a site that takes what is dropped."""
-    _paint_free(painter, place, theme, QtGui.QPen(QtGui.QColor(theme.accent), 2.0), 1.0)
+    _paint_free(painter, place, theme, QtGui.QPen(QtGui.QColor(theme.text), 2.0), 1.0)
     _paint_number(painter, place, QtGui.QColor(theme.text), bold=True)
 
 
@@ -250,8 +250,12 @@ class HandDrawing:
         Input places; of 1 to 5 of the published limbs the very end of the digit.
     pushes : (n_sites, 2)
         Unit vectors along which in-axis contacts push; zero for perpendicular ones.
+    anchors : (n, 2)
+        Points of the drawing of which the places on the limb's map are known.
     limb
         Name of the limb, for the names of its places.
+    mirrored
+        Whether the palm is seen through the hand.
     side
         Text that says which hand this is.
     spacing : (n_sites,)
@@ -269,7 +273,9 @@ class HandDrawing:
     sites: NDArray[np.float64]
     pushes: NDArray[np.float64]
     spacing: NDArray[np.float64]
+    anchors: NDArray[np.float64]
     limb: str = ""
+    mirrored: bool = False
     side: str = "Right hand,\npalm side"
     contacts: bool = True
     fade: tuple[float, float] | None = (_FADE_PX, _ARM_PX)
@@ -302,6 +308,24 @@ def palmar_drawing(shape: HandShape) -> HandDrawing:
         sites=sites,
         pushes=pushes,
         spacing=np.full(len(sites), np.inf),
+        anchors=palmar(shape.input_positions),
+    )
+
+
+@lru_cache(maxsize=2)
+def mirrored(drawing: HandDrawing) -> HandDrawing:
+    """Return the palm as it is seen through the hand, from its back."""
+    turned, flip = QtGui.QTransform.fromScale(-1.0, 1.0), np.array([-1.0, 1.0])
+    return replace(
+        drawing,
+        outline=turned.map(drawing.outline),
+        creases=turned.map(drawing.creases),
+        bounds=turned.mapRect(drawing.bounds),
+        sites=drawing.sites * flip,
+        pushes=drawing.pushes * flip,
+        anchors=drawing.anchors * flip,
+        mirrored=True,
+        side=drawing.side.replace("palm side", "palm seen\nthrough it"),
     )
 
 
@@ -360,7 +384,7 @@ def _pen(colour: QtGui.QColor, opacity: float, width: float) -> QtGui.QPen:
 
 
 #: Radius of a site in outline pixels; on the screen it is neither smaller nor larger than these.
-_SITE_PX, _LEAST_PX, _LARGEST_PX = 17.0, 11.0, 26.0
+_SITE_PX, _LEAST_PX, _LARGEST_PX = 17.0, 9.5, 26.0
 # In a crowd the radius is this share of the distance to the nearest site, but stays visible.
 _OF_SPACING, _CROWDED_PX = 0.44, 2.5
 # Room beside and above the hand for the markers off its fingertips, in radii.
@@ -520,6 +544,8 @@ class HandState:
         Site under the mouse; site of the keyboard's cursor where it is shown.
     moving, ghost, target
         Number of the input that is being moved, where it floats, and the site that takes it.
+    ring
+        The place under the pointer here or on the skin, in outline pixels of the drawing.
     """
 
     marks: tuple[Mark, ...] = ()
@@ -529,6 +555,7 @@ class HandState:
     moving: int | None = None
     ghost: QPointF | None = None
     target: int | None = None
+    ring: tuple[float, float] | None = None
 
     @property
     def selected_site(self) -> int | None:

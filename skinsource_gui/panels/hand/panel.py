@@ -1,9 +1,9 @@
 """The hand panel: inputs are placed, moved and removed on a hand, by mouse or keyboard."""
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 from functools import partial
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt, QTimer, Signal
@@ -12,13 +12,16 @@ from skinsource.base.quoting import quoted
 from skinsource.design import edits
 from skinsource.design.design import Design, Input, audible_inputs
 from skinsource.design.edits.edit import Edit, Refusal
+from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
+from skinsource.limbs.limb import Limb
 from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.fields.editor import new_gesture
 from skinsource_gui.fields.inputs import EMPTY, fill_inputs_menu
 from skinsource_gui.panels.hand.layout import HandDrawing, HandState, Mark
-from skinsource_gui.panels.hand.picture import HandStage, drawing_of
-from skinsource_gui.qt.buttons import page_label, passing_menu
+from skinsource_gui.panels.hand.picture import HandStage, PlacesOfMap, drawing_of, places_of_map
+from skinsource_gui.panels.hand.settings import HAND, HandSettings
+from skinsource_gui.qt.buttons import page_label, passing_menu, tool_button
 from skinsource_gui.qt.frames import DropPlace, paint_focus_frame
 from skinsource_gui.qt.keys import claims_shortcut, key_text, meaning_of
 from skinsource_gui.qt.theme import current_theme
@@ -341,6 +344,8 @@ class HandDiagram(QtWidgets.QWidget):
     remove_requested = Signal()
     #: Site, position on the screen.
     menu_requested = Signal(int, QPoint)
+    #: The place of the drawing under the pointer, (x, y), or None.
+    place_pointed_at = Signal(object)
 
     def __init__(self, drawing: HandDrawing, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
@@ -387,7 +392,7 @@ class HandDiagram(QtWidgets.QWidget):
         self.site_cursor.keep_up(before, anew=anew, focused=self.hasFocus())
 
     def minimumSizeHint(self) -> QSize:
-        return QSize(200, 258)
+        return QSize(150, 190)
 
     def sizeHint(self) -> QSize:
         return QSize(320, 400)
@@ -421,6 +426,16 @@ class HandDiagram(QtWidgets.QWidget):
     def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
         self.stage.pan_zoom.move(event)
         self._mouse.move(event)
+        stage = self.stage
+        point = stage.layout.transform.inverted()[0].map(event.position())
+        at: tuple[float, float] | None = (point.x(), point.y())
+        if stage.drawing.contacts and stage.state.hovered is not None:
+            # The sign of a contact along a digit lies off its place.
+            x, y = stage.drawing.anchors[stage.state.hovered - 1]
+            at = float(x), float(y)
+        elif not stage.drawing.outline.contains(point):
+            at = None
+        self.place_pointed_at.emit(at)
 
     def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:
         self.stage.pan_zoom.release(event)
@@ -436,6 +451,7 @@ class HandDiagram(QtWidgets.QWidget):
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
         self._mouse.hover(None)
+        self.place_pointed_at.emit(None)
 
     def hideEvent(self, event: QtGui.QHideEvent) -> None:
         super().hideEvent(event)
@@ -510,10 +526,16 @@ class HandDiagram(QtWidgets.QWidget):
 
 
 class HandPanel(Panel):
-    """Places inputs on the hand, moves and removes them; shows nothing computed."""
+    """Places inputs on the hand, moves and removes them; shows nothing computed.
+
+    Attributes
+    ----------
+    diagram, mirror
+        The hand; the switch that shows the palm through the hand.
+    """
 
     title: ClassVar[str] = "Hand"
-    name: ClassVar[str] = "hand"
+    name: ClassVar[str] = HAND
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
@@ -532,6 +554,13 @@ class HandPanel(Panel):
         self.diagram.remove_requested.connect(self._remove)
         self.diagram.menu_requested.connect(self._open_menu)
         self.diagram.stage.changed.connect(self._follow_pointer)
+        self.diagram.place_pointed_at.connect(self._point_at_place)
+        self._limb: Limb | None = None
+        hint = "Palm seen through the hand, as on the map"
+        self.mirror = tool_button(self.diagram, "hand_mirror", "⇄", hint, checkable=True)
+        self.mirror.setAccessibleName("Mirror")
+        self.mirror.move(4, 4)
+        self.mirror.clicked.connect(self._mirror)
         # The hand of a missing limb is unknown, and another hand has other places.
         self._missing = page_label("hand_missing", tone="dim", centred=True)
         self._stack = QtWidgets.QStackedLayout(self)
@@ -549,7 +578,9 @@ class HandPanel(Panel):
         if missing:
             self._missing.setText(f"The limb {quoted(design.limb)} is missing")
         else:
-            self.diagram.show_drawing(drawing_of(design.limb))
+            through = settings_of(view, self.name, HandSettings).mirrored
+            self.mirror.setChecked(through)
+            self.diagram.show_drawing(drawing_of(design.limb, through=through))
         self._stack.setCurrentWidget(self._missing if missing else self.diagram)
         self._show_inputs(anew=before.isdisjoint(map(id, design.inputs)))
 
@@ -558,6 +589,33 @@ class HandPanel(Panel):
         tracks = () if self._design is None else self._design.inputs
         site = next((track.location for track in tracks if track.id == input_id), None)
         self.diagram.stage.change(target=site)
+
+    @property
+    def needs(self) -> frozenset[str]:
+        return frozenset({"limb_data"})
+
+    def show_results(self, results: Mapping[str, Any]) -> None:
+        self._limb = results["limb_data"]
+
+    def show_pointed_place(self, at: tuple[float, float] | None) -> None:
+        places = self._places()
+        ring = None if at is None or places is None else places.on_drawing(at)
+        self.diagram.stage.change(ring=ring)
+
+    def _point_at_place(self, at: tuple[float, float] | None) -> None:
+        places = self._places()
+        self.diagram.stage.change(ring=at if self.diagram.state.hovered is None else None)
+        self.place_pointed_at.emit(None if at is None or places is None else places.on_map(at))
+
+    def _places(self) -> PlacesOfMap | None:
+        """Return where places of the map lie on this hand, once its map is known."""
+        if self._design is None or self._limb is None or self._limb.name != self._design.limb:
+            return None
+        return places_of_map(self.diagram.stage.drawing, self._limb.map)
+
+    def _mirror(self, mirrored: bool) -> None:
+        settings = replace(settings_of(self._view, self.name, HandSettings), mirrored=mirrored)
+        self.view_changed.emit(with_settings(self._view, self.name, settings))
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)

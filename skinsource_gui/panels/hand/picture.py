@@ -25,6 +25,7 @@ from skinsource_gui.panels.hand.layout import (
     hand_layout,
     hand_pixmap,
     has_room,
+    mirrored,
     paint_cursor,
     paint_dot,
     paint_empty,
@@ -34,6 +35,7 @@ from skinsource_gui.panels.hand.layout import (
     palmar_drawing,
     polygon,
 )
+from skinsource_gui.plots.small_map import paint_ring
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, is_on_paper
 from skinsource_gui.qt.wheel import WHOLE, PanZoom
 
@@ -65,10 +67,69 @@ _AROUND_POINT_PX, _BESIDE_PX = 6.0, 40.0
 _FADE_PX = 40.0
 
 
-def drawing_of(limb: str) -> HandDrawing:
-    """Return the hand of a limb by its name; for an unknown limb, the project's own hand."""
+def drawing_of(limb: str, *, through: bool = False) -> HandDrawing:
+    """Return the palm of a limb by its name, or as it is seen ``through`` the hand.
+
+    For an unknown limb it is the project's own hand.
+    """
     own = own_map(limb)
-    return _standard() if own is None else _own(own, facts_of(limb))
+    drawing = _standard() if own is None else _own(own, facts_of(limb))
+    return mirrored(drawing) if through else drawing
+
+
+class _Plate:
+    """A thin plate that is bent so that points ``start`` go to points ``end``, both (n, 2).
+
+    SciPy has it too, but takes half a second to begin, which the pointer would show.
+    """
+
+    def __init__(self, start: Floats, end: Floats) -> None:
+        self._start, n = start / _HAND_PX, len(start)
+        flat = np.column_stack((np.ones(n), self._start))
+        system = np.block([[self._bending(self._start), flat], [flat.T, np.zeros((3, 3))]])
+        self._weights = np.linalg.solve(system, np.vstack((end, np.zeros((3, 2)))))
+
+    def __call__(self, at: tuple[float, float]) -> tuple[float, float]:
+        point = np.array([at]) / _HAND_PX
+        x, y = np.concatenate((self._bending(point)[0], [1.0], point[0])) @ self._weights
+        return float(x), float(y)
+
+    def _bending(self, points: Floats) -> Floats:
+        squares = np.square(points[:, None] - self._start).sum(axis=-1)
+        bending: Floats = squares * np.log(np.maximum(squares, 1e-30))
+        return bending
+
+
+class PlacesOfMap:
+    """Finds places of a limb's map on the drawing of its hand, and back.
+
+    The project's own hand has other fingers than a limb that was measured.
+
+    Attributes
+    ----------
+    on_map, on_drawing
+        Return the place on the map of a point of the drawing; the point of a place on the map.
+    """
+
+    def __init__(self, drawing: HandDrawing, limb_map: LimbMap) -> None:
+        places = limb_map.input_positions
+        if not drawing.contacts:
+            # An own limb is drawn as its map is.
+            places = limb_map.outline[:: _step(limb_map.outline)]
+        self.on_map, self.on_drawing = (
+            _Plate(drawing.anchors, places),
+            _Plate(places, drawing.anchors),
+        )
+
+
+#: The same with a cache, for the pointer.
+places_of_map = lru_cache(maxsize=4)(PlacesOfMap)
+# So many vertices of an outline are enough to know where it lies.
+_ANCHORS = 40
+
+
+def _step(outline: Floats) -> int:
+    return max(len(outline) // _ANCHORS, 1)
 
 
 @lru_cache(maxsize=1)
@@ -90,7 +151,7 @@ def _own(limb_map: LimbMap, facts: LimbFacts) -> HandDrawing:
     outline.closeSubpath()
     sites = _separated(palmar(limb_map.input_positions))
     side = "Left" if facts.left else "Right"
-    mirrored = "\nmirrored," if facts.mirrored else ""
+    swapped = "\nmirrored," if facts.mirrored else ""
     bounds = _bounds(palmar(limb_map.outline), sites[np.isfinite(sites[:, 0])])
     left = float(palmar(limb_map.outline)[:, 0].min())
     sites, bounds = _with_unplaced(sites, bounds, left)
@@ -101,8 +162,9 @@ def _own(limb_map: LimbMap, facts: LimbFacts) -> HandDrawing:
         bounds=bounds,
         sites=sites,
         pushes=np.zeros_like(sites),
+        anchors=palmar(limb_map.outline)[:: _step(limb_map.outline)],
         limb=facts.name,
-        side=f"{side} hand,{mirrored}\npalm side",
+        side=f"{side} hand,{swapped}\npalm side",
         spacing=_spacing(sites),
         contacts=False,
         # Where a long arm goes on it fades, as the project's own.
@@ -153,7 +215,8 @@ def _spacing(sites: Floats) -> Floats:
     return distances.min(axis=1, initial=np.inf)
 
 
-_SIDE_ALIGNMENT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
+# Radius of the ring at the place under the pointer.
+_RING_PX = 7.0
 # From this height on there is a legend below the hand.
 _ROOMY_PX = 300
 # With large letters the text on the side takes at most this share of the width.
@@ -212,7 +275,7 @@ class HandStage(QObject):
         """Take over another hand, which has other sites."""
         if drawing is not self.drawing:
             self.drawing = drawing
-            self.state = replace(self.state, hovered=None, cursor=None, target=None)
+            self.state = replace(self.state, hovered=None, cursor=None, target=None, ring=None)
             self.layout = hand_layout(drawing, fitted_hand(drawing, self.area))
             self.fit(widget)
             self.pan_zoom.show(WHOLE)
@@ -246,7 +309,7 @@ class HandStage(QObject):
         state = self.state
         if is_on_paper():
             # On paper there is neither mouse nor cursor.
-            state = replace(state, hovered=None, cursor=None, target=None)
+            state = replace(state, hovered=None, cursor=None, target=None, ring=None)
         painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
         font = painter.font()
         painter.save()
@@ -257,6 +320,10 @@ class HandStage(QObject):
             self._paint_site(painter, site, state)
         if state.cursor is not None:
             paint_cursor(painter, self._place(state.cursor, in_use=True), current_theme())
+        if state.ring is not None:
+            centre = self.layout.transform.map(QPointF(*state.ring))
+            pen = QtGui.QPen(QtGui.QColor(current_theme().text), 1.5)
+            paint_ring(painter, centre, _RING_PX, pen, current_theme())
         painter.restore()
         if state.ghost is not None and state.moving is not None:
             self._paint_ghost(painter, state.ghost, state.marks[state.moving])
@@ -362,8 +429,12 @@ class HandStage(QObject):
         if width > _MOST_SIDE * self._size.width():
             return  # it would cover the fingers
         area = QRectF(bottom - QPointF(width, 4 * self._line_px), bottom)
+        side = Qt.AlignmentFlag.AlignRight
+        if self.drawing.mirrored:
+            area.moveLeft(self._line_area(1).left())
+            side = Qt.AlignmentFlag.AlignLeft
         painter.setPen(QtGui.QColor(current_theme().dim))
-        painter.drawText(area, _SIDE_ALIGNMENT, self.drawing.side)
+        painter.drawText(area, side | Qt.AlignmentFlag.AlignBottom, self.drawing.side)
 
     def _paint_legend(self, painter: QtGui.QPainter) -> None:
         metrics, area = QtGui.QFontMetricsF(painter.font()), self._line_area(1)

@@ -24,8 +24,15 @@ from skinsource.limbs.own_limbs import facts_of
 from skinsource.perception.validity import Findings, Judged, in_short
 from skinsource.specs import fields
 from skinsource.specs.spec import ChoiceSpec
+from skinsource_gui.panels.skin.content import (
+    MapContent,
+    content_of,
+    end_s,
+    is_whole,
+    needs_of,
+    signals_name,
+)
 from skinsource_gui.panels.skin.layout import ALL, HAND, VisiblePart
-from skinsource_gui.panels.skin.painting import MapContent, marks_of
 from skinsource_gui.panels.skin.picture import Heading, heading_of, paint_picture
 from skinsource_gui.panels.skin.settings import (
     MAGNITUDE,
@@ -36,9 +43,8 @@ from skinsource_gui.panels.skin.settings import (
     SkinSettings,
     Z,
 )
-from skinsource_gui.panels.skin.time import NEEDS, PACES, Frames, slow_down_factor
+from skinsource_gui.panels.skin.time import PACES, slow_down_factor
 from skinsource_gui.plots.pictures import PER_INCH, PictureOptions, Remark, caption_of, with_caption
-from skinsource_gui.plots.small_map import field_image, px_per_mm_of
 from skinsource_gui.qt.theme import Theme
 from skinsource_gui.qt.wheel import WHOLE
 
@@ -385,29 +391,15 @@ class _Camera:
         self.size = frame_size(self._options)
         findings: Findings = exported.value("validity")
         self._caption = _caption_of(exported, findings)
-        self._frames = Frames()
+        self._noisy = next((found.outputs for found in findings if found.name == "noise"), ())
         self._family = QtGui.QGuiApplication.font().family()
-        interpolated = settings.map_style == "interpolated"
-        results = exported.values({"limb_map", *({"surface"} if interpolated else ())})
-        self._surface = results.get("surface")
-        limb = exported.limb
-        self._content = MapContent(
-            limb_map=results["limb_map"],
-            field=None if self._surface is None else field_image(self._surface, limb),
-            outputs=exported.view.outputs,
-            inputs=marks_of(exported.design, exported.view),
-            sensors_shown=settings.sensors_shown,
-            px_per_mm=px_per_mm_of(limb),
-            noisy=next((finding.outputs for finding in findings if finding.name == "noise"), ()),
-            synthetic=limb.synthetic,
-        )
         self._image = QtGui.QImage(*self.size, QtGui.QImage.Format.Format_RGB888)
         self._read_signals(exported.view)
 
     @property
     def end_s(self) -> float:
         """End of the response on the time axis."""
-        return self._frames.end_s(self._exported.view)
+        return end_s(self._results[signals_name(self._settings.quantity)], self._exported.view)
 
     def text(self, film: Film) -> str:
         """Return how fast time runs, and which limb is shown."""
@@ -417,12 +409,14 @@ class _Camera:
     def frame(self, film: Film, number: int) -> NDArray[np.uint8]:
         """Return one frame, (rows, columns, 3)."""
         view = replace(self._exported.view, playhead_s=film.time_s(number))
-        if self._frames.runs_out(view) or not self._frames.has(view):
+        signals = self._results[signals_name(self._settings.quantity)]
+        if block_of(view.playhead_s) != self._block and not is_whole(signals):
             self._read_signals(view)
-        content = self._frames.content(self._content, view, self._settings, self._surface)
+        design = self._exported.design
+        content = content_of(self._results, self._settings, view, design, noisy=self._noisy)
         # A film has one range from its begin to its end, whoever chose it.
         content = replace(content, fixed=False)
-        heading = heading_of(self._exported.design, view, content.quantity)
+        heading = heading_of(design, content.quantity)
         pace = f"1/{film.slow_motion:g} of real time"
         heading = replace(heading, details=f"{heading.details} · {pace}")
         self._draw(content, heading)
@@ -451,10 +445,9 @@ class _Camera:
         painter.end()
 
     def _read_signals(self, view: View) -> None:
-        name = self._settings.quantity
-        block = block_of(view.playhead_s)
-        results = self._exported.values({NEEDS[name]}, moving_block=block)
-        self._frames.update(results, name, view)
+        self._block = block_of(view.playhead_s)
+        needed = needs_of(self._settings)
+        self._results = self._exported.values(needed, moving_block=self._block)
 
 
 def _caption_of(exported: ExportedDesign, findings: Findings) -> str:

@@ -1,45 +1,42 @@
-"""The widget of the skin map: what is under the pointer, its texts, its zoom, and lines of text."""
-
-from itertools import product
+"""The widget of the skin map: what is under the pointer, its texts, and its zoom."""
 
 import numpy as np
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRectF, QSize, Qt, Signal
 
 from skinsource.base.work import counted
-from skinsource.design.labels import BACK_SIDE, TRIAD_SENTENCE
+from skinsource.design.labels import BACK_SIDE
 from skinsource.limbs.limb import LimbMap
 from skinsource.limbs.locations import input_name
-from skinsource_gui.fields.units import level_text, output_text
+from skinsource_gui.fields.units import output_text
+from skinsource_gui.panels.skin.content import InputMark, MapContent
 from skinsource_gui.panels.skin.layout import (
     HAND,
     MapLayout,
     VisiblePart,
-    fitted_beside_cards,
+    fitted_beside_card,
     hand_bounds,
     map_layout,
     visible_part,
 )
 from skinsource_gui.panels.skin.painting import (
-    InputMark,
-    MapContent,
     MapPainter,
     letters_for,
     marks_at,
     paint_mark,
     small_font,
 )
-from skinsource_gui.panels.skin.settings import LEVELS, time_text
+from skinsource_gui.panels.skin.settings import time_text
 from skinsource_gui.plots.outputs import ADDS, OutputPicker, output_at
-from skinsource_gui.plots.small_map import FIXED_MARK, bounds_of, paint_band
+from skinsource_gui.plots.small_map import FIXED_MARK, bounds_of, paint_band, paint_ring
 from skinsource_gui.qt.frames import paint_focus_frame
 from skinsource_gui.qt.keys import KEYS, claims_shortcut, meaning_of
 from skinsource_gui.qt.theme import Theme, current_theme, tabular
-from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.qt.wheel import FREE, WHOLE, PanZoom
 
 #: Number of inputs on top of each other that are named.
 _NAMED = 3
+_PLACE_RING_PX = 7.0
 
 
 def input_at(content: MapContent, layout: MapLayout | None, at: QPointF) -> int | None:
@@ -96,114 +93,74 @@ def selected_inputs(content: MapContent) -> tuple[int, ...]:
 
 
 def output_readout(content: MapContent, number: int) -> str:
-    """Return number and place of an output, and in a second line its value."""
+    """Return the value of an output, and its number and place."""
     values = content.coloured_values
     text = output_text(number, content.limb)
-    return text if values is None else f"{text}\n{_value_text(float(values[number - 1]), content)}"
+    return text if values is None else f"{content.quantity.text(values[number - 1])} · {text}"
 
 
 def pixel_readout(content: MapContent, layout: MapLayout, at: QPointF) -> str:
     """Return value of the interpolated map at a screen place, empty outside."""
     field, levels = content.shown_field, content.field_values
-    on_card = layout.palmar_card.contains(at) or layout.triad_card.contains(at)
-    if field is None or levels is None or on_card:
+    if field is None or levels is None or layout.palmar_card.contains(at):
         return ""
     level = field.level_at(levels, *layout.frame.to_drawing(at))
-    return "" if level is None else _value_text(level, content)
+    return "" if level is None else content.quantity.text(level)
 
 
 def map_tooltip(content: MapContent, layout: MapLayout | None, at: QPointF) -> str:
-    """Return the tooltip at a screen place: of the axes, of an output, of inputs, or nothing."""
+    """Return the tooltip at a screen place: of an output, of inputs, or nothing."""
     if layout is None:
         return ""
-    if layout.triad_card.contains(at):
-        return tooltip(TRIAD_SENTENCE)
     number = output_at(layout.points, at)
     lines = [] if number is None else [output_readout(content, number)]
     return "\n".join(filter(None, [*lines, inputs_text(content, layout, at)]))
 
 
 def selection_readout(outputs: tuple[int, ...]) -> str:
-    """Return how many outputs are selected, and in a second line how to select others."""
+    """Return how many outputs are selected, and how to select others."""
     if not outputs:
-        return "No output selected\nClick one, or drag around several"
-    return f"{counted(len(outputs), 'output')} selected\nShift+click adds or removes one"
-
-
-def _value_text(value: float, content: MapContent) -> str:
-    quantity = content.quantity
-    is_level = quantity.name == LEVELS
-    return level_text(value, quantity.span) if is_level else quantity.text(value)
+        return "No output selected · click one, or drag around several"
+    return f"{counted(len(outputs), 'output')} selected · Shift+click adds or removes one"
 
 
 SYNTHETIC_MARK = "SYNTHETIC"
 OUTDATED_MARK = "updating…"
-# Number of steps, across and down, in which places are tried for a message.
-_STEPS = 24
-# Largest number of lines of a message that would otherwise hide something.
-_MOST_LINES = 4
 
 
 def paint_map_texts(
     painter: QtGui.QPainter,
     content: MapContent,
-    layout: MapLayout | None,
     room: QRectF,
     theme: Theme,
+    *,
+    outdated: bool = False,
 ) -> None:
     """Draw side, message, synthetic mark and the mark of something outdated in ``room``."""
     unit = QtGui.QFontMetricsF(painter.font()).height() / 14
-    inner = room.adjusted(8 * unit, 5 * unit, -5 * unit, -6 * unit)
+    inner = room.adjusted(8 * unit, 2 * unit, -5 * unit, -6 * unit)
     free = QRectF(inner)
     if content.synthetic:
         free.setRight(_paint_synthetic_mark(painter, inner, theme) - 8 * unit)
     painter.save()
     painter.setFont(small_font(painter.font()))
-    label = _side_text(content, free.width(), QtGui.QFontMetricsF(painter.font()))
+    metrics = QtGui.QFontMetricsF(painter.font())
+    label = _side_text(content, free.width(), metrics, outdated=outdated)
     _paint_card(painter, free, label, theme)
     painter.restore()
     if content.message:
-        _paint_message(painter, inner, content.message, layout, theme)
+        _paint_message(painter, inner, content.message, theme)
 
 
-def _nearest(
-    preferred: QRectF, room: QRectF, layout: MapLayout, *, free_of_outputs: bool
-) -> QRectF | None:
-    """Return ``preferred``, moved as little as needed to hide no card, and no output, in ``room``.
-
-    None: there is no such place.
-    """
-    radius = layout.disc_radius
-    outputs = [QPointF(x, y) for x, y in layout.points] if free_of_outputs else []
-
-    def is_free(place: QRectF) -> bool:
-        surroundings = place.adjusted(-radius, -radius, radius, radius)
-        cards = (layout.palmar_card, layout.triad_card)
-        return not any(map(surroundings.contains, outputs)) and not any(
-            map(surroundings.intersects, cards)
-        )
-
-    across, down = room.width() - preferred.width(), room.height() - preferred.height()
-    corners = (
-        QPointF(room.left() + across * i / _STEPS, room.top() + down * k / _STEPS)
-        for i, k in product(range(_STEPS + 1), repeat=2)
-    )
-    places = [preferred, *(QRectF(corner, preferred.size()) for corner in corners)]
-    free = [place for place in places if is_free(place)]
-    return min(
-        free,
-        key=lambda place: (place.center() - preferred.center()).manhattanLength(),
-        default=None,
-    )
-
-
-def _side_text(content: MapContent, room_px: float, metrics: QtGui.QFontMetricsF) -> str:
+def _side_text(
+    content: MapContent, room_px: float, metrics: QtGui.QFontMetricsF, *, outdated: bool
+) -> str:
     side = "" if content.limb_map is None else BACK_SIDE
     parts = [FIXED_MARK] if content.fixed else []
     if content.quantity.moves and content.values is not None:
         parts.insert(0, time_text(content.quantity.time_s))
     phrasings: tuple[str, ...]
-    if content.outdated:
+    if outdated:
         phrasings = (f"{side} · {OUTDATED_MARK}", OUTDATED_MARK) if side else (OUTDATED_MARK,)
     elif parts and side:
         phrasings = (" · ".join((side, *parts)), " · ".join(parts), parts[0])
@@ -222,7 +179,7 @@ def _paint_synthetic_mark(painter: QtGui.QPainter, area: QRectF, theme: Theme) -
     metrics = QtGui.QFontMetricsF(font)
     line = metrics.height()
     width = metrics.horizontalAdvance(SYNTHETIC_MARK) + 0.7 * line
-    badge = QRectF(area.right() - width, area.top(), width, 1.35 * line)
+    badge = QRectF(area.right() - width, area.top(), width, 1.25 * line)
     painter.setPen(QtGui.QColor(theme.warning))
     painter.setBrush(QtGui.QColor(theme.base))
     painter.drawRoundedRect(badge, 3, 3)
@@ -231,40 +188,18 @@ def _paint_synthetic_mark(painter: QtGui.QPainter, area: QRectF, theme: Theme) -
     return badge.left()
 
 
-def message_card(
-    text: str, area: QRectF, layout: MapLayout | None, metrics: QtGui.QFontMetricsF
-) -> QRectF:
-    """Return the place of a message in ``area``: more lines rather than on outputs or cards.
-
-    Where there is no free place it hides outputs rather than cards.
-    """
+def _paint_message(painter: QtGui.QPainter, area: QRectF, text: str, theme: Theme) -> None:
+    """Draw a message at the lower edge of ``area``, where it hides no finger."""
     flags = int(Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap)
     inside = area.adjusted(10, 7, -10, -7)
-    wide = metrics.boundingRect(inside, flags, text).adjusted(-10, -7, 10, 7)
-    if layout is None:
-        return wide
-    widest_word = max(map(metrics.horizontalAdvance, text.split()), default=0.0)
-    for lines in range(1, _MOST_LINES + 1):
-        narrow = QRectF(inside)
-        narrow.setWidth(max(inside.width() if lines == 1 else wide.width() / lines, widest_word))
-        narrow.moveCenter(inside.center())
-        needed = metrics.boundingRect(narrow, flags, text).adjusted(-10, -7, 10, 7)
-        place = _nearest(needed, area, layout, free_of_outputs=True)
-        if place is not None:
-            return place
-    return _nearest(wide, area, layout, free_of_outputs=False) or wide
-
-
-def _paint_message(
-    painter: QtGui.QPainter, area: QRectF, text: str, layout: MapLayout | None, theme: Theme
-) -> None:
-    flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-    card = message_card(text, area, layout, QtGui.QFontMetricsF(painter.font()))
+    card = QtGui.QFontMetricsF(painter.font()).boundingRect(inside, flags, text)
+    card.adjust(-10, -7, 10, 7)
+    card.moveBottom(area.bottom())
     painter.setPen(QtGui.QColor(theme.border))
     painter.setBrush(QtGui.QColor(theme.base))
     painter.drawRoundedRect(card, 4, 4)
     painter.setPen(QtGui.QColor(theme.text))
-    painter.drawText(card.adjusted(10, 7, -10, -7), int(flags), text)
+    painter.drawText(card.adjusted(10, 7, -10, -7), flags, text)
 
 
 def _paint_card(painter: QtGui.QPainter, area: QRectF, text: str, theme: Theme) -> None:
@@ -307,6 +242,7 @@ class MapStage(QObject):
         self._limb_map: LimbMap | None = None
         self.layout: MapLayout | None = None
         self.pan_zoom = PanZoom(widget)
+        self.pan_zoom.fit = HAND
         self.pan_zoom.changed.connect(self._lay_out)
 
     @property
@@ -327,8 +263,12 @@ class MapStage(QObject):
         """Show another limb, which is fitted anew."""
         self._limb_map = limb_map
         if self.pan_zoom.fit == FREE:
-            self.pan_zoom.fit = WHOLE
+            self.pan_zoom.fit = HAND
         self.fit()
+
+    def show_arm(self, *, shown: bool) -> None:
+        """Fit hand and arm, or the hand alone."""
+        self.pan_zoom.show(WHOLE if shown else HAND)
 
     def fit(self) -> None:
         """Fit the limb into the widget, which has another size."""
@@ -337,8 +277,8 @@ class MapStage(QObject):
             self.pan_zoom.arrange({}, np.zeros((0, 2)), room)
             return
         fits = {
-            WHOLE: fitted_beside_cards(limb_map, bounds_of(limb_map.outline), room, self._metrics),
-            HAND: fitted_beside_cards(limb_map, hand_bounds(limb_map), room, self._metrics),
+            WHOLE: fitted_beside_card(limb_map, bounds_of(limb_map.outline), room, self._metrics),
+            HAND: fitted_beside_card(limb_map, hand_bounds(limb_map), room, self._metrics),
         }
         self.pan_zoom.arrange(fits, limb_map.outline, room)
 
@@ -368,6 +308,8 @@ class SkinMap(QtWidgets.QWidget):
         Which part of it is visible, and where everything lies.
     picker
         Which outputs mouse and keys select.
+    ring
+        The place of the limb under the pointer, here or on the hand, in outline pixels.
     """
 
     #: The outputs to select, a tuple of numbers.
@@ -376,6 +318,8 @@ class SkinMap(QtWidgets.QWidget):
     readout_changed = Signal(str)
     #: Id of the input that is pointed at, or None; ids of the inputs to select, a tuple.
     input_pointed_at = Signal(object)
+    #: The place of the limb under the pointer, outline pixels (x, y), or None.
+    place_pointed_at = Signal(object)
     inputs_chosen = Signal(object)
     #: Delete was pressed; whether what was selected last are outputs.
     removal_requested = Signal(bool)
@@ -386,7 +330,11 @@ class SkinMap(QtWidgets.QWidget):
         super().__init__(parent)
         self.content = MapContent()
         self._painter: MapPainter | None = None
+        self._outdated = False
+        self.ring: tuple[float, float] | None = None
         self._input_under_pointer: int | None = None
+        # The same, or that under the pointer in another panel.
+        self._input_marked: int | None = None
         # What was selected here last, "input" or "outputs": keys act on that.
         self._last = ""
         # Outputs that were selected here last.
@@ -425,14 +373,34 @@ class SkinMap(QtWidgets.QWidget):
         if self.picker.pointer is not None or self.hasFocus():
             self.readout_changed.emit(self.readout())
 
+    def show_outdated(self, outdated: bool) -> None:
+        """Say whether something newer is being computed."""
+        self._outdated = outdated
+        self.update()
+
+    def show_pointed_input(self, input_id: int | None) -> None:
+        """Mark an input that is under the pointer somewhere."""
+        if input_id != self._input_marked:
+            self._input_marked = input_id
+            self.update()
+
+    def show_pointed_place(self, at: tuple[float, float] | None) -> None:
+        """Mark the place of the limb that is under the pointer somewhere, and tell of it."""
+        if at != self.ring:
+            self.ring = at
+            self.readout_changed.emit(self.readout())
+            self.update()
+
     def readout(self) -> str:
         """Return a text on what is under the pointer, else under the keyboard's cursor."""
         number, pointer = self.picker.pointed_at(focused=self.hasFocus()), self.picker.pointer
         if number is not None:
             return output_readout(self.content, number)
-        if self.stage.layout is None or pointer is None:
+        layout = self.stage.layout
+        if layout is None or self.ring is None:
             return ""
-        return pixel_readout(self.content, self.stage.layout, pointer)
+        [ring] = layout.frame.to_screen(np.array([self.ring]))
+        return pixel_readout(self.content, layout, pointer or QPointF(*ring))
 
     def sizeHint(self) -> QSize:
         return QSize(300, 560)
@@ -447,18 +415,24 @@ class SkinMap(QtWidgets.QWidget):
         painter.fillRect(self.rect(), QtGui.QColor(theme.base))
         if self.stage.layout is not None and self._painter is not None:
             painter.setFont(tabular(small_font(self.stage.letters)))
-            self._painter.paint(painter, self.content, self.stage.layout, theme)
+            layout = self.stage.layout
+            self._painter.paint(painter, self.content, layout, theme, self._input_marked)
+            if self.ring is not None:
+                [ring] = layout.frame.to_screen(np.array([self.ring]))
+                pen = QtGui.QPen(QtGui.QColor(theme.text), 1.5 * layout.unit)
+                paint_ring(painter, QPointF(*ring), _PLACE_RING_PX * layout.unit, pen, theme)
             marks = [(picker.hovered, theme.text)]
             if self.hasFocus():
                 marks.append((picker.cursor_output, theme.accent))
             for number, colour in marks:
                 if number is not None:
-                    paint_mark(painter, number, colour, self.content, self.stage.layout, theme)
+                    paint_mark(painter, number, colour, self.content, layout, theme)
             if picker.band is not None:
                 paint_band(painter, picker.band, theme)
         painter.setFont(self.stage.letters)
         painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
-        paint_map_texts(painter, self.content, self.stage.layout, QRectF(self.rect()), theme)
+        room = QRectF(self.rect())
+        paint_map_texts(painter, self.content, room, theme, outdated=self._outdated)
         if self.hasFocus():
             paint_focus_frame(painter, QRectF(self.rect()), theme)
         painter.end()
@@ -486,6 +460,7 @@ class SkinMap(QtWidgets.QWidget):
         if self.stage.layout is not None:
             self.picker.move(event.position(), self.stage.layout.points)
             self._point_at(input_at(self.content, self.stage.layout, event.position()))
+            self._point_at_place(self._place_at(event.position()))
             self.readout_changed.emit(self.readout())
             self.update()
 
@@ -512,12 +487,13 @@ class SkinMap(QtWidgets.QWidget):
                 # The second of two quick clicks.
                 self.picker.press(event)
             else:
-                self.stage.pan_zoom.show(WHOLE)
+                self.stage.show_arm(shown=self.stage.pan_zoom.fit == HAND)
 
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
         self.picker.leave()
         self._point_at(None)
+        self._point_at_place(None)
         self.readout_changed.emit(self.readout())
         self.update()
 
@@ -533,8 +509,8 @@ class SkinMap(QtWidgets.QWidget):
             super().keyPressEvent(event)
         elif meaning == "whole":
             self.stage.pan_zoom.show(WHOLE)
-        elif meaning == "hand":
-            self.stage.pan_zoom.show(HAND)
+        elif meaning == "arm":
+            self.stage.show_arm(shown=self.stage.pan_zoom.fit == HAND)
         elif meaning == "remove":
             self.removal_requested.emit(self._last == "outputs")
         elif meaning == "select_none" and self._last == "input" and selected_inputs(self.content):
@@ -551,7 +527,21 @@ class SkinMap(QtWidgets.QWidget):
     def _point_at(self, input_id: int | None) -> None:
         if input_id != self._input_under_pointer:
             self._input_under_pointer = input_id
+            self.show_pointed_input(input_id)
             self.input_pointed_at.emit(input_id)
+
+    def _place_at(self, at: QPointF) -> tuple[float, float] | None:
+        """Return the place of the limb at a screen place; None beside it."""
+        layout, limb_map = self.stage.layout, self.content.limb_map
+        if layout is None or limb_map is None or layout.palmar_card.contains(at):
+            return None
+        place = layout.frame.to_drawing(at)
+        outline = QtGui.QPolygonF([QPointF(x, y) for x, y in limb_map.outline])
+        return place if outline.containsPoint(QPointF(*place), Qt.FillRule.OddEvenFill) else None
+
+    def _point_at_place(self, place: tuple[float, float] | None) -> None:
+        self.show_pointed_place(place)
+        self.place_pointed_at.emit(place)
 
     def _choose_inputs(self, ids: tuple[int, ...]) -> None:
         self._last = "input"
@@ -566,124 +556,3 @@ class SkinMap(QtWidgets.QWidget):
             self.stage.pan_zoom.reveal(self.stage.place_of(self.picker.cursor_output))
         self.readout_changed.emit(self.readout())
         self.update()
-
-
-_LOST_AT_ENDS = 0.3
-_WRAPPED = Qt.AlignmentFlag.AlignLeft | Qt.TextFlag.TextWordWrap
-
-
-class _Lines(QtWidgets.QWidget):
-    """Text of up to two lines that takes any width."""
-
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._text, self._most_lines = "", 2
-        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Fixed)
-
-    def text(self) -> str:
-        """Return the whole text."""
-        return self._text
-
-    def show_lines(self, count: int) -> None:
-        """Set the largest number of lines."""
-        if count != self._most_lines:
-            self._most_lines = count
-            self.updateGeometry()
-            self.update()
-
-    def sizeHint(self) -> QSize:
-        return QSize(100, self.fontMetrics().lineSpacing() * self._n_lines())
-
-    def minimumSizeHint(self) -> QSize:
-        return QSize(0, self.sizeHint().height())
-
-    def _n_lines(self) -> int:
-        return self._most_lines
-
-
-class NoteLine(_Lines):
-    """A warning of some lines, cut short where it is longer; its tooltip has all of it.
-
-    It takes no room while it is empty.
-    """
-
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._short = ""
-        self.setAccessibleName("Note on the map")
-        self.hide()
-
-    @property
-    def shown(self) -> str:
-        """The text, or the short one where the text has no room."""
-        fits = self.fontMetrics().horizontalAdvance(self._text) <= self._room_px
-        return self._text if fits else self._short or self._text
-
-    def show_text(self, text: str, short: str = "") -> None:
-        """Show other text, or the short one where it has no room; hide where it is empty."""
-        if (text, short) != (self._text, self._short):
-            self._text, self._short = text, short
-            self.setAccessibleDescription(text)
-            self.setToolTip(tooltip(text) if text else "")
-            self.setVisible(bool(text))
-            self.updateGeometry()
-            self.update()
-
-    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
-        painter = QtGui.QPainter(self)
-        painter.setPen(QtGui.QColor(current_theme().warning))
-        several = self._n_lines() > 1
-        text = self.fontMetrics().elidedText(
-            self.shown, Qt.TextElideMode.ElideRight, self._room_px if several else self.width()
-        )
-        painter.drawText(self.rect(), _WRAPPED if several else Qt.AlignmentFlag.AlignLeft, text)
-        painter.end()
-
-    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
-        super().resizeEvent(event)
-        if event.oldSize().width() != event.size().width():
-            self.updateGeometry()
-
-    @property
-    def _room_px(self) -> int:
-        # Two lines hold a little less than twice one, since words are not broken.
-        lost = _LOST_AT_ENDS if self._most_lines > 1 else 0.0
-        return round(self.width() * (self._most_lines - lost))
-
-    def _n_lines(self) -> int:
-        wide = self.fontMetrics().horizontalAdvance(self.shown) > self.width() > 0
-        return self._most_lines if wide else 1
-
-
-class ReadoutLines(_Lines):
-    """What follows the pointer, always of the same height; a single line begins with the value."""
-
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setFont(tabular(self.font()))
-
-    def show_text(self, text: str) -> None:
-        """Show other text."""
-        if text != self._text:
-            self._text = text
-            self.setAccessibleDescription(text)
-            self.setToolTip(text)
-            self.update()
-
-    @property
-    def shown(self) -> tuple[str, ...]:
-        """The text in each line."""
-        lines = self._text.split("\n")[:2]
-        if self._most_lines > 1 or len(lines) < 2:
-            return tuple(lines[: self._most_lines])
-        first, second = lines
-        return (f"{second} · {first}" if any(map(str.isdigit, second)) else first,)
-
-    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
-        painter = QtGui.QPainter(self)
-        painter.setPen(QtGui.QColor(current_theme().dim))
-        height = self.fontMetrics().lineSpacing()
-        for k, line in enumerate(self.shown):
-            text = self.fontMetrics().elidedText(line, Qt.TextElideMode.ElideRight, self.width())
-            painter.drawText(QRectF(0, k * height, self.width(), height), 0, text)
-        painter.end()

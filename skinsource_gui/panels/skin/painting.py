@@ -1,59 +1,28 @@
-"""The content of the skin map, and how it is painted: inputs, length bar, hatching and labels."""
+"""How the skin map is painted: colours, inputs, length bar, hatching and labels."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
 from PySide6 import QtGui
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
 
-from skinsource.base.arrays import Floats
-from skinsource.design.design import Design, audible_indices
-from skinsource.design.view import View
 from skinsource.limbs.limb import LimbMap
-from skinsource_gui.panels.skin.layout import TEXT_LINES, MapLayout, paint_triad
-from skinsource_gui.panels.skin.settings import LEVELS, SILENT_RANGE, LevelRange, MapQuantity
-from skinsource_gui.plots.colour_maps import VIRIDIS, colour_table, is_light, level_colours
+from skinsource_gui.panels.skin.content import InputMark, MapContent
+from skinsource_gui.panels.skin.layout import TEXT_LINES, MapLayout
+from skinsource_gui.plots.colour_maps import colour_table, is_light, level_colours
 from skinsource_gui.plots.outputs import dorsal_outputs
 from skinsource_gui.plots.small_map import (
-    FieldImage,
     bar_length_mm,
     paint_dark_strokes,
     paint_ring,
     paint_strokes,
 )
 from skinsource_gui.qt.frames import CachedPicture, UncachedPicture
-from skinsource_gui.qt.overlays import COVERED
 from skinsource_gui.qt.theme import Theme
 
 _INPUT_RING_PX, _DASH, _REACH_PX = 7.5, (3.0, 2.0), 10.0
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class InputMark:
-    """One input on the map; ``colour`` is a number of the theme's palette."""
-
-    id: int
-    location: int
-    colour: int
-    audible: bool
-    selected: bool
-
-
-def marks_of(design: Design, view: View) -> tuple[InputMark, ...]:
-    """Return the marks of all inputs of a design."""
-    audible = set(audible_indices(design.inputs))
-    return tuple(
-        InputMark(
-            id=track.id,
-            location=track.location,
-            colour=track.colour,
-            audible=index in audible,
-            selected=track.id in view.selected_inputs,
-        )
-        for index, track in enumerate(design.inputs)
-    )
 
 
 def marks_at(
@@ -175,15 +144,12 @@ def bar_card(
     width = max(length_mm * on_screen, metrics.horizontalAdvance(f"{length_mm} mm"))
     size = QSizeF(width + 8 * layout.unit, 1.5 * line + 3 * layout.unit)
     room, unit = layout.room, layout.unit
-    cards = [card for card in (layout.palmar_card, layout.triad_card) if not card.isEmpty()]
+    card = layout.palmar_card
     left, top = room.left() + 4 * unit, room.top() + TEXT_LINES * line
     low, right = room.bottom() - 3 * unit - size.height(), room.right() - 4 * unit - size.width()
-    left_of_cards = (
-        min((card.left() for card in cards), default=room.right()) - 4 * unit - size.width()
-    )
     corners = (
         QPointF(left, low),
-        QPointF(left_of_cards, low),
+        QPointF((card.left() if card.width() else room.right()) - 4 * unit - size.width(), low),
         QPointF(right, top),
         QPointF(left, top),
     )
@@ -191,9 +157,7 @@ def bar_card(
     free = (
         place
         for place in places
-        if room.contains(place)
-        and not skin.intersects(place)
-        and not any(card.intersects(place) for card in cards)
+        if room.contains(place) and not skin.intersects(place) and not card.intersects(place)
     )
     return next(free, places[0])
 
@@ -237,11 +201,10 @@ def is_crowded(n: int, layout: MapLayout) -> bool:
 
 
 def is_on_card(number: int, layout: MapLayout) -> bool:
-    """Return whether an output that has a place on the map lies under one of the cards."""
+    """Return whether an output that has a place on the map lies under the palmar group."""
     if number in layout.unplaced:
         return False
-    place = QPointF(*layout.points[number - 1])
-    return any(card.contains(place) for card in (layout.palmar_card, layout.triad_card))
+    return layout.palmar_card.contains(QPointF(*layout.points[number - 1]))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -286,7 +249,7 @@ def output_labels(
     room = layout.room.adjusted(0, TEXT_LINES * metrics.height(), 0, 0)
     for number in ranked:
         hidden = [label.area.adjusted(-gap, -gap, gap, gap) for label in placed]
-        hidden += [layout.palmar_card, layout.triad_card, occupied]
+        hidden += [layout.palmar_card, occupied]
         free = [
             label
             for label in _candidates(number, layout, radius, metrics)
@@ -347,106 +310,6 @@ def _candidates(
     return labels
 
 
-_LEVELS = MapQuantity()
-
-
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class MapContent:
-    """What the skin map shows.
-
-    Attributes
-    ----------
-    limb_map, limb
-        Outline and places, ``None`` before there are any; and whose they are.
-    values : (n_outputs,) or None
-        Level of each output in dB, or what ``quantity`` says; ``None``: no colours.
-    field, field_values
-        Interpolated map and its values, (rows, columns); ``None``: sensors carry the colours.
-    quantity
-        What the values are.
-    value_range, fixed
-        Values of the lowest and the highest colour; whether they were chosen, and stay.
-    colours
-        Name of the colour map.
-    outputs
-        Selected outputs.
-    px_per_mm
-        Outline pixels in a millimetre of the limb; 0 before that is known.
-    inputs, pointed_at
-        Marks of the inputs, and the id of the one that is pointed at here or on the hand.
-    sensors_shown
-        Whether sensors are marked on the interpolated map.
-    noisy
-        Outputs that are mostly noise; they are hatched.
-    synthetic
-        Whether the responses are computed, not measured.
-    message
-        Why there is no map; shown in its middle, instead of it.
-    note
-        What one should know about the map.
-    drawn_note
-        What of it stands in a picture: the caption below says the rest.
-    outdated
-        Whether something newer is being computed.
-    """
-
-    limb_map: LimbMap | None = None
-    limb: str = ""
-    values: Floats | None = None
-    field: FieldImage | None = None
-    field_values: Floats | None = None
-    quantity: MapQuantity = _LEVELS
-    value_range: LevelRange = SILENT_RANGE
-    fixed: bool = False
-    colours: str = VIRIDIS
-    outputs: tuple[int, ...] = ()
-    px_per_mm: float = 0.0
-    inputs: tuple[InputMark, ...] = ()
-    pointed_at: int | None = None
-    sensors_shown: bool = True
-    noisy: tuple[int, ...] = ()
-    synthetic: bool = False
-    message: str = ""
-    note: str = ""
-    drawn_note: str = ""
-    outdated: bool = False
-
-    def same_as(self, other: "MapContent") -> bool:
-        """Return whether ``other`` looks the same; arrays are compared by identity."""
-        return all(
-            mine is theirs
-            or (
-                type(mine) in (tuple, bool, str, MapQuantity)
-                and type(mine) is type(theirs)
-                and mine == theirs
-            )
-            for mine, theirs in (
-                (getattr(self, field.name), getattr(other, field.name)) for field in fields(self)
-            )
-        )
-
-    @property
-    def covered(self) -> "MapContent":
-        """The content without anything that was computed, for an audience that guesses first."""
-        quantity = replace(self.quantity, name=LEVELS)
-        return replace(self, values=None, field_values=None, quantity=quantity, message=COVERED)
-
-    @property
-    def coloured_values(self) -> Floats | None:
-        """Values to show, (n_outputs,); none while a message stands in their place."""
-        return None if self.message else self.values
-
-    @property
-    def hatched(self) -> tuple[int, ...]:
-        """Outputs that are drawn as mostly noise."""
-        return () if self.message else self.noisy
-
-    @property
-    def shown_field(self) -> FieldImage | None:
-        """The interpolated map, where it may be shown."""
-        return None if self.message or self.field_values is None else self.field
-
-
 _OUTPUT_RING_PX, _THIN_PX = 2.2, 1.2
 # A map is at least this many lines of text high, and wide, if a line is larger than the last, px.
 _MAP_LINES, _MAP_WIDTH_LINES, _USUAL_PX = 12.0, 9.0, 18.0
@@ -482,9 +345,14 @@ class MapPainter:
         self._hatch, self._marks = self._picture_type(), self._picture_type()
 
     def paint(
-        self, painter: QtGui.QPainter, content: MapContent, layout: MapLayout, theme: Theme
+        self,
+        painter: QtGui.QPainter,
+        content: MapContent,
+        layout: MapLayout,
+        theme: Theme,
+        pointed_at: int | None = None,
     ) -> None:
-        """Draw ``content``; the painter's font is that of labels."""
+        """Draw ``content``, and the input that is ``pointed_at``; the font is that of labels."""
         if layout is not self._layout:
             self._layout = layout
             self._screen_outline = layout.frame.transform().map(self._outline)
@@ -494,7 +362,7 @@ class MapPainter:
         self._paint_still(painter, content, layout, theme)
         if content.shown_field is None:
             self._paint_discs(painter, content, layout, theme)
-            _paint_cards(painter, layout, theme)
+            _paint_palm_ground(painter, layout, theme)
         self._paint_palmar(painter, content, layout, theme)
         if content.hatched:
             hatched = content.noisy, layout, self._screen_outline
@@ -505,7 +373,7 @@ class MapPainter:
                 lambda on_image: paint_hatch(on_image, *hatched),
             )
         if content.inputs:
-            self._paint_inputs(painter, content, layout, theme)
+            self._paint_inputs(painter, content.inputs, pointed_at, layout, theme)
         self._bar_card = bar_card(
             layout, content.px_per_mm, self._screen_outline, painter.fontMetrics()
         )
@@ -543,15 +411,20 @@ class MapPainter:
             if dots:
                 _paint_dots(on_image, layout)
             if on_field:
-                _paint_cards(on_image, layout, theme)
+                _paint_palm_ground(on_image, layout, theme)
 
         self._still.paint(painter, layout.room, (theme.name, dots, on_field), paint)
 
     def _paint_inputs(
-        self, painter: QtGui.QPainter, content: MapContent, layout: MapLayout, theme: Theme
+        self,
+        painter: QtGui.QPainter,
+        inputs: tuple[InputMark, ...],
+        pointed_at: int | None,
+        layout: MapLayout,
+        theme: Theme,
     ) -> None:
-        shown = content.inputs, self._limb_map, layout, theme, content.pointed_at
-        key = (theme.name, content.inputs, content.pointed_at)
+        shown = inputs, self._limb_map, layout, theme, pointed_at
+        key = (theme.name, inputs, pointed_at)
         self._marks.paint(painter, layout.room, key, lambda on_image: paint_marks(on_image, *shown))
 
     def _paint_selection(
@@ -650,26 +523,20 @@ def small_font(font: QtGui.QFont, factor: float = 0.86) -> QtGui.QFont:
     return copy
 
 
-def _paint_cards(painter: QtGui.QPainter, layout: MapLayout, theme: Theme) -> None:
-    """Draw the ground of the palmar group, and the sensors' axes."""
+def _paint_palm_ground(painter: QtGui.QPainter, layout: MapLayout, theme: Theme) -> None:
+    """Draw the ground of the palmar group."""
     card = layout.palmar_card
-    if not card.isEmpty():
-        _paint_card(painter, card, layout, theme)
-        painter.setPen(QtGui.QColor(theme.dim))
-        line = painter.fontMetrics().height()
-        head = QRectF(card.left(), card.top(), card.width(), 1.4 * line)
-        painter.drawText(head, Qt.AlignmentFlag.AlignCenter, layout.card_title)
-    if not layout.triad_card.isEmpty():
-        _paint_card(painter, layout.triad_card, layout, theme)
-        paint_triad(painter, layout.triad_card, theme)
-
-
-def _paint_card(painter: QtGui.QPainter, card: QRectF, layout: MapLayout, theme: Theme) -> None:
+    if card.isEmpty():
+        return
     ground = QtGui.QColor(theme.base)
     ground.setAlphaF(0.88)
     painter.setPen(QtGui.QPen(QtGui.QColor(theme.grid), 1))
     painter.setBrush(ground)
     painter.drawRoundedRect(card, 4 * layout.unit, 4 * layout.unit)
+    painter.setPen(QtGui.QColor(theme.dim))
+    line = painter.fontMetrics().height()
+    head = QRectF(card.left(), card.top(), card.width(), 1.4 * line)
+    painter.drawText(head, Qt.AlignmentFlag.AlignCenter, layout.card_title)
 
 
 def _paint_dots(painter: QtGui.QPainter, layout: MapLayout) -> None:

@@ -1,33 +1,24 @@
-"""The skin map as a picture for a page or a slide, and its content at no particular time."""
+"""The skin map as a picture for a page or a slide."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any
 
-import numpy as np
 from PySide6 import QtGui
 from PySide6.QtCore import QRectF, QSizeF, Qt
 
-from skinsource.base.decibels import FLOOR_DB
-from skinsource.base.quoting import sentence
 from skinsource.design.design import Design
-from skinsource.design.labels import limb_label, signal_label
-from skinsource.design.view import View
+from skinsource.design.labels import limb_label
 from skinsource.limbs.limb import LimbMap
 from skinsource.limbs.own_limbs import facts_of
-from skinsource.limbs.surface.operator import SurfaceOperator
-from skinsource.perception.sensation import LIMITS
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
-from skinsource_gui.panels.skin.layout import ALL, MapLayout, VisiblePart, map_layout
+from skinsource_gui.panels.skin.content import MapContent
+from skinsource_gui.panels.skin.layout import ALL, VisiblePart, map_layout
 from skinsource_gui.panels.skin.map import paint_map_texts
-from skinsource_gui.panels.skin.painting import MapContent, MapPainter, small_font
-from skinsource_gui.panels.skin.scale import paint_colour_scale
-from skinsource_gui.panels.skin.settings import LEVELS, SENSATION, STILL, MapQuantity, SkinSettings
-from skinsource_gui.plots.colour_maps import colour_table
-from skinsource_gui.plots.small_map import FieldImage, px_per_mm_of
+from skinsource_gui.panels.skin.painting import MapPainter, small_font
+from skinsource_gui.panels.skin.scale import scale_of
+from skinsource_gui.panels.skin.settings import SENSATION, MapQuantity
+from skinsource_gui.plots.small_map import paint_scale_row, scale_row_px
 from skinsource_gui.qt.frames import UncachedPicture
 from skinsource_gui.qt.theme import Theme, tabular
-from skinsource_gui.state.compared import SILENT
 
 #: What strokes over a map mean.
 HATCHED = f"hatched: less than {LEAST_ABOVE_NOISE_DB:g} dB above the noise"
@@ -50,17 +41,15 @@ class Heading:
     note: str = ""
 
 
-def heading_of(design: Design | None, view: View, quantity: MapQuantity | None = None) -> Heading:
-    """Return the heading of a picture of the map; of levels unless ``quantity`` is given."""
-    quantity = quantity or MapQuantity(span=view.span)
-    limb = facts_of("" if design is None else design.limb)
-    parts = [quantity.details_on(limb.axes) or signal_label(view.axes, view.method)]
+def heading_of(design: Design | None, quantity: MapQuantity, note: str = "") -> Heading:
+    """Return the heading of a picture of the map."""
+    parts = [quantity.signal]
     if design is not None:
-        band_hz = limb.band_hz
+        band_hz = facts_of(design.limb).band_hz
         if quantity.name == SENSATION and band_hz is not None:
             parts.append(f"{band_hz[0]:g} to {band_hz[1]:g} Hz")
         parts = [limb_label(design.limb).title, *parts]
-    return Heading(title=quantity.heading, details=" · ".join(parts))
+    return Heading(title=quantity.heading, details=" · ".join(parts), note=note)
 
 
 def paint_picture(
@@ -101,18 +90,16 @@ def paint_picture(
     line = QtGui.QFontMetricsF(font).height()
     inner = page.adjusted(line, 0.6 * line, -line, -line)
     inner.setTop(_paint_heading(painter, inner, heading, font, theme) + 0.4 * line)
-    room = inner.adjusted(0, 0, -6.2 * line, 0)
     painter.setFont(small_font(font))
-    layout = None
+    scale_px = scale_row_px(painter.fontMetrics().height())
+    room = inner.adjusted(0, 0, 0, -scale_px - 0.5 * line)
     if content.limb_map is not None:
-        layout = _paint_map(painter, content, content.limb_map, room, theme, visible)
-    ramp = QRectF(room.right() + line, room.top() + line, line, room.height() - 2 * line)
-    levels = content.value_range
+        _paint_map(painter, content, content.limb_map, room, theme, visible)
     painter.setFont(small_font(font))
-    table = colour_table(content.colours)
-    paint_colour_scale(painter, ramp, levels, levels, table, theme, content.quantity)
+    below = QRectF(inner.left(), inner.bottom() - scale_px, inner.width(), scale_px)
+    paint_scale_row(painter, below, scale_of(content), theme)
     painter.setFont(font)
-    paint_map_texts(painter, content, layout, room, theme)
+    paint_map_texts(painter, content, room, theme)
 
 
 def heading_font(font: QtGui.QFont, text: str, area: QRectF) -> QtGui.QFont:
@@ -156,7 +143,7 @@ def _paint_map(
     room: QRectF,
     theme: Theme,
     visible: VisiblePart,
-) -> MapLayout:
+) -> None:
     metrics = QtGui.QFontMetricsF(painter.font())
     frame = visible.frame_in(limb_map, room, metrics)
     layout = map_layout(limb_map, frame, room, metrics)
@@ -166,72 +153,3 @@ def _paint_map(
     painter.setClipRect(room, Qt.ClipOperation.IntersectClip)
     map_painter.paint(painter, content, layout, theme)
     painter.restore()
-    return layout
-
-
-#: By quantity: names of the results at the outputs and over the skin.
-_NAMES = {
-    LEVELS: ("output_levels_db", "surface_levels_db"),
-    SENSATION: ("sensation_db", "surface_sensation_db"),
-}
-
-
-def needs_of(quantity: str) -> frozenset[str]:
-    """Return the results that are needed at the outputs."""
-    more = {"sensation"} if quantity == SENSATION else set()
-    return frozenset({_NAMES[quantity][0]} | more)
-
-
-def surface_name(quantity: str) -> str:
-    """Return the result that is needed over the skin."""
-    return _NAMES[quantity][1]
-
-
-def content_of(
-    before: MapContent,
-    results: Mapping[str, Any],
-    settings: SkinSettings,
-    *,
-    limb: str,
-    surface: SurfaceOperator | None,
-    field: FieldImage | None,
-) -> MapContent:
-    """Return the content of the map with results, before design, view and playhead are known.
-
-    Parameters
-    ----------
-    before
-        What the map showed; what does not follow from results is taken over.
-    results, settings
-        Quantities by name, computed for these settings.
-    limb
-        Name of the limb.
-    surface, field
-        The interpolated map and its image; None: sensors carry the colours.
-    """
-    limb_data, shown = results["limb_data"], settings.quantity
-    limits = LIMITS if shown == SENSATION else ""
-    drawn_note = " ".join(filter(None, (limits, *(() if surface is None else surface.warnings))))
-    source = sentence(f"{limb_data.note[:1].upper()}{limb_data.note[1:]}") if limb_data.note else ""
-    content = replace(
-        before,
-        limb_map=results["limb_map"],
-        limb=limb,
-        px_per_mm=px_per_mm_of(limb_data),
-        field=field,
-        note=" ".join(filter(None, (drawn_note, source))),
-        drawn_note=drawn_note,
-    )
-    if shown not in STILL:
-        return content
-    at_outputs, over_skin = _NAMES[shown]
-    values = results[at_outputs]
-    if not values.size:
-        problem = results["sensation"].problem
-        return replace(content, values=None, field_values=None, message=problem)
-    return replace(
-        content,
-        values=values,
-        field_values=None if surface is None else results[over_skin],
-        message=SILENT if float(np.max(values)) <= FLOOR_DB else "",
-    )

@@ -1,6 +1,5 @@
 """The settings of the skin map: its quantity, its colours, and the range of the colours."""
 
-import math
 from dataclasses import dataclass, replace
 
 from skinsource.base.decibels import FLOOR_DB
@@ -13,7 +12,7 @@ from skinsource.signals.map_range import MAP_HIGHEST_DB, SILENT_MAP_RANGE_DB
 from skinsource.specs import fields
 from skinsource.specs.numbers import NumberSpec, Range, RangeSpec
 from skinsource.specs.spec import ChoiceSpec, SwitchSpec
-from skinsource_gui.fields.units import minus
+from skinsource_gui.fields.units import level_text, minus
 from skinsource_gui.plots.small_map import MAP_RANGE, LevelStyle
 
 #: Levels; acceleration along z, with its sign; its magnitude; its RMS over a sliding window.
@@ -22,7 +21,6 @@ LEVELS, Z, MAGNITUDE, RMS = "levels", "z", "magnitude", "rms"
 SENSATION = "sensation"
 #: Quantities that are the same at any time.
 STILL = (LEVELS, SENSATION)
-_DB, _MPS2 = "dB re 1 m/s²", "m/s²"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -36,9 +34,9 @@ class MapQuantity:
     span
         What levels are the RMS over.
     signal
-        What the sliding RMS is that of, as in `skinsource.design.labels`.
+        Which axes they are of, and how these are combined.
     window_s
-        Its length.
+        Length of a sliding RMS.
     time_s
         The instant that is shown, as the time axis of traces has it.
     matched
@@ -63,25 +61,20 @@ class MapQuantity:
         return self.name not in STILL
 
     @property
-    def titles(self) -> tuple[str, ...]:
-        """Titles of the colour scale; the longest that fits is shown."""
-        if not self.matched:
-            return self._plain_titles
-        return (*(f"{title}, {self.matched}" for title in self._plain_titles), self.matched)
+    def unit(self) -> str:
+        """Unit of the values, and by how much they differ from what is stored."""
+        units = {Z: "m/s²", SENSATION: "dB above threshold"}
+        return ", ".join(filter(None, (units.get(self.name, "dB re 1 m/s²"), self.matched)))
 
     @property
-    def _plain_titles(self) -> tuple[str, ...]:
+    def words(self) -> tuple[str, str, str, str]:
+        """The words of the measure line: what it is, of which axes, over what, in which unit."""
         if self.name == LEVELS:
-            return f"{_DB}, {level_label(self.span)}", f"{_DB}, {span_label(self.span)}", _DB
+            return "RMS", self.signal, span_label(self.span), self.unit
         if self.name == SENSATION:
-            above = "above the threshold of detection"
-            return f"dB {above}, loudest 100 ms", f"dB {above}", "dB above threshold", "dB"
-        if self.name == Z:
-            return f"{_MPS2}, acceleration along z", f"{_MPS2}, along z", _MPS2
-        if self.name == MAGNITUDE:
-            return f"{_DB}, magnitude of acceleration", f"{_DB}, magnitude", _DB
-        length = f"RMS over {self.window_s * 1e3:g} ms"
-        return f"{_DB}, {length}", _DB
+            return "Above threshold", self.signal, "loudest 100 ms", self.unit
+        over = f"RMS over {self.window_s * 1e3:g} ms" if self.name == RMS else ""
+        return "In time", self.signal, over, self.unit
 
     @property
     def heading(self) -> str:
@@ -97,14 +90,10 @@ class MapQuantity:
         }
         return f"{titles[self.name]}, at {time_text(self.time_s)}"
 
-    def details_on(self, axes: str) -> str:
-        """Return how the axes of a limb are combined."""
-        if self.name in (Z, SENSATION):
-            return "z" if self.name == Z else f"{label_of(AXES, axes).title} together"
-        return signal_label(axes, "mag") if self.name == MAGNITUDE else self.signal
-
     def text(self, value: float) -> str:
         """Return a value as text."""
+        if self.name == LEVELS:
+            return level_text(value, self.span)
         if self.name == SENSATION:
             return minus(f"{value:+z.1f} dB re the threshold of detection")
         if self.name == Z:
@@ -125,7 +114,7 @@ SKIN = "skin"
 QUANTITY = ChoiceSpec(
     label="Shown",
     options=(
-        (LEVELS, "RMS level"),
+        (LEVELS, "RMS"),
         (SENSATION, "Above threshold"),
         (Z, "In time: along z"),
         (MAGNITUDE, "In time: magnitude"),
@@ -177,6 +166,43 @@ class SkinSettings(LevelStyle):
     z_limits: Range | None = fields.interval(None, Z_LIMITS)
 
 
+def quantity_of(settings: SkinSettings, view: View, axes: str, matched: str = "") -> MapQuantity:
+    """Return what is shown, on a limb that was measured along ``axes``."""
+    name = settings.quantity
+    signals = {
+        Z: Z,
+        SENSATION: f"{label_of(AXES, axes).title} together",
+        MAGNITUDE: signal_label(axes, "mag"),
+    }
+    return MapQuantity(
+        name=name,
+        span=view.span,
+        signal=signals.get(name, signal_label(view.axes, view.method)),
+        window_s=settings.rms_window_s,
+        time_s=0.0 if name in STILL else view.playhead_s,
+        matched=matched,
+    )
+
+
+def chosen_range(settings: SkinSettings) -> Range | None:
+    """Return the chosen range of the colours; None: they follow what is shown."""
+    if settings.quantity == LEVELS:
+        return settings.map_range_db
+    own = {SENSATION: settings.sensation_range_db, Z: settings.z_limits}
+    return own.get(settings.quantity, settings.moving_range_db)
+
+
+def with_range(settings: SkinSettings, chosen: Range | None) -> SkinSettings:
+    """Return settings in which the colours have this range, or follow what is shown."""
+    if settings.quantity == LEVELS:
+        return replace(settings, map_range_db=chosen)
+    if settings.quantity == SENSATION:
+        return replace(settings, sensation_range_db=chosen)
+    if settings.quantity == Z:
+        return replace(settings, z_limits=chosen)
+    return replace(settings, moving_range_db=chosen)
+
+
 def has_colours(name: str, design: Design, view: View) -> bool:
     """Return whether levels are shown in these colours."""
     del design
@@ -196,8 +222,6 @@ LOWEST_DB, HIGHEST_DB = FLOOR_DB, MAP_HIGHEST_DB
 SMALLEST_SPAN_DB = 1.0
 #: The automatic range in silence.
 SILENT_RANGE: LevelRange = SILENT_MAP_RANGE_DB
-
-_TICK_STEPS_DB = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
 
 
 def with_low(range_db: LevelRange, low_db: float) -> LevelRange:
@@ -233,12 +257,3 @@ def moved(range_db: LevelRange, by_db: float) -> LevelRange:
     low, high = range_db
     by = min(max(by_db, LOWEST_DB - low), HIGHEST_DB - high)
     return low + by, high + by
-
-
-def tick_levels(low_db: float, high_db: float, room_px: float, spacing_px: float) -> list[float]:
-    """Return round levels from ``low_db`` to ``high_db``, at least ``spacing_px`` apart."""
-    span = high_db - low_db
-    fitting = (step for step in _TICK_STEPS_DB if step * room_px >= spacing_px * span)
-    step = next(fitting, _TICK_STEPS_DB[-1])
-    first, last = math.ceil(low_db / step - 1e-9), math.floor(high_db / step + 1e-9)
-    return [step * k for k in range(first, last + 1)]

@@ -136,6 +136,7 @@ def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
         span_shown = float(measured.min()), float(measured.max())
         notes.append("each output relative to its largest magnitude in the measured band")
     columns = settings.relative and settings.log_magnitude
+    heading = heading_of(results, each_axis=each_axis)
     return Curves(
         x=frequency_hz,
         y=_drawn(drawn, settings).reshape(-1, frequency_hz.size),
@@ -144,10 +145,10 @@ def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
         kind=_kind(settings),
         span=span_shown,
         level_text=_RELATIVE_LEVEL_TEXT if settings.relative else LEVEL_TEXT,
-        scaling=_scaling(settings, span),
+        scaling=tuple(f"{heading[1]} · {text}" for text in _scaling(settings, span)),
         columns=_columns(results["outputs"], axes) if columns else (),
         about=lazy_lines(results, *notes, each_axis=each_axis),
-        heading=heading_of(results, each_axis=each_axis),
+        heading=heading,
         peaks=peaks,
         matched=match_text(results["match_gain"]),
         measure=partial(measured_between, results, settings),

@@ -162,6 +162,7 @@ class TracesPanel(SignalPanel):
             names=output_names(results["outputs"], results["limb"]),
             about=lazy_lines(results),
             heading=heading_of(results),
+            scaling=heading_of(results)[1:],
             matched=match_text(results["match_gain"]),
             peaks=() if scale is None else tuple(_largest(results["selected_traces"]).tolist()),
             wave=_wave(results, scale),

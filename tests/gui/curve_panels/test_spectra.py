@@ -52,9 +52,10 @@ def test_spectra_say_what_their_height_means(show, span, scaling):
     view = replace(LINEAR, span=span)
     panel = show(view)
     assert panel.needs >= {SPECTRA[span][0], "span"}
-    assert header_of(panel).scaling[0] == scaling
+    assert header_of(panel).scaling[0].endswith(scaling)
     metrics = QFontMetricsF(plot_of(panel).text_font)
-    assert header_of(panel).fitted(metrics, 10_000.0) == (f"m/s² · {scaling}", "")
+    words = f"x, y, z, principal axis · {scaling}"
+    assert header_of(panel).fitted(metrics, 10_000.0) == (f"m/s² · {words}", "")
     assert header_of(panel).fitted(metrics, 10.0) == ("m/s²", "")
 
 

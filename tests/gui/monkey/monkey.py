@@ -219,7 +219,7 @@ class Monkey:
             message = self.window.notice.text
             self._expect(bool(message), f"predict refuses ({error}), the studio says nothing")
             return
-        self._expect(not shown.outdated, "the map is outdated at rest")
+        self._expect(not self.window.panel("skin").is_stale, "the map is outdated at rest")
         values = shown.values
         if values is None:
             self._expect(False, f"no levels are shown at rest; notice: {self.window.notice.text}")

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QApplication
 from skinsource.design import edits
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import save_design
+from skinsource.design.labels import AXES
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Noise
 from skinsource.design.waveforms.tones import Tone
@@ -17,6 +18,7 @@ from skinsource.limbs.own_limbs import facts_of, mirror_limb, remove_limb
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.shell.limb_note import LimbNote
 from tests.core.own_limbs.lab_bench import N_INPUTS, N_OUTPUTS, installed
+from tests.gui.skin.bench import entries
 
 PLAYED = Design(
     limb="synthetic-1",
@@ -69,10 +71,10 @@ def test_names_places_and_axes_are_those_of_the_limb(lab_window, lab):
     window = lab_window
     limb = window.findChild(ChoiceField, "limb")
     assert limb.shown_text == "Lab 1"
-    axes = window.findChild(ChoiceField, "axes")
-    assert axes.shown_text == "x, z"
-    enabled = [axes.itemData(k) for k in range(axes.count()) if axes.model().item(k).isEnabled()]
-    assert enabled == ["x", "z", "xz"]
+    axes = window.panel("skin").measure.axes
+    assert axes.accessibleDescription().startswith("x, z")
+    offered = list(entries(axes).values())[: len(AXES)]
+    assert [entry.data() for entry in offered if entry.isEnabled()] == ["x", "z", "xz"]
     place = window.panel("inspector").findChild(ChoiceField, "location") or next(
         field
         for field in window.panel("inspector").findChildren(ChoiceField)
@@ -83,25 +85,27 @@ def test_names_places_and_axes_are_those_of_the_limb(lab_window, lab):
     hand = window.panel("hand").diagram
     assert hand.stage.layout.n_sites == N_INPUTS
     assert "site 3" in hand.stage.text(3)
+    places = window.panel("hand")._places()
+    at = tuple(window.panel("skin").map.content.limb_map.output_positions[0])
+    assert places.on_map(places.on_drawing(at)) == pytest.approx(at, abs=1e-3)
     drawn = window.panel("skin").map.stage.layout
     assert drawn.unplaced == (5,)
     assert drawn.card_title == "No place"
-    assert drawn.triad_card.isEmpty()
     assert not window.findChild(LimbNote).isHidden()
     assert "OWN LIMB" in window.findChild(LimbNote).text()
 
 
 def test_a_new_design_and_one_of_a_file_are_looked_at_along_the_axes_of_the_limb(lab_window, qtbot):
     window = lab_window
-    axes = window.findChild(ChoiceField, "axes")
+    axes = window.panel("skin").measure.axes
     window.files.new()
     assert window.document.design.limb == "lab-1"
     assert window.document.view.axes == "xz"
-    assert axes.shown_text == "x, z"
+    assert axes.accessibleDescription().startswith("x, z")
     window.document.start_over(replace(PLAYED, limb="lab-1"), View(axes="xyz"), None)
     rested(window, qtbot)
     assert window.document.view.axes == "xz"
-    assert axes.shown_text == "x, z"
+    assert axes.accessibleDescription().startswith("x, z")
     assert not window.document.modified
 
 

@@ -84,5 +84,15 @@ def wheel(widget, at, notches, modifiers=PLAIN):
     return turn_wheel(widget, at, (0, NOTCH * notches), modifiers)
 
 
+def entries(word):
+    """Entries of the menu of a word of the measure line, by their texts."""
+    word.menu().aboutToShow.emit()
+    return {action.text(): action for action in word.menu().actions() if action.text()}
+
+
+def choose(word, text):
+    entries(word)[text].trigger()
+
+
 def pixel(picture, at):
     return QColor(picture.pixel(at)).getRgb()[:3]

@@ -36,4 +36,5 @@ def window(qtbot, results):
     panel.show()
     qtbot.waitExposed(panel)
     window.deliver()
+    panel.map.stage.show_arm(shown=True)
     return window

@@ -16,7 +16,6 @@ from skinsource.export.video import video_file
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.perception.validity import Finding
 from skinsource_gui.panels.skin import film as animation
-from skinsource_gui.panels.skin import time
 from skinsource_gui.panels.skin.film import (
     export_animation,
     film_of,
@@ -96,13 +95,13 @@ def test_a_stopped_animation_leaves_what_stood_there(tmp_path, small):
 
 def test_frames_are_taken_at_their_instants_and_told_as_progress(tmp_path, small, monkeypatch):
     looks, reports = [], []
-    content = time.Frames.content
+    content = animation.content_of
 
-    def note(self, before, view, settings, surface):
+    def note(results, settings, view, *rest, **more):
         looks.append((view.playhead_s, settings.quantity))
-        return content(self, before, view, settings, surface)
+        return content(results, settings, view, *rest, **more)
 
-    monkeypatch.setattr(time.Frames, "content", note)
+    monkeypatch.setattr(animation, "content_of", note)
     path = tmp_path / "a.mp4"
     export_animation(path, DESIGN, VIEW, progress=lambda *now: reports.append(now))
     times = np.array([time_s for time_s, _ in looks])

@@ -1,13 +1,12 @@
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPoint, Qt
-from PySide6.QtGui import QContextMenuEvent
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMenu
 
+from skinsource.design.comparing import Snapshot
 from skinsource.signals.map_range import map_range_db
-from skinsource_gui.panels.skin.settings import tick_levels
-from skinsource_gui.plots.small_map import COLOURS
+from skinsource_gui.panels.skin.settings import Z
+from skinsource_gui.state.compared import Compared
 from tests.gui.skin.bench import (
     CONTROL,
     LEFT,
@@ -17,8 +16,8 @@ from tests.gui.skin.bench import (
 
 
 def test_the_automatic_range_holds_the_loudest_output(window):
-    assert window.panel.colour_bar.range_db == (-60.0, -10.0)
-    assert window.panel.colour_bar.auto_button.isChecked()
+    assert window.panel.colour_bar.value_range == (-60.0, -10.0)
+    assert not window.panel.content.fixed
 
 
 def test_the_automatic_range_depends_on_the_present_levels_only(window):
@@ -33,43 +32,95 @@ def test_the_automatic_range_depends_on_the_present_levels_only(window):
         (333.0, 200),
     ):
         assert map_range_db(np.array([-200.0, loudest])) == (top - 50.0, top)
-    before = window.panel.colour_bar.range_db
+    before = window.panel.colour_bar.value_range
     for by in (7.0, 0.0):
         window.deliver(output_levels_db=window.results["output_levels_db"] + by)
-    assert window.panel.colour_bar.range_db == before
+    assert window.panel.colour_bar.value_range == before
 
 
-def test_a_handle_is_dragged(window):
-    bar = window.panel.colour_bar
-    drag(bar.strip.high, QPoint(10, 6), QPoint(10, 46))
-    low, high = window.settings.map_range_db
-    assert low == -60.0
-    assert -20.0 < high < -10.0
-    assert bar.range_db == (low, high)
-    assert not bar.auto_button.isChecked()
+def test_the_automatic_range_spans_snapshots_too_as_loud_as_they_are_shown(window):
+    design, levels = window.design, window.results["output_levels_db"]
+    snapshots = tuple(Snapshot(number=k, design=design) for k in (1, 2))
+    window.show(snapshots=snapshots)
+    assert window.panel.needs_of_snapshots == {"output_levels_db"}
+    louder = {"output_levels_db": levels + 12.0}
+    window.panel.show_snapshots([Compared(snapshot=snapshots[1], values=louder)])
+    assert window.panel.colour_bar.value_range == (-45.0, 5.0)
+    window.deliver(output_levels_db=louder["output_levels_db"])
+    assert window.panel.colour_bar.value_range == (-45.0, 5.0)
+    window.panel.show_snapshots([Compared(snapshot=snapshots[1], values=louder, gain=10.0)])
+    assert window.panel.colour_bar.value_range == (-25.0, 25.0)
+    window.show(snapshots=())
+    assert window.panel.needs_of_snapshots == frozenset()
+    window.deliver()
+    assert window.panel.colour_bar.value_range == (-60.0, -10.0)
 
 
-def test_a_handle_pulled_past_the_other_stops_before_it(window):
-    bar = window.panel.colour_bar
-    drag(bar.strip.low, QPoint(10, 6), QPoint(10, -900))
-    assert window.settings.map_range_db == (-11.0, -10.0)
+def ends(strip):
+    """Places of the lower end, the middle and the upper end of the colours."""
+    ramp = strip._ramp()
+    return [QPoint(round(x), 12) for x in (ramp.left() + 1, ramp.center().x(), ramp.right() - 1)]
+
+
+def test_an_end_is_dragged_and_stops_before_the_other(window):
+    strip = window.panel.colour_bar.strip
+    low, _, high = ends(strip)
+    drag(strip, high, high - QPoint(40, 0))
+    lowest, highest = window.settings.map_range_db
+    assert lowest == -60.0
+    assert -30.0 < highest < -10.0
+    assert window.panel.colour_bar.value_range == (lowest, highest)
+    assert window.panel.content.fixed
+    drag(strip, low, low + QPoint(2000, 0))
+    assert window.settings.map_range_db == (highest - 1.0, highest)
+
+
+def test_a_drag_between_the_ends_moves_both_from_where_they_were_and_back(window):
+    strip = window.panel.colour_bar.strip
+    _, middle, _ = ends(strip)
+    QTest.mousePress(strip, LEFT, PLAIN, middle)
+    for by, sign in ((30, 1.0), (-30, -1.0)):
+        QTest.mouseMove(strip, middle + QPoint(by, 0))
+        low, high = window.panel.colour_bar.value_range
+        assert high - low == pytest.approx(50.0)
+        assert sign * (high + 10.0) > 5.0
+    QTest.mouseMove(strip, middle)
+    assert window.panel.colour_bar.value_range == (-60.0, -10.0)
+    QTest.mouseRelease(strip, LEFT, PLAIN, middle)
+    views = len(window.views)
+    QTest.mouseMove(strip, middle + QPoint(30, 0))
+    assert len(window.views) == views
 
 
 def test_a_double_click_brings_the_automatic_range_back(window):
     window.show(map_range_db=(-30.0, -20.0))
-    QTest.mouseDClick(window.panel.colour_bar.strip, LEFT, PLAIN, QPoint(17, 200))
+    QTest.mouseDClick(window.panel.colour_bar.strip, LEFT, PLAIN, QPoint(60, 12))
     assert window.settings.map_range_db is None
-    assert window.panel.colour_bar.range_db == (-60.0, -10.0)
+    assert window.panel.colour_bar.value_range == (-60.0, -10.0)
 
 
-def test_keys_move_a_handle_or_the_whole_range(window):
+def test_keys_move_the_range(window):
     strip = window.panel.colour_bar.strip
-    QTest.keyClick(strip.high, Qt.Key.Key_Up)
-    assert window.settings.map_range_db == (-60.0, -9.0)
-    QTest.keyClick(strip.low, Qt.Key.Key_Down, CONTROL)
-    assert window.settings.map_range_db == (-60.1, -9.0)
+    QTest.keyClick(strip, Qt.Key.Key_Up)
+    assert window.settings.map_range_db == (-59.0, -9.0)
+    QTest.keyClick(strip, Qt.Key.Key_Down, CONTROL)
+    assert window.settings.map_range_db == pytest.approx((-59.1, -9.1))
     QTest.keyClick(strip, Qt.Key.Key_PageUp)
-    assert window.settings.map_range_db == pytest.approx((-50.1, 1.0))
+    assert window.settings.map_range_db == pytest.approx((-49.1, 0.9))
+
+
+def test_limits_of_signed_values_stay_alike(window):
+    window.show(quantity=Z, z_limits=(-2.0, 2.0))
+    bar = window.panel.colour_bar
+    assert bar.limit_field.isVisible()
+    assert not bar.low_field.isVisible()
+    QTest.keyClick(bar.strip, Qt.Key.Key_Up)
+    assert window.settings.z_limits == (-2.24, 2.24)
+    low, _, _ = ends(bar.strip)
+    drag(bar.strip, low, low + QPoint(40, 0))
+    limit = window.settings.z_limits[1]
+    assert 0.5 < limit < 2.2
+    assert window.settings.z_limits == (-limit, limit)
 
 
 @pytest.mark.parametrize(
@@ -100,57 +151,3 @@ def test_an_end_that_leaves_no_room_for_the_other_is_refused_with_a_sentence(win
         "Level of the highest colour: −200 dB is too low. Allowed: −199 to 200 dB."
     )
     assert window.views == []
-
-
-def test_ticks_are_round_and_apart():
-    assert tick_levels(-66.0, 6.0, room_px=200.0, spacing_px=24.0) == [
-        -60,
-        -50,
-        -40,
-        -30,
-        -20,
-        -10,
-        0,
-    ]
-    assert tick_levels(-1.0, 0.0, room_px=200.0, spacing_px=24.0) == [-1.0, -0.5, 0.0]
-
-
-def test_the_right_button_on_the_colour_bar_offers_the_colours(window):
-    strip = window.panel.colour_bar.strip
-    at = strip.rect().center()
-    reason = QContextMenuEvent.Reason.Mouse
-    QApplication.sendEvent(strip, QContextMenuEvent(reason, at, strip.mapToGlobal(at)))
-    [menu] = strip.findChildren(QMenu, "colours_menu")
-    offered = {action.text(): action for action in menu.actions()}
-    assert list(offered) == [title for _, title in COLOURS.options]
-    assert [text for text, action in offered.items() if action.isChecked()] == ["Viridis"]
-    offered["Magma"].trigger()
-    assert window.settings.colours == "magma"
-    menu.close()
-    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    assert not strip.findChildren(QMenu, "colours_menu")
-
-
-def test_the_scale_goes_beyond_the_range_and_stays_while_it_is_dragged(window):
-    bar = window.panel.colour_bar
-    strip, at = bar.strip, QPoint(17, bar.strip.height() // 2)
-    assert strip._axis_db == (-66.0, -4.0)
-    window.show(map_range_db=(-60.0, 40.0))
-    assert strip._axis_db == (-72.0, 52.0)
-    window.show(map_range_db=(-60.0, -10.0))
-    QTest.mousePress(strip, LEFT, PLAIN, at)
-    QTest.mouseMove(strip, at - QPoint(0, 30))
-    up_db = bar.range_db[1] + 10.0
-    assert up_db > 0.0
-    assert strip._axis_db == (-66.0, -4.0)
-    # It is pulled from where it was, and back to it.
-    QTest.mouseMove(strip, at + QPoint(0, 30))
-    assert bar.range_db[1] == pytest.approx(-10.0 - up_db, abs=0.11)
-    QTest.mouseMove(strip, at)
-    assert bar.range_db == (-60.0, -10.0)
-    QTest.mouseMove(strip, at - QPoint(0, 30))
-    QTest.mouseRelease(strip, LEFT, PLAIN, at - QPoint(0, 30))
-    assert strip._axis_db == pytest.approx((-66.0 + up_db, -4.0 + up_db))
-    views = len(window.views)
-    QTest.mouseMove(strip, at)
-    assert len(window.views) == views

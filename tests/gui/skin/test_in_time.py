@@ -13,9 +13,10 @@ from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.time_rules import BLOCK_S
+from skinsource_gui.panels.skin.content import signals_name
 from skinsource_gui.panels.skin.settings import LEVELS, MAGNITUDE, RMS, SkinSettings, Z
-from skinsource_gui.panels.skin.time import NEEDS
 from skinsource_gui.plots.colour_maps import DIVERGING
+from tests.gui.skin.bench import choose
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.2)
 SHORT = ss.Design(limb="synthetic-1", inputs=(ss.track(7, TONE),))
@@ -43,13 +44,14 @@ def look(qtbot):
 
 
 def computed(design, view, name):
-    return new_graph().evaluate({NEEDS[name]}, sources(design, view))[NEEDS[name]]
+    name = signals_name(name)
+    return new_graph().evaluate({name}, sources(design, view))[name]
 
 
 def test_until_accelerations_are_known_their_bar_has_no_decibels_of_what_was_shown(window):
     """The panel alone: nobody computes what it needs."""
     window.show(quantity=Z)
-    low, high = window.panel.signed_bar.strip.limits
+    low, high = window.panel.colour_bar.value_range
     assert low == -high < 0.0
 
 
@@ -69,6 +71,9 @@ def test_the_map_shows_the_skin_where_the_playhead_is(open_window, look):
     content = look(window, quantity=RMS, rms_window_s=0.05)
     energy = computed(SHORT, window.document.view, RMS)
     assert content.values == pytest.approx(ss.decibels(energy.rms(0.0751, 0.05)))
+    # After the response there is silence.
+    assert not look(window, quantity=Z, playhead_s=9.0).values.any()
+    assert not window.panel("skin").is_stale
     levels = look(window, quantity=LEVELS)
     assert levels.values.max() < 0.0
     assert levels.quantity.name == LEVELS
@@ -77,29 +82,24 @@ def test_the_map_shows_the_skin_where_the_playhead_is(open_window, look):
 def test_each_step_is_another_frame_and_evaluates_nothing(open_window, look, qtbot):
     window = open_window(SHORT, View())
     look(window, quantity=Z)
-    asked, frames = [], window.panel("skin").frames
+    asked, levels_db = [], set()
     window.conductor.delivered.connect(asked.append)
-    made, levels_db = frames.made, set()
     for k in range(40):
         content = look(window, playhead_s=0.06 + k / 1300 / 7)
         levels_db.add(float(content.values[28]))
-    assert frames.made == made + 40
     assert len(levels_db) == 40
     assert asked == []
 
 
-def test_levels_and_hidden_maps_make_no_frames(open_window, look):
+def test_levels_and_hidden_maps_are_not_made_anew_at_each_step(open_window, look):
     window = open_window(SHORT, View())
-    frames = window.panel("skin").frames
-    made = frames.made
-    look(window, playhead_s=0.08)
-    assert frames.made == made
+    content = look(window, playhead_s=0.07)
+    assert look(window, playhead_s=0.08) is content
     look(window, quantity=Z)
     window.docks["skin"].hide()
-    made = frames.made
     for time_s in (0.1, 0.11):
         look(window, playhead_s=time_s)
-    assert frames.made == made
+        assert window.panel("skin").content.quantity.time_s == 0.08
     window.docks["skin"].show()
     content = look(window)
     assert content.quantity.time_s == 0.11
@@ -111,8 +111,10 @@ def test_with_the_delay_removed_the_wave_comes_so_much_earlier(open_window, look
     window.do("remove_delay")
     levels_db = look(window, playhead_s=0.08 - PRE_TRIGGER_DELAY_S).values
     assert levels_db == pytest.approx(there, abs=1e-9)
-    end_s = window.panel("skin").frames.end_s(window.document.view)
-    assert end_s == pytest.approx((260 + 522 - 2) / 1300 - PRE_TRIGGER_DELAY_S)
+    scrub = window.panel("skin").scrub
+    assert scrub.slider.maximum() / 1e4 == pytest.approx(
+        (260 + 522 - 2) / 1300 - PRE_TRIGGER_DELAY_S, abs=1e-4
+    )
 
 
 def test_another_part_of_a_long_design_is_asked_for_once(open_window, look):
@@ -125,7 +127,7 @@ def test_another_part_of_a_long_design_is_asked_for_once(open_window, look):
     for time_s in (BLOCK_S + 1.0, BLOCK_S + 2.0, BLOCK_S + 3.0):
         content = look(window, playhead_s=time_s)
     assert len(asked) == 1
-    assert not content.outdated
+    assert not window.panel("skin").is_stale
     moving = computed(LONG, window.document.view, Z)
     assert content.values == pytest.approx(moving.acceleration(BLOCK_S + 3.0)[:, 0])
     # Far away nothing is known at first, and then all of it.
@@ -139,13 +141,13 @@ def test_the_map_says_when_and_whether_its_range_is_fixed(open_window, look):
     content = look(window, playhead_s=0.0751, quantity=Z)
     assert not content.fixed
     assert content.quantity.heading == "Skin acceleration along z, at 75.1 ms"
-    bar = window.panel("skin").signed_bar
-    assert bar.isVisible()
-    bar.limits_chosen.emit((-0.2, 0.2))
+    bar = window.panel("skin").colour_bar
+    assert bar.limit_field.isVisible()
+    bar.range_chosen.emit((-0.2, 0.2))
     content = look(window)
     assert content.fixed
     assert content.value_range == (-0.2, 0.2)
-    bar.limits_chosen.emit(None)
+    bar.range_chosen.emit(None)
     assert not look(window).fixed
 
 
@@ -164,19 +166,18 @@ def test_scrubbing_moves_the_one_playhead(open_window, look):
     assert scrub.slider.value() == 3000
 
 
-def test_what_is_chosen_in_the_row_is_what_is_shown(open_window, look):
+def test_what_is_chosen_in_the_measure_line_is_what_is_shown(open_window, look):
     window = open_window(SHORT, View())
-    row = window.panel("skin").quantity_row
-    assert not row.pace.isVisible()
-    row.quantity.setCurrentIndex(row.quantity.findData(RMS))
-    row.quantity.activated.emit(row.quantity.currentIndex())
+    panel = window.panel("skin")
+    assert not panel.scrub.isVisible()
+    choose(panel.measure.quantity, "In time: sliding RMS")
     look(window)
     assert settings_of(window.document.view, "skin", SkinSettings).quantity == RMS
-    assert row.pace.isVisible()
-    assert row.rms_window.isVisible()
-    row.pace.setCurrentIndex(row.pace.findData("20"))
-    row.pace.activated.emit(row.pace.currentIndex())
+    assert panel.scrub.pace.isVisible()
+    assert panel.measure.rms_window.isVisible()
+    panel.scrub.pace.setCurrentIndex(panel.scrub.pace.findData("20"))
+    panel.scrub.pace.activated.emit(panel.scrub.pace.currentIndex())
     assert window.document.view.slow_motion == 20.0
     # Space plays then, and opens no list.
-    assert window.focusWidget() is window.panel("skin").map
+    assert window.focusWidget() is panel.map
     assert window.document.undo_stack.count() == 0

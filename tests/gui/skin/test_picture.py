@@ -3,16 +3,14 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, QPointF, QRectF
+from PySide6.QtCore import QPoint, QPointF, QRect, QRectF
 from PySide6.QtGui import QColor, QImage, QPainter
 from PySide6.QtWidgets import QApplication
 
 from skinsource.limbs.limb import LimbMap
 from skinsource_gui.panels.skin import picture as map_picture
+from skinsource_gui.panels.skin.content import MapContent
 from skinsource_gui.panels.skin.map import SkinMap, paint_map_texts
-from skinsource_gui.panels.skin.painting import (
-    MapContent,
-)
 from skinsource_gui.panels.skin.picture import heading_of
 from skinsource_gui.plots.colour_maps import colour_indices, colour_table
 from skinsource_gui.plots.small_map import FieldImage
@@ -35,7 +33,7 @@ def test_sensors_only_is_drawn_without_a_surface(window):
     window.show(map_style="sensors", outputs=())
     window.deliver()
     level = window.results["output_levels_db"][51]
-    low_high = window.panel.colour_bar.range_db
+    low_high = window.panel.colour_bar.value_range
     expected = QColor(int(colour_table()[colour_indices(np.array(level), low_high)]))
     picture = window.panel.map.grab().toImage()
     assert pixel(picture, place(window, 52)) == expected.getRgb()[:3]
@@ -94,8 +92,17 @@ def test_silence_is_told_and_shows_no_colours(window):
         output_levels_db=np.full(72, -200.0),
         surface_levels_db=np.where(window.results["surface"].mask, -200.0, np.nan),
     )
-    assert window.panel.map.content.message == SILENT
-    assert window.panel.map.content.shown_field is None
+    view = window.panel.map
+    assert view.content.message == SILENT
+    assert view.content.shown_field is None
+    view.stage.show_arm(shown=False)
+    said = view.grab().toImage()
+    view.show_content(replace(view.content, message=" "))
+    other = view.grab().toImage()
+    # No finger is under the message.
+    above = QRect(0, 0, view.width(), view.height() * 3 // 4)
+    assert said.copy(above) == other.copy(above)
+    assert said != other
     window.deliver()
     assert window.panel.map.content.message == ""
     assert window.panel.map.content.shown_field is not None
@@ -113,11 +120,13 @@ def test_a_problem_empties_the_map_and_is_told_there(window):
 
 
 def test_something_outdated_is_marked_after_a_while(window, qtbot):
+    plain = window.panel.map.grab().toImage()
     window.panel.show_stale(True)
-    assert not window.panel.map.content.outdated
-    qtbot.waitUntil(lambda: window.panel.map.content.outdated)
+    assert window.panel.map.grab().toImage() == plain
+    qtbot.waitUntil(lambda: window.panel.is_stale)
+    assert window.panel.map.grab().toImage() != plain
     window.deliver()
-    assert not window.panel.map.content.outdated
+    assert window.panel.map.grab().toImage() == plain
 
 
 def test_a_synthetic_limb_is_named_so_on_the_map_and_in_pictures(window):
@@ -127,7 +136,9 @@ def test_a_synthetic_limb_is_named_so_on_the_map_and_in_pictures(window):
     window.show()
     # The picture on screen is still that of the synthetic limb.
     assert window.panel.map.content.synthetic
-    window.deliver()
+    limb = copy(window.results["limb_data"])
+    limb.name = "measured-1"
+    window.deliver(limb_data=limb)
     assert not window.panel.map.content.synthetic
     assert window.panel.picture(400, 600) != marked
 
@@ -141,6 +152,7 @@ def test_a_limb_about_which_there_is_something_to_know_says_so_below_the_map(win
     assert window.panel.note.isVisible()
     assert "not the published" in window.panel.note.toolTip()
     QApplication.processEvents()
+    assert window.panel.note.height() < 1.5 * window.panel.note.fontMetrics().height()
     assert window.panel.map.height() < without[0].height()
     # Below a picture the caption says it, which the window gives.
     assert window.panel.picture(400, 600) == without[1]
@@ -158,14 +170,13 @@ def test_words_above_a_fitted_map_lie_on_no_skin(window, size, fit):
     view.setFixedSize(*size)
     QApplication.processEvents()
     view.stage.pan_zoom.show(fit)
-    view.show_content(replace(view.content, outdated=True))
     layout = view.stage.layout
     top = layout.frame.to_screen(view.content.limb_map.outline)[:, 1].min()
     image = QImage(*size, QImage.Format.Format_RGB32)
     image.fill(QColor("white"))
     painter = QPainter(image)
     painter.setFont(view.font())
-    paint_map_texts(painter, view.content, layout, QRectF(view.rect()), LIGHT)
+    paint_map_texts(painter, view.content, QRectF(view.rect()), LIGHT, outdated=True)
     painter.end()
     pixels = np.frombuffer(image.constBits(), np.uint32).reshape(size[1], -1) & 0xFFFFFF
     inked = np.flatnonzero((pixels != 0xFFFFFF).any(axis=1))
@@ -174,7 +185,7 @@ def test_words_above_a_fitted_map_lie_on_no_skin(window, size, fit):
 
 
 def test_pictures_say_what_is_shown_over_what_and_of_whom(window):
-    heading = heading_of(window.design, window.view)
+    heading = heading_of(window.design, window.panel.content.quantity)
     assert heading.title == "Skin acceleration, RMS over the whole record"
     assert heading.details == "Synthetic 1 (175 mm) · x, y, z, principal axis"
 

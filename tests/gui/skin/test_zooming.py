@@ -8,9 +8,20 @@ from PySide6.QtWidgets import QApplication, QMenu
 from skinsource_gui.panels.skin import layout
 from skinsource_gui.panels.skin import picture as map_picture
 from skinsource_gui.panels.skin.layout import HAND
+from skinsource_gui.panels.skin.panel import SkinPanel
 from skinsource_gui.qt.theme import LIGHT
-from skinsource_gui.qt.wheel import PAUSE_S, WHOLE, ScrollGesture
-from tests.gui.skin.bench import CONTROL, LEFT, MIDDLE, PLAIN, drag, pixel, place, wheel
+from skinsource_gui.qt.wheel import FREE, PAUSE_S, WHOLE, ScrollGesture
+from tests.gui.skin.bench import (
+    CONTROL,
+    LEFT,
+    MIDDLE,
+    PLAIN,
+    Window,
+    drag,
+    pixel,
+    place,
+    wheel,
+)
 
 # Zooming
 
@@ -47,28 +58,39 @@ def test_a_drag_with_the_middle_button_pans(window):
     assert window.views == []
 
 
-@pytest.mark.parametrize("way", ["key", "double click", "button"])
-def test_there_are_three_ways_back_to_the_whole_outline(window, way):
+@pytest.mark.parametrize("way", ["Z", "button", "double click"])
+def test_there_are_three_ways_between_the_hand_and_the_hand_with_its_arm(window, way):
+    view, arm = window.panel.map, window.panel.measure.arm
+    room = QRectF(view.rect())
+    for fit in (HAND, WHOLE, HAND):
+        if way == "Z":
+            QTest.keyClick(view, Qt.Key.Key_Z)
+        elif way == "button":
+            QTest.mouseClick(arm, LEFT)
+        else:
+            QTest.mouseDClick(view, LEFT, PLAIN, QPoint(3, 3))
+        assert view.stage.pan_zoom.fit == fit
+        assert arm.isChecked() == (fit == WHOLE)
+        seen = [room.contains(view.stage.place_of(number)) for number in range(1, 73)]
+        assert all(seen[:42])
+        assert all(seen) == (fit == WHOLE)
+
+
+def test_a_zoomed_map_goes_back_to_the_whole_with_a_key(window):
     view = window.panel.map
     view.stage.pan_zoom.zoom(2.0, QPointF(0, 0))
-    assert view.stage.pan_zoom.fit != WHOLE
-    if way == "key":
-        QTest.keyClick(view, Qt.Key.Key_0)
-    elif way == "double click":
-        QTest.mouseDClick(view, LEFT, PLAIN, QPoint(3, 3))
-    else:
-        QTest.mouseClick(window.panel.toolbar.all, LEFT)
+    assert view.stage.pan_zoom.fit == FREE
+    QTest.keyClick(view, Qt.Key.Key_0)
     assert view.stage.pan_zoom.fit == WHOLE
 
 
-def test_the_hand_can_be_fitted_alone(window):
-    view = window.panel.map
-    whole = view.stage.layout.frame.scale
-    QTest.mouseClick(window.panel.toolbar.hand, LEFT)
-    assert view.stage.pan_zoom.fit == HAND
-    assert view.stage.layout.frame.scale > 1.3 * whole
-    room = QRectF(view.rect())
-    assert all(room.contains(view.stage.place_of(number)) for number in range(1, 43))
+def test_the_hand_is_seen_first(qtbot, window):
+    panel = SkinPanel()
+    qtbot.addWidget(panel)
+    again = Window(panel, window.results)
+    again.show()
+    again.deliver()
+    assert panel.map.stage.pan_zoom.fit == HAND
 
 
 def test_nothing_of_the_outline_is_cut_off_or_covered_at_any_size(window):
@@ -78,9 +100,9 @@ def test_nothing_of_the_outline_is_cut_off_or_covered_at_any_size(window):
         layout = window.panel.map.stage.layout
         x, y = layout.frame.to_screen(outline).T
         assert layout.room.contains(QRectF(QPointF(x.min(), y.min()), QPointF(x.max(), y.max())))
-        for card in (layout.palmar_card, layout.triad_card):
-            inside = (x > card.left()) & (x < card.right()) & (y > card.top()) & (y < card.bottom())
-            assert not inside.any(), size
+        card = layout.palmar_card
+        inside = (x > card.left()) & (x < card.right()) & (y > card.top()) & (y < card.bottom())
+        assert not inside.any(), size
 
 
 @pytest.mark.parametrize("zoom", [1.5, 25.0])
@@ -164,7 +186,7 @@ def test_a_picture_shows_what_is_seen(window, size, monkeypatch):
     for corner in (visible_area.topLeft(), visible_area.bottomRight()):
         at = frame.to_screen(np.array([on_screen.to_drawing(corner)]))[0]
         assert room.adjusted(-1, -1, 1, 1).contains(QPointF(*at))
-    # Nothing of the magnified map lies on the words above it or on the scale beside it.
+    # Nothing of the magnified map lies on the words above it.
     view.stage.pan_zoom.zoom(6.0, QPointF(150, 150))
     much = window.panel.picture(*size)
     above = round(room.top()) - 2

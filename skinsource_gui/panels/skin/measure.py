@@ -1,0 +1,263 @@
+"""The measure line: what the skin map shows, of which axes, over what; each word is a menu."""
+
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from functools import partial
+
+from PySide6 import QtGui, QtWidgets
+from PySide6.QtCore import QEvent, QSize, Qt, Signal
+
+from skinsource.design import edits
+from skinsource.design.design import Design
+from skinsource.design.edits.edit import Edit, Refusal
+from skinsource.design.labels import AXES, METHODS, SPANS, TRIAD_SENTENCE, label_of
+from skinsource.design.view import View
+from skinsource.limbs.own_limbs import facts_of
+from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.panels.skin.content import MapContent
+from skinsource_gui.panels.skin.settings import (
+    LEVELS,
+    MAP_STYLE,
+    QUANTITY,
+    RMS,
+    RMS_WINDOW,
+    SENSORS_SHOWN,
+    SkinSettings,
+    with_range,
+)
+from skinsource_gui.plots.small_map import COLOURS
+from skinsource_gui.qt.buttons import tool_button
+from skinsource_gui.qt.keys import key_text
+from skinsource_gui.qt.layouts import in_row
+from skinsource_gui.qt.tooltips import show_tooltip, tooltip
+
+_ARROW = " ▾"
+
+
+def offer(
+    menu: QtWidgets.QMenu,
+    options: Iterable[tuple[str, str, str]],
+    current: str,
+    choose: Callable[[str], object],
+) -> list[QtGui.QAction]:
+    """Add exclusive entries, each with name, title and hint, to a menu; return them."""
+    group = QtGui.QActionGroup(menu)
+    menu.setToolTipsVisible(True)
+    actions = []
+    for name, title, hint in options:
+        action = menu.addAction(title, partial(choose, name))
+        action.setData(name)
+        action.setToolTip(tooltip(hint) if hint else "")
+        action.setCheckable(True)
+        action.setChecked(name == current)
+        group.addAction(action)
+        actions.append(action)
+    return actions
+
+
+class MeasureWord(QtWidgets.QToolButton):
+    """A word of the measure line that opens a menu; ``fill`` fills that anew each time."""
+
+    def __init__(
+        self,
+        name: str,
+        title: str,
+        hint: str,
+        fill: Callable[[QtWidgets.QMenu], object],
+        parent: QtWidgets.QWidget,
+    ) -> None:
+        super().__init__(parent)
+        self.setObjectName(name)
+        self.setAccessibleName(title)
+        self.setToolTip(tooltip(title, hint))
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
+        menu = QtWidgets.QMenu(self)
+        menu.aboutToShow.connect(menu.clear)
+        menu.aboutToShow.connect(partial(fill, menu))
+        self.setMenu(menu)
+        self.setText(_ARROW)
+
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Down):
+            self.showMenu()
+        else:
+            super().keyPressEvent(event)
+
+    def width_of(self, word: str) -> int:
+        """Return how wide it is with a word; without one it is hidden."""
+        metrics, shown = self.fontMetrics(), self.text()
+        more = metrics.horizontalAdvance(word + _ARROW) - metrics.horizontalAdvance(shown)
+        return self.sizeHint().width() + more if word else 0
+
+    def show_word(self, word: str) -> None:
+        """Show the present choice, perhaps in short."""
+        self.setVisible(bool(word))
+        if word:
+            self.setText(word + _ARROW)
+
+
+class MeasureLine(QtWidgets.QWidget):
+    """Says what the numbers on the map are, and lets each part of that be chosen.
+
+    Attributes
+    ----------
+    quantity, axes, span, unit
+        Its words.
+    rms_window, arm
+        Length of a sliding RMS; whether the arm is seen beside the hand.
+    """
+
+    #: `Edit` or `Refusal`, number of the gesture or None.
+    edited = Signal(object, object)
+    #: Other `SkinSettings`.
+    settings_chosen = Signal(object)
+
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._design: Design | None = None
+        self._view, self._settings, self._content = View(), SkinSettings(), MapContent()
+        self.quantity = MeasureWord(
+            "measure_quantity", QUANTITY.label, QUANTITY.hint, self._offer_quantities, self
+        )
+        self.axes = MeasureWord("measure_axes", "Axes", TRIAD_SENTENCE, self._offer_axes, self)
+        self.span = MeasureWord(
+            "measure_span", "Levels", "What a level is the RMS over.", self._offer_spans, self
+        )
+        self.unit = MeasureWord(
+            "measure_unit",
+            "Colours",
+            "Range, colours and style of the map",
+            self._offer_looks,
+            self,
+        )
+        self.rms_window = NumberField(RMS_WINDOW, self, widest_unit="ms")
+        self.rms_window.setObjectName("skin_rms_window")
+        self.rms_window.setAccessibleName(RMS_WINDOW.label)
+        self.rms_window.setToolTip(tooltip(RMS_WINDOW.label, RMS_WINDOW.hint))
+        self.arm = tool_button(
+            self, "map_arm", "Arm", f"Show hand and arm ({key_text('skin', 'arm')})", checkable=True
+        )
+        self._words = (self.quantity, self.axes, self.span, self.unit)
+        row = (self.quantity, self.axes, self.span, self.rms_window, self.unit)
+        in_row(*row, None, self.arm, of=self, margins=0, gap_px=0)
+        self.rms_window.edited.connect(
+            lambda window_s, _: self._look(replace(self._settings, rms_window_s=window_s))
+        )
+
+    def show_state(
+        self, design: Design | None, view: View, settings: SkinSettings, content: MapContent
+    ) -> None:
+        """Show what the map shows, and how it is looked at."""
+        self._design, self._view, self._settings = design, view, settings
+        self._content = content
+        self.span.setEnabled(settings.quantity == LEVELS)
+        self.rms_window.setVisible(settings.quantity == RMS)
+        self.rms_window.set_value(settings.rms_window_s)
+        self._fit()
+
+    def minimumSizeHint(self) -> QSize:
+        # With less room, words are hidden; the actions that Ctrl+K finds stay.
+        least = self.quantity.sizeHint().width() + self.arm.sizeHint().width()
+        return QSize(least, super().minimumSizeHint().height())
+
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit()
+
+    def event(self, event: QEvent) -> bool:
+        # Letters of another size come one by one.
+        if event.type() == QEvent.Type.LayoutRequest:
+            self._fit()
+        return super().event(event)
+
+    def _fit(self) -> None:
+        """Show the words, in short where there is too little room."""
+        what, signal, over, unit = self._content.quantity.words
+        over = "" if self._settings.quantity == RMS else over
+        for button, word in zip(self._words, (what, signal, over, unit), strict=True):
+            if button.accessibleDescription() != word:
+                button.setAccessibleDescription(word)
+        show_tooltip(self.axes, tooltip(signal, TRIAD_SENTENCE))
+        show_tooltip(self.unit, tooltip(unit, "Range, colours and style of the map"))
+        # That levels are matched is said in any width.
+        short_unit = self._content.quantity.matched or unit.split(" ")[0]
+        combined = self._settings.quantity in (LEVELS, RMS)
+        shorter = label_of(AXES, self._view.axes).title if combined else signal
+        shortened = (
+            (what, signal, over, unit),
+            (what, signal, over, short_unit),
+            (what, shorter, over, unit),
+            (what, shorter, over, short_unit),
+            (what, shorter, over.split(" ", 1)[-1], short_unit),
+            (what, shorter, "", self._content.quantity.matched),
+        )
+        others = (part for part in (self.rms_window, self.arm) if not part.isHidden())
+        room = self.width() - sum(part.sizeHint().width() for part in others)
+        fitting = (words for words in shortened if self._width_of(words) <= room)
+        for button, word in zip(self._words, next(fitting, shortened[-1]), strict=True):
+            button.show_word(word)
+
+    def _width_of(self, words: tuple[str, ...]) -> int:
+        return sum(b.width_of(word) for b, word in zip(self._words, words, strict=True))
+
+    def _offer_quantities(self, menu: QtWidgets.QMenu) -> None:
+        options = ((name, title, "") for name, title in QUANTITY.options)
+        offer(menu, options, self._settings.quantity, self._choose_quantity)
+
+    def _offer_axes(self, menu: QtWidgets.QMenu) -> None:
+        axes = ((word.name, word.title, word.sentence) for word in AXES)
+        measured = set(facts_of(self._design.limb if self._design else "").axes)
+        for action in offer(menu, axes, self._view.axes, partial(self._edit, edits.look_along)):
+            action.setEnabled(set(action.data()) <= measured)
+        menu.addSeparator()
+        methods = ((word.name, word.title, word.sentence) for word in METHODS)
+        choose = partial(self._edit, edits.look_by_method)
+        for action in offer(menu, methods, self._view.method, choose):
+            # A single axis needs no method.
+            action.setEnabled(len(self._view.axes) > 1)
+
+    def _offer_spans(self, menu: QtWidgets.QMenu) -> None:
+        spans = ((word.name, word.title, word.sentence) for word in SPANS)
+        offer(menu, spans, self._view.span, partial(self._edit, edits.level_over))
+
+    def _offer_looks(self, menu: QtWidgets.QMenu) -> None:
+        shown, settings = self._content, self._settings
+        automatic = menu.addAction("Automatic range")
+        automatic.setCheckable(True)
+        automatic.setChecked(not shown.fixed)
+        automatic.toggled.connect(
+            lambda on: self._look(with_range(settings, None if on else shown.value_range))
+        )
+        menu.addSeparator()
+        styles = ((name, title, "") for name, title in MAP_STYLE.options)
+        offer(menu, styles, settings.map_style, self._choose_style)
+        sensors = menu.addAction("Mark sensors")
+        sensors.setToolTip(SENSORS_SHOWN.hint)
+        sensors.setCheckable(True)
+        sensors.setChecked(settings.sensors_shown or settings.map_style == "sensors")
+        sensors.setEnabled(settings.map_style != "sensors")
+        sensors.toggled.connect(lambda on: self._look(replace(settings, sensors_shown=on)))
+        menu.addSeparator()
+        self.offer_colours(menu)
+
+    def offer_colours(self, menu: QtWidgets.QMenu) -> None:
+        """Add the colours to a menu."""
+        colours = ((name, title, "") for name, title in COLOURS.options)
+        offer(menu, colours, self._settings.colours, self._choose_colours)
+
+    def _choose_quantity(self, name: str) -> None:
+        self._look(replace(self._settings, quantity=name))
+
+    def _choose_style(self, name: str) -> None:
+        self._look(replace(self._settings, map_style=name))
+
+    def _choose_colours(self, name: str) -> None:
+        self._look(replace(self._settings, colours=name))
+
+    def _look(self, settings: SkinSettings) -> None:
+        self.settings_chosen.emit(settings)
+
+    def _edit(self, edit: Callable[[Design, View, str], Edit | Refusal], value: str) -> None:
+        if self._design is not None:
+            self.edited.emit(edit(self._design, self._view, value), None)
