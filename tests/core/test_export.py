@@ -215,13 +215,13 @@ def test_what_is_too_inaccurate_is_not_written(tmp_path, monkeypatch, name, desi
 
 
 def test_samples_that_are_wrong_show_in_the_figures_of_a_long_field(tmp_path, monkeypatch):
-    right = StreamedVibration.blocks
+    right = StreamedVibration.blocks_of
 
-    def a_little_late(self, *stop):
-        for first, block in right(self, *stop):
+    def a_little_late(self, *asked):
+        for first, block in right(self, *asked):
             yield first, np.roll(block, 1, axis=-1)
 
-    monkeypatch.setattr(StreamedVibration, "blocks", a_little_late)
+    monkeypatch.setattr(StreamedVibration, "blocks_of", a_little_late)
     export_field(tmp_path / "field.npz", LONG, VIEW)
     assert figures(about(tmp_path / "field.npz"))[0] > 1e-2
 

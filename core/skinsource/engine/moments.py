@@ -50,12 +50,10 @@ def moments_of(spectra: Complexes, n_fft: int, *, products: bool) -> Moments:
 
     Products of different axes are computed only with ``products``.
     """
-    n_axes = spectra.shape[1]
-    second = np.zeros((*spectra.shape[:2], n_axes))
-    for a in range(n_axes):
-        others = slice(a, n_axes if products else a + 1)
-        second[:, a, others] = _product_sum(spectra[:, a : a + 1], spectra[:, others])
-        second[:, others, a] = second[:, a, others]
+    if products:
+        second = _product_sum(spectra[:, :, None], spectra[:, None])
+    else:
+        second = _second_moments(_product_sum(spectra, spectra), None)
     return Moments(second / n_fft, spectra[:, :, 0].real.copy())
 
 
