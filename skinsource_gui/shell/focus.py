@@ -355,6 +355,7 @@ class ShortcutsInFields(KeyboardFilter):
         # A clicked button has the keyboard too, but the next key is not meant for it.
         clicked = bool(QtWidgets.QApplication.mouseButtons())
         is_field = isinstance(focused, (*_TEXTS, *_PRESSED))
+        is_field = is_field and not getattr(focused, "leaves_space", False)
         if focused is None or not is_field or not self._window.isAncestorOf(focused):
             return None
         if isinstance(focused, QtWidgets.QAbstractButton) and clicked:

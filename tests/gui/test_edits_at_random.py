@@ -98,6 +98,7 @@ BY_NAME = {
 }
 #: Where one of them may be something else besides.
 BESIDES = {
+    ("add_waveform", "input_id"): st.none(),
     ("place_fragment", "input_id"): st.none(),
     ("place_fragment", "location"): st.none(),
     ("rename_marker", "name"): anything,

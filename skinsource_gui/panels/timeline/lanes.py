@@ -19,6 +19,7 @@ from skinsource_gui.panels.timeline.content import (
     Lane,
     Part,
     TimelineContent,
+    drawn_clips,
     next_id,
     overlapping,
     part_at,
@@ -289,8 +290,10 @@ class LaneMouse:
         content = self._lanes.content
         if at.y() < content.ruler_px:
             ends = content.other_loop_end_at(at), content.marker_at(at)
-            caught = ends != (None, None)
-            return Qt.CursorShape.SizeHorCursor if caught else Qt.CursorShape.PointingHandCursor
+            if ends != (None, None):
+                return Qt.CursorShape.SizeHorCursor
+            upper = at.y() < content.ruler_px / 2
+            return Qt.CursorShape.CrossCursor if upper else Qt.CursorShape.PointingHandCursor
         strip = self._gain.strip_at(at)
         if strip is not None:
             on_point = strip.point_at(at) is not None
@@ -351,6 +354,9 @@ class LaneMouse:
         if fixed_s is not None:
             return MoveLoop(context, fixed_s)
         gesture = MovePlayhead(context)
+        if at.y() < content.ruler_px / 2:
+            self._click = lambda: self._lanes.playhead_requested.emit(self.time_at(at))
+            return MoveLoop(context, snapped_time(context, at)[0])
         gesture.move(at, held)
         return gesture
 
@@ -402,6 +408,8 @@ class LanesView(LanesCanvas):
             self.addItem(item)
         # What was shown when the button went down.
         self._held: TimelineContent | None = None
+        # What is shown where nothing is zoomed: fitted, or as the last drag left it.
+        self._kept_s: Range | None = None
         self.gain = GainPoints(self)
         self.mouse, self.keys = LaneMouse(self), LaneKeys(self)
         self.menu = LanesMenu(self, self.gain)
@@ -446,8 +454,10 @@ class LanesView(LanesCanvas):
         self._show_range(within(part_s, self.content.lengths.whole_s))
 
     def show_everything(self) -> None:
-        """See all of it."""
+        """Fit the clips into the width."""
         self._show_range(None)
+        self._kept_s = self.content.lengths.content_s
+        self.change()
 
     def claims(self, event: QtGui.QKeyEvent) -> bool:
         return bool(meaning_of(_PLACE, event) or meaning_of(PLAYHEAD, event))
@@ -516,19 +526,31 @@ class LanesView(LanesCanvas):
         self.change()
 
     def change(self, **changes: Any) -> None:
-        content, held = replace(self.content, **changes), self._held
-        lengths = content.lengths.of(content.design)
+        before, held = self.content, self._held
+        content = replace(before, **changes)
+        lengths = before.lengths.of(content.design)
+        outside = self._kept_s is not None and lengths.end_s > self._kept_s[1]
+        if not held and ((outside and lengths.end_s > before.lengths.end_s) or not lengths.end_s):
+            # What came since would be out of sight.
+            self._kept_s = None
+        shown_s = content.view.time_range_s or self._kept_s or lengths.whole_s
         # A drag keeps the zoom, even if the design becomes longer, and the room for gains.
-        shown_s = content.view.time_range_s or (held.scale.shown_s if held else lengths.whole_s)
+        if held and not content.view.time_range_s:
+            shown_s = held.scale.shown_s
         width = max(self.width() - 2 * _SIDE_PX, 1.0)
-        self.content = replace(
+        drawn = drawn_clips(content.design, content.waveforms, content.sample_rate_hz, before.drawn)
+        content = replace(
             content,
             lengths=lengths,
             scale=TimeScale(shown_s=shown_s, left_px=_SIDE_PX, width_px=width),
+            drawn=drawn,
             height_px=float(self.height()),
             ruler_px=self.ruler_px,
             gain_tops={strip.lane.track.id: strip.top for strip in held.strips} if held else {},
         )
+        # While a clip is computed, which may be the loudest one, the others stay as high.
+        loudest = before.loudest if content.awaited else content.largest()
+        self.content = replace(content, loudest=loudest)
         rect = QRectF(self.rect())
         for item in (self.item, self.gains, self.overlay):
             item.show_content(self.content, rect)
@@ -537,11 +559,15 @@ class LanesView(LanesCanvas):
 
     def _show_range(self, shown_s: Range | None) -> None:
         # Who zooms during a drag wants to see something else.
-        self._held = None
+        self._held = self._kept_s = None
         view = self.content.view
         if shown_s != view.time_range_s:
             self.view_changed.emit(replace(view, time_range_s=shown_s))
+        else:
+            self.change()
 
     def _end_drag(self) -> None:
+        if self._held is not None and self._held.design is not self.content.design:
+            self._kept_s = self.content.scale.shown_s
         self._held = None
         self.change()

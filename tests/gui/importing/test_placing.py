@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDragLeaveEvent, QDragMoveEvent, QDropEvent
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication
 
 from skinsource.design import edits
 from skinsource.design.waveforms.samples import Recording
@@ -68,10 +68,10 @@ def site(window, number):
 @pytest.mark.parametrize("where", ["site", "row", "elsewhere"])
 def test_a_file_that_is_dropped_goes_where_it_was_dropped(window, qtbot, sound, where):
     first = window.document.design.inputs[0]
-    row = window.findChild(QWidget, "input_rows").rows[0]
+    row = window.panel("timeline").heads.viewport()
     at = {
         "site": site(window, 13),
-        "row": row.mapTo(window, row.rect().center()),
+        "row": row.mapTo(window, QPoint(60, 10)),
         "elsewhere": window.panel("traces").mapTo(window, QPoint(50, 50)),
     }[where]
     assert drop(window, sound, at, QDragEnterEvent).isAccepted()

@@ -2,7 +2,7 @@
 
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QPointF, Qt
-from PySide6.QtWidgets import QApplication, QInputDialog, QMenu
+from PySide6.QtWidgets import QApplication, QInputDialog, QMenu, QToolButton
 
 from skinsource.design.clips import Clip
 from skinsource.design.waveforms.tones import Tone
@@ -99,6 +99,25 @@ def test_a_loop_goes_round_the_selected_clips_and_its_time_can_be_taken_out(lane
     menu_at(place)["Remove the loop's time"].trigger()
     assert lanes.design.clip(3).onset_s == pytest.approx(0.5)
     assert 2 not in [clip.id for clip in lanes.design.clips]
+
+
+def test_a_drag_never_changes_the_zoom_and_fit_shows_the_clips_alone(lanes):
+    fit = lanes.panel.findChild(QToolButton, "timeline_fit")
+    for fitted in (False, True):
+        if fitted:
+            fit.click()
+            end_s = max(clip.end_s for clip in lanes.design.clips)
+            assert lanes.content.scale.shown_s == pytest.approx((0.0, end_s), abs=0.03)
+        shown_s = lanes.content.scale.shown_s
+        lanes.drag(lanes.middle(3), lanes.middle(3) + lanes.px(0.5))
+        lanes.drag(lanes.middle(2), lanes.middle(2) + lanes.px(-0.1))
+        assert lanes.content.scale.shown_s == shown_s
+        lanes.key(_Key.Key_Right)
+    assert lanes.view.time_range_s is None
+    # What comes from elsewhere behind the edge is shown.
+    late = Clip(onset_s=5.0, waveform=SHORT)
+    lanes.show(lanes.design.with_input(1, clips=(late,)))
+    assert lanes.content.scale.shown_s[1] > 5.1
 
 
 LONG, SHORT = Tone(100.0, 0.0, 0.6), Tone(100.0, 0.0, 0.1)

@@ -65,6 +65,7 @@ from skinsource.design.edits.effects import (
 from skinsource.design.edits.inputs import (
     add_input,
     add_motion,
+    add_waveform,
     clear_inputs,
     duplicate_inputs,
     group_clips,
@@ -115,6 +116,7 @@ __all__ = [
     "add_input",
     "add_marker",
     "add_motion",
+    "add_waveform",
     "bound_clip",
     "change_effect_field",
     "change_field",

@@ -10,6 +10,7 @@ from skinsource.base.work import counted
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, track
 from skinsource.design.edits.clips import (
+    add_clip,
     chosen_clips,
     clips_selected,
     clips_text,
@@ -79,11 +80,13 @@ def place_input(design: Design, view: View, location: int, besides: bool = False
 @refusing
 def add_input(design: Design, view: View) -> Edit | Refusal:
     """Add an input at a free place, if possible at the usual one, and select it."""
+    return place_input(design, view, _free_location(design))
+
+
+def _free_location(design: Design) -> int:
     used, usual_place = {track.location for track in design.inputs}, usual_location(design.limb)
-    free = (
-        k for k in (usual_place, *range(1, facts_of(design.limb).n_inputs + 1)) if k not in used
-    )
-    return place_input(design, view, next(free, usual_place))
+    places = (usual_place, *range(1, facts_of(design.limb).n_inputs + 1))
+    return next((k for k in places if k not in used), usual_place)
 
 
 @refusing
@@ -251,6 +254,23 @@ def place_waveform(
     new = track(location, waveform, onset_s=onset_s)
     label = f"Place {waveform.title.lower()} at {location_text(location, design.limb)}"
     return _added(design, view, label, [new])
+
+
+@refusing
+def add_waveform(
+    design: Design, view: View, waveform: Waveform, input_id: int | None = None
+) -> Edit | Refusal:
+    """Add a clip at the playhead, or behind the last clip of the track if one plays then.
+
+    It goes to the track ``input_id``, None: the selected one, or else a new one at a free place.
+    """
+    selected = leading_input(design, view) if input_id is None else design.input(input_id)
+    if selected is None:
+        return place_waveform(design, view, _free_location(design), waveform, view.playhead_s)
+    start_s, end_s = view.playhead_s, view.playhead_s + waveform.duration_s
+    if any(clip.onset_s < end_s and clip.end_s > start_s for clip in selected.clips):
+        start_s = short(max(clip.end_s for clip in selected.clips))
+    return add_clip(design, view, selected.id, start_s, waveform)
 
 
 @refusing
