@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPointF, QRectF, Qt
 
@@ -14,7 +15,6 @@ from skinsource.design.effects.breakpoints import Points, moved
 from skinsource.design.view import View
 from skinsource_gui.fields.editor import new_gesture
 from skinsource_gui.fields.units import value_text
-from skinsource_gui.panels.timeline.canvas import LanesCanvas
 from skinsource_gui.panels.timeline.content import (
     Box,
     GainStrip,
@@ -25,6 +25,9 @@ from skinsource_gui.panels.timeline.content import (
 )
 from skinsource_gui.plots.time_scale import REACH_PX, Snap, panned, snap_of
 from skinsource_gui.qt.frames import DropPlace
+
+if TYPE_CHECKING:
+    from skinsource_gui.panels.timeline.lanes import LanesView
 
 Modifier = Qt.KeyboardModifier
 
@@ -62,7 +65,7 @@ class GestureContext:
         The design after the last edit; None before there is any.
     """
 
-    lanes: LanesCanvas
+    lanes: "LanesView"
     before: TimelineContent
     number: int = field(default_factory=new_gesture)
     applied: Design | None = None

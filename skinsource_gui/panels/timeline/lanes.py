@@ -9,13 +9,16 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
 
 from skinsource.design import edits
+from skinsource.design.clips import Clip
 from skinsource.design.design import Design
+from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.view import View
+from skinsource.design.waveform import Waveform
 from skinsource_gui.fields.editor import Burst
-from skinsource_gui.panels.timeline.canvas import LanesCanvas
 from skinsource_gui.panels.timeline.content import (
     CURSORS,
     Box,
+    ClipLengths,
     Lane,
     Part,
     TimelineContent,
@@ -25,6 +28,7 @@ from skinsource_gui.panels.timeline.content import (
     part_at,
     ruler_px,
     timeline_tooltip,
+    toggle_gain_curves,
 )
 from skinsource_gui.panels.timeline.gain import GainItem, GainPoints
 from skinsource_gui.panels.timeline.gestures import (
@@ -46,7 +50,7 @@ from skinsource_gui.panels.timeline.gestures import (
 )
 from skinsource_gui.panels.timeline.menu import LanesMenu
 from skinsource_gui.panels.timeline.painting import LanesItem, OverlayItem, PlayheadItem
-from skinsource_gui.plots.plot import PLAYHEAD, moved_playhead
+from skinsource_gui.plots.plot import PLAYHEAD, Canvas, moved_playhead
 from skinsource_gui.plots.time_scale import (
     Range,
     TimeScale,
@@ -55,6 +59,7 @@ from skinsource_gui.plots.time_scale import (
     within,
     zoomed,
 )
+from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.keys import meaning_of
 from skinsource_gui.qt.theme import scaled, tabular
 from skinsource_gui.qt.wheel import NOTCH
@@ -111,9 +116,6 @@ class LaneKeys:
             "whole": lanes.show_everything,
             "select_all": lambda: lanes.look(edits.select_all_clips(content.design, content.view)),
             "open": lambda: self._open(chosen),
-            "copy": lanes.copy,
-            "cut": lanes.cut,
-            "paste": lanes.paste,
             "marker": lambda: lanes.add_marker(at_s),
             "add": lambda: None if track is None else lanes.add_clip(track, at_s),
             "split": lambda: lanes.edit(edits.split_clips, chosen, at_s),
@@ -380,11 +382,16 @@ _CTRL = Qt.KeyboardModifier.ControlModifier
 ZOOM = 1.5
 
 
-class LanesView(LanesCanvas):
+class LanesView(Canvas):
     """Lanes and a ruler; mouse and keys edit what is on them.
 
     Attributes
     ----------
+    content
+        What is shown.
+    elsewhere
+        Returns where in another panel something would be dropped that is held over a place, px;
+        None ends that.
     item, gains, playhead, overlay
         Layers that are painted.
     gain
@@ -393,11 +400,24 @@ class LanesView(LanesCanvas):
 
     key_place = "timeline"
 
+    #: `Edit` or `Refusal`, number of the gesture or None.
+    edited = Signal(object, object)
+    view_changed = Signal(object)
+    playhead_requested = Signal(float)
+    #: Id of a clip.
+    opened = Signal(int)
+    #: The name of an action of the window.
+    action_requested = Signal(str)
     #: Lanes are to be scrolled by so many notches.
     scroll_requested = Signal(float)
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
+        design = Design(limb="")
+        self.content = TimelineContent(design=design, view=View(), lengths=ClipLengths(design))
+        self.elsewhere: Callable[[QPointF | None], DropPlace | None] = lambda at: None
+        # New clips play what the one plays that was selected last.
+        self._last: Waveform = Clip().waveform
         self.setObjectName("lanes")
         self.setAccessibleName("Timeline")
         self.setMouseTracking(True)
@@ -437,6 +457,30 @@ class LanesView(LanesCanvas):
         super().update_style()
         for item in (self.item, self.gains, self.overlay):
             item.show_font(scaled(tabular(self.font()), _TEXT))
+
+    def edit(self, edit: Callable[..., Edit | Refusal], *more: object) -> None:
+        """Emit what an edit makes of the present design."""
+        self.edited.emit(edit(self.content.design, self.content.view, *more), None)
+
+    def look(self, edit: Edit) -> None:
+        """Emit the view of an edit that changes nothing else."""
+        self.view_changed.emit(edit.view)
+
+    def select(self, *clips: int) -> None:
+        """Select these clips and no others."""
+        self.look(edits.select_clips(self.content.design, self.content.view, clips))
+
+    def add_clip(self, track: int, at_s: float) -> None:
+        """Add a clip of the last used kind to a track."""
+        self.edit(edits.add_clip, track, at_s, self._last)
+
+    def add_marker(self, at_s: float) -> None:
+        """Add a marker with a number for a name."""
+        self.edit(edits.add_marker, at_s, str(len(self.content.design.markers) + 1))
+
+    def toggle_gain(self, *tracks: int) -> None:
+        """Show the gain curves of tracks, or hide them."""
+        self.look(toggle_gain_curves(self.content.design, self.content.view, tracks))
 
     def set_snaps(self, snaps: bool) -> None:
         """Set whether edges snap."""
@@ -526,6 +570,7 @@ class LanesView(LanesCanvas):
         self.change()
 
     def change(self, **changes: Any) -> None:
+        """Show content in which these fields are other ones."""
         before, held = self.content, self._held
         content = replace(before, **changes)
         lengths = before.lengths.of(content.design)

@@ -344,6 +344,7 @@ class TimelinePanel(Panel):
         lanes.edited.connect(self.edited)
         lanes.view_changed.connect(self._show_view)
         lanes.playhead_requested.connect(self.playhead_requested)
+        lanes.action_requested.connect(self.action_requested)
         lanes.opened.connect(lambda: self.action_requested.emit("show_clip_editor"))
         lanes.elsewhere = self._drop_place_elsewhere
         lanes.scroll_requested.connect(self._scroll)

@@ -7,7 +7,7 @@ set with `change_field`, as any other value of a field.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import isfinite
 from typing import Any, TypeVar
@@ -39,7 +39,7 @@ from skinsource.design.edits.edit import (
 )
 from skinsource.design.effects import effect_kinds
 from skinsource.design.effects.effect import Effect
-from skinsource.design.effects.level import Envelope, Fade
+from skinsource.design.effects.level import BandLimit, Envelope, Fade
 from skinsource.design.effects.time import Trim
 from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
@@ -448,19 +448,13 @@ def _moved_value(own_value: float, origin: float, value: float, spec: NumberSpec
     return nearest(float(f"{moved:.12g}"), spec)
 
 
-#: Beginning of the note in a label, by which the next note finds and replaces it.
-_EQUALISED = "Equal on the skin: "
-_LABEL_SEPARATOR = " · "
-
-
 @refusing
 def equalise_on_skin(
     design: Design, view: View, clip_id: int, levels_db: Sequence[float], measure: str
 ) -> Edit | Refusal:
     """Set the gains of a wavelet train so that all its wavelets have the same level on the skin.
 
-    The softest wavelet keeps its drive, and the others are lowered to it.  The label of the clip
-    notes limb, place and measure, because the levels differ at other places and by other measures.
+    The softest wavelet keeps its drive, and the others are lowered to it.
 
     Parameters
     ----------
@@ -484,18 +478,41 @@ def equalise_on_skin(
         )
     # Nobody can feel or set less than a hundredth of a dB; adding 0.0 turns -0.0 into 0.0.
     gains_db = tuple(round(softest_db - level_db, 2) + 0.0 for level_db in levels_db)
-    note = f"{_EQUALISED}{measure}, {design.limb}, {location_text(track.location, design.limb)}"
-    other_parts = [
-        part
-        for part in clip.label.split(_LABEL_SEPARATOR)
-        if part and not part.startswith(_EQUALISED)
-    ]
-    label = _LABEL_SEPARATOR.join((*other_parts, note))
-    change = {
-        "waveform": replace(train, gains_db=gains_db),
-        "label": label if len(label) <= LABEL.longest else note[: LABEL.longest],
+    changes = {clip_id: {"waveform": replace(train, gains_db=gains_db)}}
+    outcome = change_inputs(design, view, "Balance wavelets of", {track.id: {}}, changes)
+    place = location_text(track.location, design.limb)
+    said = f"Balanced by the {measure}, on {design.limb} at {place}"
+    return replace(outcome, said=said) if isinstance(outcome, Edit) else outcome
+
+
+@refusing
+def match_tracks(design: Design, view: View, levels_db: Mapping[int, float]) -> Edit | Refusal:
+    """Set the amplitudes of inputs so that each alone has the same level on the skin.
+
+    The one that was selected last keeps its amplitude, and the others follow it.
+
+    Parameters
+    ----------
+    levels_db
+        Level of each input alone, by its id, see `skinsource.engine.levelling.track_levels_db`.
+    """
+    chosen = present_inputs(design, levels_db)
+    least_db = max(levels_db.values(), default=0.0) + SOFTEST_DB
+    silent = next((track for track in chosen if not levels_db[track.id] > least_db), None)
+    if silent is not None:
+        place = location_text(silent.location, design.limb)
+        return Refusal(sentence=f"The track at {place} moves nothing on the skin; leave it out.")
+    last = [id for id in view.selected_inputs if id in levels_db]
+    target_db = levels_db[last[-1]] if last else max(levels_db.values(), default=0.0)
+    changes: dict[int, dict[str, Any]] = {
+        track.id: {
+            "amplitude": float(
+                f"{track.amplitude * 10.0 ** ((target_db - levels_db[track.id]) / 20.0):.4g}"
+            )
+        }
+        for track in chosen
     }
-    return change_inputs(design, view, "Equalise wavelets of", {track.id: {}}, {clip_id: change})
+    return change_inputs(design, view, "Match levels of", changes)
 
 
 _NO_BAND = Refusal(
@@ -512,6 +529,17 @@ def draw_clip(
     after = design.with_clip(clip_id, waveform=waveform)
     place = location_text(design.track_of(clip_id).location, design.limb)
     return Edit(label=f"Draw at {place}", design=after, view=view)
+
+
+@refusing
+def limit_to_band(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
+    """Add a band limit to clips, with the band in which the limb was measured, as last effect."""
+    band_hz = facts_of(design.limb).band_hz
+    if band_hz is None:
+        return _NO_BAND
+    limit, chosen = BandLimit(low_hz=band_hz[0], high_hz=band_hz[1]), chosen_clips(design, ids)
+    effects_by_clip = {clip.id: (*clip.effects, limit) for clip in chosen}
+    return _with_effects(design, view, "Limit the band of", chosen, effects_by_clip)
 
 
 @refusing
