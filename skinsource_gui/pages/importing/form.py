@@ -15,7 +15,7 @@ from skinsource.base.arrays import Floats
 from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ, Band
 from skinsource.design.recordings import ImportChoice, Taken, suggested, usual_scale
 from skinsource.readers.limits import LEAST_RATE_HZ, MOST_PART_S, MOST_RATE_HZ
-from skinsource.readers.reader import Found, Series, other_axes
+from skinsource.readers.reader import Found, Series, other_axes, signals_beside
 from skinsource.readers.units import UNITS
 from skinsource.signals.spectra import share_outside_band
 from skinsource.specs.numbers import NumberSpec
@@ -35,11 +35,13 @@ _LONGEST_START_S = 1e6
 _STEADY = "steady"
 _SIGNAL = ChoiceSpec(label="Signal", options=(), hint="Which channel, column or dataset")
 _AXES = ChoiceSpec(
-    label="Axes",
+    label="Import as",
     options=(),
     hint="As one: the energy of all three at each frequency, and the phase of their sum (DFT321, "
     "Landin et al. 2010)",
 )
+# The option to import each signal, and most signals for which it is offered.
+_EACH, _MOST_SIGNALS = "each", 32
 _TIMING = ChoiceSpec(label="Times", options=(), hint="What says when each sample was taken")
 _TIME_UNIT = ChoiceSpec(
     label="Stamps in", options=(("1", "s"), ("0.001", "ms"), ("1e-06", "µs")), hint="Their unit"
@@ -87,8 +89,9 @@ class ChoiceForm(QtWidgets.QWidget):
         self._part_chosen = False
         # Chosen length of the part, also where less is left after its start.
         self._part_s = _BEGINNING_S
+        self._beside: tuple[Series, ...] = ()
         # Keys of the other axes, by the option.
-        self._others: dict[str, tuple[str, ...]] = {"": ()}
+        self._others: dict[str, tuple[str, ...]] = {}
         self._signal, self._timing = ChoiceField(_SIGNAL), ChoiceField(_TIMING)
         self._axes = ChoiceField(_AXES)
         self._time_unit, self._unit = ChoiceField(_TIME_UNIT), ChoiceField(_UNIT)
@@ -129,6 +132,13 @@ class ChoiceForm(QtWidgets.QWidget):
         """Length of the whole signal; None where it follows from time timestamps not read yet."""
         rate_hz = self.choice.rate_hz
         return self._lasts_s if rate_hz is None else self.series.n_samples / rate_hz
+
+    @property
+    def choices(self) -> tuple[ImportChoice, ...]:
+        """The present choice; several where each signal gets a clip of its own."""
+        if self._axes.value != _EACH:
+            return (self.choice,)
+        return tuple(replace(self.choice, series=signal.key) for signal in self._beside)
 
     def take_part(self, start_s: float, duration_s: float) -> None:
         """Choose another part, as a user does."""
@@ -200,8 +210,11 @@ class ChoiceForm(QtWidgets.QWidget):
         axes = other_axes(self._contents, series)
         combined = f"With {' and '.join(axis.name for axis in axes)}, as one (DFT321)"
         offered = [(" ".join(axis.key for axis in axes), combined)] if axes else []
+        self._others = {key: tuple(axis.key for axis in axes) for key, _ in offered}
+        self._beside = signals_beside(self._contents, series)
+        if 1 < len(self._beside) <= _MOST_SIGNALS:
+            offered.append((_EACH, f"Each of {len(self._beside)}, a clip on its own place"))
         _fill(self._form, self._axes, [("", f"{series.name} alone"), *offered])
-        self._others = {"": (), **{key: tuple(axis.key for axis in axes) for key, _ in offered}}
         self._timing.set_value(first.time or _STEADY)
         self._rate.set_value(stated or ASSUMED_RATE_HZ)
         self._time_unit.set_value(f"{first.time_unit_s:g}")
@@ -269,7 +282,7 @@ class ChoiceForm(QtWidgets.QWidget):
             start_s=self._start.value_si,
             duration_s=self._duration.value_si,
             missing="zero" if self._missing.isChecked() else "refuse",
-            others=self._others[self._axes.value],
+            others=self._others.get(self._axes.value, ()),
         )
 
 
@@ -312,8 +325,14 @@ class ImportPreview(QtWidgets.QWidget):
     def sizeHint(self) -> QSize:
         return QSize(440, 420)
 
-    def show_part(self, taken: Taken, choice: ImportChoice, band_hz: Band | None) -> None:
-        """Show what ``choice`` imports, and the band in which the limb was measured."""
+    def show_part(
+        self, parts: tuple[Taken, ...], choice: ImportChoice, band_hz: Band | None
+    ) -> None:
+        """Show what ``choice`` imports, and the band in which the limb was measured.
+
+        Of several parts the first one is shown.
+        """
+        taken = parts[0]
         samples = taken.samples
         rate = samples.sample_rate_hz
         self._waveform.show_samples(samples.values / (samples.peak or 1.0), rate)
@@ -321,8 +340,9 @@ class ImportPreview(QtWidgets.QWidget):
         rms = float(np.sqrt(np.mean(samples.values**2)))
         unit = f" {samples.unit}" if samples.unit else ""
         also = _in_own_unit(samples, choice)
+        first_of = f"1 of {len(parts)}: " if len(parts) > 1 else ""
         self._numbers.setText(
-            f"{samples.duration_s:.4g} s · peak {samples.peak:.3g}{unit}{also} · "
+            f"{first_of}{samples.duration_s:.4g} s · peak {samples.peak:.3g}{unit}{also} · "
             f"RMS {rms:.3g}{unit} · {samples.values.size} samples at {rate:g} Hz"
             + ("" if band_hz is None else f"\n{_outside(samples, band_hz)}")
         )

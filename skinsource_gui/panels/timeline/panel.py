@@ -325,7 +325,7 @@ class TimelinePanel(Panel):
         if lane is None or not self.lanes.isVisible():
             return None
         # Over a head there is no time.
-        onset_s = self.lanes.mouse.time_at(place) if place.x() >= 0.0 else 0.0
+        onset_s = self.lanes.mouse.time_at(place) if place.x() >= 0.0 else None
         return DropPlace(input_id=lane.track.id, onset_s=onset_s)
 
     def show_drop(self, at: QPoint | None) -> None:

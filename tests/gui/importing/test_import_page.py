@@ -50,8 +50,8 @@ def test_only_what_the_file_leaves_open_is_asked(page_at, sound, tmp_path):
     shown = {w.objectName() for w in form.children() if w.isWidgetType() and w.isVisible()}
     asked = {name for name in shown if name.startswith("import_")}
     assert asked == {
-        "import_signal", "import_unit", "import_scale", "import_offset", "import_start",
-        "import_duration",
+        "import_signal", "import_axes", "import_unit", "import_scale", "import_offset",
+        "import_start", "import_duration",
     }  # fmt: skip
     rows = "\n".join(f"{k / 1300:.6f},{np.sin(k):.6f}" for k in range(500))
     (tmp_path / "a.csv").write_text(f"time [s],acc [g]\n{rows}\n")
@@ -205,6 +205,7 @@ def test_three_axes_are_offered_as_one(desk, page_at, qtbot, tmp_path):
     assert [field.itemText(k) for k in range(field.count())] == [
         "acc_x alone",
         "With acc_y and acc_z, as one (DFT321)",
+        "Each of 3, a clip on its own place",
     ]
     choose(page, qtbot, "axes", "1 2")
     qtbot.waitUntil(lambda: page.ready, timeout=60_000)

@@ -80,12 +80,14 @@ def place_input(design: Design, view: View, location: int, besides: bool = False
 @refusing
 def add_input(design: Design, view: View) -> Edit | Refusal:
     """Add an input at a free place, if possible at the usual one, and select it."""
-    return place_input(design, view, _free_location(design))
+    return place_input(design, view, free_location(design))
 
 
-def _free_location(design: Design) -> int:
+def free_location(design: Design, after: int = 0) -> int:
+    """Return a free place: the usual one if possible, or the next one ``after`` another."""
     used, usual_place = {track.location for track in design.inputs}, usual_location(design.limb)
-    places = (usual_place, *range(1, facts_of(design.limb).n_inputs + 1))
+    numbers = range(1, facts_of(design.limb).n_inputs + 1)
+    places = (*numbers[after:], *numbers[:after]) if after else (usual_place, *numbers)
     return next((k for k in places if k not in used), usual_place)
 
 
@@ -266,7 +268,7 @@ def add_waveform(
     """
     selected = leading_input(design, view) if input_id is None else design.input(input_id)
     if selected is None:
-        return place_waveform(design, view, _free_location(design), waveform, view.playhead_s)
+        return place_waveform(design, view, free_location(design), waveform, view.playhead_s)
     start_s, end_s = view.playhead_s, view.playhead_s + waveform.duration_s
     if any(clip.onset_s < end_s and clip.end_s > start_s for clip in selected.clips):
         start_s = short(max(clip.end_s for clip in selected.clips))
