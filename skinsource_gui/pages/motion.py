@@ -18,9 +18,11 @@ from skinsource.base.quoting import sentence
 from skinsource.base.work import counted
 from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_unit
-from skinsource.design.design import MAX_INPUTS, Design
-from skinsource.design.edits.edit import Refusal, as_kind, kind_spec
+from skinsource.design.design import Design
+from skinsource.design.edits.edit import Edit, Refusal, as_kind, kind_spec, leading_clip
+from skinsource.design.edits.motions import motion_of
 from skinsource.design.motions import MOTIONS, Motion, path_of, with_motion_field, with_path_of
+from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms import kinds
 from skinsource.limbs.own_limbs import facts_of
@@ -45,10 +47,10 @@ class Draft(QObject):
 
     Parameters
     ----------
-    design
-        Design that the motion is to be added to.
-    onset_s
-        Initial onset.
+    design, view
+        Design that the motion is to be added to, or in which it is changed.
+    index
+        Which motion of the design is changed; None: it is a new one.
 
     Attributes
     ----------
@@ -65,14 +67,20 @@ class Draft(QObject):
     field_refused = Signal(str, str)
     waveform_field_refused = Signal(str, str)
 
-    def __init__(self, design: Design, onset_s: float, parent: QObject) -> None:
+    def __init__(
+        self, design: Design, view: View, parent: QObject, index: int | None = None
+    ) -> None:
         super().__init__(parent)
-        self._design, self._limb = design, facts_of(design.limb)
+        self._design, self._view, self._index = design, view, index
+        self._limb = facts_of(design.limb)
         self._left: dict[str, Motion] = {kind.__name__: kind() for kind in MOTIONS}
         self.motion: Motion = self._left[MOTIONS[0].__name__]
-        # The playhead may be later than the latest onset.
-        with suppress(InvalidInputError):
-            self.motion = with_motion_field(self.motion, "onset_s", onset_s)
+        if index is not None:
+            self.motion = design.motions[index].motion
+        else:
+            # The playhead may be later than the latest onset.
+            with suppress(InvalidInputError):
+                self.motion = with_motion_field(self.motion, "onset_s", view.playhead_s)
         self.path, self.problem = self.motion.path, ""
         # A phantom takes two places only; the next kind gets all of them back.
         self._whole_path = self.path
@@ -133,26 +141,32 @@ class Draft(QObject):
             A clip would start too late, there would be too many inputs, or something is in it that
             the limb cannot play at its rate.
         """
-        tracks = self.motion.tracks()
-        if len(self._design.inputs) + len(tracks) > MAX_INPUTS:
-            raise InvalidInputError(
-                f"it takes {counted(len(tracks), 'input')} more, and a design holds at most "
-                f"{MAX_INPUTS}; remove some first"
-            )
-        after = self._design
-        for track in tracks:
-            after = after.adding(track)
-        added = after.inputs[len(self._design.inputs) :]
-        largest = max(abs(track.amplitude) for track in added) or 1.0
+        outcome = self.outcome(self._design, self._view)
+        if isinstance(outcome, Refusal):
+            raise InvalidInputError(outcome.sentence)
+        after = outcome.design
+        group = after.motions[-1 if self._index is None else self._index]
+        tracks = [after.input(id) for id in outcome.view.selected_inputs]
+        largest = max(abs(track.amplitude) for track in tracks) or 1.0
         drawings = ClipDrawings(self._limb.sample_rate_hz)
         return tuple(
             Lane(
                 place=track.location,
                 colour=track.colour,
-                clips=tuple(drawings.of(clip, track.amplitude / largest) for clip in track.clips),
+                clips=tuple(
+                    drawings.of(clip, track.amplitude / largest)
+                    for clip in track.clips
+                    if clip.id in group.clips
+                ),
             )
-            for track in added
+            for track in tracks
         )
+
+    def outcome(self, design: Design, view: View) -> Edit | Refusal:
+        """Return the edit that adds or changes the motion."""
+        if self._index is None:
+            return edits.add_motion(design, view, self.motion)
+        return edits.change_motion(design, view, self._index, self.motion)
 
     def _try(self, change: Callable[[], Motion], name: str, refused: Any) -> None:
         path, problem = self.path, self.problem
@@ -431,7 +445,9 @@ class MotionPage(ToolPage):
     def __init__(self, document: Document, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent, "motion_page", TITLE, (980, _HEIGHT_PX))
         self._document = document
-        self.draft = Draft(document.design, document.view.playhead_s, self)
+        clip = leading_clip(document.design, document.view)
+        index = None if clip is None else motion_of(document.design, clip.id)
+        self.draft = Draft(document.design, document.view, self, index)
         self.hand = HandDiagram(drawing_of(document.design.limb), self)
         self.hand.setAccessibleName("Path on the hand, palm side")
         self._path = PathLayer(self.hand)
@@ -445,9 +461,10 @@ class MotionPage(ToolPage):
         self._summary = page_label("motion_summary")
         self._about = page_label("motion_about", tone="dim")
         self._about.setTextFormat(Qt.TextFormat.RichText)
-        self._add = self.add_button(
-            "add_motion", "Add", "Add the tracks to the design, in one step", self._keep
-        )
+        name, hint = "Add", "Add the tracks to the design, in one step"
+        if index is not None:
+            name, hint = "Change", "Change the tracks of the selected motion, in one step"
+        self._add = self.add_button("add_motion", name, hint, self._keep)
         self._cancel = self.add_button(
             "cancel_motion", "Cancel", "Close; nothing is changed", self.reject
         )
@@ -494,7 +511,7 @@ class MotionPage(ToolPage):
         self.waveform_fields.show_refused(self.draft.motion.waveform, name, why)
 
     def _keep(self) -> None:
-        outcome = edits.add_motion(self._document.design, self._document.view, self.draft.motion)
+        outcome = self.draft.outcome(self._document.design, self._document.view)
         if isinstance(outcome, Refusal):
             self._show_problem(outcome.sentence)
             return

@@ -5,6 +5,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QPushButton
 
+from skinsource.design import edits
 from skinsource.design.motions import MOTIONS, ApparentMotion, TapSequence
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.pages.motion import MotionPage
@@ -152,3 +153,41 @@ def test_what_a_limb_cannot_play_is_said_before_it_is_added(page):
     page.draft.change_waveform_field("frequency_hz", 700.0)
     assert "frequency_hz is 700" in page.strip.message
     assert not button(page, "add_motion").isEnabled()
+
+
+def test_a_motion_opens_again_and_is_changed_in_one_step(desk, page):
+    page.draft.change_path((16, 18, 20))
+    button(page, "add_motion").click()
+    document = desk.document
+    before, steps = document.design, document.undo_stack.count()
+    again = desk.show_motion()
+    assert again.draft.motion == before.motions[0].motion
+    assert button(again, "add_motion").text() == "Change"
+    field_of(again, "overlap").edited.emit("overlap", 0.25, None)
+    again.draft.change_path((16, 18, 5))
+    assert again.strip.message == ""
+    assert [lane.place for lane in again.strip.lanes] == [16, 18, 5]
+    button(again, "add_motion").click()
+    assert document.undo_stack.count() == steps + 1
+    (group,) = document.design.motions
+    assert (group.motion.overlap, group.motion.path) == (0.25, (16, 18, 5))
+    assert [track.location for track in document.design.inputs[1:]] == [16, 18, 5]
+    document.undo_stack.undo()
+    assert document.design == before
+
+
+def test_a_motion_that_is_edited_by_hand_becomes_single_clips_until_that_is_undone(desk, page):
+    button(page, "add_motion").click()
+    document, messages = desk.document, []
+    document.message.connect(messages.append)
+    before = document.design
+    for _ in range(2):
+        document.apply(
+            edits.move_clips(document.design, document.view, before.motions[0].clips, 0.1)
+        )
+    assert document.design.motions == ()
+    assert len(messages) == 1
+    document.undo_stack.undo()
+    document.undo_stack.undo()
+    assert document.design.motions == before.motions
+    assert button(desk.show_motion(), "add_motion").text() == "Change"

@@ -9,6 +9,7 @@ from PySide6.QtCore import QPoint, QPointF
 
 from skinsource.design import edits
 from skinsource.design.edits.edit import Edit, Refusal
+from skinsource.design.edits.motions import motion_of
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.panels.timeline.content import (
@@ -71,6 +72,10 @@ class LanesMenu:
         several = len(view.selected_clips) > 1
         what = f"{len(view.selected_clips)} clips" if several else "clip"
         self._line(menu, "Edit clip", "open", lambda: self._lanes.opened.emit(clip))
+        if motion_of(self._lanes.content.design, clip) is not None:
+            menu.addAction("Edit motion…").triggered.connect(
+                partial(self._lanes.action_requested.emit, "make_motion")
+            )
         menu.addSeparator()
         self._act(menu, "Split at playhead", "split", edits.split_clips, view.playhead_s)
         if several:

@@ -66,7 +66,6 @@ from skinsource.design.edits.effects import (
 )
 from skinsource.design.edits.inputs import (
     add_input,
-    add_motion,
     add_waveform,
     clear_inputs,
     duplicate_inputs,
@@ -83,6 +82,7 @@ from skinsource.design.edits.inputs import (
     toggle_solo,
     ungroup_clips,
 )
+from skinsource.design.edits.motions import add_motion, change_motion
 from skinsource.design.edits.setup import (
     change_limb,
     change_scaling,
@@ -124,6 +124,7 @@ __all__ = [
     "change_field",
     "change_kind",
     "change_limb",
+    "change_motion",
     "change_scaling",
     "change_waveform",
     "clear_inputs",

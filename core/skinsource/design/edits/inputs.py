@@ -1,12 +1,10 @@
-"""Place, move, copy, remove, silence and reorder inputs; group their clips; add motions."""
+"""Place, move, copy, remove, silence and reorder inputs; group their clips."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from itertools import count
 from typing import Any
 
-from skinsource.base.quoting import quoted
-from skinsource.base.work import counted
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, track
 from skinsource.design.edits.clips import (
@@ -33,7 +31,6 @@ from skinsource.design.edits.edit import (
     tracks_text,
     with_inputs_added,
 )
-from skinsource.design.motions import Motion
 from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms.samples import MAX_PARTS, Layers, Mode
@@ -273,18 +270,6 @@ def add_waveform(
     if any(clip.onset_s < end_s and clip.end_s > start_s for clip in selected.clips):
         start_s = short(max(clip.end_s for clip in selected.clips))
     return add_clip(design, view, selected.id, start_s, waveform)
-
-
-@refusing
-def add_motion(design: Design, view: View, motion: Motion) -> Edit | Refusal:
-    """Add the tracks of a motion at the end, and select them."""
-    if not isinstance(motion, Motion):
-        return Refusal(
-            sentence=f"{quoted(motion)} is no motion; make one of skinsource.design.motions."
-        )
-    tracks = motion.tracks()
-    label = f"Add {motion.title.lower()} at {counted(len(tracks), 'place')}"
-    return _added(design, view, label, tracks)
 
 
 def _added(design: Design, view: View, label: str, new: Sequence[Input]) -> Edit:
