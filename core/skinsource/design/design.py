@@ -125,7 +125,7 @@ def _motions() -> tuple[type[Motion], ...]:
     return kinds
 
 
-CLIP_IDS = ListSpec(label="Clips", of=ID, different=True)
+CLIP_IDS = ListSpec(label="Clips", of=ID, most=MAX_INPUTS * MAX_CLIPS, different=True)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -148,6 +148,7 @@ MOTIONS = ListSpec(
     label="Motions",
     of=ModelSpec(label="Motion", kinds=lambda: (MotionGroup,)),
     most=MAX_INPUTS,
+    left_out_empty=True,
 )
 
 

@@ -73,7 +73,9 @@ def encode(model: Any) -> Tree:
     kind: type = type(model)
     tree = {KIND: kind.__name__}
     for name, spec in _specs(kind):
-        tree[name] = spec.encoded(getattr(model, name))
+        value = getattr(model, name)
+        if value or not getattr(spec, "left_out_empty", False):
+            tree[name] = spec.encoded(value)
     return tree
 
 
