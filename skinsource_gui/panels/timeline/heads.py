@@ -55,7 +55,7 @@ from skinsource_gui.fields.number_field import FINISHERS, NumberField
 from skinsource_gui.panels.timeline.content import shown_gain_curves, toggle_gain_curves
 from skinsource_gui.qt.buttons import paint_swatch, passing_menu, text_colour_on
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
-from skinsource_gui.qt.theme import Theme, current_theme, scaled
+from skinsource_gui.qt.theme import Theme, current_theme
 from skinsource_gui.qt.wheel import NOTCH
 
 #: Ends of the fader and of the meter, dB of an amplitude of 1; at the left end it is silent.
@@ -98,8 +98,8 @@ class Head:
         Whether the track is muted, or another one is solo.
     peak
         The largest value that the track plays, with its amplitude; None: it is not known.
-    name, short_name
-        Names of the place.
+    name
+        Number and name of the place.
     text
         What the track plays, how loud, for the tooltip.
     """
@@ -108,7 +108,6 @@ class Head:
     silent: bool
     peak: float | None
     name: str
-    short_name: str
     text: str
 
 
@@ -134,7 +133,6 @@ def heads_of(design: Design, view: View, peaks: Mapping[int, float]) -> list[Hea
                 silent=track.id not in audible,
                 peak=peak,
                 name=f"{place.number}, {place.name}",
-                short_name=place.short_name[0].upper() + place.short_name[1:],
                 text=f"{played}\n{level}",
             )
         )
@@ -182,7 +180,7 @@ HEADS_PX, ROW_PX, USUAL_LINE_PX = 110, 40, 14
 # Heads of larger text leave the lanes room too.
 _MOST_HEADS_PX = 220
 _EDGE_PX, _LINE_PX, _SWATCH_PX, _METER_PX, _MARK_PX = 6, 18, 24, 3, 3
-_TINT_ALPHA, _SMALLER = 28, 0.8
+_TINT_ALPHA = 28
 
 
 def heads_px(line_px: int) -> int:
@@ -202,7 +200,6 @@ class HeadPlaces:
     swatch: QRectF
     mute: QRectF
     solo: QRectF
-    name: QRectF
     fader: QRectF
     meter: QRectF
 
@@ -211,9 +208,8 @@ class HeadPlaces:
         """Return the places in a row, for lines of text of this height."""
         scale = max(line_px / USUAL_LINE_PX, 1.0)
         line, left, top = scale * _LINE_PX, row.x() + _EDGE_PX, row.y() + 2.0
-        mute = left + scale * _SWATCH_PX + 2
-        solo = mute + line + 2
-        name, right = solo + line + 4, row.right() - 3
+        solo = row.right() - _EDGE_PX - line
+        mute = solo - line - 2
         meter = row.bottom() - _METER_PX - 2
         below = top + line + 2
         across = row.right() - _EDGE_PX - left
@@ -221,7 +217,6 @@ class HeadPlaces:
             swatch=QRectF(left, top, scale * _SWATCH_PX, line),
             mute=QRectF(mute, top, line, line),
             solo=QRectF(solo, top, line, line),
-            name=QRectF(name, top, right - name, line),
             fader=QRectF(left, below, across, meter - below - 1),
             meter=QRectF(left, meter, across, _METER_PX),
         )
@@ -267,13 +262,6 @@ class HeadDelegate(QtWidgets.QStyledItemDelegate):
         painter.fillRect(places.meter, QtGui.QColor(theme.grid))
         if head.peak is not None:
             painter.fillRect(_part(places.meter, head.peak), dim if head.silent else colour)
-        painter.setFont(scaled(painter.font(), _SMALLER))
-        painter.setPen(dim if head.silent else text)
-        room = int(places.name.width())
-        elided = painter.fontMetrics().elidedText(
-            head.short_name, Qt.TextElideMode.ElideRight, room
-        )
-        painter.drawText(places.name, Qt.AlignmentFlag.AlignVCenter, elided)
         painter.setPen(QtGui.QPen(QtGui.QColor(theme.border), 1))
         painter.drawLine(option.rect.bottomLeft(), option.rect.bottomRight())
         painter.restore()
@@ -603,8 +591,8 @@ class Heads(QtWidgets.QListView):
     def _select(self) -> None:
         if self._shows:
             return
-        rows = sorted(index.row() for index in self.selectionModel().selectedRows())
-        rows.sort(key=lambda row: row == self.currentIndex().row())
+        current, chosen = self.currentIndex().row(), self.selectionModel().selectedRows()
+        rows = sorted((index.row() for index in chosen), key=lambda row: (row == current, row))
         self._edit(edits.select_inputs, tuple(self._design.ids[row] for row in rows))
 
     def _type(self, id: int, amplitude: float) -> None:

@@ -349,16 +349,15 @@ class LaneMouse:
     def _on_ruler(self, context: GestureContext, at: QPointF, held: Modifier) -> Gesture:
         content = context.before
         marker, fixed_s = content.marker_at(at), content.other_loop_end_at(at)
-        if held & Modifier.ShiftModifier:
-            return MoveLoop(context, snapped_time(context, at)[0])
         if marker is not None:
             return MoveMarker(context, marker)
         if fixed_s is not None:
             return MoveLoop(context, fixed_s)
-        gesture = MovePlayhead(context)
+        time_s = snapped_time(context, at)[0]
         if at.y() < content.ruler_px / 2:
-            self._click = lambda: self._lanes.playhead_requested.emit(self.time_at(at))
-            return MoveLoop(context, snapped_time(context, at)[0])
+            self._click = partial(self._lanes.playhead_requested.emit, time_s)
+            return MoveLoop(context, time_s)
+        gesture = MovePlayhead(context)
         gesture.move(at, held)
         return gesture
 

@@ -442,12 +442,10 @@ def _paint_marker(
 
 # Text ends before the last line of the grid.
 _SIDE_PX = 14.0
-# Gap between text and the lines of the grid, px.
-_AROUND_PX = 3.0
 # Clips lie farther inside their lanes. Qt paints one px more than is updated: this does not reach
 # the next lane.
 _INSIDE_PX = MARGIN_PX - 1.0
-_OVERLAP_PX, _OVERLAP_ALPHA = 4.0, 190
+_OVERLAP_PX, _OVERLAP_ALPHA, _TINT_ALPHA = 4.0, 190, 18
 
 
 class LaneLayer(pyqtgraph.GraphicsObject):
@@ -558,40 +556,26 @@ class LanesItem(LaneLayer):
             elif clips_look_of(before, then) != clips_look_of(after, now):
                 self.update(self._strip(now).adjusted(0, _INSIDE_PX, 0, -_INSIDE_PX))
 
-    @property
-    def _ground(self) -> QtGui.QColor:
-        """Colour of the lanes."""
-        return QtGui.QColor(current_theme().base)
-
-    @property
-    def _tint(self) -> QtGui.QColor:
-        """Colour over the lanes that are selected."""
-        tint = QtGui.QColor(current_theme().accent)
-        tint.setAlpha(18)
-        return tint
-
     def _strip(self, lane: Lane) -> QRectF:
         return QRectF(self._rect.left(), lane.top_px, self._rect.width(), lane.height_px)
 
     def _paint_ground(self, painter: QtGui.QPainter, lane: Lane) -> None:
         strip = self._strip(lane)
         if lane.selected:
-            painter.fillRect(strip, self._tint)
+            tint = QtGui.QColor(current_theme().accent)
+            tint.setAlpha(_TINT_ALPHA)
+            painter.fillRect(strip, tint)
         painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().border), 1))
         painter.drawLine(
             QLineF(strip.left(), strip.bottom() - 0.5, strip.right(), strip.bottom() - 0.5)
         )
 
     def _paint_silence_reason(self, painter: QtGui.QPainter, lane: Lane) -> None:
-        """Write why a lane is silent; lines of the grid stop around the text."""
+        """Write why a lane is silent."""
         if not lane.silent:
             return
         flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
         room = self._strip(lane).adjusted(0, 0, -_SIDE_PX, -3)
-        room_of_text = QRectF(painter.boundingRect(room, flags, lane.silent))
-        painter.fillRect(room_of_text.adjusted(-_AROUND_PX, 0, _AROUND_PX, 0), self._ground)
-        if lane.selected:
-            painter.fillRect(room_of_text.adjusted(-_AROUND_PX, 0, _AROUND_PX, 0), self._tint)
         theme = current_theme()
         painter.setPen(QtGui.QColor(theme.error if lane.problem else theme.dim))
         painter.drawText(room, flags, lane.silent)

@@ -45,7 +45,7 @@ from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.panel import Panel
 
-_STEPS_PER_S = 10_000
+_STEPS_PER_S = 1_000_000
 
 
 class TimeBar(QtWidgets.QScrollBar):
@@ -58,13 +58,11 @@ class TimeBar(QtWidgets.QScrollBar):
         super().__init__(Qt.Orientation.Horizontal, parent)
         self.setObjectName("time_bar")
         self.setAccessibleName("Time shown")
-        self._shown_s: Range = (0.0, 1.0)
         self.valueChanged.connect(self._emit)
         self.hide()
 
     def show_range(self, shown_s: Range, whole_s: Range) -> None:
         """Show a part of the whole."""
-        self._shown_s = shown_s
         length = round((shown_s[1] - shown_s[0]) * _STEPS_PER_S)
         whole = round((whole_s[1] - whole_s[0]) * _STEPS_PER_S)
         with QSignalBlocker(self):
@@ -75,9 +73,7 @@ class TimeBar(QtWidgets.QScrollBar):
         self.setVisible(whole > length)
 
     def _emit(self, value: int) -> None:
-        length = self._shown_s[1] - self._shown_s[0]
-        start = value / _STEPS_PER_S
-        self.range_requested.emit((start, start + length))
+        self.range_requested.emit((value / _STEPS_PER_S, (value + self.pageStep()) / _STEPS_PER_S))
 
 
 #: What "+ Add" offers: what the entry says, and what it adds.
@@ -388,9 +384,8 @@ class TimelinePanel(Panel):
         top = int(self.lanes.ruler_px) - self.heads.verticalScrollBar().value()
         lanes = lanes_of(self._design, self._view, self.heads.row_px, top, self._problems)
         self.lanes.show_state(self._design, self._view, lanes)
-        content = self.lanes.content
-        shown_s = content.scale.shown_s
-        self._time_bar.show_range(shown_s, (0.0, max(content.lengths.end_s, shown_s[1])))
+        shown_s, end_s = self.lanes.content.scale.shown_s, self.lanes.content.lengths.end_s
+        self._time_bar.show_range(shown_s, (0.0, max(end_s, shown_s[1])))
 
     def _scroll(self, notches: float) -> None:
         bar = self.heads.verticalScrollBar()

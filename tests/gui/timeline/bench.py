@@ -54,11 +54,11 @@ class Bench:
         """What is said and shown of a head."""
         return self.rows.model().index(index)
 
-    def place(self, index, part="name"):
+    def place(self, index, part="swatch"):
         """The middle of a part of a head."""
         return getattr(self.rows.places(index), part).center().toPoint()
 
-    def press(self, index, part="name", held=NONE):
+    def press(self, index, part="swatch", held=NONE):
         QTest.mouseClick(self.rows.viewport(), LEFT, held, self.place(index, part))
 
     @property

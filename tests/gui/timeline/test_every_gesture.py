@@ -319,7 +319,7 @@ def test_what_help_lists_is_what_the_mouse_does(lanes, where, name):
         (lambda lanes: end_of(lanes, 2), (-40, 0), NONE),
         (lambda lanes: end_of(lanes, 2), (40, 0), SHIFT),
         (lambda lanes: lanes.box(2).topLeft() + QPointF(3, 4), (40, 0), NONE),
-        (lambda lanes: lanes.on_ruler(0.2), (40, 0), SHIFT),
+        (lambda lanes: lanes.on_ruler(0.2, 4), (40, 0), NONE),
         (lambda lanes: strip_of(lanes).at(0.6, 1.0), (40, 8), NONE),
         (lambda lanes: strip_of(lanes).at(0.55, 1.0), (0, 8), NONE),
         (lambda lanes: strip_of(lanes).at(0.55, 1.0), (0, 8), CONTROL),
