@@ -327,15 +327,11 @@ def test_the_fade_of_a_clip_is_the_last_one_that_nothing_behind_moves_in_time():
     for behind in (Rectify(), Reverse(on=False), Stretch(factor=2.0, on=False)):
         assert last_fade((fade, behind)) is fade
         clip = Clip(waveform=TONE, effects=(fade, behind), id=1)
-        [faded] = edits.fade_clip(with_clips_on_one_track(clip), VIEW, 1, 0.05, 0.0).design.clips
+        [faded] = edits.fade_clip(design_of(clip), VIEW, 1, 0.05, 0.0).design.clips
         assert faded.effects == (Fade(0.05, 0.0), behind)
     for behind in (Reverse(), Stretch(factor=2.0), Trim(0.0, 0.1)):
         assert last_fade((fade, behind)) is None
     assert last_fade((replace(fade, on=False),)) is None
-
-
-def with_clips_on_one_track(*clips):
-    return Design(limb="synthetic-1", inputs=(Input(location=7, clips=clips),))
 
 
 def test_a_fade_out_has_only_the_room_that_the_fade_in_leaves():

@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QPushButton
+from PySide6.QtWidgets import QLabel, QLineEdit, QPushButton
 
 from skinsource.design import edits
 from skinsource.design.motions import MOTIONS, ApparentMotion, TapSequence
@@ -24,9 +24,15 @@ def button(page: MotionPage, name: str) -> QPushButton:
 
 def choose(page: MotionPage, name: str) -> None:
     """Choose a kind of motion in the list."""
-    box = page.findChildren(QComboBox, "kind_field")[0]
+    box = page.fields.cells[0].field
     box.setCurrentIndex(box.findData(name))
     box.activated.emit(box.currentIndex())
+
+
+def choose_waveform(page: MotionPage, name: str) -> None:
+    cell = page.fields.cells[1]
+    assert cell.name == "kind"
+    cell.edited.emit("kind", name, None)
 
 
 def click(page: MotionPage, *places: int) -> None:
@@ -43,8 +49,7 @@ def type_path(page: MotionPage, text: str) -> None:
 
 
 def field_of(page: MotionPage, name: str):
-    grids = (*page.motion_fields.cells, *page.waveform_fields.cells)
-    return next(cell for cell in grids if cell.name == name)
+    return next(cell for cell in page.fields.cells if cell.name == name)
 
 
 def test_a_motion_on_clicked_places_is_added_in_one_step(desk, page):
@@ -125,7 +130,7 @@ def test_numbers_of_motion_and_waveform_are_taken_over(page):
 
 def test_what_does_not_go_together_stays_and_is_said(page):
     choose(page, "ApparentMotion")
-    page.draft.change_waveform_kind("PulseTrain")
+    choose_waveform(page, "PulseTrain")
     field_of(page, "rate_hz").edited.emit("rate_hz", 400.0, None)
     assert page.draft.motion.waveform.rate_hz == 40.0
     assert "pulse_s" in field_of(page, "rate_hz").note
@@ -150,7 +155,7 @@ def test_other_kinds_follow_the_path_and_a_phantom_gives_it_back(page):
 
 def test_what_a_limb_cannot_play_is_said_before_it_is_added(page):
     choose(page, "ApparentMotion")
-    page.draft.change_waveform_field("frequency_hz", 700.0)
+    field_of(page, "frequency_hz").edited.emit("frequency_hz", 700.0, None)
     assert "frequency_hz is 700" in page.strip.message
     assert not button(page, "add_motion").isEnabled()
 
