@@ -12,8 +12,6 @@ from dataclasses import dataclass, replace
 from math import isfinite
 from typing import Any, TypeVar
 
-import numpy as np
-
 from skinsource.base.arguments import checking, one_of
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
@@ -48,7 +46,6 @@ from skinsource.design.waveforms.samples import Drawn
 from skinsource.design.waveforms.tones import Glide
 from skinsource.design.waveforms.wavelet_train import SOFTEST_DB, WaveletTrain
 from skinsource.limbs.own_limbs import facts_of
-from skinsource.signals.drawing import bounded_to_band
 from skinsource.signals.synthesis import Column, Curve, with_curve
 from skinsource.specs.breakpoints import Breakpoint
 from skinsource.specs.models import specs_of
@@ -544,20 +541,9 @@ def limit_to_band(design: Design, view: View, ids: Iterable[int]) -> Edit | Refu
 
 @refusing
 def bound_clip(design: Design, view: View, clip_id: int, sample_rate_hz: float) -> Edit | Refusal:
-    """Remove frequencies outside the measured band from a clip's waveform, as samples."""
-    band_hz = facts_of(design.limb).band_hz
-    if band_hz is None:
-        return _NO_BAND
-    drawn = design.clip(clip_id).waveform.samples(sample_rate_hz)
-    bounded = bounded_to_band(drawn, sample_rate_hz, band_hz)
-    if bounded.removed == 0.0 and np.array_equal(bounded.samples, drawn):
-        return Refusal(sentence="Nothing of the clip lies outside the measured band.")
-    outcome = draw_clip(design, view, clip_id, bounded.samples, sample_rate_hz)
-    if isinstance(outcome, Refusal):
-        return outcome
-    low_hz, high_hz = band_hz
-    label = f"Bound to {low_hz:g}\u2013{high_hz:g} Hz, {100 * bounded.removed:.3g} % removed"
-    return replace(outcome, label=label)
+    """Do as `limit_to_band` for one clip; the sample rate does not matter."""
+    del sample_rate_hz
+    return limit_to_band(design, view, (clip_id,))
 
 
 _NO_GLIDE = Refusal(sentence="The clip does not play a glide; choose that waveform first.")
