@@ -30,7 +30,7 @@ def train(you: Composer, _: Path) -> None:
     you.key("Enter")
     you.wait(lambda: not you.pages, "Enter agrees to the sweep")
     you.settle()
-    find(you, "equal on the skin")
+    find(you, "balance wavelets")
     you.wait(lambda: you.document.design.clips[0].waveform.gains_db, "gains are written")
     check_train(you)
 

@@ -390,14 +390,6 @@ class MotionPage(ToolPage):
         self.path_row.misread.connect(self._show_problem)
         self.path_row.finished.connect(self._show_lanes)
         self.fields.edited.connect(self.draft.change)
-        self.fields.rebuilt.connect(self._show_cells)
-
-    def _show_cells(self) -> None:
-        unit = amplitude_unit(self._document.design)
-        for cell in self.fields.cells:
-            if cell.name == "amplitude":
-                cell.set_spec(replace(LEVEL, unit=unit))
-        self._grid.show_cells(self.fields.cells)
 
     def _keep(self) -> None:
         outcome = self.draft.outcome(self._document.design, self._document.view)
@@ -409,11 +401,21 @@ class MotionPage(ToolPage):
 
     def _show(self) -> None:
         motion = self.draft.motion
+        before = self.fields.cells
         self.fields.show_model(motion)
+        if self.fields.cells != before:
+            self._show_cells()
         self._summary.setText(motion.summary)
         self._about.setText(_about(motion))
         self.path_row.show_path(self.draft.path)
         self._show_lanes()
+
+    def _show_cells(self) -> None:
+        unit = amplitude_unit(self._document.design)
+        for cell in self.fields.cells:
+            if cell.name == "amplitude":
+                cell.set_spec(replace(LEVEL, unit=unit))
+        self._grid.show_cells(self.fields.cells)
 
     def _show_lanes(self) -> None:
         colours: dict[int, QtGui.QColor] = {}
