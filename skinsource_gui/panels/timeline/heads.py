@@ -539,13 +539,14 @@ class Heads(QtWidgets.QListView):
             self.mousePressEvent(event)
 
     def wheelEvent(self, event: QtGui.QWheelEvent) -> None:
-        row = self.indexAt(event.position().toPoint()).row()
-        if row < 0 or self.places(row).part_at(event.position()) != "fader":
+        index, turns = self.indexAt(event.position().toPoint()), event.angleDelta()
+        # Who scrolls the tracks changes nothing: as a number, a fader turns once it was chosen.
+        chosen = self.hasFocus() and self.selectionModel().isSelected(index)
+        if not chosen or self.places(index.row()).part_at(event.position()) != "fader":
             super().wheelEvent(event)
             return
-        turns = event.angleDelta()
         notches = (turns.y() or turns.x()) / NOTCH
-        self._step(self._affected(self._design.ids[row]), notches, event.modifiers())
+        self._step(self._view.selected_inputs, notches, event.modifiers())
         event.accept()
 
     def contextMenuEvent(self, event: QtGui.QContextMenuEvent) -> None:

@@ -313,6 +313,8 @@ class TimelinePanel(Panel):
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange:
+            # Some desktops have a font of their own for lists.
+            self.heads.setFont(self.font())
             self._place_lanes()
 
     def drop_place(self, at: QPoint) -> DropPlace | None:

@@ -72,6 +72,8 @@ def test_heads_have_room_for_larger_text_and_lanes_are_as_high(bench, scale):
     assert all(left.right() <= right.left() for left, right in itertools.pairwise(parts))
     assert places.solo.bottom() <= places.fader.top() < places.fader.bottom() <= places.meter.top()
     row = bench.rows.visualRect(bench.head(1))
+    assert row.height() == pytest.approx(40 * max(metrics.height() / 14, 1.0), abs=1)
+    assert metrics.height() == bench.panel.fontMetrics().height()
     assert row.contains(places.meter.toRect())
     tops = [round(lane.top_px - bench.panel.lanes.ruler_px) for lane in bench.content.lanes]
     assert tops == [row.height() * k for k in range(3)]
@@ -145,8 +147,14 @@ def test_keys_and_the_wheel_move_a_fader_and_come_back_to_where_it_was(bench):
     assert amplitudes(bench)[0] == pytest.approx(1.122 / 1.9953, rel=1e-3)
     assert len({gesture for _, _, gesture in bench.edits}) == 1
     bench.show(bench.design.with_input(0, amplitude=1.0))
-    for turns in (1, -1):
-        turn_wheel(bench.rows.viewport(), bench.place(1, "fader"), (0, turns * NOTCH))
+    view = bench.rows.viewport()
+    for notches, expected in ((1, 1.122), (-1, 1.0)):
+        turn_wheel(view, bench.place(0, "fader"), (0, notches * NOTCH))
+        assert amplitudes(bench) == [expected, 1.0, 1.0]
+    # Over a track that is not selected the wheel scrolls.
+    turn_wheel(view, bench.place(1, "fader"), (0, NOTCH))
+    bench.panel.lanes.setFocus()
+    turn_wheel(view, bench.place(0, "fader"), (0, NOTCH))
     assert amplitudes(bench) == [1.0, 1.0, 1.0]
 
 
