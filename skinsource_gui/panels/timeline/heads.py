@@ -425,11 +425,6 @@ class Heads(QtWidgets.QListView):
         """The heads, from top to bottom."""
         return self._model.heads
 
-    @property
-    def row_px(self) -> int:
-        """Height of a head, px."""
-        return row_px(self.fontMetrics().height())
-
     def spec_of(self, track: Input) -> Any:
         """Return what the amplitude of a track may be."""
         return AMPLITUDE_GAIN if is_gain(self._design, track) else amplitude_spec(self._design)

@@ -384,7 +384,8 @@ class TimelinePanel(Panel):
         self.heads.setFixedWidth(self._heads_px)
         self._corner.setFixedSize(self._heads_px, int(self.lanes.ruler_px))
         top = int(self.lanes.ruler_px) - self.heads.verticalScrollBar().value()
-        lanes = lanes_of(self._design, self._view, self.heads.row_px, top, self._problems)
+        height = row_px(self.heads.fontMetrics().height())
+        lanes = lanes_of(self._design, self._view, height, top, self._problems)
         self.lanes.show_state(self._design, self._view, lanes)
         shown_s, end_s = self.lanes.content.scale.shown_s, self.lanes.content.lengths.end_s
         self._time_bar.show_range(shown_s, (0.0, max(end_s, shown_s[1])))
