@@ -30,7 +30,7 @@ def train(you: Composer, _: Path) -> None:
     you.key("Enter")
     you.wait(lambda: not you.pages, "Enter agrees to the sweep")
     you.settle()
-    find(you, "equal on the skin")
+    find(you, "balance wavelets")
     you.wait(lambda: you.document.design.clips[0].waveform.gains_db, "gains are written")
     check_train(you)
 
@@ -78,7 +78,7 @@ def sweep(you: Composer, _: Path) -> None:
     you.tab_to("path_field")
     you.key("Ctrl+A")
     you.type(", ".join(map(str, PATH)))
-    you.tab_to("frequency_hz_field")
+    you.tab_to("part_frequency_hz_field")
     you.type(f"{SWEEP_HZ:g}")
     you.tab_to("add_motion")
     you.key("Space")

@@ -40,7 +40,7 @@ def train(you: Composer, _: Path) -> None:
             (frequencies_hz[0] > frequencies_hz[-1]) == highest_first,
             f"{order} frequencies: {frequencies_hz}",
         )
-    you.choose("Edit", "Equal on the skin")
+    you.choose("Clip", "Balance wavelets")
     you.wait(lambda: you.document.design.clips[0].waveform.gains_db, "gains are written")
     check_train(you)
 
@@ -82,14 +82,14 @@ def recording(you: Composer, folder: Path) -> None:
 def sweep(you: Composer, _: Path) -> None:
     """A sweep along the digits: places clicked on the hand of the page."""
     reset_range(you)
-    you.choose("Edit", "Motion…")
+    you.choose("Clip", "Motion…")
     page = you.page()
     pick_of_list(you, page.findChildren(QComboBox)[0], "Sweep")
     you.settle()
     you.click(you.widget("clear_path", page))
     for place in PATH:
         you.click(page.hand, page.hand.site_centre(place))
-    frequency = you.widget("frequency_hz_field", page)
+    frequency = you.widget("part_frequency_hz_field", page)
     # The wheel turns a number only where the keyboard is.
     you.click(frequency)
     for _ in range(60):

@@ -310,6 +310,7 @@ class NumberField(Editor, QtWidgets.QLineEdit):
     def _claims(self, event: QtGui.QKeyEvent) -> bool:
         return (
             makes_step(event)
+            or event.matches(QtGui.QKeySequence.StandardKey.Paste)
             or (begins_typing(event) and not self.editing)
             or (event.key() == Qt.Key.Key_Escape and (self.editing or self._drag is not None))
         )

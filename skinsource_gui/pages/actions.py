@@ -17,8 +17,15 @@ from skinsource.base.files import path_exists
 from skinsource.design import edits
 from skinsource.design.design import Design, Input
 from skinsource.design.design_file import SUFFIX
-from skinsource.design.edits.edit import Edit, Refusal, clip_of, leading_input, location_text
-from skinsource.design.edits.inputs import usual_location
+from skinsource.design.edits.edit import (
+    Edit,
+    Refusal,
+    clip_of,
+    leading_clip,
+    leading_input,
+    location_text,
+)
+from skinsource.design.edits.inputs import free_location, usual_location
 from skinsource.design.labels import limb_label
 from skinsource.design.presets import presets
 from skinsource.design.view import View
@@ -99,9 +106,38 @@ def _track(design: Design, id: int) -> tuple[str, str]:
 
 
 def placed(
-    design: Design, view: View, option: str, onset_s: float, recording: Recording
+    design: Design,
+    view: View,
+    option: str,
+    onset_s: float | None,
+    recordings: Sequence[Recording],
 ) -> Edit | Refusal:
-    """Return the edit that puts ``recording`` where ``option`` says."""
+    """Return the edit that puts recordings where ``option`` says.
+
+    Further ones go to the next free places.  An onset of None is that of the playhead, or the end
+    of the last clip of a track that plays something then.
+    """
+    outcome = _placed_first(design, view, option, onset_s, recordings[0])
+    for recording in recordings[1:]:
+        if isinstance(outcome, Refusal):
+            return outcome
+        after, chosen = outcome.design, outcome.view.selected_inputs
+        first = leading_clip(after, outcome.view)
+        start_s = 0.0 if first is None else first.onset_s
+        location = free_location(after, after.input(chosen[-1]).location)
+        outcome = edits.place_waveform(after, outcome.view, location, recording, start_s)
+        if isinstance(outcome, Edit):
+            selected = (*chosen, *outcome.view.selected_inputs)
+            label = f"Import {len(recordings)} signals"
+            outcome = replace(
+                outcome, label=label, view=replace(outcome.view, selected_inputs=selected)
+            )
+    return outcome
+
+
+def _placed_first(
+    design: Design, view: View, option: str, onset_s: float | None, recording: Recording
+) -> Edit | Refusal:
     what, _, number = option.partition(" ")
     if what == "clip":
         track = next((track for track in design.inputs if _holds(track, int(number))), None)
@@ -109,9 +145,12 @@ def placed(
             return _CLIP_REMOVED
         chosen = replace(view, selected_inputs=(track.id,), selected_clips=(int(number),))
         return edits.change_waveform(design, chosen, (track.id,), recording)
+    if what == "track" and onset_s is None:
+        return edits.add_waveform(design, view, recording, int(number))
+    start_s = view.playhead_s if onset_s is None else onset_s
     if what == "track":
-        return edits.add_clip(design, view, int(number), onset_s, recording)
-    return edits.place_waveform(design, view, int(number), recording, onset_s)
+        return edits.add_clip(design, view, int(number), start_s, recording)
+    return edits.place_waveform(design, view, int(number), recording, start_s)
 
 
 class FileDrops(QObject):
@@ -232,10 +271,10 @@ class ImportActions(QObject):
         limb = facts_of(self._document.design.limb)
         page = pages.ImportPage(path, limb, places, self._window)
 
-        def put(recording: Any, option: str) -> None:
+        def put(recordings: tuple[Recording, ...], option: str) -> None:
             design, view = self._document.design, self._document.view
-            onset_s = place.onset_s if place else view.playhead_s
-            outcome = placed(design, view, option, onset_s, recording)
+            onset_s = place.onset_s if place else None
+            outcome = placed(design, view, option, onset_s, recordings)
             self._document.apply(outcome, None)
             self._preferences.folder = path.absolute().parent
             if isinstance(outcome, Edit):
@@ -299,7 +338,7 @@ class LibraryActions(QObject):
             view,
             preset.fragment,
             preset.name,
-            where.onset_s if named else None,
+            (where.onset_s or 0.0) if named else None,
             where.input_id,
             None if where.input_id is not None else where.location,
         )

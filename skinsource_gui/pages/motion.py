@@ -3,7 +3,6 @@
 A draft holds the motion; the path is clicked on the hand or typed, and fields set the rest.
 """
 
-from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
 from html import escape
@@ -18,17 +17,24 @@ from skinsource.base.quoting import sentence
 from skinsource.base.work import counted
 from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_unit
-from skinsource.design.design import MAX_INPUTS, Design
-from skinsource.design.edits.edit import Refusal, as_kind, kind_spec
-from skinsource.design.motions import MOTIONS, Motion, path_of, with_motion_field, with_path_of
-from skinsource.design.waveform import Waveform
-from skinsource.design.waveforms import kinds
+from skinsource.design.design import Design
+from skinsource.design.edits.edit import Edit, Refusal, leading_clip
+from skinsource.design.edits.motions import motion_of
+from skinsource.design.motions import (
+    LEVEL,
+    MOTIONS,
+    Motion,
+    path_of,
+    with_motion_field,
+    with_path_of,
+)
+from skinsource.design.view import View
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.models import specs_of
-from skinsource.specs.numbers import ModelSpec, NumberSpec
-from skinsource.specs.spec import ChoiceSpec, Spec
-from skinsource_gui.fields.editors import FieldCell
+from skinsource.specs.numbers import ModelSpec
+from skinsource_gui.fields.editors import new_editor
 from skinsource_gui.fields.grid import FieldGrid
+from skinsource_gui.fields.parts import PartFields
 from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.panels.hand.layout import HandLayout, Marker, paint_occupied
 from skinsource_gui.panels.hand.panel import HandDiagram
@@ -45,10 +51,10 @@ class Draft(QObject):
 
     Parameters
     ----------
-    design
-        Design that the motion is to be added to.
-    onset_s
-        Initial onset.
+    design, view
+        Design that the motion is to be added to, or in which it is changed.
+    index
+        Which motion of the design is changed; None: it is a new one.
 
     Attributes
     ----------
@@ -61,18 +67,21 @@ class Draft(QObject):
     """
 
     changed = Signal()
-    #: Name of a field, and why its value stays as it was.
-    field_refused = Signal(str, str)
-    waveform_field_refused = Signal(str, str)
 
-    def __init__(self, design: Design, onset_s: float, parent: QObject) -> None:
+    def __init__(
+        self, design: Design, view: View, parent: QObject, index: int | None = None
+    ) -> None:
         super().__init__(parent)
-        self._design, self._limb = design, facts_of(design.limb)
+        self._design, self._view, self._index = design, view, index
+        self._limb = facts_of(design.limb)
         self._left: dict[str, Motion] = {kind.__name__: kind() for kind in MOTIONS}
         self.motion: Motion = self._left[MOTIONS[0].__name__]
-        # The playhead may be later than the latest onset.
-        with suppress(InvalidInputError):
-            self.motion = with_motion_field(self.motion, "onset_s", onset_s)
+        if index is not None:
+            self.motion = design.motions[index].motion
+        else:
+            # The playhead may be later than the latest onset.
+            with suppress(InvalidInputError):
+                self.motion = with_motion_field(self.motion, "onset_s", view.playhead_s)
         self.path, self.problem = self.motion.path, ""
         # A phantom takes two places only; the next kind gets all of them back.
         self._whole_path = self.path
@@ -85,9 +94,12 @@ class Draft(QObject):
             motion = with_motion_field(motion, "path", self._whole_path)
         self._set(motion)
 
-    def change_field(self, name: str, value: Any) -> None:
-        """Give a field of the motion another value."""
-        self._try(lambda: with_motion_field(self.motion, name, value), name, self.field_refused)
+    def change(self, motion: Motion) -> None:
+        """Change fields of the motion, or its kind; the path stays."""
+        if type(motion) is not type(self.motion):
+            self.change_kind(type(motion).__name__)
+        else:
+            self._set(motion, self.path, self.problem)
 
     def change_path(self, path: tuple[int, ...]) -> None:
         """Change the path; one that is not valid yet is shown, but the motion does not follow."""
@@ -99,31 +111,6 @@ class Draft(QObject):
         else:
             self._set(with_motion_field(self.motion, "path", path))
 
-    def change_waveform_kind(self, name: str) -> None:
-        """Play another kind of waveform."""
-        kind = next(kind for kind in self.waveform_kinds if kind.__name__ == name)
-        new = as_kind(self.motion.waveform, kind, self._limb.sample_rate_hz)
-        self._try(
-            lambda: with_motion_field(self.motion, "waveform", new),
-            "kind",
-            self.waveform_field_refused,
-        )
-
-    def change_waveform_field(self, name: str, value: Any) -> None:
-        """Give a field of the waveform another value."""
-        waveform: Any = self.motion.waveform
-        self._try(
-            lambda: with_motion_field(self.motion, "waveform", replace(waveform, **{name: value})),
-            name,
-            self.waveform_field_refused,
-        )
-
-    @property
-    def waveform_kinds(self) -> tuple[type[Waveform], ...]:
-        """The kinds of waveform that the motion can play."""
-        spec = specs_of(self.motion)["waveform"]
-        return spec.kinds() if isinstance(spec, ModelSpec) else ()
-
     def lanes(self) -> tuple[Lane, ...]:
         """Return the tracks of the motion as they would be added.
 
@@ -133,33 +120,32 @@ class Draft(QObject):
             A clip would start too late, there would be too many inputs, or something is in it that
             the limb cannot play at its rate.
         """
-        tracks = self.motion.tracks()
-        if len(self._design.inputs) + len(tracks) > MAX_INPUTS:
-            raise InvalidInputError(
-                f"it takes {counted(len(tracks), 'input')} more, and a design holds at most "
-                f"{MAX_INPUTS}; remove some first"
-            )
-        after = self._design
-        for track in tracks:
-            after = after.adding(track)
-        added = after.inputs[len(self._design.inputs) :]
-        largest = max(abs(track.amplitude) for track in added) or 1.0
+        outcome = self.outcome(self._design, self._view)
+        if isinstance(outcome, Refusal):
+            raise InvalidInputError(outcome.sentence)
+        after = outcome.design
+        group = after.motions[-1 if self._index is None else self._index]
+        tracks = [after.input(id) for id in outcome.view.selected_inputs]
+        largest = max(abs(track.amplitude) for track in tracks) or 1.0
         drawings = ClipDrawings(self._limb.sample_rate_hz)
         return tuple(
             Lane(
                 place=track.location,
                 colour=track.colour,
-                clips=tuple(drawings.of(clip, track.amplitude / largest) for clip in track.clips),
+                clips=tuple(
+                    drawings.of(clip, track.amplitude / largest)
+                    for clip in track.clips
+                    if clip.id in group.clips
+                ),
             )
-            for track in added
+            for track in tracks
         )
 
-    def _try(self, change: Callable[[], Motion], name: str, refused: Any) -> None:
-        path, problem = self.path, self.problem
-        try:
-            self._set(change(), path, problem)
-        except InvalidInputError as error:
-            refused.emit(name, sentence(str(error)))
+    def outcome(self, design: Design, view: View) -> Edit | Refusal:
+        """Return the edit that adds or changes the motion."""
+        if self._index is None:
+            return edits.add_motion(design, view, self.motion)
+        return edits.change_motion(design, view, self._index, self.motion)
 
     def _set(self, motion: Motion, path: tuple[int, ...] | None = None, problem: str = "") -> None:
         self.motion = motion
@@ -347,81 +333,7 @@ def _typed(text: str) -> tuple[int, ...] | None:
         return None
 
 
-#: Changes a specification to what counts here; None leaves the field out.
-Adapt = Callable[[str, Spec], Spec | None]
-
-
-class MotionFields(QObject):
-    """Cells for the kind and the fields of a model, rebuilt when its kind changes.
-
-    Parameters
-    ----------
-    adapt
-        Changes the specification of each field, or leaves the field out.
-    """
-
-    #: Name of a kind.
-    kind_chosen = Signal(str)
-    #: Name of the field and its new value.
-    edited = Signal(str, object)
-
-    def __init__(self, adapt: Adapt, parent: QObject) -> None:
-        super().__init__(parent)
-        self._adapt = adapt
-        self.cells: tuple[FieldCell, ...] = ()
-        self._built_for: tuple[type, ChoiceSpec] | None = None
-        self.grid = FieldGrid()
-
-    def show_model(self, model: Any, kinds: ChoiceSpec) -> None:
-        """Show the values of a model; ``kinds`` is the choice of its kinds."""
-        if self._built_for != (type(model), kinds):
-            self._build(model, kinds)
-        kind, *others = self.cells
-        kind.set_value(type(model).__name__)
-        for cell in others:
-            cell.set_value(getattr(model, cell.name))
-
-    def show_refused(self, model: Any, name: str, reason: str) -> None:
-        """Show the value of ``model`` in a field again, and why it was not changed."""
-        for cell in self.cells:
-            if cell.name == name:
-                kept = type(model).__name__ if cell is self.cells[0] else getattr(model, name)
-                cell.refuse(kept, reason)
-
-    def _build(self, model: Any, kinds: ChoiceSpec) -> None:
-        old = self.cells
-        # The list in which a kind was just chosen keeps the keyboard.
-        if self._built_for is not None and self._built_for[1] == kinds:
-            kind = old[0]
-        else:
-            kind = FieldCell("kind", kinds, edited=self._tell_kind)
-        cells = [kind]
-        for name, spec in specs_of(model).items():
-            adapted = self._adapt(name, spec)
-            if adapted is not None:
-                cells.append(FieldCell(name, adapted, edited=self._tell))
-        self.cells, self._built_for = tuple(cells), (type(model), kinds)
-        removed = [cell for cell in old if cell not in cells]
-        focused = QtWidgets.QApplication.focusWidget()
-        if focused is not None and any(cell.isAncestorOf(focused) for cell in removed):
-            kind.field.setFocus(Qt.FocusReason.OtherFocusReason)
-        self.grid.show_cells(self.cells)
-        for part in (widget for cell in removed for widget in (cell.label, cell)):
-            part.deleteLater()
-
-    def _tell_kind(self, _: str, kind: str, __: object) -> None:
-        self.kind_chosen.emit(kind)
-
-    def _tell(self, name: str, value: object, _: object) -> None:
-        self.edited.emit(name, value)
-
-
 TITLE = "Motion"
-_MOTION_KINDS = ChoiceSpec(
-    label="Motion",
-    options=tuple((kind.__name__, kind.title) for kind in MOTIONS),
-    hint="What seems to happen on the skin",
-)
 _HEIGHT_PX = 660
 
 
@@ -431,23 +343,25 @@ class MotionPage(ToolPage):
     def __init__(self, document: Document, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent, "motion_page", TITLE, (980, _HEIGHT_PX))
         self._document = document
-        self.draft = Draft(document.design, document.view.playhead_s, self)
+        clip = leading_clip(document.design, document.view)
+        index = None if clip is None else motion_of(document.design, clip.id)
+        self.draft = Draft(document.design, document.view, self, index)
         self.hand = HandDiagram(drawing_of(document.design.limb), self)
         self.hand.setAccessibleName("Path on the hand, palm side")
         self._path = PathLayer(self.hand)
         self.path_row = PathRow()
         self.strip = ClipStrip()
-        self.motion_fields = MotionFields(self._of_motion, self)
         limb = facts_of(document.design.limb)
-        self.waveform_fields = MotionFields(
-            lambda _, spec: spec.at_rate(limb.sample_rate_hz, limb.band_hz), self
-        )
+        spec = ModelSpec(label="Motion", kinds=lambda: MOTIONS, hint="What happens on the skin")
+        self.fields = PartFields(spec.at_rate(limb.sample_rate_hz, limb.band_hz), new_editor, self)
+        self._grid = FieldGrid()
         self._summary = page_label("motion_summary")
         self._about = page_label("motion_about", tone="dim")
         self._about.setTextFormat(Qt.TextFormat.RichText)
-        self._add = self.add_button(
-            "add_motion", "Add", "Add the tracks to the design, in one step", self._keep
-        )
+        name, hint = "Add", "Add the tracks to the design, in one step"
+        if index is not None:
+            name, hint = "Change", "Change the tracks of the selected motion, in one step"
+        self._add = self.add_button("add_motion", name, hint, self._keep)
         self._cancel = self.add_button(
             "cancel_motion", "Cancel", "Close; nothing is changed", self.reject
         )
@@ -457,13 +371,8 @@ class MotionPage(ToolPage):
 
     def _lay_out(self) -> None:
         left = in_column((self.hand, 1), self.path_row)
-        grids = QtWidgets.QHBoxLayout()
-        grids.setSpacing(3 * UNIT_PX)
-        for grid in (self.motion_fields.grid, self.waveform_fields.grid):
-            grids.addWidget(grid, 1, Qt.AlignmentFlag.AlignTop)
         inside = QtWidgets.QWidget()
-        inside.setLayout(grids)
-        grids.setContentsMargins(0, 0, UNIT_PX, 0)
+        in_column(self._grid, None, of=inside, margins=(0, 0, UNIT_PX, 0))
         scroll = scrolled(inside, "motion_fields")
         scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         ends = in_row(None, self._add, self._cancel)
@@ -474,27 +383,16 @@ class MotionPage(ToolPage):
 
     def _connect(self) -> None:
         self.draft.changed.connect(self._show)
-        self.draft.field_refused.connect(self._show_refused)
-        self.draft.waveform_field_refused.connect(self._show_waveform_refused)
         self.hand.add_requested.connect(self.path_row.append)
         self.hand.add_besides_requested.connect(self.path_row.append)
         self.hand.remove_requested.connect(self.path_row.remove_last)
         self.path_row.path_changed.connect(self.draft.change_path)
         self.path_row.misread.connect(self._show_problem)
         self.path_row.finished.connect(self._show_lanes)
-        self.motion_fields.kind_chosen.connect(self.draft.change_kind)
-        self.motion_fields.edited.connect(self.draft.change_field)
-        self.waveform_fields.kind_chosen.connect(self.draft.change_waveform_kind)
-        self.waveform_fields.edited.connect(self.draft.change_waveform_field)
-
-    def _show_refused(self, name: str, why: str) -> None:
-        self.motion_fields.show_refused(self.draft.motion, name, why)
-
-    def _show_waveform_refused(self, name: str, why: str) -> None:
-        self.waveform_fields.show_refused(self.draft.motion.waveform, name, why)
+        self.fields.edited.connect(self.draft.change)
 
     def _keep(self) -> None:
-        outcome = edits.add_motion(self._document.design, self._document.view, self.draft.motion)
+        outcome = self.draft.outcome(self._document.design, self._document.view)
         if isinstance(outcome, Refusal):
             self._show_problem(outcome.sentence)
             return
@@ -503,12 +401,21 @@ class MotionPage(ToolPage):
 
     def _show(self) -> None:
         motion = self.draft.motion
-        self.motion_fields.show_model(motion, _MOTION_KINDS)
-        self.waveform_fields.show_model(motion.waveform, _waveform_kinds(self.draft))
+        before = self.fields.cells
+        self.fields.show_model(motion)
+        if self.fields.cells != before:
+            self._show_cells()
         self._summary.setText(motion.summary)
         self._about.setText(_about(motion))
         self.path_row.show_path(self.draft.path)
         self._show_lanes()
+
+    def _show_cells(self) -> None:
+        unit = amplitude_unit(self._document.design)
+        for cell in self.fields.cells:
+            if cell.name == "amplitude":
+                cell.set_spec(replace(LEVEL, unit=unit))
+        self._grid.show_cells(self.fields.cells)
 
     def _show_lanes(self) -> None:
         colours: dict[int, QtGui.QColor] = {}
@@ -528,25 +435,7 @@ class MotionPage(ToolPage):
         if problem:
             self.strip.show_message(problem)
 
-    def _of_motion(self, name: str, spec: Spec) -> Spec | None:
-        if name in ("path", "waveform"):
-            return None
-        if name == "amplitude" and isinstance(spec, NumberSpec):
-            design = self._document.design
-            return replace(spec, unit=amplitude_unit(design))
-        return spec
-
 
 def _about(motion: Motion) -> str:
     parts = (("Law", motion.law), ("Source", motion.source), ("On the palm", motion.limits))
     return "<br>".join(f"<b>{name}.</b> {escape(text)}" for name, text in parts)
-
-
-def _waveform_kinds(draft: Draft) -> ChoiceSpec:
-    if draft.waveform_kinds == kinds():
-        return kind_spec()
-    return ChoiceSpec(
-        label="Waveform",
-        options=tuple((kind.__name__, kind.title) for kind in draft.waveform_kinds),
-        hint="What plays at each place",
-    )

@@ -232,9 +232,9 @@ class DropPlace:
     input_id
         Id of the track that gets a clip; it has priority over ``location``.
     onset_s
-        Onset of the clip.
+        Onset of the clip; None: no time was chosen.
     """
 
     location: int | None = None
     input_id: int | None = None
-    onset_s: float = 0.0
+    onset_s: float | None = None

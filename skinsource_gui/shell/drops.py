@@ -1,4 +1,4 @@
-"""Clips that are dragged between panels or copied, and waveforms from the palette."""
+"""Clips that are dragged between panels or stretched, and waveforms from the palette."""
 
 from functools import partial
 
@@ -6,8 +6,8 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QPoint
 
 from skinsource.design import edits
+from skinsource.design.edits.edit import leading_clip
 from skinsource.design.waveforms import kinds
-from skinsource_gui.panels.timeline.clipboard import copy_clips, cut_clips, paste_clips
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.panel import Panel, PanelRegistry
@@ -46,34 +46,25 @@ class ClipDrops(QObject):
         return drop_place
 
 
-class ClipsAndClipboard(QObject):
-    """Does with the selected clips what keys do in the timeline, be that shown or not.
+class ClipStretching(QObject):
+    """Asks how long the selected clip is to last, and stretches it."""
 
-    Parameters
-    ----------
-    document
-        Whose clips.
-    parent
-        As in Qt.
-    """
+    def __init__(self, document: Document, window: QtWidgets.QWidget) -> None:
+        super().__init__(window)
+        self._document, self._window = document, window
 
-    def __init__(self, document: Document, parent: QObject) -> None:
-        super().__init__(parent)
-        self._document = document
-
-    def cut(self) -> None:
-        """Move the selected clips to the clipboard."""
-        self._document.apply(cut_clips(self._document.design, self._document.view))
-
-    def copy(self) -> None:
-        """Put the selected clips on the clipboard."""
-        refusal = copy_clips(self._document.design, self._document.view)
-        if refusal is not None:
-            self._document.apply(refusal)
-
-    def paste(self) -> None:
-        """Put the clips of the clipboard at the playhead."""
-        self._document.apply(paste_clips(self._document.design, self._document.view))
+    def ask(self) -> None:
+        """Ask for the new length of the clip that was selected last."""
+        design, view = self._document.design, self._document.view
+        clip = leading_clip(design, view)
+        if clip is None:
+            return
+        length_ms, sure = QtWidgets.QInputDialog.getDouble(
+            self._window, "Stretch clip", "Length, ms", 1e3 * clip.duration_s, 1.0, 600e3, 1
+        )
+        if sure:
+            end_s = clip.onset_s + length_ms / 1e3
+            self._document.apply(edits.stretch_clip(design, view, clip.id, clip.onset_s, end_s))
 
 
 def kind_choices(document: Document) -> list[QtGui.QAction]:

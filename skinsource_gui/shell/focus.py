@@ -212,7 +212,7 @@ _PANEL = "clip_editor"
 
 
 class ClipDrawing(QObject):
-    """Shows the selected clip large, and takes the pen.
+    """Shows the selected clip large, and takes the pen or another tool.
 
     Parameters
     ----------
@@ -226,13 +226,13 @@ class ClipDrawing(QObject):
         super().__init__(parent)
         self._panels, self._focus = panels, focus
 
-    def begin(self) -> None:
-        """Take the pen; a clip that is not drawn asks whether it may become samples."""
+    def begin(self, tool: str) -> None:
+        """Take a tool; the pen asks whether a clip that is not drawn may become samples."""
         panel = cast("ClipEditorPanel", self._panels[_PANEL])
         focused = QtWidgets.QApplication.focusWidget()
         if not panel.isVisible() or focused is None or not panel.isAncestorOf(focused):
             self._focus.show(_PANEL)
-        panel.use("pen")
+        panel.use(tool)
 
 
 class KeyboardFilter(QObject):
@@ -355,6 +355,7 @@ class ShortcutsInFields(KeyboardFilter):
         # A clicked button has the keyboard too, but the next key is not meant for it.
         clicked = bool(QtWidgets.QApplication.mouseButtons())
         is_field = isinstance(focused, (*_TEXTS, *_PRESSED))
+        is_field = is_field and not getattr(focused, "leaves_space", False)
         if focused is None or not is_field or not self._window.isAncestorOf(focused):
             return None
         if isinstance(focused, QtWidgets.QAbstractButton) and clicked:

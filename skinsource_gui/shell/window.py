@@ -24,7 +24,7 @@ from skinsource_gui.shell.appearance import Appearance, WindowFrame
 from skinsource_gui.shell.bars import SetupBar, StudioBar, WorkspaceButtons
 from skinsource_gui.shell.carrying import PanelPictures
 from skinsource_gui.shell.conditions import Conditions
-from skinsource_gui.shell.drops import ClipDrops, ClipsAndClipboard, kind_choices
+from skinsource_gui.shell.drops import ClipDrops, ClipStretching, kind_choices
 from skinsource_gui.shell.focus import ClipDrawing, PanelFocus, ShortcutsInFields, move_focus
 from skinsource_gui.shell.keeping import AutosaveAndRecovery
 from skinsource_gui.shell.limb_note import LimbNote
@@ -41,7 +41,7 @@ from skinsource_gui.state.conductor import Conductor, PanelController
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import FirstPaintEngine
 from skinsource_gui.state.historian import Historian
-from skinsource_gui.state.job_runner import JobRunner, WaveletLevelling
+from skinsource_gui.state.job_runner import JobRunner, Levelling
 from skinsource_gui.state.panel import PREPARING, Panel, PanelRegistry
 from skinsource_gui.state.preferences import InstalledLimbs, Preferences
 from skinsource_gui.state.services import Services
@@ -149,7 +149,7 @@ class MainWindow(QtWidgets.QMainWindow):
         self.library = LibraryActions(self.document, self)
         self.playback = Playback(self.document, self.preferences, self)
         self.running_jobs = RunningJobs(self.runner, self)
-        self.levelling = WaveletLevelling(self.document, self.runner, self)
+        self.levelling = Levelling(self.document, self.runner, self)
         self.presenter = Presenter(
             services, self.files, self.workspaces, lambda: self.actions_by_name
         )
@@ -175,7 +175,7 @@ class MainWindow(QtWidgets.QMainWindow):
             "dock_tabs": self.dock_tabs,
             "panel_focus": panel_focus,
             "clip_drawing": ClipDrawing(self.panels, panel_focus, self),
-            "clips": ClipsAndClipboard(self.document, self),
+            "clip_stretching": ClipStretching(self.document, self),
             "appearance": self.appearance,
             "pages": self.pages,
             "frame": WindowFrame(self, self.document),

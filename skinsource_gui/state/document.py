@@ -13,6 +13,7 @@ from PySide6.QtCore import QObject, Signal
 from skinsource.design.comparing import restored_snapshots
 from skinsource.design.design import Design
 from skinsource.design.edits.edit import Edit, Refusal, kept_selection
+from skinsource.design.edits.motions import with_whole_motions
 from skinsource.design.view import View
 from skinsource.limbs.own_limbs import axes_on, missing_limb, outputs_on
 from skinsource_gui.state.history import MOST_STEPS
@@ -169,6 +170,7 @@ class Document(QObject):
         if isinstance(outcome, Refusal):
             self.refused.emit(outcome.sentence)
             return
+        outcome = with_whole_motions(self._design, outcome)
         if outcome.design != self._design and _same_limb(outcome.design, self._design):
             missing = missing_limb(self._design.limb, self._design.limb_digest)
             if missing:

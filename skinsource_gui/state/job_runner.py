@@ -1,11 +1,11 @@
 """Long jobs, one after another, away from the GUI thread.
 
-`PageJobs` follows the jobs of one page, `WaveletLevelling` edits a wavelet train after its
+`PageJobs` follows the jobs of one page, `Levelling` edits wavelets and tracks after their
 prediction.
 """
 
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from threading import Event
@@ -19,10 +19,10 @@ from skinsource.base.job import Job, Progress, Stop, seconds_left
 from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design
-from skinsource.design.edits.edit import leading_clip
+from skinsource.design.edits.edit import Edit, Refusal, leading_clip
 from skinsource.design.view import View
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
-from skinsource.engine.levelling import MEASURE, wavelet_levels_db
+from skinsource.engine.levelling import MEASURE, track_levels_db, wavelet_levels_db
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.worker import Worker, fault_text
 
@@ -253,34 +253,41 @@ class PageJobs(QObject):
         return True
 
 
-_CHANGED = "The wavelet train was changed while it was predicted; equalise it once more."
+_CHANGED = "What was predicted has changed meanwhile; do it once more."
 
 
-@dataclass(frozen=True, slots=True)
-class _LevelRequest:
-    """The design and clip that are predicted."""
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Levelled:
+    """What is levelled by a job.
+
+    Attributes
+    ----------
+    design
+        The design that is predicted.
+    sources
+        Returns all of a design that the levels depend on.
+    edit
+        Makes the edit from a design, a view, and the levels.
+    """
 
     design: Design
-    clip_id: int
-
-    def is_as_in(self, design: Design) -> bool:
-        """Return whether the levels hold for this design too."""
-        return _level_sources(self.design, self.clip_id) == _level_sources(design, self.clip_id)
+    sources: Callable[[Design], object]
+    edit: Callable[[Design, View, Any], Edit | Refusal]
 
 
-class WaveletLevelling(QObject):
-    """Gives the wavelets of the selected train gains with which all are equally loud on the skin.
+class Levelling(QObject):
+    """Makes wavelets of a train, or tracks, equally strong on the skin.
 
     They are predicted in a job; the edit follows.
     """
 
-    #: Why the wavelets were not equalised.
+    #: Why they were not levelled.
     failed = Signal(str)
 
     def __init__(self, document: Document, runner: JobRunner, parent: QObject) -> None:
         super().__init__(parent)
         self._document, self._runner = document, runner
-        self._requests: dict[Job[Any], _LevelRequest] = {}
+        self._levelled: dict[Job[Any], _Levelled] = {}
         runner.done.connect(self._apply)
         runner.cancelled.connect(self._forget)
         runner.failed.connect(self._tell)
@@ -289,28 +296,47 @@ class WaveletLevelling(QObject):
         """Predict each wavelet of the selected train alone, then edit their gains."""
         design = self._document.design
         clip = selected_train(design, self._document.view)
-        if clip is not None:
-            job = Job("Equalising wavelets", partial(wavelet_levels_db, design, clip.id))
-            self._requests[job] = _LevelRequest(design, clip.id)
-            self._runner.add(job)
+        if clip is None:
+            return
+        id = clip.id
+        self._run(
+            Job("Balancing wavelets", partial(wavelet_levels_db, design, id)),
+            sources=lambda of: _level_sources(of, id),
+            edit=lambda of, view, levels: edits.equalise_on_skin(of, view, id, levels, MEASURE),
+        )
 
-    def _apply(self, job: Job[Any], levels_db: tuple[float, ...]) -> None:
-        request = self._requests.pop(job, None)
-        if request is None:
+    def match_tracks(self) -> None:
+        """Predict each selected track alone, then edit their amplitudes."""
+        design = self._document.design
+        ids = tuple(id for id in self._document.view.selected_inputs if id in design.ids)
+
+        def sources(of: Design) -> object:
+            setup = of.limb, of.limb_digest, of.scaling, of.actuated
+            return setup, [track for track in of.inputs if track.id in ids]
+
+        job = Job("Matching tracks", partial(track_levels_db, design, ids))
+        self._run(job, sources=sources, edit=edits.match_tracks)
+
+    def _run(self, job: Job[Any], **levelled: Any) -> None:
+        self._levelled[job] = _Levelled(design=self._document.design, **levelled)
+        self._runner.add(job)
+
+    def _apply(self, job: Job[Any], levels: object) -> None:
+        levelled = self._levelled.pop(job, None)
+        if levelled is None:
             return
         design, view = self._document.design, self._document.view
-        if request.is_as_in(design):
-            outcome = edits.equalise_on_skin(design, view, request.clip_id, levels_db, MEASURE)
-            self._document.apply(outcome)
+        if levelled.sources(levelled.design) == levelled.sources(design):
+            self._document.apply(levelled.edit(design, view, levels))
         else:
             self.failed.emit(_CHANGED)
 
     def _tell(self, job: Job[Any], error: Exception) -> None:
-        if self._requests.pop(job, None) is not None:
+        if self._levelled.pop(job, None) is not None:
             self.failed.emit(str(error))
 
     def _forget(self, job: Job[Any]) -> None:
-        self._requests.pop(job, None)
+        self._levelled.pop(job, None)
 
 
 def selected_train(design: Design, view: View) -> Clip | None:

@@ -12,10 +12,11 @@ from skinsource.base.errors import FileFormatError, InvalidInputError
 from skinsource.design import edits
 from skinsource.design.clips import MAX_CLIPS, MAX_EFFECTS, Clip, Marker
 from skinsource.design.design import MAX_INPUTS, Design, Input, track
+from skinsource.design.edits.cutting import last_fade
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.effects.level import Fade, Rectify
 from skinsource.design.effects.playing import played
-from skinsource.design.effects.time import Repeat, Stretch, Trim
+from skinsource.design.effects.time import Repeat, Reverse, Stretch, Trim
 from skinsource.design.signal_path import placed_signal_path
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Noise, Tap
@@ -319,6 +320,18 @@ def test_ends_that_are_stretched_go_so_far_and_the_other_end_stays(ends, onset_s
     [clip] = edits.stretch_clip(before, VIEW, 1, *ends).design.clips
     assert clip.onset_s == pytest.approx(onset_s, abs=1e-12)
     assert clip.duration_s == pytest.approx(duration_s, abs=1e-12)
+
+
+def test_the_fade_of_a_clip_is_the_last_one_that_nothing_behind_moves_in_time():
+    fade = Fade(0.01, 0.02)
+    for behind in (Rectify(), Reverse(on=False), Stretch(factor=2.0, on=False)):
+        assert last_fade((fade, behind)) is fade
+        clip = Clip(waveform=TONE, effects=(fade, behind), id=1)
+        [faded] = edits.fade_clip(design_of(clip), VIEW, 1, 0.05, 0.0).design.clips
+        assert faded.effects == (Fade(0.05, 0.0), behind)
+    for behind in (Reverse(), Stretch(factor=2.0), Trim(0.0, 0.1)):
+        assert last_fade((fade, behind)) is None
+    assert last_fade((replace(fade, on=False),)) is None
 
 
 def test_a_fade_out_has_only_the_room_that_the_fade_in_leaves():

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from skinsource.signals.drawing import Stroke, bounded_to_band, drawn_over, zeroed
+from skinsource.signals.drawing import Stroke, drawn_over, zeroed
 
 RATE_HZ = 1300.0
 PLACES = st.tuples(st.floats(0, 2), st.floats(-1, 1))
@@ -80,20 +80,3 @@ def test_zero_is_drawn_from_end_to_end_in_either_direction():
     for ends in ((3, 6), (6, 3)):
         after = zeroed(np.ones(10), *(end / RATE_HZ for end in ends), RATE_HZ)
         assert np.flatnonzero(after == 0).tolist() == [3, 4, 5, 6]
-
-
-def test_what_lies_outside_the_band_is_taken_away_and_its_share_told():
-    time_s = np.arange(1300) / RATE_HZ
-    inside, outside = np.sin(2 * np.pi * 100 * time_s), 0.5 * np.sin(2 * np.pi * 10 * time_s)
-    bounded = bounded_to_band(inside + outside, RATE_HZ)
-    np.testing.assert_allclose(bounded.samples, inside, atol=1e-12)
-    assert bounded.removed == pytest.approx(0.2)
-    assert bounded_to_band(np.zeros(9), RATE_HZ).removed == 0.0
-
-
-@given(st.integers(1, 200), st.integers(0, 1000))
-def test_bounding_twice_changes_nothing_more(n, seed):
-    once = bounded_to_band(np.random.default_rng(seed).standard_normal(n), RATE_HZ)
-    twice = bounded_to_band(once.samples, RATE_HZ)
-    np.testing.assert_allclose(twice.samples, once.samples, atol=1e-12)
-    assert 0.0 <= once.removed <= 1.0

@@ -1,19 +1,9 @@
-"""Ends that belong to what they end: of the measured band, and of what a sweep moves."""
+"""Ends that belong to what they end: that of what a sweep moves."""
 
-import numpy as np
 import pytest
 
 from skinsource.design.motions import Sweep
 from skinsource.design.waveforms.tones import Tone
-from skinsource.signals.drawing import bounded_to_band
-
-
-@pytest.mark.parametrize(("frequency_hz", "stays"), [(20, 0), (25, 1), (600, 1), (605, 0)])
-def test_both_ends_of_the_band_stay(frequency_hz, stays):
-    samples = np.sin(2.0 * np.pi * frequency_hz * np.arange(1300) / 1300.0)
-    bounded = bounded_to_band(samples, 1300.0)
-    assert bounded.removed == pytest.approx(1 - stays, abs=1e-12)
-    np.testing.assert_allclose(bounded.samples, stays * samples, atol=1e-10)
 
 
 def test_the_last_part_of_a_sweep_ends_with_what_moves():

@@ -15,7 +15,7 @@ from skinsource.design.effects.time import Reverse
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
-from skinsource.engine.levelling import MEASURE, wavelet_levels_db
+from skinsource.engine.levelling import MEASURE, track_levels_db, wavelet_levels_db
 from skinsource.engine.prediction import predict
 from skinsource.limbs.catalog import load_limb
 from skinsource.signals.spectra import rms
@@ -89,17 +89,40 @@ def test_effects_and_the_gain_curve_of_the_track_count():
     assert levels_db == pytest.approx(plain, abs=0.5)
 
 
-def test_the_label_notes_what_was_measured_once_and_keeps_other_words():
+def test_it_says_what_was_measured_and_the_label_of_the_clip_stays():
     design = design_of(TRAIN).with_clip(1, label="outwards")
-    for _ in range(2):
-        levels = wavelet_levels_db(design, 1)
-        edit = edits.equalise_on_skin(design, View(), 1, levels, MEASURE)
-        assert isinstance(edit, Edit)
-        design = edit.design
-        assert design.clip(1).label == (
-            "outwards · Equal on the skin: loudest 100 ms of any output, synthetic-1, 7 (II pad)"
-        )
-    assert edit.label == "Equalise wavelets of input at 7 (II pad)"
+    edit = edits.equalise_on_skin(design, View(), 1, wavelet_levels_db(design, 1), MEASURE)
+    assert isinstance(edit, Edit)
+    assert edit.design.clip(1).label == "outwards"
+    assert MEASURE in edit.said
+    assert "7 (II pad)" in edit.said
+
+
+@pytest.mark.parametrize("scaling", ["probe", "relative", "upstream"])
+def test_tracks_that_are_matched_are_equally_strong_alone_on_the_skin(scaling):
+    inputs = (
+        track(7, Tone(60.0), amplitude=0.3),
+        track(15, TRAIN, amplitude=-2.0, muted=True),
+        track(3, Tone(200.0), amplitude=1.5, onset_s=0.1),
+    )
+    design = Design(limb=LIMB, inputs=inputs, scaling=scaling)
+    before = track_levels_db(design, (1, 2, 3))
+    assert max(before.values()) - min(before.values()) > 3.0
+    done = edits.match_tracks(design, View(selected_inputs=(1, 3, 2)), before)
+    amplitudes = [track.amplitude for track in done.design.inputs]
+    # The one that was selected last stays, and so do signs.
+    assert amplitudes[1] == -2.0
+    assert min(amplitudes[0], amplitudes[2]) > 0.0
+    after = track_levels_db(done.design, (1, 2, 3))
+    assert max(after.values()) - min(after.values()) < 0.01
+    assert done.label == "Match levels of 3 inputs"
+
+
+def test_a_track_that_moves_nothing_is_not_matched():
+    design = Design(limb=LIMB, inputs=(track(7, Tone()), track(3, Tone(), amplitude=0.0)))
+    outcome = edits.match_tracks(design, View(), track_levels_db(design, design.ids))
+    assert isinstance(outcome, Refusal)
+    assert "3 (" in outcome.sentence
 
 
 @pytest.mark.parametrize(

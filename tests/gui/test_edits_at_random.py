@@ -101,6 +101,8 @@ BY_NAME = {
 }
 #: Where one of them may be something else besides.
 BESIDES = {
+    ("add_waveform", "input_id"): st.none(),
+    ("match_tracks", "levels_db"): st.dictionaries(one_id, st.floats(-200, 200), max_size=3),
     ("place_fragment", "input_id"): st.none(),
     ("place_fragment", "location"): st.none(),
     ("rename_marker", "name"): anything,

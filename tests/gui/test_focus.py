@@ -5,11 +5,10 @@ from PySide6.QtWidgets import QApplication, QDialog
 
 from skinsource.design.design import Design, track
 from skinsource.design.panel_settings import with_settings
-from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.fields.editors import FieldCell
+from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.skin.settings import SkinSettings
-from skinsource_gui.panels.timeline.head_row import InputRow
 
 KEY = Qt.Key
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -79,7 +78,8 @@ def test_tab_goes_through_all_panels_in_the_order_of_the_work_and_shift_tab_back
         ("setup", "limb"),
         ("setup", "scaling"),
         ("transport", "play_button"),
-        ("timeline", "amplitude_field"),
+        ("timeline", "input_rows"),
+        ("timeline", "lanes"),
         ("inspector", "kind_field"),
         ("inspector", "location_field"),
         ("skin", "measure_span"),
@@ -110,16 +110,6 @@ def test_each_workspace_has_its_own_round(at_work):
     at_work.panel("skin").setFocus()
     visible = {panel.name for panel in at_work.panels if panel.isVisible()}
     assert {region for region, _ in walk(at_work)} == visible | {"setup", "transport", "status"}
-
-
-def test_the_row_that_is_selected_has_the_stops(open_window, qtbot):
-    inputs = tuple(track(location=k, waveform=Tone()) for k in (3, 7, 9))
-    window = open_window(Design(limb="synthetic-1", inputs=inputs), View(selected_inputs=(2,)))
-    window.activateWindow()
-    qtbot.waitUntil(window.isActiveWindow)
-    window.panel("timeline").setFocus()
-    amplitude = press(window, KEY.Key_Tab)
-    assert amplitude is window.panel("timeline").list.rows.rows[1].amplitude
 
 
 def test_tab_ends_typing_and_goes_on(at_work):
@@ -165,7 +155,8 @@ def test_f6_goes_from_panel_to_panel_in_the_same_order(at_work):
 def test_all_is_the_text_of_a_number_and_not_all_tracks(open_window):
     tone = Tone(frequency_hz=100.0, duration_s=0.2)
     window = open_window(Design(limb="synthetic-1", inputs=(track(7, tone), track(13, tone))))
-    field = window.panel("timeline").findChild(InputRow).amplitude
+    fields = window.panel("inspector").findChildren(NumberField)
+    field = next(field for field in fields if field.isVisible())
     window.activateWindow()
     QTest.mouseClick(field, Qt.MouseButton.LeftButton)
     assert window.focusWidget() is field

@@ -1,4 +1,4 @@
-"""Wavelets made alike on the skin, from the menu."""
+"""Wavelets and tracks made alike on the skin, from the menu."""
 
 from dataclasses import replace
 
@@ -8,6 +8,7 @@ from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
+from skinsource.engine.levelling import track_levels_db
 
 TRAIN = WaveletTrain((60.0, 400.0), slot_s=0.08)
 
@@ -30,8 +31,8 @@ def test_it_is_one_step_that_can_be_taken_back(qtbot, trained):
     assert gains(trained)[1] == 0.0
     assert gains(trained)[0] < -3.0
     assert trained.document.undo_stack.count() == 1
-    assert trained.document.undo_stack.undoText() == "Equalise wavelets of input at 7 (II pad)"
-    assert "Equal on the skin" in trained.document.design.clip(1).label
+    assert trained.document.undo_stack.undoText() == "Balance wavelets of input at 7 (II pad)"
+    assert trained.document.design.clip(1).label == ""
     trained.do("undo")
     assert gains(trained) == ()
 
@@ -44,7 +45,7 @@ def test_what_was_changed_meanwhile_is_left_as_it_is(qtbot, trained):
     trained.document.edit("Change", changed)
     qtbot.waitUntil(lambda: not trained.runner.busy)
     qtbot.waitUntil(lambda: bool(messages))
-    assert "changed while it was predicted" in messages[0]
+    assert "changed meanwhile" in messages[0]
     assert gains(trained) == ()
 
 
@@ -56,3 +57,15 @@ def test_what_cannot_be_predicted_is_said(qtbot, trained):
     trained.do("equalise_on_skin")
     qtbot.waitUntil(lambda: bool(messages))
     assert "frequencies_hz is 5000" in messages[0]
+
+
+def test_selected_tracks_are_matched_in_one_step(qtbot, trained):
+    assert not trained.actions_by_name["match_tracks"].isEnabled()
+    trained.document.look(View(selected_inputs=(1, 2)))
+    trained.do("match_tracks")
+    qtbot.waitUntil(lambda: trained.document.undo_stack.count() == 1)
+    first, last = trained.document.design.inputs
+    assert last.amplitude == 1.0
+    assert first.amplitude != 1.0
+    levels_db = track_levels_db(trained.document.design, (1, 2))
+    assert levels_db[1] == pytest.approx(levels_db[2], abs=0.01)

@@ -3,8 +3,9 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QPushButton
+from PySide6.QtWidgets import QLabel, QLineEdit, QPushButton
 
+from skinsource.design import edits
 from skinsource.design.motions import MOTIONS, ApparentMotion, TapSequence
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.pages.motion import MotionPage
@@ -23,9 +24,15 @@ def button(page: MotionPage, name: str) -> QPushButton:
 
 def choose(page: MotionPage, name: str) -> None:
     """Choose a kind of motion in the list."""
-    box = page.findChildren(QComboBox, "kind_field")[0]
+    box = page.fields.cells[0].field
     box.setCurrentIndex(box.findData(name))
     box.activated.emit(box.currentIndex())
+
+
+def choose_waveform(page: MotionPage, name: str) -> None:
+    cell = page.fields.cells[1]
+    assert cell.name == "kind"
+    cell.edited.emit("kind", name, None)
 
 
 def click(page: MotionPage, *places: int) -> None:
@@ -42,8 +49,7 @@ def type_path(page: MotionPage, text: str) -> None:
 
 
 def field_of(page: MotionPage, name: str):
-    grids = (*page.motion_fields.cells, *page.waveform_fields.cells)
-    return next(cell for cell in grids if cell.name == name)
+    return next(cell for cell in page.fields.cells if cell.name == name)
 
 
 def test_a_motion_on_clicked_places_is_added_in_one_step(desk, page):
@@ -124,7 +130,7 @@ def test_numbers_of_motion_and_waveform_are_taken_over(page):
 
 def test_what_does_not_go_together_stays_and_is_said(page):
     choose(page, "ApparentMotion")
-    page.draft.change_waveform_kind("PulseTrain")
+    choose_waveform(page, "PulseTrain")
     field_of(page, "rate_hz").edited.emit("rate_hz", 400.0, None)
     assert page.draft.motion.waveform.rate_hz == 40.0
     assert "pulse_s" in field_of(page, "rate_hz").note
@@ -149,6 +155,44 @@ def test_other_kinds_follow_the_path_and_a_phantom_gives_it_back(page):
 
 def test_what_a_limb_cannot_play_is_said_before_it_is_added(page):
     choose(page, "ApparentMotion")
-    page.draft.change_waveform_field("frequency_hz", 700.0)
+    field_of(page, "frequency_hz").edited.emit("frequency_hz", 700.0, None)
     assert "frequency_hz is 700" in page.strip.message
     assert not button(page, "add_motion").isEnabled()
+
+
+def test_a_motion_opens_again_and_is_changed_in_one_step(desk, page):
+    page.draft.change_path((16, 18, 20))
+    button(page, "add_motion").click()
+    document = desk.document
+    before, steps = document.design, document.undo_stack.count()
+    again = desk.show_motion()
+    assert again.draft.motion == before.motions[0].motion
+    assert button(again, "add_motion").text() == "Change"
+    field_of(again, "overlap").edited.emit("overlap", 0.25, None)
+    again.draft.change_path((16, 18, 5))
+    assert again.strip.message == ""
+    assert [lane.place for lane in again.strip.lanes] == [16, 18, 5]
+    button(again, "add_motion").click()
+    assert document.undo_stack.count() == steps + 1
+    (group,) = document.design.motions
+    assert (group.motion.overlap, group.motion.path) == (0.25, (16, 18, 5))
+    assert [track.location for track in document.design.inputs[1:]] == [16, 18, 5]
+    document.undo_stack.undo()
+    assert document.design == before
+
+
+def test_a_motion_that_is_edited_by_hand_becomes_single_clips_until_that_is_undone(desk, page):
+    button(page, "add_motion").click()
+    document, messages = desk.document, []
+    document.message.connect(messages.append)
+    before = document.design
+    for _ in range(2):
+        document.apply(
+            edits.move_clips(document.design, document.view, before.motions[0].clips, 0.1)
+        )
+    assert document.design.motions == ()
+    assert len(messages) == 1
+    document.undo_stack.undo()
+    document.undo_stack.undo()
+    assert document.design.motions == before.motions
+    assert button(desk.show_motion(), "add_motion").text() == "Change"

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import importlib
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from skinsource.actuators.actuation import Actuation
 from skinsource.actuators.rigs import Rig
@@ -27,6 +28,9 @@ from skinsource.specs.numbers import (
     RangeSpec,
 )
 from skinsource.specs.spec import ChoiceSpec, SwitchSpec, TextSpec
+
+if TYPE_CHECKING:  # motions write inputs
+    from skinsource.design.motions import Motion
 
 #: Several inputs can share a place; more than a hundred would be a mistake.
 MAX_INPUTS = 100
@@ -120,6 +124,38 @@ class Input(fields.CheckedModel):
     id: int = fields.number(0, ID)
 
 
+def _motions() -> tuple[type[Motion], ...]:
+    kinds: tuple[type[Motion], ...] = importlib.import_module("skinsource.design.motions").MOTIONS
+    return kinds
+
+
+CLIP_IDS = ListSpec(label="Clips", of=ID, most=MAX_INPUTS * MAX_CLIPS, different=True)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MotionGroup(fields.CheckedModel):
+    """A motion in a design, which can be changed again.
+
+    Attributes
+    ----------
+    motion
+        What wrote the clips.
+    clips
+        Ids of the clips, in the order in which the motion writes them.
+    """
+
+    motion: Motion = fields.field(ModelSpec(label="Motion", kinds=_motions))
+    clips: tuple[int, ...] = fields.field(CLIP_IDS)
+
+
+MOTIONS = ListSpec(
+    label="Motions",
+    of=ModelSpec(label="Motion", kinds=lambda: (MotionGroup,)),
+    most=MAX_INPUTS,
+    left_out_empty=True,
+)
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Design:
     """Everything that is saved, undone and redone.
@@ -145,6 +181,8 @@ class Design:
         Names for times.
     loop_s
         Begin and end of the loop that is played again and again; None: no loop.
+    motions
+        Motions whose clips are as they wrote them.
     title, author, notes, licence
         Texts about the design; nothing is computed from them.
     """
@@ -161,6 +199,7 @@ class Design:
     notes: str = fields.text("", NOTES)
     licence: str = fields.text("", LICENCE)
     limb_digest: str = fields.text("", LIMB_DIGEST)
+    motions: tuple[MotionGroup, ...] = fields.field(MOTIONS, ())
 
     def __post_init__(self) -> None:
         fields.check(self)

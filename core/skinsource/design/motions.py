@@ -86,7 +86,15 @@ class Motion(Protocol):
 #: The largest number of places in a path; a place may come again.
 MAX_PATH = 100
 
-PATH = ListSpec(label="Path", of=PLACE, fewest=2, most=MAX_PATH, hint="Places, in their order")
+PATH = ListSpec(
+    label="Path",
+    of=PLACE,
+    fewest=2,
+    most=MAX_PATH,
+    hint="Places, in their order",
+    # It is clicked on the hand.
+    editable=False,
+)
 WAVEFORM = ModelSpec(label="Waveform", kinds=kinds, hint="What plays at each place")
 START = NumberSpec(
     label="Start", unit="s", minimum=0.0, maximum=600.0, step=0.005, hint="When it begins"

@@ -188,6 +188,23 @@ class Taken:
         return Recording(self.samples, self.name[:_LONGEST_NAME], self.from_hz)
 
 
+def at_common_peak(parts: Sequence[Taken]) -> tuple[Taken, ...]:
+    """Return parts that keep their sizes, scaled together to a largest peak of 1.
+
+    Raises
+    ------
+    InvalidInputError
+        All of them are silent.
+    """
+    peak = max(part.samples.peak for part in parts)
+    if not peak > 0.0:
+        raise InvalidInputError("these parts are silent and cannot be scaled to a peak of 1")
+    return tuple(
+        replace(part, samples=replace(part.samples, values=part.samples.values / peak, unit=""))
+        for part in parts
+    )
+
+
 @checking
 def taken(
     values: NDArray[Any],

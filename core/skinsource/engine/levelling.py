@@ -1,5 +1,6 @@
-"""Predicted levels of the single wavelets of a train."""
+"""Predicted levels of single tracks, and of the single wavelets of a train."""
 
+from collections.abc import Iterable
 from dataclasses import replace
 
 from skinsource.base.errors import InvalidInputError
@@ -64,9 +65,37 @@ def wavelet_levels_db(
         alone = replace(clip, gain=1.0, muted=False, waveform=replace(train, gains_db=gains_db))
         player = replace(track, clips=(alone,), amplitude=1.0, muted=False, solo=False)
         played = replace(design, inputs=(player,), scaling=scaling)
-        output_levels_db = evaluator.evaluate(played, ("output_levels_db",), _VIEW)[
-            "output_levels_db"
-        ]
-        levels_db.append(float(output_levels_db.max()))
+        levels_db.append(_loudest_db(evaluator, played))
         progress(j + 1, count, f"Wavelet {j + 1} of {count}")
     return tuple(levels_db)
+
+
+def track_levels_db(
+    design: Design, ids: Iterable[int], *, progress: Progress = silent, stop: Stop = never
+) -> dict[int, float]:
+    """Return the level of each track alone where it is strongest on the skin, dB, by its id.
+
+    The level is that of `wavelet_levels_db`, with amplitude and scaling as the design has them;
+    a track counts whether it is muted or not.
+
+    Raises
+    ------
+    InvalidInputError
+        A track cannot be played, or there is none of that id.
+    DatasetMissingError
+        The limb is a measured one, and the measured dataset is not installed.
+    Stopped
+        ``stop`` returned True.
+    """
+    evaluator, tracks, levels_db = Evaluator(), [design.input(id) for id in ids], {}
+    for done, track in enumerate(tracks, 1):
+        stop_if(stop)
+        alone = replace(track, muted=False, solo=False)
+        levels_db[track.id] = _loudest_db(evaluator, replace(design, inputs=(alone,)))
+        progress(done, len(tracks), f"Track {done} of {len(tracks)}")
+    return levels_db
+
+
+def _loudest_db(evaluator: Evaluator, design: Design) -> float:
+    values = evaluator.evaluate(design, ("output_levels_db",), _VIEW)
+    return float(values["output_levels_db"].max())

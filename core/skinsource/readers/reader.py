@@ -255,7 +255,7 @@ def other_axes(content: Found, series: Series) -> tuple[Series, ...]:
     They are as long, in the same unit and of the same group, and their names are those of x, y and
     z; without such names, a file that holds just three such signals holds three axes.
     """
-    candidates = [signal for signal in content.signals() if _group_of(signal) == _group_of(series)]
+    candidates = signals_beside(content, series)
     name = _AXIS.match(series.name)
     if name is not None:
         other_parts = (name[1], name[3])
@@ -270,6 +270,11 @@ def other_axes(content: Found, series: Series) -> tuple[Series, ...]:
     if len(candidates) == N_AXES:
         return tuple(signal for signal in candidates if signal.key != series.key)
     return ()
+
+
+def signals_beside(content: Found, series: Series) -> tuple[Series, ...]:
+    """Return the signals as long as ``series``, in its unit and of its group, itself included."""
+    return tuple(signal for signal in content.signals() if _group_of(signal) == _group_of(series))
 
 
 def _group_of(series: Series) -> tuple[object, ...]:

@@ -1,4 +1,4 @@
-"""Drawn signals: strokes of a pen as samples, and signals limited to a band."""
+"""Drawn signals: strokes of a pen as samples."""
 
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterable
@@ -9,10 +9,9 @@ from math import ceil, floor
 import numpy as np
 import scipy
 
-from skinsource.base.arguments import finite_array, positive_number, real_number
+from skinsource.base.arguments import positive_number, real_number
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import BAND_HZ, Band
 from skinsource.signals.generators import MAX_SAMPLES
 
 # A stroke that ends this near to a sample, as a share of one, covers it.
@@ -20,59 +19,6 @@ _ON_SAMPLE = 1e-6
 # Points of a stroke are at least this far apart.
 _APART_S = 1e-9
 _LEAST = 1e-12
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Bounded:
-    """The part of a signal within a band.
-
-    Attributes
-    ----------
-    samples : (n_times,)
-        That part.
-    removed
-        Share of the energy outside the band, from 0 to 1.
-    """
-
-    samples: Floats
-    removed: float
-
-
-def bounded_to_band(samples: Floats, sample_rate_hz: float, band_hz: Band = BAND_HZ) -> Bounded:
-    """Return the part of a signal within a band, without moving anything in time.
-
-    Frequencies are those of the signal repeated after its own length: the result has the same
-    length, and a second call changes nothing.
-
-    Parameters
-    ----------
-    samples : (n_times,)
-        The signal.
-    sample_rate_hz
-        Its rate.
-    band_hz
-        Lowest and highest frequency of the result.
-
-    Raises
-    ------
-    InvalidInputError
-        The band is empty, or a sample is not a finite number.
-    """
-    values = finite_array("samples", samples, "real numbers, (n_times,)")
-    rate_hz = positive_number("sample_rate_hz", sample_rate_hz)
-    low, high = band_hz
-    if not 0 <= low < high:
-        raise InvalidInputError(f"band_hz is {band_hz}, expected 0 <= low < high")
-    if not values.size or not values.any():
-        return Bounded(values.copy(), 0.0)
-    spectrum = scipy.fft.rfft(values)
-    frequency_hz = np.arange(spectrum.size) * rate_hz / values.size
-    spectrum[(frequency_hz < low) | (frequency_hz > high)] = 0.0
-    inside = np.asarray(scipy.fft.irfft(spectrum, values.size), np.float64)
-    # Without the division the squares of a tiny signal would underflow.
-    peak = float(np.abs(values).max())
-    share = float(np.sum((inside / peak) ** 2) / np.sum((values / peak) ** 2))
-    return Bounded(inside, min(max(1.0 - share, 0.0), 1.0))
 
 
 @dataclass(frozen=True, slots=True)

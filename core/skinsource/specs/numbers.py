@@ -288,12 +288,15 @@ class ListSpec(Spec):
         Limits of the number of parts.
     different
         Whether equal parts are forbidden.
+    left_out_empty
+        Whether an empty list is left out of files, which older versions can read then.
     """
 
     of: Spec
     fewest: int = 0
     most: int = 10_000
     different: bool = False
+    left_out_empty: bool = False
 
     def checked(self, value: Any) -> tuple[Any, ...]:
         """Return a tuple of the checked parts; the same one if no part changed."""

@@ -4,18 +4,18 @@ The form asks what a file leaves open; the strip shows the whole recording, and 
 imported is dragged in it.
 """
 
-from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
+import pyqtgraph
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QLineF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QPointF, QSignalBlocker, QSize, Qt, Signal
 
 from skinsource.base.arrays import Floats
 from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ, Band
 from skinsource.design.recordings import ImportChoice, Taken, suggested, usual_scale
 from skinsource.readers.limits import LEAST_RATE_HZ, MOST_PART_S, MOST_RATE_HZ
-from skinsource.readers.reader import Found, Series, other_axes
+from skinsource.readers.reader import Found, Series, other_axes, signals_beside
 from skinsource.readers.units import UNITS
 from skinsource.signals.spectra import share_outside_band
 from skinsource.specs.numbers import NumberSpec
@@ -35,11 +35,13 @@ _LONGEST_START_S = 1e6
 _STEADY = "steady"
 _SIGNAL = ChoiceSpec(label="Signal", options=(), hint="Which channel, column or dataset")
 _AXES = ChoiceSpec(
-    label="Axes",
+    label="Import as",
     options=(),
     hint="As one: the energy of all three at each frequency, and the phase of their sum (DFT321, "
     "Landin et al. 2010)",
 )
+# The option to import each signal, and most signals for which it is offered.
+_EACH, _MOST_SIGNALS = "each", 32
 _TIMING = ChoiceSpec(label="Times", options=(), hint="What says when each sample was taken")
 _TIME_UNIT = ChoiceSpec(
     label="Stamps in", options=(("1", "s"), ("0.001", "ms"), ("1e-06", "µs")), hint="Their unit"
@@ -87,8 +89,9 @@ class ChoiceForm(QtWidgets.QWidget):
         self._part_chosen = False
         # Chosen length of the part, also where less is left after its start.
         self._part_s = _BEGINNING_S
+        self._beside: tuple[Series, ...] = ()
         # Keys of the other axes, by the option.
-        self._others: dict[str, tuple[str, ...]] = {"": ()}
+        self._others: dict[str, tuple[str, ...]] = {}
         self._signal, self._timing = ChoiceField(_SIGNAL), ChoiceField(_TIMING)
         self._axes = ChoiceField(_AXES)
         self._time_unit, self._unit = ChoiceField(_TIME_UNIT), ChoiceField(_UNIT)
@@ -129,6 +132,13 @@ class ChoiceForm(QtWidgets.QWidget):
         """Length of the whole signal; None where it follows from time timestamps not read yet."""
         rate_hz = self.choice.rate_hz
         return self._lasts_s if rate_hz is None else self.series.n_samples / rate_hz
+
+    @property
+    def choices(self) -> tuple[ImportChoice, ...]:
+        """The present choice; several where each signal gets a clip of its own."""
+        if self._axes.value != _EACH:
+            return (self.choice,)
+        return tuple(replace(self.choice, series=signal.key) for signal in self._beside)
 
     def take_part(self, start_s: float, duration_s: float) -> None:
         """Choose another part, as a user does."""
@@ -200,8 +210,11 @@ class ChoiceForm(QtWidgets.QWidget):
         axes = other_axes(self._contents, series)
         combined = f"With {' and '.join(axis.name for axis in axes)}, as one (DFT321)"
         offered = [(" ".join(axis.key for axis in axes), combined)] if axes else []
+        self._others = {key: tuple(axis.key for axis in axes) for key, _ in offered}
+        self._beside = signals_beside(self._contents, series)
+        if 1 < len(self._beside) <= _MOST_SIGNALS:
+            offered.append((_EACH, f"Each of {len(self._beside)}, a clip on its own place"))
         _fill(self._form, self._axes, [("", f"{series.name} alone"), *offered])
-        self._others = {"": (), **{key: tuple(axis.key for axis in axes) for key, _ in offered}}
         self._timing.set_value(first.time or _STEADY)
         self._rate.set_value(stated or ASSUMED_RATE_HZ)
         self._time_unit.set_value(f"{first.time_unit_s:g}")
@@ -269,7 +282,7 @@ class ChoiceForm(QtWidgets.QWidget):
             start_s=self._start.value_si,
             duration_s=self._duration.value_si,
             missing="zero" if self._missing.isChecked() else "refuse",
-            others=self._others[self._axes.value],
+            others=self._others.get(self._axes.value, ()),
         )
 
 
@@ -312,8 +325,14 @@ class ImportPreview(QtWidgets.QWidget):
     def sizeHint(self) -> QSize:
         return QSize(440, 420)
 
-    def show_part(self, taken: Taken, choice: ImportChoice, band_hz: Band | None) -> None:
-        """Show what ``choice`` imports, and the band in which the limb was measured."""
+    def show_part(
+        self, parts: tuple[Taken, ...], choice: ImportChoice, band_hz: Band | None
+    ) -> None:
+        """Show what ``choice`` imports, and the band in which the limb was measured.
+
+        Of several parts the first one is shown.
+        """
+        taken = parts[0]
         samples = taken.samples
         rate = samples.sample_rate_hz
         self._waveform.show_samples(samples.values / (samples.peak or 1.0), rate)
@@ -321,8 +340,9 @@ class ImportPreview(QtWidgets.QWidget):
         rms = float(np.sqrt(np.mean(samples.values**2)))
         unit = f" {samples.unit}" if samples.unit else ""
         also = _in_own_unit(samples, choice)
+        first_of = f"1 of {len(parts)}: " if len(parts) > 1 else ""
         self._numbers.setText(
-            f"{samples.duration_s:.4g} s · peak {samples.peak:.3g}{unit}{also} · "
+            f"{first_of}{samples.duration_s:.4g} s · peak {samples.peak:.3g}{unit}{also} · "
             f"RMS {rms:.3g}{unit} · {samples.values.size} samples at {rate:g} Hz"
             + ("" if band_hz is None else f"\n{_outside(samples, band_hz)}")
         )
@@ -362,111 +382,13 @@ def _percent(share: float) -> str:
     return f"{100.0 * share:.1f} %" if share < 0.1 else f"{100.0 * share:.0f} %"
 
 
-_HANDLE_PX = 6
-_LEAST_PX = 3.0
-
-
-class DraggedPart:
-    """The part of a recording that is imported, and how drags in a strip change it.
-
-    Parameters
-    ----------
-    longest_s
-        Longest part.
-    width_px
-        Returns the width of the strip.
-
-    Attributes
-    ----------
-    start_s, end_s
-        The part.
-    lasts_s
-        Length of the recording.
-    """
-
-    def __init__(self, longest_s: float, width_px: Callable[[], int]) -> None:
-        self._longest_s, self._width_px = longest_s, width_px
-        self.start_s, self.end_s, self.lasts_s = 0.0, 1.0, 1.0
-        # What is dragged ("start", "end", "part" or "new"), and where it was gripped, s.
-        self._held: tuple[str, float] | None = None
-
-    def show(self, lasts_s: float, start_s: float, duration_s: float) -> None:
-        """Set the part, and the length of the recording."""
-        self.lasts_s = lasts_s
-        self.start_s, self.end_s = start_s, min(start_s + duration_s, lasts_s)
-
-    def take_all(self) -> None:
-        """Choose the whole recording, up to the longest part."""
-        self.start_s, self.end_s = 0.0, min(self.lasts_s, self._longest_s)
-
-    @property
-    def held(self) -> bool:
-        """Whether a drag goes on."""
-        return self._held is not None
-
-    def hold(self, x_px: float) -> bool:
-        """Begin a drag; return whether the part was moved by that."""
-        end = self.end_at(x_px)
-        if end:
-            self._held = (end, 0.0)
-        elif self._is_whole:
-            self._held = ("new", self._time_of(x_px))
-        elif self.x_of(self.start_s) <= x_px <= self.x_of(self.end_s):
-            self._held = ("part", self._time_of(x_px) - self.start_s)
-        else:
-            self._held = ("part", (self.end_s - self.start_s) / 2.0)
-            return self.drag(x_px)
-        return False
-
-    def drag(self, x_px: float) -> bool:
-        """Follow the pointer; return whether the part was changed."""
-        held, offset_s = self._held or ("part", 0.0)
-        start_s, end_s = self.start_s, self.end_s
-        least_s = self.lasts_s / max(self._width_px(), 1)
-        at_s = self._time_of(x_px)
-        if held == "new":
-            if abs(self.x_of(at_s) - self.x_of(offset_s)) < _LEAST_PX:
-                return False
-            at_s = min(max(at_s, offset_s - self._longest_s), offset_s + self._longest_s)
-            start_s, end_s = sorted((offset_s, at_s))
-        elif held == "start":
-            start_s = min(max(at_s, end_s - self._longest_s), end_s - least_s)
-        elif held == "end":
-            end_s = max(min(at_s, start_s + self._longest_s), start_s + least_s)
-        else:
-            length_s = end_s - start_s
-            start_s = min(max(at_s - offset_s, 0.0), self.lasts_s - length_s)
-            end_s = start_s + length_s
-        self.start_s, self.end_s = max(start_s, 0.0), end_s
-        return True
-
-    def release(self) -> None:
-        """End the drag."""
-        self._held = None
-
-    def x_of(self, time_s: float) -> float:
-        """Return the position of a time, px."""
-        return self._width_px() * time_s / self.lasts_s
-
-    def end_at(self, x_px: float) -> str:
-        """Return the end of the part near a position: "start", "end" or ""."""
-        ends = {"start": self.start_s, "end": self.end_s}
-        near = [name for name, at_s in ends.items() if abs(self.x_of(at_s) - x_px) <= _HANDLE_PX]
-        return near[-1] if near else ""
-
-    @property
-    def _is_whole(self) -> bool:
-        return self.x_of(self.start_s) < 1.0 and self.x_of(self.end_s) > self._width_px() - 1.0
-
-    def _time_of(self, x_px: float) -> float:
-        return min(max(x_px / max(self._width_px(), 1), 0.0), 1.0) * self.lasts_s
-
-
-_HEIGHT_PX = 44
+_HEIGHT_PX, _REACH_PX = 44, 6.0
 _SHADE_ALPHA = 46
+# Shorter drags choose nothing.
+_LEAST_S = 1e-3
 
 
-class OverviewStrip(QtWidgets.QWidget):
+class OverviewStrip(pyqtgraph.PlotWidget):
     """Shows a whole recording; a drag moves the imported part or one of its ends.
 
     Where the part is the whole recording, a drag chooses a new part.  A double click chooses the
@@ -476,6 +398,11 @@ class OverviewStrip(QtWidgets.QWidget):
     ----------
     longest_s
         Longest part.
+
+    Attributes
+    ----------
+    extremes
+        Least and largest value of each column, (2, columns); None: they are not known yet.
     """
 
     #: Start and length of the chosen part, s.
@@ -485,95 +412,98 @@ class OverviewStrip(QtWidgets.QWidget):
         super().__init__(parent)
         self.extremes: Floats | None = None
         self._landmarks_s: Floats | None = None
-        self._part = DraggedPart(longest_s, self.width)
+        self._longest_s, self._lasts_s = longest_s, 1.0
+        # Where a new part was begun.
+        self._begun_s: float | None = None
         self.setObjectName("import_overview")
         self.setAccessibleName("Whole recording; type the part in Start and Length")
-        self.setToolTip(
-            "The whole recording: drag over what is to be taken; drag that or one of its ends to "
-            "change it; double click to take all"
-        )
-        self.setMouseTracking(True)
-        self.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Fixed
-        )
-
-    def sizeHint(self) -> QSize:
-        return QSize(400, _HEIGHT_PX)
+        self.setToolTip("Drag over the part to import, or move its ends; double click: all of it")
+        self.setFixedHeight(_HEIGHT_PX)
+        self.setBackground(QtGui.QColor(current_theme().base))
+        self.setMouseEnabled(x=False, y=False)
+        self.setMenuEnabled(False)
+        self.hideButtons()
+        for axis in ("left", "bottom"):
+            self.hideAxis(axis)
+        self.setDefaultPadding(0.0)
+        self._curve = self.plot(connect="pairs", pen=current_theme().dim)
+        shade, edge = QtGui.QColor(current_theme().accent), QtGui.QColor(current_theme().accent)
+        shade.setAlpha(_SHADE_ALPHA)
+        self._part = pyqtgraph.LinearRegionItem(brush=shade, hoverBrush=shade, pen=edge)
+        self.addItem(self._part)
+        self._part.sigRegionChanged.connect(self._tell)
 
     def show_extremes(self, extremes: Floats | None) -> None:
         """Draw least and largest values, (2, columns); None: they are not known yet."""
         self.extremes = extremes
-        self.update()
+        self._show_curve()
 
     def show_landmarks(self, landmarks_s: Floats | None) -> None:
         """Set the times of samples spaced evenly by number; None: the rate is steady."""
         self._landmarks_s = landmarks_s
-        self.update()
+        self._show_curve()
 
     def show_part(self, lasts_s: float, start_s: float, duration_s: float) -> None:
         """Mark the part of a recording of that length."""
-        self._part.show(lasts_s, start_s, duration_s)
-        self.update()
+        if lasts_s != self._lasts_s:
+            self._lasts_s = lasts_s
+            self._show_curve()
+        self.setXRange(0.0, lasts_s, padding=0.0)
+        with QSignalBlocker(self._part):
+            self._part.setBounds((0.0, lasts_s))
+            self._part.setRegion((start_s, min(start_s + duration_s, lasts_s)))
 
     def x_of(self, time_s: float) -> float:
         """Return the position of a time, px."""
-        return self._part.x_of(time_s)
-
-    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
-        painter = QtGui.QPainter(self)
-        painter.fillRect(self.rect(), QtGui.QColor(current_theme().base))
-        if self.extremes is not None:
-            self._paint_extremes(painter, self.extremes)
-        start, end = self.x_of(self._part.start_s), self.x_of(self._part.end_s)
-        part = QRectF(start, 0.0, max(end - start, _LEAST_PX), self.height())
-        shade = QtGui.QColor(current_theme().accent)
-        painter.setPen(QtGui.QPen(shade, 2))
-        shade.setAlpha(_SHADE_ALPHA)
-        painter.fillRect(part, shade)
-        painter.drawLine(QLineF(part.topLeft(), part.bottomLeft()))
-        painter.drawLine(QLineF(part.topRight(), part.bottomRight()))
+        return float(self.mapFromScene(self.getViewBox().mapViewToScene(QPointF(time_s, 0))).x())
 
     def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
-        if event.button() == Qt.MouseButton.LeftButton and self._part.hold(event.position().x()):
-            self._tell()
+        start_s, end_s = self._part.getRegion()
+        at_s = self._time_at(event)
+        whole = end_s - start_s > self._lasts_s - _LEAST_S
+        near = min(abs(self.x_of(end) - event.position().x()) for end in (start_s, end_s))
+        if event.button() != Qt.MouseButton.LeftButton or near <= _REACH_PX:
+            super().mousePressEvent(event)
+        elif whole:
+            self._begun_s = at_s
+        else:
+            if not start_s <= at_s <= end_s:
+                half_s = (end_s - start_s) / 2.0
+                middle_s = min(max(at_s, half_s), self._lasts_s - half_s)
+                self._part.setRegion((middle_s - half_s, middle_s + half_s))
+            super().mousePressEvent(event)
 
     def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
-        x = event.position().x()
-        if not self._part.held:
-            over_end = bool(self._part.end_at(x))
-            self.setCursor(Qt.CursorShape.SizeHorCursor if over_end else Qt.CursorShape.ArrowCursor)
-        elif self._part.drag(x):
-            self._tell()
+        if self._begun_s is None:
+            super().mouseMoveEvent(event)
+        elif abs(self._time_at(event) - self._begun_s) > _LEAST_S:
+            self._part.setRegion(sorted((self._begun_s, self._time_at(event))))
 
     def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:
-        self._part.release()
+        super().mouseReleaseEvent(event)
+        self._begun_s = None
 
     def mouseDoubleClickEvent(self, event: QtGui.QMouseEvent) -> None:
-        self._part.release()
-        self._part.take_all()
-        self._tell()
+        self._part.setRegion((0.0, min(self._lasts_s, self._longest_s)))
+
+    def _time_at(self, event: QtGui.QMouseEvent) -> float:
+        at = self.mapToScene(event.position().toPoint())
+        time_s = float(self.getViewBox().mapSceneToView(at).x())
+        return min(max(time_s, 0.0), self._lasts_s)
 
     def _tell(self) -> None:
-        self.update()
-        start_s, end_s = self._part.start_s, self._part.end_s
-        self.part_chosen.emit(start_s, end_s - start_s)
+        start_s, end_s = self._part.getRegion()
+        self.part_chosen.emit(start_s, min(end_s - start_s, self._longest_s))
 
-    def _paint_extremes(self, painter: QtGui.QPainter, extremes: Floats) -> None:
+    def _show_curve(self) -> None:
+        if self.extremes is None:
+            self._curve.clear()
+            return
         # An offset would leave little height for the signal.
-        known = np.nan_to_num(extremes - np.nanmean(np.nan_to_num(extremes)))
-        largest = max(float(np.abs(known).max()), np.finfo(np.float64).tiny)
-        middle, reach = self.height() / 2.0, self.height() / 2.0 - 2.0
-        columns = extremes.shape[1]
-        share = (np.arange(columns) + 0.5) / columns
+        known = np.nan_to_num(self.extremes - np.nanmean(np.nan_to_num(self.extremes)))
+        share = (np.arange(known.shape[1]) + 0.5) / known.shape[1]
+        times_s = share * self._lasts_s
         if self._landmarks_s is not None:
             among = np.linspace(0.0, 1.0, self._landmarks_s.size)
-            share = np.interp(share, among, self._landmarks_s) / self._part.lasts_s
-        x = share * self.width()
-        tops, bottoms = middle - reach * known[1] / largest, middle - reach * known[0] / largest
-        painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().dim), 1))
-        painter.drawLines(
-            [
-                QLineF(at, top, at, max(bottom, top + 1.0))
-                for at, top, bottom in zip(x, tops, bottoms, strict=True)
-            ]
-        )
+            times_s = np.interp(share, among, self._landmarks_s)
+        self._curve.setData(np.repeat(times_s, 2), known.T.ravel())

@@ -3,6 +3,7 @@
 A worker reads the file; the page shows what the file holds and what would be imported.
 """
 
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from time import monotonic
@@ -15,7 +16,14 @@ from skinsource.base.errors import SkinSourceError, Stopped
 from skinsource.base.files import path_text
 from skinsource.base.job import Job, Progress, Stop, stop_if
 from skinsource.base.work import counted
-from skinsource.design.recordings import ImportChoice, RawPart, Taken, read_for, read_part
+from skinsource.design.recordings import (
+    ImportChoice,
+    RawPart,
+    Taken,
+    at_common_peak,
+    read_for,
+    read_part,
+)
 from skinsource.limbs.limb import LimbFacts
 from skinsource.readers.limits import MOST_PART_S
 from skinsource.readers.reader import Found, Series
@@ -41,6 +49,8 @@ _COLUMNS = 600
 
 
 _PART, _OVERVIEW = "part", "overview"
+#: What is imported of each signal.
+Choices = tuple[ImportChoice, ...]
 
 
 class ReadingWorker(Worker):
@@ -54,13 +64,13 @@ class ReadingWorker(Worker):
         Sample rate of the imported parts.
     """
 
-    #: The `ImportChoice` that failed, None for the inspection of the file, and a sentence on why.
+    #: The choices that failed, None for the inspection of the file, and a sentence on why.
     failed = Signal(object, str)
     #: `Found`.
     inspected = Signal(object)
     #: `RawPart` that was read for the present choice.
     read = Signal(object)
-    #: `ImportChoice`, and its `Taken`.
+    #: Each `ImportChoice`, and its `Taken`.
     converted = Signal(object, object)
     #: Key of a series, and the least and largest of each stretch of it, (2, columns).
     surveyed = Signal(str, object)
@@ -72,16 +82,16 @@ class ReadingWorker(Worker):
         self._path, self._to_hz = path, to_hz
         self._process = ReadingProcess()
         self._found: Found | None = None
-        self._raw: RawPart | None = None
+        self._raw: dict[object, RawPart] = {}
 
     def look(self) -> None:
         """Find out what the file holds."""
         self.run_newest(_PART, self._look, partial(self._receive, None))
 
-    def take(self, choice: ImportChoice) -> None:
-        """Import ``choice`` in place of the choice before."""
-        work = partial(self._import, choice)
-        self.run_newest(_PART, work, partial(self._receive, choice))
+    def take(self, choices: Choices) -> None:
+        """Import signals in place of those before."""
+        work = partial(self._import, choices)
+        self.run_newest(_PART, work, partial(self._receive, choices))
 
     def survey(self, series: Series) -> None:
         """Compute the picture of a whole series once nothing else is to be done."""
@@ -92,17 +102,17 @@ class ReadingWorker(Worker):
         self.close()
         self._process.close()
 
-    def _receive(self, choice: ImportChoice | None, _: None, error: Exception | None) -> None:
+    def _receive(self, choices: Choices | None, _: None, error: Exception | None) -> None:
         if error is not None and not isinstance(error, Stopped):
-            self.failed.emit(choice, fault_text(error))
+            self.failed.emit(choices, fault_text(error))
 
     def _look(self) -> None:
         self._found = self._process.look(self._path, stop=lambda: self.closed)
         self.tell(self.inspected.emit, self._found)
 
-    def _import(self, choice: ImportChoice) -> None:
-        job = Job(f"Importing {self._path.name}", partial(self._take, choice))
-        self.tell(self.converted.emit, choice, job.run(self._progress(), self._stop()))
+    def _import(self, choices: Choices) -> None:
+        job = Job(f"Importing {self._path.name}", partial(self._take, choices))
+        self.tell(self.converted.emit, choices, job.run(self._progress(), self._stop()))
 
     def _read_overview(self, series: Series) -> None:
         try:
@@ -118,22 +128,32 @@ class ReadingWorker(Worker):
     def _should_wait(self) -> bool:
         return self.is_outdated(_PART) or self.is_outdated(_OVERVIEW)
 
-    def _take(self, choice: ImportChoice, *, progress: Progress, stop: Stop) -> Taken:
+    def _take(self, choices: Choices, *, progress: Progress, stop: Stop) -> tuple[Taken, ...]:
         if self._found is None:
             raise Stopped  # the file was not inspected yet
-        if self._raw is None or self._raw.read_for != read_for(choice):
-            self._raw = None
-            self._raw = read_part(
-                self._path,
-                self._found,
-                choice,
-                process=self._process,
-                progress=progress,
-                stop=stop,
-            )
-        self.tell(self.read.emit, self._raw)
+        wanted = {read_for(choice) for choice in choices}
+        self._raw = {key: raw for key, raw in self._raw.items() if key in wanted}
+        for choice in choices:
+            if read_for(choice) not in self._raw:
+                self._raw[read_for(choice)] = read_part(
+                    self._path,
+                    self._found,
+                    choice,
+                    process=self._process,
+                    progress=progress,
+                    stop=stop,
+                )
+        raw = [self._raw[read_for(choice)] for choice in choices]
+        self.tell(self.read.emit, raw[0])
         stop_if(stop)
-        return self._raw.converted(choice, self._to_hz)
+        together = len(choices) > 1 and choices[0].scale == "peak"
+        if together:
+            # Each by its own peak would lose how strong they are beside each other.
+            choices = tuple(replace(choice, scale="keep") for choice in choices)
+        parts = tuple(
+            part.converted(choice, self._to_hz) for part, choice in zip(raw, choices, strict=True)
+        )
+        return at_common_peak(parts) if together else parts
 
     def _stop(self) -> Stop:
         until_s = monotonic() + _PATIENCE_S
@@ -173,7 +193,7 @@ class ImportPage(ToolPage):
         Name and text of each place that the recording can go to, the likeliest one first.
     """
 
-    #: `skinsource.design.waveforms.samples.Recording`; the name of its place.
+    #: A `skinsource.design.waveforms.samples.Recording` for each signal; the name of the place.
     chosen = Signal(object, str)
 
     def __init__(
@@ -186,7 +206,7 @@ class ImportPage(ToolPage):
         super().__init__(parent, "import_page", f"Import {path_text(Path(path.name))}", (820, 520))
         self._band_hz = limb.band_hz
         self.form: ChoiceForm | None = None
-        self._taken: Taken | None = None
+        self._taken: tuple[Taken, ...] = ()
         self._surveyed = ""
         self._about, self._warning = QtWidgets.QLabel(_READING), QtWidgets.QLabel(_ASSUMED)
         self._place = ChoiceField(ChoiceSpec(label="Goes to", options=places))
@@ -218,8 +238,8 @@ class ImportPage(ToolPage):
         taken, place = self._taken, self._place.value
         self._worker.end()
         super().done(result)
-        if result == QtWidgets.QDialog.DialogCode.Accepted and taken is not None:
-            self.chosen.emit(taken.waveform, place)
+        if result == QtWidgets.QDialog.DialogCode.Accepted and taken:
+            self.chosen.emit(tuple(part.waveform for part in taken), place)
 
     def _name_parts(self) -> None:
         self._import_button = self._buttons.button(QtWidgets.QDialogButtonBox.StandardButton.Ok)
@@ -271,13 +291,13 @@ class ImportPage(ToolPage):
         self._import(self.form.choice)
 
     def _import(self, choice: ImportChoice) -> None:
-        self._taken = None
+        self._taken = ()
         self._import_button.setEnabled(False)
         self._warning.setVisible(self.form is not None and self.form.assumes_rate)
         self.preview.set_pale(True)
         self._bar.show()
         self._bar.setRange(0, 0)
-        self._worker.take(choice)
+        self._worker.take((choice,) if self.form is None else self.form.choices)
         self._show_part(choice)
 
     def _show_part(self, choice: ImportChoice) -> None:
@@ -303,19 +323,19 @@ class ImportPage(ToolPage):
             self.form.show_length(raw.lasts_s)
             self._show_part(self.form.choice)
 
-    def _show_taken(self, choice: ImportChoice, taken: Taken) -> None:
-        if self.form is None or choice != self.form.choice:
+    def _show_taken(self, choices: Choices, taken: tuple[Taken, ...]) -> None:
+        if self.form is None or choices != self.form.choices:
             return
         self._taken = taken
         self._bar.hide()
-        self.preview.show_part(taken, choice, self._band_hz)
+        self.preview.show_part(taken, choices[0], self._band_hz)
         self._import_button.setEnabled(True)
         self._import_button.setDefault(True)
 
-    def _show_failed(self, choice: ImportChoice | None, reason: str) -> None:
-        if choice is None:
+    def _show_failed(self, choices: Choices | None, reason: str) -> None:
+        if choices is None:
             self._about.setText("This file cannot be imported.")
-        elif self.form is None or choice != self.form.choice:
+        elif self.form is None or choices != self.form.choices:
             return
         self._bar.hide()
         self.preview.show_message(reason)

@@ -105,6 +105,7 @@ class PenEdits(ToolEdits):
         super().__init__(self.tool, panel)
         # By identity: another design has clips of the same numbers.
         self._allowed: Waveform | None = None
+        self.tool.may_begin = self._may_begin
         self.tool.drawn.connect(self._draw)
         self.tool.refused.connect(
             lambda why: panel.edited.emit(Refusal(sentence=sentence(why)), None)
@@ -129,9 +130,13 @@ class PenEdits(ToolEdits):
             self._allowed = clip.waveform
         return self._allowed is clip.waveform
 
-    def bound(self) -> None:
-        """Remove what lies outside the measured band."""
-        self._edit(None, edits.bound_clip, self._panel.rate_hz)
+    def _may_begin(self) -> bool:
+        """Return whether a stroke begins; one that had to be asked about is drawn anew."""
+        clip = self._panel.clip
+        if clip is None or self.may_draw(clip):
+            return clip is not None
+        self.is_allowed(clip)
+        return False
 
     def _draw(self, samples: Floats, stroke: int) -> None:
         self._edit(stroke, edits.draw_clip, samples, self._panel.rate_hz)
@@ -159,12 +164,12 @@ _TOOLS = (
 
 
 class EditorToolbar(QtWidgets.QWidget):
-    """Buttons of the tools, of the band and of the zoom, and a text about the clip.
+    """Buttons of the tools and of the zoom, and a text about the clip.
 
     Attributes
     ----------
-    bound, fit
-        The buttons that bound the clip to the band, and show all of it.
+    fit
+        The button that shows all of the clip.
     """
 
     tool_requested = Signal(str)
@@ -184,8 +189,6 @@ class EditorToolbar(QtWidgets.QWidget):
             row.addWidget(button)
         self._tools["look"].setChecked(True)
         row.addSpacing(8)
-        self.bound, self._band_known = self._button("Bound to band", ""), False
-        row.addWidget(self.bound)
         self.fit = self._button("Fit", f"See all of the clip ({key_text(_PLACE, 'whole')})")
         row.addWidget(self.fit)
         self._description = FittingLabel()
@@ -208,21 +211,6 @@ class EditorToolbar(QtWidgets.QWidget):
         show_tooltip(self._description, whole)
         for button in (*self._tools.values(), self.fit):
             button.setEnabled(enabled)
-        self.bound.setEnabled(enabled and self._band_known)
-
-    def show_band(self, band_hz: tuple[float, float] | None) -> None:
-        """Take over the band in which the limb was measured; None: it is not known.
-
-        The buttons follow with the next text.
-        """
-        text = "In which band this limb was measured is not known"
-        if band_hz is not None:
-            text = (
-                f"Take away what lies outside {band_hz[0]:g} to {band_hz[1]:g} Hz, where nothing "
-                "was measured; the waveform becomes samples"
-            )
-        show_tooltip(self.bound, text)
-        self._band_known = band_hz is not None
 
     def offer_glide(self, offered: bool) -> None:
         """Show the tool for glides only where the clip plays one."""
@@ -467,7 +455,6 @@ class ClipEditorPanel(Panel):
 
     def _connect(self) -> None:
         self._toolbar.tool_requested.connect(self.use)
-        self._toolbar.bound.clicked.connect(self._pen.bound)
         self._toolbar.fit.clicked.connect(self._canvas.show_everything)
         self._canvas.key_pressed.connect(self._press)
         self._view_tool.pan_requested.connect(self._canvas.pan)
@@ -484,9 +471,7 @@ class ClipEditorPanel(Panel):
             self._empty.setText(HOW_TO_SELECT_CLIP if has_inputs else how_to_add())
             self._canvas.show_clip(None, None, None, self.rate_hz)
             return
-        lost_glide = self._canvas.tool is self._glide.tool and not self._glide.can_edit(clip)
-        if lost_glide or (self._canvas.tool is self._pen.tool and not self._pen.may_draw(clip)):
-            # The question was about another clip, or another waveform.
+        if self._canvas.tool is self._glide.tool and not self._glide.can_edit(clip):
             self.use("look")
         self._toolbar.offer_glide(self._glide.can_edit(clip))
         raw = self._sampled(clip)
@@ -496,7 +481,6 @@ class ClipEditorPanel(Panel):
         self._canvas.show_clip(clip, raw, played, self.rate_hz)
         band_hz = facts_of(self.design.limb).band_hz
         self._spectrum.show_samples(played, self.rate_hz, band_hz)
-        self._toolbar.show_band(band_hz)
         self._show_text(clip)
 
     def _show_text(self, clip: Clip) -> None:

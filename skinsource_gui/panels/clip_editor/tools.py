@@ -312,6 +312,11 @@ class Pen(Tool):
     """Draws freehand; with Shift a straight line; with the right button back to zero.
 
     One stroke is one step of the history: all its edits share a number.
+
+    Attributes
+    ----------
+    may_begin
+        Returns whether the clip may be drawn on.
     """
 
     #: Samples in place of those before, and the number of the stroke.
@@ -325,6 +330,7 @@ class Pen(Tool):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
+        self.may_begin: Callable[[], bool] = lambda: True
         self._before: Floats | None = None
         self._stroke = Stroke()
         self._first: tuple[float, float] | None = None
@@ -337,7 +343,7 @@ class Pen(Tool):
         if content.drawn is None or self._first is not None:
             return
         self._zeroes = button == Button.RightButton
-        if not self._zeroes and button != Button.LeftButton:
+        if (not self._zeroes and button != Button.LeftButton) or not self.may_begin():
             return
         self._before, self._number, self._changed = content.drawn, new_gesture(), False
         self._first = self._place(content, at)

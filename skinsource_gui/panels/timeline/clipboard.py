@@ -5,25 +5,23 @@ from PySide6.QtCore import QMimeData
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.quoting import sentence
+from skinsource.base.work import counted
 from skinsource.design import edits
 from skinsource.design.clips import Fragment
 from skinsource.design.design import Design
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.view import View
 from skinsource_gui.panels.timeline.content import chosen_clips
-from skinsource_gui.qt.keys import key_text
 
 _MIME = "application/x-skinsource-clips"
 # A text with clips has this sign within so many characters.
 _SIGN, _BEGINNING = "skinsource clips", 2000
 _NO_CLIPS = Refusal(sentence="No clip is selected; click one in the timeline.")
-_NOTHING_TO_PASTE = Refusal(
-    sentence=f"The clipboard holds no clips; copy some first, with {key_text('timeline', 'copy')}."
-)
+_NOTHING_TO_PASTE = Refusal(sentence="The clipboard holds no clips; copy some first.")
 
 
-def copy_clips(design: Design, view: View) -> Refusal | None:
-    """Put the selected clips on the clipboard; return why they are not there, if they are not."""
+def copy_clips(design: Design, view: View) -> Edit | Refusal:
+    """Put the selected clips on the clipboard; the design stays."""
     fragment = edits.fragment_of(design, chosen_clips(design, view))
     if fragment is None:
         return _NO_CLIPS
@@ -35,12 +33,16 @@ def copy_clips(design: Design, view: View) -> Refusal | None:
     data.setData(_MIME, text.encode())
     data.setText(text)
     QtWidgets.QApplication.clipboard().setMimeData(data)
-    return None
+    count = sum(len(lane.clips) for lane in fragment.lanes)
+    return Edit(label="Copy", design=design, view=view, said=f"{counted(count, 'clip')} copied")
 
 
 def cut_clips(design: Design, view: View) -> Edit | Refusal:
     """Move the selected clips to the clipboard; what cannot be there stays."""
-    return copy_clips(design, view) or edits.cut_clips(design, view, chosen_clips(design, view))
+    copied = copy_clips(design, view)
+    if isinstance(copied, Refusal):
+        return copied
+    return edits.cut_clips(design, view, chosen_clips(design, view))
 
 
 def paste_clips(design: Design, view: View) -> Edit | Refusal:

@@ -13,9 +13,10 @@ from skinsource.base.decibels import decibels
 from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ
 from skinsource.design.clips import Clip, Marker
 from skinsource.design.design import MAX_INPUTS, Design, Input
-from skinsource.design.edits.cutting import fades_of
+from skinsource.design.edits.cutting import last_fade
 from skinsource.design.edits.edit import Edit, leading_clip
 from skinsource.design.effects.breakpoints import Points, curve_at
+from skinsource.design.effects.level import Fade
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
 from skinsource.specs import fields
@@ -65,11 +66,12 @@ class Lane:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Box:
-    """The place of a clip on its lane, and how far its fades reach, px."""
+    """The place of a clip on its lane, its fade, and how far that reaches, px."""
 
     clip: Clip
     lane: Lane
     rect: QRectF
+    fade: Fade | None = None
     fades_px: tuple[float, float] = (0.0, 0.0)
 
 
@@ -165,6 +167,8 @@ def gain_point_text(time_s: float, gain: float) -> str:
 
 #: The timeline shows so much time behind the last clip, and at least so much in all.
 AFTER_S, LEAST_S = 0.4, 0.5
+# Fitted clips end a little before the right edge.
+_FIT = 1.02
 
 
 class ClipLengths:
@@ -181,6 +185,8 @@ class ClipLengths:
     ----------
     durations_s
         Length of each clip, by its id.
+    end_s
+        End of the last clip.
     whole_s
         From 0 to a little behind the last clip.
     """
@@ -196,11 +202,76 @@ class ClipLengths:
             else:
                 self.durations_s[clip.id] = clip.duration_s
         ends = [clip.onset_s + self.durations_s[clip.id] for clip in design.clips]
-        self.whole_s: Range = (0.0, max(max(ends, default=0.0) + AFTER_S, LEAST_S))
+        self.end_s = max(ends, default=0.0)
+        self.whole_s: Range = (0.0, max(self.end_s + AFTER_S, LEAST_S))
+
+    @property
+    def content_s(self) -> Range:
+        """The time that the clips take; the last one does not touch the edge."""
+        return (0.0, _FIT * self.end_s) if self.end_s else self.whole_s
 
     def of(self, design: Design) -> "ClipLengths":
         """Return the lengths for a design, most of whose clips are the same."""
         return self if design is self.design else ClipLengths(design, self)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class DrawnClip:
+    """What a clip plays with the gain curve of its track.
+
+    Attributes
+    ----------
+    played
+        What it plays without the curve, (n_times,).
+    depends_on
+        The curve, and the onset, which says where on the curve it lies.
+    samples
+        What is drawn, (n_times,).
+    peak
+        The largest of them.
+    """
+
+    played: Floats
+    depends_on: object
+    samples: Floats
+    peak: float
+
+    @classmethod
+    def of(cls, track: Input, clip: Clip, played: Floats, sample_rate_hz: float) -> "DrawnClip":
+        """Return what is drawn of a clip."""
+        samples = played
+        if track.gain_curve:
+            times_s = clip.onset_s + np.arange(played.size) / sample_rate_hz
+            samples = played * curve_at(points_of(track.gain_curve), times_s)
+        peak = float(max(samples.max(initial=0.0), -samples.min(initial=0.0)))
+        return cls(played=played, depends_on=_on_curve(track, clip), samples=samples, peak=peak)
+
+
+def _on_curve(track: Input, clip: Clip) -> object:
+    return track.gain_curve and (track.gain_curve, clip.onset_s)
+
+
+def drawn_clips(
+    design: Design,
+    waveforms: Mapping[int, Floats],
+    sample_rate_hz: float,
+    before: Mapping[int, DrawnClip],
+) -> dict[int, DrawnClip]:
+    """Return what is drawn of each clip, by its id; what is the same as before stays."""
+    drawn = {}
+    for track in design.inputs:
+        for clip in track.clips:
+            played, known = waveforms.get(clip.id), before.get(clip.id)
+            if played is None:
+                continue
+            if (
+                known is None
+                or known.played is not played
+                or known.depends_on != _on_curve(track, clip)
+            ):
+                known = DrawnClip.of(track, clip, played, sample_rate_hz)
+            drawn[clip.id] = known
+    return drawn
 
 
 # Shorter overlaps are rounding errors of clips that follow each other, s.
@@ -239,13 +310,18 @@ def overlapping(track: Input, clip: Clip) -> tuple[int, ...]:
     )
 
 
+def clip_name(clip: Clip) -> str:
+    """Return the label of a clip, or the name of its file, or of what it plays."""
+    return clip.label or getattr(clip.waveform, "name", "") or clip.waveform.title
+
+
 def clip_text(clip: Clip) -> str:
     """Return the text of a clip in a list: ``"Tone · 120 ms"``."""
-    return f"{clip.label or clip.waveform.title} · {value_text(clip.onset_s, 's', digits=5)}"
+    return f"{clip_name(clip)} · {value_text(clip.onset_s, 's', digits=5)}"
 
 
 #: Height of the ruler for text of the usual size, px.
-RULER_PX = 26.0
+RULER_PX = 24.0
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -260,6 +336,8 @@ class TimelineContent:
         Where the lowest visible lane ends.
     waveforms, sample_rate_hz
         What clips play, (n_times,) each, by their ids, as far as it is known, and its rate.
+    drawn, loudest
+        What is drawn of them, and the largest value of all tracks, which takes the full height.
     awaited
         Ids of the clips whose waveform is being computed.
     gain_tops
@@ -275,6 +353,8 @@ class TimelineContent:
     scale: TimeScale = field(default_factory=lambda: TimeScale(shown_s=(0.0, LEAST_S)))
     height_px: float = 0.0
     waveforms: Mapping[int, Floats] = field(default_factory=dict)
+    drawn: Mapping[int, DrawnClip] = field(default_factory=dict)
+    loudest: float = 0.0
     awaited: frozenset[int] = frozenset()
     snaps: bool = True
     ruler_px: float = RULER_PX
@@ -331,9 +411,10 @@ class TimelineContent:
             width = max(self.lengths.durations_s[clip.id] * scale.px_per_s, NARROWEST_PX)
             if left < scale.right_px and left + width > scale.left_px:
                 rect = QRectF(left, top, width, height)
-                in_s, out_s = fades_of(clip) if clip.effects else (0.0, 0.0)
-                fades_px = (in_s * scale.px_per_s, out_s * scale.px_per_s)
-                boxes.append(Box(clip=clip, lane=lane, rect=rect, fades_px=fades_px))
+                fade = last_fade(clip.effects)
+                lengths_s = (fade.in_s, fade.out_s) if fade else (0.0, 0.0)
+                fades_px = (lengths_s[0] * scale.px_per_s, lengths_s[1] * scale.px_per_s)
+                boxes.append(Box(clip=clip, lane=lane, rect=rect, fade=fade, fades_px=fades_px))
         return sorted(boxes, key=lambda box: box.clip.id in self.selected)
 
     def overlaps_on(self, lane: Lane) -> list[Range]:
@@ -371,6 +452,18 @@ class TimelineContent:
         lane = next((lane for lane in self.lanes if lane.selected), None)
         y = self.ruler_px / 2 if lane is None else lane.top_px + lane.height_px / 2
         return QPointF(self.scale.x(self.view.playhead_s), y)
+
+    def largest(self) -> float:
+        """Return the largest value that any clip plays on its track."""
+        return max(
+            (
+                abs(clip.gain * track.amplitude) * self.drawn[clip.id].peak
+                for track in self.design.inputs
+                for clip in track.clips
+                if clip.id in self.drawn
+            ),
+            default=0.0,
+        )
 
     @property
     def grid_s(self) -> float:

@@ -1,6 +1,6 @@
 """Gain curves over the clips: how they are painted, and what mouse and keys do to them."""
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from PySide6 import QtGui
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
@@ -8,7 +8,6 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from skinsource.design import edits
 from skinsource.design.effects.breakpoints import Points, moved, with_point
 from skinsource_gui.fields.editor import Burst
-from skinsource_gui.panels.timeline.canvas import LanesCanvas
 from skinsource_gui.panels.timeline.content import (
     GainStrip,
     TimelineContent,
@@ -25,6 +24,9 @@ from skinsource_gui.panels.timeline.gestures import (
 from skinsource_gui.panels.timeline.painting import LaneLayer
 from skinsource_gui.qt.keys import meaning_of
 from skinsource_gui.qt.theme import current_theme
+
+if TYPE_CHECKING:
+    from skinsource_gui.panels.timeline.lanes import LanesView
 
 _DOT_PX, _CHOSEN_PX = 3.5, 5.0
 _HALO_ALPHA, _HINT_ALPHA = 190, 110
@@ -130,7 +132,7 @@ _GAIN_STEPS = {_Key.Key_Down: -1, _Key.Key_Up: 1}
 class GainPoints:
     """Adds, moves and removes points of gain curves, and shows and hides the curves."""
 
-    def __init__(self, lanes: LanesCanvas) -> None:
+    def __init__(self, lanes: "LanesView") -> None:
         self._lanes = lanes
         self._burst = Burst(lanes)
 

@@ -2,19 +2,19 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPointF, QRectF, Qt
 
 from skinsource.design import edits
 from skinsource.design.clips import Marker
 from skinsource.design.design import Design
-from skinsource.design.edits.cutting import fades_of
+from skinsource.design.edits.cutting import last_fade
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.effects.breakpoints import Points, moved
 from skinsource.design.view import View
 from skinsource_gui.fields.editor import new_gesture
 from skinsource_gui.fields.units import value_text
-from skinsource_gui.panels.timeline.canvas import LanesCanvas
 from skinsource_gui.panels.timeline.content import (
     Box,
     GainStrip,
@@ -25,6 +25,9 @@ from skinsource_gui.panels.timeline.content import (
 )
 from skinsource_gui.plots.time_scale import REACH_PX, Snap, panned, snap_of
 from skinsource_gui.qt.frames import DropPlace
+
+if TYPE_CHECKING:
+    from skinsource_gui.panels.timeline.lanes import LanesView
 
 Modifier = Qt.KeyboardModifier
 
@@ -62,7 +65,7 @@ class GestureContext:
         The design after the last edit; None before there is any.
     """
 
-    lanes: LanesCanvas
+    lanes: "LanesView"
     before: TimelineContent
     number: int = field(default_factory=new_gesture)
     applied: Design | None = None
@@ -129,6 +132,8 @@ class Gesture:
 
 # No clip becomes shorter, s.
 _SHORTEST_S = 0.001
+# Ends that are dragged freely come to rest on tenths of a millisecond.
+_DECIMALS = 4
 
 
 class _EndDrag(Gesture):
@@ -143,7 +148,10 @@ class _EndDrag(Gesture):
 
     def _rest(self, at: QPointF, edge_s: float) -> Snap:
         by_s = (at.x() - self._at.x()) / self._context.now.scale.px_per_s
-        return self._context.rest((edge_s,), by_s, self._neighbours)
+        rest = self._context.rest((edge_s,), by_s, self._neighbours)
+        if rest.guide_s is not None:
+            return rest
+        return Snap(by_s=round(edge_s + rest.by_s, _DECIMALS) - edge_s)
 
 
 class MoveEnd(_EndDrag):
@@ -173,17 +181,22 @@ class FadeEnd(_EndDrag):
     """Drag of an upper corner of a clip: sets how long it fades in, or out."""
 
     def move(self, at: QPointF, held: Modifier) -> GesturePreview:
-        content = self._context.now
-        by_s = (at.x() - self._at.x()) / content.scale.px_per_s
-        in_s, out_s = fades_of(self._clip)
+        fade = last_fade(self._clip.effects)
+        in_s, out_s = (fade.in_s, fade.out_s) if fade else (0.0, 0.0)
         length_s = self._end_s - self._start_s
         if self._part is Part.FADE_IN:
-            changed = in_s = min(max(in_s + by_s, 0.0), length_s - out_s)
+            edge_s = self._start_s + in_s
+            rest = self._rest(at, edge_s)
+            inside_s = edge_s + rest.by_s - self._start_s
+            changed = in_s = round(min(max(inside_s, 0.0), length_s - out_s), 9)
         else:
-            changed = out_s = min(max(out_s - by_s, 0.0), length_s - in_s)
-        design = self._context.before.design
-        self._context.edit(edits.fade_clip(design, content.view, self._clip.id, in_s, out_s))
-        return GesturePreview(label=value_text(changed, "s", digits=4))
+            edge_s = self._end_s - out_s
+            rest = self._rest(at, edge_s)
+            inside_s = self._end_s - edge_s - rest.by_s
+            changed = out_s = round(min(max(inside_s, 0.0), length_s - in_s), 9)
+        design, view = self._context.before.design, self._context.view
+        self._context.edit(edits.fade_clip(design, view, self._clip.id, in_s, out_s))
+        return GesturePreview(guide_s=rest.guide_s, label=value_text(changed, "s", digits=4))
 
 
 class Marquee(Gesture):

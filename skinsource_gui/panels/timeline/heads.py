@@ -1,27 +1,71 @@
-"""The heads of the tracks, one below the other, and what is done to them."""
+"""The heads of the tracks: number, mute, solo, a fader and a peak meter, in a list.
 
-from collections.abc import Callable
+The fader and the meter share one scale in decibels of an amplitude of 1.
+"""
+
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import partial
+from math import copysign, log10
+from typing import Any
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEvent, QPoint, Qt, Signal
+from PySide6.QtCore import (
+    QAbstractItemModel,
+    QAbstractListModel,
+    QEvent,
+    QItemSelection,
+    QItemSelectionModel,
+    QModelIndex,
+    QObject,
+    QPersistentModelIndex,
+    QPoint,
+    QPointF,
+    QRect,
+    QRectF,
+    QSize,
+    Qt,
+    Signal,
+)
 
 from skinsource.design import edits
-from skinsource.design.amplitudes import is_gain, peak_text
-from skinsource.design.design import AMPLITUDE_GAIN, Design, amplitude_spec, audible_inputs
-from skinsource.design.edits.edit import Edit, Refusal, clip_of
+from skinsource.design.amplitudes import amplitude_text, amplitude_unit, is_gain
+from skinsource.design.design import (
+    AMPLITUDE_GAIN,
+    Design,
+    Input,
+    amplitude_spec,
+    audible_inputs,
+)
+from skinsource.design.edits.edit import Edit, Refusal, change_inputs, clip_of
 from skinsource.design.view import View
-from skinsource_gui.fields.inputs import ENTRIES, ORDER, Entry, FieldChanges, fill_inputs_menu
+from skinsource.limbs.locations import input_name
+from skinsource_gui.fields.editor import Burst, new_gesture
+from skinsource_gui.fields.inputs import (
+    EMPTY,
+    ENTRIES,
+    ORDER,
+    Entry,
+    clip_text,
+    clips_text,
+    duration_text,
+    fill_inputs_menu,
+)
+from skinsource_gui.fields.number_field import FINISHERS, NumberField
 from skinsource_gui.panels.timeline.content import shown_gain_curves, toggle_gain_curves
-from skinsource_gui.panels.timeline.head_row import InputRow, RowState
-from skinsource_gui.qt.buttons import passing_menu
+from skinsource_gui.qt.buttons import paint_swatch, passing_menu, text_colour_on
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
-from skinsource_gui.qt.layouts import in_column
+from skinsource_gui.qt.theme import Theme, current_theme
+from skinsource_gui.qt.wheel import NOTCH
 
-_PLACE = "inputs"
+#: Ends of the fader and of the meter, dB of an amplitude of 1; at the left end it is silent.
+LEAST_DB, MOST_DB = -40.0, 20.0
+#: One step of a key or of the wheel, dB; with Ctrl finer, with Shift coarser.
+STEP_DB, _FINE, _COARSE = 1.0, 0.1, 6.0
+
+Index = QModelIndex | QPersistentModelIndex
 _Key, _Held = Qt.Key, Qt.KeyboardModifier
-_STEPS = {_Key.Key_Up: -1, _Key.Key_Down: 1}
+_PLACE = "inputs"
 _EDITS: dict[str, Callable[..., Edit | Refusal]] = {
     "mute": edits.toggle_mute,
     "solo": edits.toggle_solo,
@@ -29,264 +73,551 @@ _EDITS: dict[str, Callable[..., Edit | Refusal]] = {
     "gain_curve": toggle_gain_curves,
     "remove": edits.remove_inputs,
 }
-# Height of the line that shows between which rows a drag would put the selected ones, px.
-_GAP_PX = 3
+
+
+def level_db(amplitude: float) -> float:
+    """Return the place of an amplitude on the fader, dB; at least the left end."""
+    return max(20.0 * log10(abs(amplitude)), LEAST_DB) if amplitude else LEAST_DB
+
+
+def moved_amplitude(amplitude: float, by_db: float) -> float:
+    """Return an amplitude moved along the fader, with its polarity; 0 at the left end."""
+    start_db = level_db(amplitude)
+    moved_db = min(start_db + by_db, max(MOST_DB, start_db))
+    size = 10.0 ** (moved_db / 20.0) if moved_db > LEAST_DB else 0.0
+    return float(f"{copysign(size, amplitude):.4g}")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Head:
+    """What a head shows.
+
+    Attributes
+    ----------
+    silent
+        Whether the track is muted, or another one is solo.
+    peak
+        The largest value that the track plays, with its amplitude; None: it is not known.
+    name
+        Number and name of the place.
+    text
+        What the track plays, how loud, for the tooltip.
+    """
+
+    track: Input
+    silent: bool
+    peak: float | None
+    name: str
+    text: str
+
+
+def heads_of(design: Design, view: View, peaks: Mapping[int, float]) -> list[Head]:
+    """Return the heads of a design; ``peaks``: of what tracks play before their amplitude."""
+    audible = {track.id for track in audible_inputs(design.inputs)}
+    heads = []
+    for track in design.inputs:
+        place, clip = input_name(track.location, design.limb), clip_of(track, view)
+        unit_peak = peaks.get(track.id)
+        peak = None if unit_peak is None else abs(track.amplitude) * unit_peak
+        played = EMPTY
+        if clip is not None:
+            length = duration_text(clip.duration_s)
+            played = f"{clip_text(clip)} · {length}{clips_text(len(track.clips))}"
+        is_factor = is_gain(design, track)
+        level = f"Gain {track.amplitude:g}" if is_factor else amplitude_text(design, track)
+        if peak is not None:
+            level += f", peak {peak:.3g} {amplitude_unit(design)}"
+        heads.append(
+            Head(
+                track=track,
+                silent=track.id not in audible,
+                peak=peak,
+                name=f"{place.number}, {place.name}",
+                text=f"{played}\n{level}",
+            )
+        )
+    return heads
+
+
+class HeadsModel(QAbstractListModel):
+    """The heads as rows of a list."""
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self.heads: list[Head] = []
+
+    def show_heads(self, heads: list[Head]) -> None:
+        """Show other heads; rows of the same tracks stay."""
+        same = [head.track.id for head in heads] == [head.track.id for head in self.heads]
+        if not same:
+            self.beginResetModel()
+        before, self.heads = self.heads, heads
+        if not same:
+            self.endResetModel()
+            return
+        for row, (old, new) in enumerate(zip(before, heads, strict=True)):
+            if old != new:
+                self.dataChanged.emit(self.index(row), self.index(row))
+
+    def rowCount(self, parent: Index | None = None) -> int:
+        return len(self.heads)
+
+    def flags(self, index: Index) -> Qt.ItemFlag:
+        return super().flags(index) | Qt.ItemFlag.ItemIsEditable
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        head = self.heads[index.row()]
+        if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.AccessibleTextRole):
+            silent = ", silent" if head.silent else ""
+            return f"Input at {head.name}: {head.text.replace(chr(10), ', ')}{silent}"
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return f"{head.name.replace(',', ' ·', 1)}\n{head.text}"
+        return None
+
+
+#: Size of a head for text of the usual size, and height of such a line, px.
+HEADS_PX, ROW_PX, USUAL_LINE_PX = 110, 40, 14
+# Heads of larger text leave the lanes room too.
+_MOST_HEADS_PX = 220
+_EDGE_PX, _LINE_PX, _SWATCH_PX, _METER_PX, _MARK_PX = 6, 18, 24, 3, 3
+_TINT_ALPHA = 28
+
+
+def heads_px(line_px: int) -> int:
+    """Return the width of heads for lines of text of this height, px."""
+    return min(round(HEADS_PX * max(line_px / USUAL_LINE_PX, 1.0)), _MOST_HEADS_PX)
+
+
+def row_px(line_px: int) -> int:
+    """Return the height of a head for lines of text of this height, px."""
+    return round(ROW_PX * max(line_px / USUAL_LINE_PX, 1.0))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HeadPlaces:
+    """Places of the parts of a head, px."""
+
+    swatch: QRectF
+    mute: QRectF
+    solo: QRectF
+    fader: QRectF
+    meter: QRectF
+
+    @classmethod
+    def of(cls, row: QRect, line_px: int) -> "HeadPlaces":
+        """Return the places in a row, for lines of text of this height."""
+        scale = max(line_px / USUAL_LINE_PX, 1.0)
+        line, left, top = scale * _LINE_PX, row.x() + _EDGE_PX, row.y() + 2.0
+        solo = row.right() - _EDGE_PX - line
+        mute = solo - line - 2
+        meter = row.bottom() - _METER_PX - 2
+        below = top + line + 2
+        across = row.right() - _EDGE_PX - left
+        return cls(
+            swatch=QRectF(left, top, scale * _SWATCH_PX, line),
+            mute=QRectF(mute, top, line, line),
+            solo=QRectF(solo, top, line, line),
+            fader=QRectF(left, below, across, meter - below - 1),
+            meter=QRectF(left, meter, across, _METER_PX),
+        )
+
+    def part_at(self, at: QPointF) -> str:
+        """Return which part lies at a place: "mute", "solo", "fader", or "" for the rest."""
+        return next(
+            (part for part in ("mute", "solo", "fader") if getattr(self, part).contains(at)), ""
+        )
+
+
+class HeadDelegate(QtWidgets.QStyledItemDelegate):
+    """Paints heads, and lets an amplitude be typed over the fader."""
+
+    #: Id of a track, and the amplitude that was typed.
+    typed = Signal(int, float)
+
+    def __init__(self, rows: "Heads") -> None:
+        super().__init__(rows)
+        self._rows = rows
+
+    def sizeHint(self, option: QtWidgets.QStyleOptionViewItem, index: Index) -> QSize:
+        line_px = self._rows.fontMetrics().height()
+        return QSize(heads_px(line_px), row_px(line_px))
+
+    def paint(
+        self, painter: QtGui.QPainter, option: QtWidgets.QStyleOptionViewItem, index: Index
+    ) -> None:
+        theme, head = current_theme(), self._rows.heads[index.row()]
+        places = HeadPlaces.of(option.rect, option.fontMetrics.height())
+        leads = index.row() == self._rows.currentIndex().row()
+        painter.save()
+        painter.setFont(self._rows.font())
+        if option.state & QtWidgets.QStyle.StateFlag.State_Selected:
+            self._paint_selection(painter, option.rect, theme, leads=leads)
+        colour, dim = theme.input_colour(head.track.colour), QtGui.QColor(theme.dim)
+        text, number = QtGui.QColor(theme.text), head.track.location
+        paint_swatch(painter, places.swatch, number, colour, text, silent=head.silent)
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
+        _paint_letter(painter, places.mute, "M", theme.warning, on=head.track.muted)
+        _paint_letter(painter, places.solo, "S", theme.accent, on=head.track.solo)
+        _paint_fader(painter, places.fader, head.track.amplitude, theme)
+        painter.fillRect(places.meter, QtGui.QColor(theme.grid))
+        if head.peak is not None:
+            painter.fillRect(_part(places.meter, head.peak), dim if head.silent else colour)
+        painter.setPen(QtGui.QPen(QtGui.QColor(theme.border), 1))
+        painter.drawLine(option.rect.bottomLeft(), option.rect.bottomRight())
+        painter.restore()
+
+    def createEditor(
+        self, parent: QtWidgets.QWidget, option: QtWidgets.QStyleOptionViewItem, index: Index
+    ) -> QtWidgets.QWidget:
+        track = self._rows.heads[index.row()].track
+        field = NumberField(self._rows.spec_of(track), parent, widest_unit="")
+        field.setObjectName("amplitude_field")
+        field.setStyleSheet("QLineEdit { min-height: 0; padding: 0 4px; }")
+        field.edited.connect(lambda value, _: self.typed.emit(track.id, value))
+        return field
+
+    def setEditorData(self, editor: QtWidgets.QWidget, index: Index) -> None:
+        if isinstance(editor, NumberField) and not editor.editing:
+            editor.set_value(self._rows.heads[index.row()].track.amplitude)
+            editor.begin_editing()
+
+    def setModelData(
+        self, editor: QtWidgets.QWidget, model: QAbstractItemModel, index: Index
+    ) -> None:
+        if isinstance(editor, NumberField):
+            editor.commit()
+
+    def updateEditorGeometry(
+        self,
+        editor: QtWidgets.QWidget,
+        option: QtWidgets.QStyleOptionViewItem,
+        index: Index,
+    ) -> None:
+        places = HeadPlaces.of(option.rect, option.fontMetrics.height())
+        editor.setGeometry(places.fader.united(places.meter).toRect())
+
+    def eventFilter(self, editor: QObject, event: QEvent) -> bool:
+        if (
+            isinstance(editor, NumberField)
+            and isinstance(event, QtGui.QKeyEvent)
+            and event.type() == QEvent.Type.KeyPress
+            and event.key() in FINISHERS
+        ):
+            # A text that is no number stays, with the reason.
+            if editor.commit():
+                self.closeEditor.emit(editor)
+            return True
+        return super().eventFilter(editor, event)
+
+    def _paint_selection(
+        self, painter: QtGui.QPainter, row: QRect, theme: Theme, *, leads: bool
+    ) -> None:
+        tint = QtGui.QColor(theme.accent)
+        if leads:
+            painter.fillRect(row.x(), row.y(), _MARK_PX, row.height(), tint)
+        if leads and self._rows.hasFocus():
+            painter.setPen(QtGui.QPen(tint, 2))
+            painter.drawRect(QRectF(row).adjusted(1, 1, -1, -1))
+        tint.setAlpha(_TINT_ALPHA)
+        painter.fillRect(row, tint)
+
+
+def _part(room: QRectF, amplitude: float) -> QRectF:
+    """Return the part of a fader or meter up to an amplitude."""
+    share = (min(level_db(amplitude), MOST_DB) - LEAST_DB) / (MOST_DB - LEAST_DB)
+    return QRectF(room.left(), room.top(), share * room.width(), room.height())
+
+
+def _paint_letter(
+    painter: QtGui.QPainter, place: QRectF, letter: str, colour: str, *, on: bool
+) -> None:
+    theme, fill = current_theme(), QtGui.QColor(colour)
+    painter.setPen(Qt.PenStyle.NoPen if on else QtGui.QPen(QtGui.QColor(theme.border), 1))
+    painter.setBrush(fill if on else Qt.BrushStyle.NoBrush)
+    painter.drawRoundedRect(place.adjusted(0.5, 0.5, -0.5, -0.5), 4, 4)
+    painter.setPen(text_colour_on(fill) if on else QtGui.QColor(theme.dim))
+    painter.drawText(place, Qt.AlignmentFlag.AlignCenter, letter)
+
+
+def _paint_fader(painter: QtGui.QPainter, room: QRectF, amplitude: float, theme: Theme) -> None:
+    middle, unity = room.center().y(), _part(room, 1.0).right()
+    painter.setPen(QtGui.QPen(QtGui.QColor(theme.dim), 1))
+    painter.drawLine(QPointF(room.left(), middle), QPointF(room.right(), middle))
+    painter.drawLine(QPointF(unity, middle - 3), QPointF(unity, middle + 3))
+    half = room.height() / 2 - 1
+    handle = QRectF(_part(room, amplitude).right() - 3, middle - half, 6, 2 * half)
+    painter.setPen(QtGui.QPen(QtGui.QColor(theme.base), 1))
+    painter.setBrush(QtGui.QColor(theme.text))
+    painter.drawRoundedRect(handle, 2, 2)
 
 
 @dataclass(slots=True, kw_only=True)
 class _Press:
-    """A press of the left button on a row; ``gap`` is where a drag would put the row."""
+    """A press of the left button on a head.
 
-    id: int
+    Attributes
+    ----------
+    start
+        The design then.
+    ids
+        Tracks whose fader is dragged; none: the head itself is.
+    was_selected
+        Whether the head was selected already.
+    gap
+        Where a drag would put the selected heads; None: it is a click yet.
+    """
+
     at: QPoint
-    was_selected: bool
+    row: int
+    start: Design
+    ids: tuple[int, ...] = ()
+    gesture: int = 0
+    was_selected: bool = False
     gap: int | None = None
 
 
-class InputRows(QtWidgets.QWidget):
+# Height of the line that shows between which rows a drag would put the selected ones, px.
+_GAP_PX = 3
+
+
+class Heads(QtWidgets.QListView):
     """The heads, which select, change, order and remove tracks.
 
-    A press selects; with Ctrl it adds or takes out, with Shift it selects all rows on the way.
-    Moving farther drags the selected rows between two others.
+    A fader is dragged, turned by the wheel, or moved by keys, and moves those of all selected
+    tracks by as many decibels.  Dragging a head puts the selected ones between two others.
     """
 
+    #: Space belongs to the window, as on the lanes.
+    leaves_space = True
     #: `Edit` or `Refusal`, number of the gesture or None.
     edited = Signal(object, object)
+    #: Other heads are there, or they have another size; Qt tells no other way.
+    laid_out = Signal()
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("input_rows")
         self.setAccessibleName("Inputs")
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setFrameShape(QtWidgets.QFrame.Shape.NoFrame)
+        self.setSelectionMode(self.SelectionMode.ExtendedSelection)
+        self.setEditTriggers(self.EditTrigger.NoEditTriggers)
+        self.setUniformItemSizes(True)
+        self.setVerticalScrollMode(self.ScrollMode.ScrollPerPixel)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._design, self._view = Design(limb=""), View()
-        # A row stays with its track, so that an open editor survives when others come and go.
-        self._rows: dict[int, InputRow] = {}
-        self._layout = in_column(None, of=self, margins=0, gap_px=0)
-        self._changes = FieldChanges()
-        # Where a selection of all rows on the way began.
-        self._anchor: int | None = None
+        self._model, self._shows = HeadsModel(self), False
+        self.setModel(self._model)
+        delegate = HeadDelegate(self)
+        self.setItemDelegate(delegate)
+        delegate.typed.connect(self._type)
+        self.selectionModel().selectionChanged.connect(self._select)
+        self._burst = Burst(self)
         self._press: _Press | None = None
-        self._gap = QtWidgets.QFrame(self)
+        self._gap = QtWidgets.QFrame(self.viewport())
         self._gap.setObjectName("input_gap")
         self._gap.setBackgroundRole(QtGui.QPalette.ColorRole.Highlight)
         self._gap.setAutoFillBackground(True)
-        self._gap.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._gap.hide()
 
     @property
-    def rows(self) -> tuple[InputRow, ...]:
-        """The rows, from top to bottom."""
-        return tuple(self._rows.values())
+    def heads(self) -> list[Head]:
+        """The heads, from top to bottom."""
+        return self._model.heads
 
-    @property
-    def last_row(self) -> InputRow | None:
-        """The row that was selected last."""
-        last = self._view.selected_input
-        return None if last is None else self._rows.get(last)
+    def spec_of(self, track: Input) -> Any:
+        """Return what the amplitude of a track may be."""
+        return AMPLITUDE_GAIN if is_gain(self._design, track) else amplitude_spec(self._design)
 
-    def show_state(self, design: Design, view: View) -> None:
-        """Show one row for each track."""
+    def places(self, row: int) -> HeadPlaces:
+        """Return the places of the parts of a head, px."""
+        rect = self.visualRect(self._model.index(row))
+        return HeadPlaces.of(rect, self.fontMetrics().height())
+
+    def show_state(self, design: Design, view: View, peaks: Mapping[int, float]) -> None:
+        """Show one head for each track; see `heads_of`."""
+        if design.ids != self._design.ids:
+            self._cancel()
         self._design, self._view = design, view
-        left: list[InputRow] = []
-        if list(self._rows) != list(design.ids):
-            self._cancel_drag()
-            left = self._arrange()
-        audible = {id(track) for track in audible_inputs(design.inputs)}
-        for track, row in zip(design.inputs, self.rows, strict=True):
-            gain = is_gain(design, track)
-            row.show_state(
-                RowState(
-                    track=track,
-                    silent=id(track) not in audible,
-                    selected=track.id in view.selected_inputs,
-                    last=track.id == view.selected_input,
-                    amplitude=AMPLITUDE_GAIN if gain else amplitude_spec(design),
-                    peak=peak_text(design, track) if gain else "",
-                    clip=clip_of(track, view),
-                    limb=design.limb,
-                )
-            )
-        # The keyboard may come from a row that goes: those that stay know by now what they show.
-        for row in left:
-            self._remove(row)
+        self._shows = True
+        self._model.show_heads(heads_of(design, view, peaks))
+        self._show_selection()
+        self._shows = False
+
+    def updateGeometries(self) -> None:
+        super().updateGeometries()
+        self.laid_out.emit()
 
     def event(self, event: QEvent) -> bool:
         return claims_shortcut(event, partial(meaning_of, _PLACE)) or super().event(event)
 
     def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
-        if event.key() == _Key.Key_Escape and self._cancel_drag():
+        if event.key() == _Key.Key_Escape and self._cancel():
             return
         command, chosen = meaning_of(_PLACE, event), self._view.selected_inputs
-        if not command or not self._rows:
+        if not command or not self._design.inputs:
             event.ignore()
         elif command == "go":
-            self._go(_Key(event.key()), event.modifiers())
+            super().keyPressEvent(event)
         elif command in ("shift_up", "shift_down"):
             self._edit(edits.shift_inputs, chosen, command == "shift_down")
         elif command == "select_all":
             self._edit(edits.select_all_inputs)
-        elif self.last_row is None:
+        elif command == "fader":
+            way = 1 if event.key() == _Key.Key_Right else -1
+            self._step(chosen, way, event.modifiers())
+        elif not chosen:
             event.ignore()
         elif command == "type":
-            self.last_row.amplitude.setFocus(Qt.FocusReason.OtherFocusReason)
-            self.last_row.amplitude.begin_editing()
+            self.edit(self.currentIndex())
         else:
             self._edit(_EDITS[command], chosen)
 
     def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
-        # Also reached by presses on a row, which leaves them to us.
         self.setFocus(Qt.FocusReason.MouseFocusReason)
-        row = self._row_at(event.position().y())
-        if row is None or event.button() != Qt.MouseButton.LeftButton:
+        at = event.position().toPoint()
+        row = self.indexAt(at).row()
+        if row < 0 or event.button() != Qt.MouseButton.LeftButton:
             return
-        self._cancel_drag()
-        if event.modifiers() & _Held.ControlModifier:
-            self._anchor = row.id
-            self._edit(edits.toggle_selected, row.id)
-        elif event.modifiers() & _Held.ShiftModifier:
-            self._select_through(row.id)
-        else:
-            at, selected = event.globalPosition().toPoint(), row.state.selected
-            self._press = _Press(id=row.id, at=at, was_selected=selected)
-            if not selected:
-                self._select(row.id)
+        self._cancel()
+        id, part = self._design.ids[row], self.places(row).part_at(event.position())
+        selected = id in self._view.selected_inputs
+        if part in ("mute", "solo"):
+            self._edit(_EDITS[part], self._affected(id))
+            return
+        if part == "fader" and not selected:
+            self._edit(edits.select_inputs, (id,))
+        elif part != "fader" and (not selected or event.modifiers()):
+            super().mousePressEvent(event)
+        self._press = _Press(at=at, row=row, start=self._design, was_selected=selected)
+        if part == "fader":
+            self._press.ids, self._press.gesture = self._affected(id), new_gesture()
+        elif event.modifiers():
+            self._press = None
 
     def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
-        press = self._press
+        press, at = self._press, event.position().toPoint()
         if press is None or not event.buttons() & Qt.MouseButton.LeftButton:
             return
-        distance_px = (event.globalPosition().toPoint() - press.at).manhattanLength()
-        if press.gap is not None or distance_px >= QtWidgets.QApplication.startDragDistance():
-            y = event.position().y()
-            press.gap = sum(row.geometry().center().y() < y for row in self.rows)
-            self._show_gap(press.gap)
+        if press.ids:
+            room = self.places(press.row).fader.width()
+            by_db = (at.x() - press.at.x()) / room * (MOST_DB - LEAST_DB)
+            fine = _FINE if event.modifiers() & _Held.ControlModifier else 1.0
+            self._move_faders(press.start, press.ids, fine * by_db, press.gesture)
+            return
+        far = (at - press.at).manhattanLength() >= QtWidgets.QApplication.startDragDistance()
+        if press.gap is not None or far:
+            rects = [self.visualRect(self._model.index(row)) for row in range(len(self.heads))]
+            press.gap = sum(rect.center().y() < at.y() for rect in rects)
+            bottom = rects[press.gap - 1].bottom() + 1 if press.gap else rects[0].top()
+            self._gap.setGeometry(0, max(bottom - _GAP_PX // 2, 0), self.width(), _GAP_PX)
+            self._gap.show()
 
     def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:
-        press = self._press
-        if press is None or event.button() != Qt.MouseButton.LeftButton:
+        press, self._press = self._press, None
+        self._gap.hide()
+        if press is None or press.ids:
             return
-        if self._cancel_drag():
+        if press.gap is not None:
             self._edit(edits.put_inputs_before, self._view.selected_inputs, press.gap)
         elif press.was_selected:
-            # A click on one of several selected rows selects that row alone.
-            self._select(press.id)
+            # A click on one of several selected heads selects that one alone.
+            self._edit(edits.select_inputs, (self._design.ids[press.row],))
+
+    def mouseDoubleClickEvent(self, event: QtGui.QMouseEvent) -> None:
+        index = self.indexAt(event.position().toPoint())
+        part = self.places(index.row()).part_at(event.position()) if index.isValid() else ""
+        if part == "fader":
+            self._press = None
+            self.edit(index)
+        else:
+            self.mousePressEvent(event)
+
+    def wheelEvent(self, event: QtGui.QWheelEvent) -> None:
+        index, turns = self.indexAt(event.position().toPoint()), event.angleDelta()
+        # Who scrolls the tracks changes nothing: as a number, a fader turns once it was chosen.
+        chosen = self.hasFocus() and self.selectionModel().isSelected(index)
+        if not chosen or self.places(index.row()).part_at(event.position()) != "fader":
+            super().wheelEvent(event)
+            return
+        notches = (turns.y() or turns.x()) / NOTCH
+        self._step(self._view.selected_inputs, notches, event.modifiers())
+        event.accept()
 
     def contextMenuEvent(self, event: QtGui.QContextMenuEvent) -> None:
-        # The menu key opens the menu of the row that was selected last, on that row.
+        # The menu key opens the menu of the head that was selected last, on that head.
         by_key = event.reason() == QtGui.QContextMenuEvent.Reason.Keyboard
-        row = self.last_row if by_key else self._row_at(event.pos().y())
-        if row is not None:
-            self._enter(row)
-            self._open_menu(
-                self._affected(row),
-                row.mapToGlobal(row.rect().center()) if by_key else event.globalPos(),
-            )
+        index = self.currentIndex() if by_key else self.indexAt(event.pos())
+        if index.isValid():
+            id = self._design.ids[index.row()]
+            if id not in self._view.selected_inputs:
+                self._edit(edits.select_inputs, (id,))
+            centre = self.viewport().mapToGlobal(self.visualRect(index).center())
+            self._open_menu(self._affected(id), centre if by_key else event.globalPos())
 
     def focusInEvent(self, event: QtGui.QFocusEvent) -> None:
         super().focusInEvent(event)
-        self._show_focus()
+        self.viewport().update()
 
     def focusOutEvent(self, event: QtGui.QFocusEvent) -> None:
         super().focusOutEvent(event)
-        self._show_focus()
+        self.viewport().update()
 
     def _edit(self, edit: Callable[..., Edit | Refusal], *more: object) -> None:
         self.edited.emit(edit(self._design, self._view, *more), None)
 
-    def _arrange(self) -> list[InputRow]:
-        """Put the rows of the present tracks in order; return those that are left over."""
-        old, self._rows = self._rows, {}
-        before: QtWidgets.QWidget = self
-        for position, track_id in enumerate(self._design.ids):
-            row = old.pop(track_id, None) or self._new_row()
-            self._rows[track_id] = row
-            self._layout.insertWidget(position, row)
-            for control in row.controls:
-                QtWidgets.QWidget.setTabOrder(before, control)
-                before = control
-        return list(old.values())
-
-    def _new_row(self) -> InputRow:
-        row = InputRow(self)
-        row.entered.connect(lambda: self._enter(row))
-        row.amplitude.edited.connect(
-            lambda value, gesture: self._change_amplitude(row, value, gesture)
-        )
-        row.mute.clicked.connect(lambda: self._edit(edits.toggle_mute, self._affected(row)))
-        row.solo.clicked.connect(lambda: self._edit(edits.toggle_solo, self._affected(row)))
-        # The cross removes that row alone.
-        row.remove.clicked.connect(lambda: self._edit(edits.remove_inputs, (row.id,)))
-        return row
-
-    def _remove(self, row: InputRow) -> None:
-        """Remove a row that is left over; its keyboard goes to the list."""
-        focused = QtWidgets.QApplication.focusWidget()
-        had_focus = focused is not None and row.isAncestorOf(focused)
-        self._layout.removeWidget(row)
-        row.amplitude.cancel()
-        row.hide()
-        row.deleteLater()
-        if had_focus:
-            self.setFocus(Qt.FocusReason.OtherFocusReason)
-
-    def _row_at(self, y: float) -> InputRow | None:
-        return next((row for row in self.rows if row.y() <= y < row.y() + row.height()), None)
-
-    def _affected(self, row: InputRow) -> tuple[int, ...]:
+    def _affected(self, id: int) -> tuple[int, ...]:
         """Return the tracks that a control changes: all selected ones, if its own is among them."""
         selected = self._view.selected_inputs
-        return selected if row.id in selected else (row.id,)
+        return selected if id in selected else (id,)
 
-    def _change_amplitude(self, row: InputRow, value: float, gesture: int | None) -> None:
-        ids = self._affected(row)
-        changed = self._changes.change(
-            self._design, self._view, ids, "amplitude", value, lead=row.id, gesture=gesture
-        )
-        self.edited.emit(changed, gesture)
+    def _show_selection(self) -> None:
+        rows = {id: row for row, id in enumerate(self._design.ids)}
+        chosen = [rows[id] for id in self._view.selected_inputs if id in rows]
+        picked = self.selectionModel()
+        if sorted(index.row() for index in picked.selectedRows()) != sorted(chosen):
+            selection = QItemSelection()
+            for row in chosen:
+                selection.select(self._model.index(row), self._model.index(row))
+            picked.select(selection, QItemSelectionModel.SelectionFlag.ClearAndSelect)
+        last = self._model.index(chosen[-1]) if chosen else QModelIndex()
+        if self.currentIndex() != last:
+            picked.setCurrentIndex(last, QItemSelectionModel.SelectionFlag.NoUpdate)
 
-    def _enter(self, row: InputRow) -> None:
-        """Go to a row: one of several selected ones may be changed for all."""
-        if row.id not in self._view.selected_inputs:
-            self._select(row.id)
+    def _select(self) -> None:
+        if self._shows:
+            return
+        current, chosen = self.currentIndex().row(), self.selectionModel().selectedRows()
+        rows = sorted((index.row() for index in chosen), key=lambda row: (row == current, row))
+        self._edit(edits.select_inputs, tuple(self._design.ids[row] for row in rows))
 
-    def _select(self, chosen: int) -> None:
-        self._anchor = chosen
-        self._edit(edits.select_inputs, (chosen,))
+    def _type(self, id: int, amplitude: float) -> None:
+        self._edit(edits.change_field, self._affected(id), "amplitude", amplitude)
 
-    def _select_through(self, chosen: int) -> None:
-        """Select all from where it began to this input."""
-        known = self._anchor in self._view.selected_inputs
-        self._anchor = self._anchor if known else self._view.selected_input
-        self._edit(edits.select_through, self._anchor, chosen)
+    def _step(self, ids: Iterable[int], steps: float, held: Qt.KeyboardModifier) -> None:
+        size = _FINE if held & _Held.ControlModifier else 1.0
+        size = _COARSE if held & _Held.ShiftModifier else size
+        self._move_faders(self._design, ids, steps * size * STEP_DB, self._burst.gesture())
 
-    def _go(self, key: Qt.Key, held: Qt.KeyboardModifier) -> None:
-        """Select the row to which a key leads, or with Shift all on the way to it."""
-        ids, last = self._design.ids, self._view.selected_input
-        if last not in ids or key not in _STEPS:
-            place = len(ids) - 1 if key in (_Key.Key_End, _Key.Key_Up) else 0
-        else:
-            place = min(max(ids.index(last) + _STEPS[key], 0), len(ids) - 1)
-        # The key may have come from a control of a row that is left now.
-        self.setFocus(Qt.FocusReason.OtherFocusReason)
-        extending = bool(held & _Held.ShiftModifier)
-        (self._select_through if extending else self._select)(ids[place])
+    def _move_faders(self, start: Design, ids: Iterable[int], by_db: float, gesture: int) -> None:
+        """Move faders by so many decibels from where they stood in a design."""
+        changes: dict[int, dict[str, Any]] = {
+            track.id: {
+                "amplitude": moved_amplitude(track.amplitude, by_db) if by_db else track.amplitude
+            }
+            for track in start.inputs
+            if track.id in set(ids)
+        }
+        outcome = change_inputs(self._design, self._view, "Change amplitude of", changes)
+        self.edited.emit(outcome, gesture)
 
-    def _cancel_drag(self) -> bool:
+    def _cancel(self) -> bool:
         """Give up a drag; return whether there was one."""
         press, self._press = self._press, None
-        self._show_gap(None)
-        return press is not None and press.gap is not None
-
-    def _show_gap(self, gap: int | None) -> None:
-        self._gap.setVisible(gap is not None)
-        if gap is not None:
-            bottom = self.rows[gap - 1].geometry().bottom() + 1 if gap else 0
-            self._gap.setGeometry(0, max(bottom - _GAP_PX // 2, 0), self.width(), _GAP_PX)
-            self._gap.raise_()
-
-    def _show_focus(self) -> None:
-        if self.last_row is not None:
-            self.last_row.update()
+        self._gap.hide()
+        if press is not None and press.ids:
+            self._move_faders(press.start, press.ids, 0.0, press.gesture)
+        return press is not None and (press.gap is not None or bool(press.ids))
 
     def _open_menu(self, ids: tuple[int, ...], at: QPoint) -> None:
         menu, shown = passing_menu(self, "inputs_menu"), shown_gain_curves(self._view)
@@ -303,53 +634,3 @@ class InputRows(QtWidgets.QWidget):
             menu, chosen, lambda edit: self._edit(edit, ids), place=_PLACE, entries=entries
         )
         menu.popup(at)
-
-
-class InputList(QtWidgets.QScrollArea):
-    """A scroll area for `InputRows`, which keeps the row in sight that was selected last."""
-
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("input_list")
-        self.setWidgetResizable(True)
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.rows = InputRows()
-        self.setWidget(self.rows)
-        self._revealed: tuple[int, int] | None = None
-        self._follows_selection = False
-        bar = self.verticalScrollBar()
-        # Rows that came have no place before their layout is done, and the bar no room for them.
-        bar.rangeChanged.connect(self._scroll)
-        bar.actionTriggered.connect(self._stop_following)
-
-    def show_state(self, design: Design, view: View) -> None:
-        """Show the tracks; scroll to the one that was selected last if it is another, or moved."""
-        self.rows.show_state(design, view)
-        row = self.rows.last_row
-        shown = None if row is None else (row.id, self.rows.rows.index(row))
-        if shown is not None and shown != self._revealed:
-            self._follows_selection = True
-            self._scroll()
-        self._revealed = shown
-
-    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._scroll()
-
-    def wheelEvent(self, event: QtGui.QWheelEvent) -> None:
-        self._stop_following()
-        super().wheelEvent(event)
-
-    def _stop_following(self) -> None:
-        # Who scrolls wants to see something else.
-        self._follows_selection = False
-
-    def _scroll(self) -> None:
-        row = self.rows.last_row
-        if not self._follows_selection or row is None:
-            return
-        bar, top = self.verticalScrollBar(), self.rows.rows.index(row) * row.height()
-        lowest = top + row.height() - self.viewport().height()
-        bar.setValue(min(max(bar.value(), lowest), top))

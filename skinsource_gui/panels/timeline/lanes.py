@@ -9,21 +9,26 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
 
 from skinsource.design import edits
+from skinsource.design.clips import Clip
 from skinsource.design.design import Design
+from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.view import View
+from skinsource.design.waveform import Waveform
 from skinsource_gui.fields.editor import Burst
-from skinsource_gui.panels.timeline.canvas import LanesCanvas
 from skinsource_gui.panels.timeline.content import (
     CURSORS,
     Box,
+    ClipLengths,
     Lane,
     Part,
     TimelineContent,
+    drawn_clips,
     next_id,
     overlapping,
     part_at,
     ruler_px,
     timeline_tooltip,
+    toggle_gain_curves,
 )
 from skinsource_gui.panels.timeline.gain import GainItem, GainPoints
 from skinsource_gui.panels.timeline.gestures import (
@@ -45,7 +50,7 @@ from skinsource_gui.panels.timeline.gestures import (
 )
 from skinsource_gui.panels.timeline.menu import LanesMenu
 from skinsource_gui.panels.timeline.painting import LanesItem, OverlayItem, PlayheadItem
-from skinsource_gui.plots.plot import PLAYHEAD, moved_playhead
+from skinsource_gui.plots.plot import PLAYHEAD, Canvas, moved_playhead
 from skinsource_gui.plots.time_scale import (
     Range,
     TimeScale,
@@ -54,6 +59,7 @@ from skinsource_gui.plots.time_scale import (
     within,
     zoomed,
 )
+from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.keys import meaning_of
 from skinsource_gui.qt.theme import scaled, tabular
 from skinsource_gui.qt.wheel import NOTCH
@@ -110,9 +116,6 @@ class LaneKeys:
             "whole": lanes.show_everything,
             "select_all": lambda: lanes.look(edits.select_all_clips(content.design, content.view)),
             "open": lambda: self._open(chosen),
-            "copy": lanes.copy,
-            "cut": lanes.cut,
-            "paste": lanes.paste,
             "marker": lambda: lanes.add_marker(at_s),
             "add": lambda: None if track is None else lanes.add_clip(track, at_s),
             "split": lambda: lanes.edit(edits.split_clips, chosen, at_s),
@@ -289,8 +292,10 @@ class LaneMouse:
         content = self._lanes.content
         if at.y() < content.ruler_px:
             ends = content.other_loop_end_at(at), content.marker_at(at)
-            caught = ends != (None, None)
-            return Qt.CursorShape.SizeHorCursor if caught else Qt.CursorShape.PointingHandCursor
+            if ends != (None, None):
+                return Qt.CursorShape.SizeHorCursor
+            upper = at.y() < content.ruler_px / 2
+            return Qt.CursorShape.CrossCursor if upper else Qt.CursorShape.PointingHandCursor
         strip = self._gain.strip_at(at)
         if strip is not None:
             on_point = strip.point_at(at) is not None
@@ -344,12 +349,14 @@ class LaneMouse:
     def _on_ruler(self, context: GestureContext, at: QPointF, held: Modifier) -> Gesture:
         content = context.before
         marker, fixed_s = content.marker_at(at), content.other_loop_end_at(at)
-        if held & Modifier.ShiftModifier:
-            return MoveLoop(context, snapped_time(context, at)[0])
         if marker is not None:
             return MoveMarker(context, marker)
         if fixed_s is not None:
             return MoveLoop(context, fixed_s)
+        time_s = snapped_time(context, at)[0]
+        if at.y() < content.ruler_px / 2:
+            self._click = partial(self._lanes.playhead_requested.emit, time_s)
+            return MoveLoop(context, time_s)
         gesture = MovePlayhead(context)
         gesture.move(at, held)
         return gesture
@@ -374,11 +381,16 @@ _CTRL = Qt.KeyboardModifier.ControlModifier
 ZOOM = 1.5
 
 
-class LanesView(LanesCanvas):
+class LanesView(Canvas):
     """Lanes and a ruler; mouse and keys edit what is on them.
 
     Attributes
     ----------
+    content
+        What is shown.
+    elsewhere
+        Returns where in another panel something would be dropped that is held over a place, px;
+        None ends that.
     item, gains, playhead, overlay
         Layers that are painted.
     gain
@@ -387,11 +399,24 @@ class LanesView(LanesCanvas):
 
     key_place = "timeline"
 
+    #: `Edit` or `Refusal`, number of the gesture or None.
+    edited = Signal(object, object)
+    view_changed = Signal(object)
+    playhead_requested = Signal(float)
+    #: Id of a clip.
+    opened = Signal(int)
+    #: The name of an action of the window.
+    action_requested = Signal(str)
     #: Lanes are to be scrolled by so many notches.
     scroll_requested = Signal(float)
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
+        design = Design(limb="")
+        self.content = TimelineContent(design=design, view=View(), lengths=ClipLengths(design))
+        self.elsewhere: Callable[[QPointF | None], DropPlace | None] = lambda at: None
+        # New clips play what the one plays that was selected last.
+        self._last: Waveform = Clip().waveform
         self.setObjectName("lanes")
         self.setAccessibleName("Timeline")
         self.setMouseTracking(True)
@@ -402,6 +427,8 @@ class LanesView(LanesCanvas):
             self.addItem(item)
         # What was shown when the button went down.
         self._held: TimelineContent | None = None
+        # What is shown where nothing is zoomed: fitted, or as the last drag left it.
+        self._kept_s: Range | None = None
         self.gain = GainPoints(self)
         self.mouse, self.keys = LaneMouse(self), LaneKeys(self)
         self.menu = LanesMenu(self, self.gain)
@@ -430,6 +457,30 @@ class LanesView(LanesCanvas):
         for item in (self.item, self.gains, self.overlay):
             item.show_font(scaled(tabular(self.font()), _TEXT))
 
+    def edit(self, edit: Callable[..., Edit | Refusal], *more: object) -> None:
+        """Emit what an edit makes of the present design."""
+        self.edited.emit(edit(self.content.design, self.content.view, *more), None)
+
+    def look(self, edit: Edit) -> None:
+        """Emit the view of an edit that changes nothing else."""
+        self.view_changed.emit(edit.view)
+
+    def select(self, *clips: int) -> None:
+        """Select these clips and no others."""
+        self.look(edits.select_clips(self.content.design, self.content.view, clips))
+
+    def add_clip(self, track: int, at_s: float) -> None:
+        """Add a clip of the last used kind to a track."""
+        self.edit(edits.add_clip, track, at_s, self._last)
+
+    def add_marker(self, at_s: float) -> None:
+        """Add a marker with a number for a name."""
+        self.edit(edits.add_marker, at_s, str(len(self.content.design.markers) + 1))
+
+    def toggle_gain(self, *tracks: int) -> None:
+        """Show the gain curves of tracks, or hide them."""
+        self.look(toggle_gain_curves(self.content.design, self.content.view, tracks))
+
     def set_snaps(self, snaps: bool) -> None:
         """Set whether edges snap."""
         self.change(snaps=snaps)
@@ -446,8 +497,10 @@ class LanesView(LanesCanvas):
         self._show_range(within(part_s, self.content.lengths.whole_s))
 
     def show_everything(self) -> None:
-        """See all of it."""
+        """Fit the clips into the width."""
         self._show_range(None)
+        self._kept_s = self.content.lengths.content_s
+        self.change()
 
     def claims(self, event: QtGui.QKeyEvent) -> bool:
         return bool(meaning_of(_PLACE, event) or meaning_of(PLAYHEAD, event))
@@ -516,19 +569,32 @@ class LanesView(LanesCanvas):
         self.change()
 
     def change(self, **changes: Any) -> None:
-        content, held = replace(self.content, **changes), self._held
-        lengths = content.lengths.of(content.design)
+        """Show content in which these fields are other ones."""
+        before, held = self.content, self._held
+        content = replace(before, **changes)
+        lengths = before.lengths.of(content.design)
+        outside = self._kept_s is not None and lengths.end_s > self._kept_s[1]
+        if not held and ((outside and lengths.end_s > before.lengths.end_s) or not lengths.end_s):
+            # What came since would be out of sight.
+            self._kept_s = None
+        shown_s = content.view.time_range_s or self._kept_s or lengths.whole_s
         # A drag keeps the zoom, even if the design becomes longer, and the room for gains.
-        shown_s = content.view.time_range_s or (held.scale.shown_s if held else lengths.whole_s)
+        if held and not content.view.time_range_s:
+            shown_s = held.scale.shown_s
         width = max(self.width() - 2 * _SIDE_PX, 1.0)
-        self.content = replace(
+        drawn = drawn_clips(content.design, content.waveforms, content.sample_rate_hz, before.drawn)
+        content = replace(
             content,
             lengths=lengths,
             scale=TimeScale(shown_s=shown_s, left_px=_SIDE_PX, width_px=width),
+            drawn=drawn,
             height_px=float(self.height()),
             ruler_px=self.ruler_px,
             gain_tops={strip.lane.track.id: strip.top for strip in held.strips} if held else {},
         )
+        # While a clip is computed, which may be the loudest one, the others stay as high.
+        loudest = before.loudest if content.awaited else content.largest()
+        self.content = replace(content, loudest=loudest)
         rect = QRectF(self.rect())
         for item in (self.item, self.gains, self.overlay):
             item.show_content(self.content, rect)
@@ -537,11 +603,15 @@ class LanesView(LanesCanvas):
 
     def _show_range(self, shown_s: Range | None) -> None:
         # Who zooms during a drag wants to see something else.
-        self._held = None
+        self._held = self._kept_s = None
         view = self.content.view
         if shown_s != view.time_range_s:
             self.view_changed.emit(replace(view, time_range_s=shown_s))
+        else:
+            self.change()
 
     def _end_drag(self) -> None:
+        if self._held is not None and self._held.design is not self.content.design:
+            self._kept_s = self.content.scale.shown_s
         self._held = None
         self.change()

@@ -1,15 +1,17 @@
 """The menu of what lies under the pointer on the lanes."""
 
 from collections.abc import Callable, Sequence
+from functools import partial
+from typing import TYPE_CHECKING
 
 from PySide6 import QtWidgets
 from PySide6.QtCore import QPoint, QPointF
 
 from skinsource.design import edits
 from skinsource.design.edits.edit import Edit, Refusal
+from skinsource.design.edits.motions import motion_of
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
-from skinsource_gui.panels.timeline.canvas import LanesCanvas
 from skinsource_gui.panels.timeline.content import (
     Box,
     GainStrip,
@@ -18,7 +20,10 @@ from skinsource_gui.panels.timeline.content import (
 )
 from skinsource_gui.panels.timeline.gain import GainPoints
 from skinsource_gui.qt.buttons import passing_menu
-from skinsource_gui.qt.keys import key_text
+from skinsource_gui.qt.keys import key_text, shortcut_text
+
+if TYPE_CHECKING:
+    from skinsource_gui.panels.timeline.lanes import LanesView
 
 AnyEdit = Callable[..., Edit | Refusal]
 _PLACE = "timeline"
@@ -27,7 +32,7 @@ _PLACE = "timeline"
 class LanesMenu:
     """Opens the menu of what lies under the pointer."""
 
-    def __init__(self, lanes: LanesCanvas, gain: GainPoints) -> None:
+    def __init__(self, lanes: "LanesView", gain: GainPoints) -> None:
         self._lanes, self._gain = lanes, gain
 
     def open(self, at: QPoint, place: QPointF) -> None:
@@ -67,6 +72,10 @@ class LanesMenu:
         several = len(view.selected_clips) > 1
         what = f"{len(view.selected_clips)} clips" if several else "clip"
         self._line(menu, "Edit clip", "open", lambda: self._lanes.opened.emit(clip))
+        if motion_of(self._lanes.content.design, clip) is not None:
+            menu.addAction("Edit motion…").triggered.connect(
+                partial(self._lanes.action_requested.emit, "make_motion")
+            )
         menu.addSeparator()
         self._act(menu, "Split at playhead", "split", edits.split_clips, view.playhead_s)
         if several:
@@ -79,8 +88,8 @@ class LanesMenu:
         self._act(menu, f"Mute {what}", "mute", edits.toggle_mute_clips)
         menu.addSeparator()
         self._fill_places(menu, f"Move {what} to")
-        self._line(menu, "Copy", "copy", self._lanes.copy)
-        self._line(menu, "Cut", "cut", self._lanes.cut)
+        self._action(menu, "Copy", "copy_clips")
+        self._action(menu, "Cut", "cut_clips")
         self._act(menu, f"Remove {what}", "remove", edits.remove_clips)
 
     def _fill_places(self, menu: QtWidgets.QMenu, label: str) -> None:
@@ -102,7 +111,7 @@ class LanesMenu:
             self._line(menu, "Add clip here", "", lambda: self._lanes.add_clip(track, time_s))
             text = "Hide gain curve" if track in content.gain_shown else "Show gain curve"
             self._line(menu, text, "gain_curve", lambda: self._lanes.toggle_gain(track))
-        self._line(menu, "Paste at playhead", "paste", self._lanes.paste)
+        self._action(menu, "Paste at playhead", "paste_clips")
         menu.addSeparator()
         self._fill_time(menu, content)
 
@@ -152,6 +161,11 @@ class LanesMenu:
         self._line(
             menu, text, key, lambda: lanes.edit(edit, lanes.content.view.selected_clips, *more)
         )
+
+    def _action(self, menu: QtWidgets.QMenu, text: str, name: str) -> None:
+        """Add a line that does what an action of the window does."""
+        line = menu.addAction(f"{text}\t{shortcut_text(name)}")
+        line.triggered.connect(partial(self._lanes.action_requested.emit, name))
 
     def _edit_line(self, menu: QtWidgets.QMenu, text: str, edit: AnyEdit, *more: object) -> None:
         self._line(menu, text, "", lambda: self._lanes.edit(edit, *more))

@@ -5,7 +5,7 @@ Lanes are kept as a picture, into which only lanes that look different are paint
 
 from collections import OrderedDict
 from collections.abc import Hashable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -15,12 +15,14 @@ from PySide6 import QtGui
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
 
 from skinsource.base.arrays import Floats
+from skinsource.design.effects.level import Fade
 from skinsource_gui.fields.units import axis_unit
 from skinsource_gui.panels.timeline.content import (
     MARGIN_PX,
     Box,
     Lane,
     TimelineContent,
+    clip_name,
 )
 from skinsource_gui.panels.timeline.gestures import GesturePreview
 from skinsource_gui.plots.curves import visible_course
@@ -157,7 +159,7 @@ def _size(picture: QtGui.QPixmap) -> int:
 _ROUNDING_PX = 3.0
 _LABEL_FROM_PX = 40.0
 _BODY_ALPHA, _PALE_BODY_ALPHA, _SELECTED_ALPHA = 46, 18, 84
-_PALE = 0.45
+_PALE, _FADE_POINTS = 0.45, 17
 _HANDLE_PX = 5.0
 
 
@@ -167,7 +169,6 @@ def paint_clip(
     content: TimelineContent,
     pictures: ClipPictures,
     *,
-    loudest: float,
     unplayable: bool,
     handles: bool,
     view: QRectF,
@@ -176,8 +177,6 @@ def paint_clip(
 
     Parameters
     ----------
-    loudest
-        The largest gain of the track, which takes the full height.
     unplayable
         Whether the track cannot be played because of the clip.
     handles
@@ -186,7 +185,7 @@ def paint_clip(
         The visible rectangle: no more is painted.
     """
     theme, clip = current_theme(), box.clip
-    samples, selected = content.waveforms.get(clip.id), clip.id in content.selected
+    drawn, selected = content.drawn.get(clip.id), clip.id in content.chosen
     pale = clip.muted or bool(box.lane.silent and not unplayable)
     colour = QtGui.QColor(theme.dim) if pale else theme.input_colour(box.lane.track.colour)
     if unplayable:
@@ -196,23 +195,17 @@ def paint_clip(
         # Of its lane no more is in sight than the edge.
         return
     _paint_body(painter, box.rect, shown, colour, selected=selected, pale=pale)
-    if samples is not None and shown.width() >= 1:
+    if drawn is not None and shown.width() >= 1:
         painter.setOpacity(_PALE if pale else 1.0)
-        rate_hz = content.sample_rate_hz
-        _paint_samples(painter, box, shown, samples, rate_hz, pictures, colour, loudest)
+        _paint_samples(painter, box, shown, drawn.samples, content, pictures, colour)
         painter.setOpacity(1.0)
-    if any(box.fades_px):
-        _paint_fades(painter, box, QtGui.QColor(theme.text))
+    if box.fade is not None:
+        _paint_fades(painter, box, box.fade, QtGui.QColor(theme.text))
     # Over the lines of fades: the name is read first.
     if shown.width() >= _LABEL_FROM_PX:
-        text = clip.label or clip.waveform.title
-        text = f"{text} · updating…" if clip.id in content.awaited else text
+        text = f"{clip_name(clip)}{' · updating…' if clip.id in content.awaited else ''}"
         _write(painter, text, shown, theme, pale=pale)
     _paint_frame(painter, box.rect, shown, theme, colour, selected=selected)
-    if clip.id in content.chosen and not selected:
-        # The inspector shows it.
-        painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 0, Qt.PenStyle.DashLine))
-        painter.drawRect(_frame(box.rect, shown).adjusted(1, 1, -2, -2))
     if handles:
         _paint_handles(painter, box, QtGui.QColor(theme.text))
 
@@ -240,26 +233,21 @@ def _paint_samples(
     box: Box,
     shown: QRectF,
     samples: Floats,
-    sample_rate_hz: float,
+    content: TimelineContent,
     pictures: ClipPictures,
     colour: QtGui.QColor,
-    loudest: float,
 ) -> None:
     rect, part, area = box.rect, (0.0, 1.0), box.rect
     if shown.width() < rect.width() - 1:
         area = shown
         ends_px = shown.left() - rect.left(), shown.right() - rect.left()
         part = (ends_px[0] / rect.width(), ends_px[1] / rect.width())
-    peak = max(abs(box.clip.gain) * _peak(samples), 1e-12)
-    reach = box.clip.gain / max(loudest, peak)
+    reach = box.clip.gain * box.lane.track.amplitude / (content.loudest or 1.0)
     width, height = max(round(area.width()), 1), max(round(rect.height()) - 2, 1)
     room = QRectF(area.left(), rect.top() + 1, width, height)
-    style = ClipStyle(sample_rate_hz, colour.rgba(), reach, part, dots_in_px(painter))
+    rate_hz, ratio = content.sample_rate_hz, dots_in_px(painter)
+    style = ClipStyle(rate_hz, colour.rgba(), reach, part, ratio)
     pictures.paint(painter, samples, room, style)
-
-
-def _peak(samples: Floats) -> float:
-    return float(max(samples.max(initial=0.0), -samples.min(initial=0.0)))
 
 
 def _write(painter: QtGui.QPainter, words: str, shown: QRectF, theme: Theme, *, pale: bool) -> None:
@@ -301,13 +289,16 @@ def _frame(rect: QRectF, shown: QRectF) -> QRectF:
     return rect.intersected(shown.adjusted(-2, 0, 2, 0))
 
 
-def _paint_fades(painter: QtGui.QPainter, box: Box, colour: QtGui.QColor) -> None:
-    rect, (in_px, out_px) = box.rect, box.fades_px
+def _paint_fades(painter: QtGui.QPainter, box: Box, fade: Fade, colour: QtGui.QColor) -> None:
+    """Paint the course of fades, as their shape has it."""
+    rect, share = box.rect, np.linspace(0.0, 1.0, _FADE_POINTS)
+    heights = replace(fade, in_s=1.0, out_s=0.0).values_at(share, 2.0)
+    y = rect.bottom() - heights * rect.height()
     painter.setPen(QtGui.QPen(colour, 1, Qt.PenStyle.DashLine))
-    if in_px > 0:
-        painter.drawLine(rect.bottomLeft(), rect.topLeft() + QPointF(in_px, 0))
-    if out_px > 0:
-        painter.drawLine(rect.bottomRight(), rect.topRight() - QPointF(out_px, 0))
+    for start, reach in zip((rect.left(), rect.right()), box.fades_px, strict=True):
+        if reach > 0:
+            x = start + share * (reach if start == rect.left() else -reach)
+            painter.drawPolyline(QtGui.QPolygonF(list(map(QPointF, x, y))))
 
 
 def _paint_handles(painter: QtGui.QPainter, box: Box, colour: QtGui.QColor) -> None:
@@ -348,7 +339,8 @@ def clips_look_of(content: TimelineContent, lane: Lane) -> tuple[object, ...]:
     ids = [clip.id for clip in clips]
     marked = [content.selected.intersection(ids), content.awaited.intersection(ids)]
     played = [Same(content.waveforms.get(clip_id)) for clip_id in ids]
-    return lane.track.colour, clips, marked, set(content.chosen).intersection(ids), played
+    drawn = lane.track.amplitude, lane.track.gain_curve, content.loudest
+    return lane.track.colour, clips, marked, set(content.chosen).intersection(ids), played, drawn
 
 
 _TICK_PX = 64.0
@@ -414,14 +406,15 @@ def _paint_loop(
     painter: QtGui.QPainter, content: TimelineContent, loop_s: Range, room: QRectF, theme: Theme
 ) -> None:
     start, end = (content.scale.x(time_s) for time_s in loop_s)
-    band = QRectF(start, room.bottom() - 9, end - start, 9).intersected(room)
+    half = QRectF(room.left(), room.top(), room.width(), room.height() / 2)
+    band = QRectF(start, room.top(), end - start, room.height()).intersected(half)
     tint = QtGui.QColor(theme.accent)
     tint.setAlpha(_LOOP_ALPHA)
     painter.fillRect(band, tint)
     painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 2))
     for x in (start, end):
         if room.left() <= x <= room.right():
-            painter.drawLine(QLineF(x, room.bottom() - 10, x, room.bottom()))
+            painter.drawLine(QLineF(x, room.top(), x, room.center().y()))
 
 
 def _paint_marker(
@@ -449,12 +442,10 @@ def _paint_marker(
 
 # Text ends before the last line of the grid.
 _SIDE_PX = 14.0
-# Gap between text and the lines of the grid, px.
-_AROUND_PX = 3.0
 # Clips lie farther inside their lanes. Qt paints one px more than is updated: this does not reach
 # the next lane.
 _INSIDE_PX = MARGIN_PX - 1.0
-_OVERLAP_PX, _OVERLAP_ALPHA = 4.0, 190
+_OVERLAP_PX, _OVERLAP_ALPHA, _TINT_ALPHA = 4.0, 190, 18
 
 
 class LaneLayer(pyqtgraph.GraphicsObject):
@@ -565,40 +556,26 @@ class LanesItem(LaneLayer):
             elif clips_look_of(before, then) != clips_look_of(after, now):
                 self.update(self._strip(now).adjusted(0, _INSIDE_PX, 0, -_INSIDE_PX))
 
-    @property
-    def _ground(self) -> QtGui.QColor:
-        """Colour of the lanes."""
-        return QtGui.QColor(current_theme().base)
-
-    @property
-    def _tint(self) -> QtGui.QColor:
-        """Colour over the lanes that are selected."""
-        tint = QtGui.QColor(current_theme().accent)
-        tint.setAlpha(18)
-        return tint
-
     def _strip(self, lane: Lane) -> QRectF:
         return QRectF(self._rect.left(), lane.top_px, self._rect.width(), lane.height_px)
 
     def _paint_ground(self, painter: QtGui.QPainter, lane: Lane) -> None:
         strip = self._strip(lane)
         if lane.selected:
-            painter.fillRect(strip, self._tint)
+            tint = QtGui.QColor(current_theme().accent)
+            tint.setAlpha(_TINT_ALPHA)
+            painter.fillRect(strip, tint)
         painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().border), 1))
         painter.drawLine(
             QLineF(strip.left(), strip.bottom() - 0.5, strip.right(), strip.bottom() - 0.5)
         )
 
     def _paint_silence_reason(self, painter: QtGui.QPainter, lane: Lane) -> None:
-        """Write why a lane is silent; lines of the grid stop around the text."""
+        """Write why a lane is silent."""
         if not lane.silent:
             return
         flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
         room = self._strip(lane).adjusted(0, 0, -_SIDE_PX, -3)
-        room_of_text = QRectF(painter.boundingRect(room, flags, lane.silent))
-        painter.fillRect(room_of_text.adjusted(-_AROUND_PX, 0, _AROUND_PX, 0), self._ground)
-        if lane.selected:
-            painter.fillRect(room_of_text.adjusted(-_AROUND_PX, 0, _AROUND_PX, 0), self._tint)
         theme = current_theme()
         painter.setPen(QtGui.QColor(theme.error if lane.problem else theme.dim))
         painter.drawText(room, flags, lane.silent)
@@ -618,7 +595,6 @@ class LanesItem(LaneLayer):
     def _paint_clips(
         self, painter: QtGui.QPainter, content: TimelineContent, lane: Lane, lanes: QRectF
     ) -> None:
-        loudest = max((abs(clip.gain) for clip in lane.track.clips), default=0.0)
         unplayable = content.unplayable_on(lane)
         for box in content.boxes_on(lane):
             paint_clip(
@@ -626,7 +602,6 @@ class LanesItem(LaneLayer):
                 box,
                 content,
                 self.pictures,
-                loudest=loudest,
                 unplayable=box.clip.id in unplayable,
                 handles=box.clip.id == self._hovered and box.rect.width() > 40,
                 view=lanes,

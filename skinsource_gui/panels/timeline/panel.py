@@ -1,8 +1,10 @@
 """The panel of tracks and their clips over time, with clipboard, menu, toolbar and scroll bars."""
 
 from collections.abc import Mapping
+from functools import partial
 from typing import Any
 
+import numpy as np
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import (
     QEvent,
@@ -17,21 +19,25 @@ from PySide6.QtCore import (
 
 from skinsource.base.arrays import Floats
 from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ
+from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, audible_inputs
+from skinsource.design.edits.edit import leading_clip
 from skinsource.design.signal_path import UnplayableInput
 from skinsource.design.view import View
+from skinsource.design.waveform import Waveform
+from skinsource.design.waveforms.pulses import Noise, Tap
+from skinsource.design.waveforms.samples import Drawn
+from skinsource.design.waveforms.tones import Chirp, Tone
+from skinsource.design.waveforms.wavelet_train import WaveletTrain
+from skinsource.specs.samples import Samples
 from skinsource_gui.fields.inputs import waveforms_of
-from skinsource_gui.panels.timeline.content import (
-    Lane,
-)
+from skinsource_gui.panels.timeline.content import Lane
 from skinsource_gui.panels.timeline.gestures import GesturePreview
-from skinsource_gui.panels.timeline.head_row import heads_px, row_places
-from skinsource_gui.panels.timeline.heads import InputList
+from skinsource_gui.panels.timeline.heads import Heads, heads_px, row_px
 from skinsource_gui.panels.timeline.lanes import ZOOM, LanesView
 from skinsource_gui.plots.time_scale import Range
 from skinsource_gui.qt.buttons import page_label
-from skinsource_gui.qt.fitting import LayoutWatcher, fitting_font, set_fonts
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.keys import KEYS
 from skinsource_gui.qt.labels import how_to_add
@@ -39,7 +45,7 @@ from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.panel import Panel
 
-_STEPS_PER_S = 10_000
+_STEPS_PER_S = 1_000_000
 
 
 class TimeBar(QtWidgets.QScrollBar):
@@ -52,13 +58,11 @@ class TimeBar(QtWidgets.QScrollBar):
         super().__init__(Qt.Orientation.Horizontal, parent)
         self.setObjectName("time_bar")
         self.setAccessibleName("Time shown")
-        self._shown_s: Range = (0.0, 1.0)
         self.valueChanged.connect(self._emit)
         self.hide()
 
     def show_range(self, shown_s: Range, whole_s: Range) -> None:
         """Show a part of the whole."""
-        self._shown_s = shown_s
         length = round((shown_s[1] - shown_s[0]) * _STEPS_PER_S)
         whole = round((whole_s[1] - whole_s[0]) * _STEPS_PER_S)
         with QSignalBlocker(self):
@@ -69,55 +73,72 @@ class TimeBar(QtWidgets.QScrollBar):
         self.setVisible(whole > length)
 
     def _emit(self, value: int) -> None:
-        length = self._shown_s[1] - self._shown_s[0]
-        start = value / _STEPS_PER_S
-        self.range_requested.emit((start, start + length))
+        self.range_requested.emit((value / _STEPS_PER_S, (value + self.pageStep()) / _STEPS_PER_S))
+
+
+#: What "+ Add" offers: what the entry says, and what it adds.
+ADDED: tuple[tuple[str, type[Waveform]], ...] = (
+    ("Tone", Tone),
+    ("Wavelet train", WaveletTrain),
+    ("Pulse", Tap),
+    ("Sweep", Chirp),
+    ("Noise", Noise),
+)
 
 
 class TimelineToolbar(QtWidgets.QWidget):
-    """Buttons for snapping and zoom.
+    """Buttons that add and draw clips, and for snapping and zoom.
 
     Attributes
     ----------
+    add
+        Adds a clip of the kind that was added last; its menu names others.
     snap, everything
-        The buttons that let edges snap, and show all of the time.
+        The buttons that let edges snap, and fit the content.
     """
 
+    #: A kind of waveform, whose clip is to be added.
+    add_requested = Signal(object)
+    #: A clip is to be drawn: a new one, or the selected one.
+    draw_requested = Signal(bool)
+    file_requested = Signal()
     zoom_requested = Signal(float)
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setStyleSheet("QToolButton { padding: 1px 6px; }")
         self._row = in_row(of=self, margins=(4, 1, 4, 1), gap_px=2)
+        self._kind: type[Waveform] = Tone
+        self.add = self._button("add", "+ Add", "Add a clip at the playhead; the arrow: others")
+        self.add.setPopupMode(self.add.ToolButtonPopupMode.MenuButtonPopup)
+        menu = QtWidgets.QMenu(self.add)
+        for text, kind in ADDED:
+            menu.addAction(text).triggered.connect(partial(self._add, kind))
+        menu.addAction("Draw").triggered.connect(lambda: self.draw_requested.emit(True))
+        menu.addAction("File…").triggered.connect(self.file_requested)
+        self.add.setMenu(menu)
+        self.add.clicked.connect(lambda: self.add_requested.emit(self._kind))
+        draw = self._button("draw", "Draw", "Draw the selected clip, or a new one")
+        draw.clicked.connect(lambda: self.draw_requested.emit(False))
+        self._row.addStretch(1)
         self.snap = self._button(
-            "Snap", "Edges snap to the grid, to ends of clips and to the playhead"
+            "snap", "Snap", "Edges snap to the grid, to ends of clips and to the playhead"
         )
         self.snap.setCheckable(True)
         self.snap.setChecked(True)
-        self._wider = self._button("\u2212", _hint("zoom_out"))
-        self._wider.clicked.connect(lambda: self.zoom_requested.emit(1 / ZOOM))
-        self._closer = self._button("+", _hint("zoom_in"))
-        self._closer.clicked.connect(lambda: self.zoom_requested.emit(ZOOM))
-        self.everything = self._button("Fit", _hint("whole"))
-        self._buttons = (self.snap, self._wider, self._closer, self.everything)
-        self._row.addStretch(1)
-        LayoutWatcher(self).changed.connect(self._fit)
+        wider = self._button("zoom_out", "\u2212", _hint("zoom_out"))
+        wider.clicked.connect(lambda: self.zoom_requested.emit(1 / ZOOM))
+        closer = self._button("zoom_in", "+", _hint("zoom_in"))
+        closer.clicked.connect(lambda: self.zoom_requested.emit(ZOOM))
+        self.everything = self._button("fit", "Fit", _hint("whole"))
 
-    def show_zoom(self, zoomed: bool) -> None:
-        """Show whether less than everything is shown."""
-        self.everything.setEnabled(zoomed)
-        self._wider.setEnabled(zoomed)
+    def _add(self, kind: type[Waveform]) -> None:
+        self._kind = kind
+        self.add_requested.emit(kind)
 
-    def _fit(self) -> None:
-        # Heads do not become as wide as the largest letters, so that lanes have room.
-        around = self._row.contentsMargins()
-        gaps = around.left() + around.right() + self._row.spacing() * len(self._buttons)
-        room = self.width() - gaps
-        set_fonts(fitting_font((self._buttons,), self.font(), room), self._buttons)
-
-    def _button(self, text: str, hint: str) -> QtWidgets.QToolButton:
+    def _button(self, name: str, text: str, hint: str) -> QtWidgets.QToolButton:
         button = QtWidgets.QToolButton(self)
-        button.setObjectName(f"timeline_{text.lower()}")
+        button.setObjectName(f"timeline_{name}")
         button.setText(text)
         button.setToolTip(hint)
         button.setAccessibleName(hint)
@@ -167,6 +188,8 @@ def _silence_reason(track: Input, *, audible: bool) -> str:
 
 _LEAST_LANES_PX, _BARS_PX = 140, 12
 _ROWS_PER_NOTCH = 3
+# Length of a new clip that is to be drawn.
+_DRAWN_S = 0.2
 
 
 class TimelinePanel(Panel):
@@ -174,7 +197,7 @@ class TimelinePanel(Panel):
 
     Attributes
     ----------
-    list, lanes
+    heads, lanes
         The heads, and the lanes beside them, which scroll at the same time.
     """
 
@@ -186,19 +209,22 @@ class TimelinePanel(Panel):
         # What each clip plays, and the clips as they were then, by their ids.
         self._computed_clips: Mapping[int, Clip] = {}
         self._waveforms: Mapping[int, Floats] = {}
+        # What each track plays, before its amplitude, and the largest value of it, by its id.
+        self._peaks: dict[int, tuple[Floats, float]] = {}
         self._rate_hz = SAMPLE_RATE_HZ
         self._problems: Mapping[int, str] = {}
         self._design, self._view = Design(limb=""), View()
-        self.list, self.lanes = InputList(), LanesView()
+        self.heads, self.lanes = Heads(), LanesView()
         self._toolbar, self._time_bar = TimelineToolbar(), TimeBar()
         self._bar = QtWidgets.QScrollBar(Qt.Orientation.Vertical)
         self._bar.setAccessibleName("Tracks shown")
+        self._corner = QtWidgets.QWidget()
         table = QtWidgets.QWidget()
         grid = QtWidgets.QGridLayout(table)
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setSpacing(0)
-        grid.addWidget(self._toolbar, 0, 0)
-        grid.addWidget(self.list, 1, 0)
+        grid.addWidget(self._corner, 0, 0)
+        grid.addWidget(self.heads, 1, 0)
         grid.addWidget(self.lanes, 0, 1, 2, 1)
         grid.addWidget(self._bar, 0, 2, 2, 1)
         grid.addWidget(self._time_bar, 2, 1)
@@ -212,27 +238,26 @@ class TimelinePanel(Panel):
         self._stack = QtWidgets.QStackedLayout()
         self._stack.addWidget(self._empty)
         self._stack.addWidget(table)
-        in_column((self._stack, 1), self._foot, of=self, margins=0, gap_px=0)
-        self.setFocusProxy(self.list.rows)
+        in_column(self._toolbar, (self._stack, 1), self._foot, of=self, margins=0, gap_px=0)
+        self.setFocusProxy(self.heads)
         self._connect()
 
     def minimumSizeHint(self) -> QSize:
         # Room for one whole track below the ruler, and for some of its time.
-        row = row_places(self._heads_px, self.fontMetrics().height()).row.height()
-        height = round(self.lanes.ruler_px) + row + _BARS_PX
-        least = QSize(self._heads_px + _LEAST_LANES_PX, height)
+        row = row_px(self.fontMetrics().height())
+        above = self._toolbar.sizeHint().height() + round(self.lanes.ruler_px)
+        least = QSize(self._heads_px + _LEAST_LANES_PX, above + row + _BARS_PX)
         return super().minimumSizeHint().expandedTo(least)
 
     @property
     def needs(self) -> frozenset[str]:
-        """What each clip plays."""
-        return frozenset({"clip_waveforms", "inputs", "sample_rate_hz"})
+        """What each clip plays, and each track."""
+        return frozenset({"clip_waveforms", "input_waveforms", "inputs", "sample_rate_hz"})
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
-        self.list.show_state(design, view)
+        self._show_heads()
         self._stack.setCurrentIndex(1 if design.inputs else 0)
-        self._toolbar.show_zoom(view.time_range_s is not None)
         self._place_lanes()
         if self.is_stale:
             self.show_staleness(True)
@@ -247,6 +272,13 @@ class TimelinePanel(Panel):
         clips = (clip for track in results["inputs"] for clip in track.clips)
         self._computed_clips = {clip.id: clip for clip in clips}
         self._waveforms = waveforms_of(results)
+        played = zip(results["inputs"], results["input_waveforms"], strict=True)
+        self._peaks = {
+            track.id: self._peak_of(track.id, samples)
+            for track, samples in played
+            if samples is not None
+        }
+        self._show_heads()
         self.show_staleness(self.is_stale)
 
     def show_unplayable(self, unplayable: tuple[UnplayableInput, ...]) -> None:
@@ -269,7 +301,8 @@ class TimelinePanel(Panel):
         self.lanes.change(waveforms=shown, awaited=awaited, sample_rate_hz=self._rate_hz)
 
     def show_problem(self, reason: str) -> None:
-        self._computed_clips, self._waveforms = {}, {}
+        self._computed_clips, self._waveforms, self._peaks = {}, {}, {}
+        self._show_heads()
         self.show_staleness(self.is_stale)
         self._show_foot(reason)
 
@@ -280,6 +313,8 @@ class TimelinePanel(Panel):
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange:
+            # Some desktops have a font of their own for lists.
+            self.heads.setFont(self.font())
             self._place_lanes()
 
     def drop_place(self, at: QPoint) -> DropPlace | None:
@@ -288,7 +323,7 @@ class TimelinePanel(Panel):
         if lane is None or not self.lanes.isVisible():
             return None
         # Over a head there is no time.
-        onset_s = self.lanes.mouse.time_at(place) if place.x() >= 0.0 else 0.0
+        onset_s = self.lanes.mouse.time_at(place) if place.x() >= 0.0 else None
         return DropPlace(input_id=lane.track.id, onset_s=onset_s)
 
     def show_drop(self, at: QPoint | None) -> None:
@@ -302,42 +337,65 @@ class TimelinePanel(Panel):
         return heads_px(self.fontMetrics().height())
 
     def _connect(self) -> None:
-        lanes, bar = self.lanes, self.list.verticalScrollBar()
-        self.list.rows.edited.connect(self.edited)
+        lanes, bar, tools = self.lanes, self.heads.verticalScrollBar(), self._toolbar
+        self.heads.edited.connect(self.edited)
         lanes.edited.connect(self.edited)
         lanes.view_changed.connect(self._show_view)
         lanes.playhead_requested.connect(self.playhead_requested)
+        lanes.action_requested.connect(self.action_requested)
         lanes.opened.connect(lambda: self.action_requested.emit("show_clip_editor"))
         lanes.elsewhere = self._drop_place_elsewhere
         lanes.scroll_requested.connect(self._scroll)
-        self._toolbar.snap.clicked.connect(lanes.set_snaps)
-        self._toolbar.zoom_requested.connect(lanes.zoom)
-        self._toolbar.everything.clicked.connect(lanes.show_everything)
+        tools.add_requested.connect(lambda kind: self._add(kind()))
+        tools.draw_requested.connect(self._draw)
+        tools.file_requested.connect(lambda: self.action_requested.emit("import_recording"))
+        tools.snap.clicked.connect(lanes.set_snaps)
+        tools.zoom_requested.connect(lanes.zoom)
+        tools.everything.clicked.connect(lanes.show_everything)
         self._time_bar.range_requested.connect(lanes.show_range)
-        bar.rangeChanged.connect(self._follow_heads)
-        # Heads have become higher, or lower.
-        bar.rangeChanged.connect(self._place_lanes)
+        self.heads.laid_out.connect(self._follow_heads)
+        self.heads.laid_out.connect(self._place_lanes)
         bar.valueChanged.connect(self._follow_heads)
         bar.valueChanged.connect(self._place_lanes)
         self._bar.valueChanged.connect(bar.setValue)
 
+    def _add(self, waveform: Waveform) -> None:
+        self.edited.emit(edits.add_waveform(self._design, self._view, waveform), None)
+
+    def _draw(self, new: bool) -> None:
+        """Take the pen to the selected clip, or to a new one, which is silent yet."""
+        if new or leading_clip(self._design, self._view) is None:
+            values = np.zeros(round(_DRAWN_S * self._rate_hz))
+            self._add(Drawn(Samples(values=values, sample_rate_hz=self._rate_hz)))
+        self.action_requested.emit("draw_clip")
+
+    def _show_heads(self) -> None:
+        peaks = {id: peak for id, (_, peak) in self._peaks.items()}
+        self.heads.show_state(self._design, self._view, peaks)
+
+    def _peak_of(self, id: int, samples: Floats) -> tuple[Floats, float]:
+        known = self._peaks.get(id)
+        if known is not None and known[0] is samples:
+            return known
+        return samples, float(np.abs(samples).max(initial=0.0))
+
     def _place_lanes(self) -> None:
         """Put each lane beside its head."""
-        self.list.setFixedWidth(self._heads_px)
-        self._toolbar.setFixedSize(self._heads_px, int(self.lanes.ruler_px))
-        top = int(self.lanes.ruler_px) - self.list.verticalScrollBar().value()
-        row_px = max((row.height() for row in self.list.rows.rows), default=0)
-        lanes = lanes_of(self._design, self._view, row_px, top, self._problems)
+        self.heads.setFixedWidth(self._heads_px)
+        self._corner.setFixedSize(self._heads_px, int(self.lanes.ruler_px))
+        top = int(self.lanes.ruler_px) - self.heads.verticalScrollBar().value()
+        height = row_px(self.heads.fontMetrics().height())
+        lanes = lanes_of(self._design, self._view, height, top, self._problems)
         self.lanes.show_state(self._design, self._view, lanes)
-        content = self.lanes.content
-        self._time_bar.show_range(content.scale.shown_s, content.lengths.whole_s)
+        shown_s, end_s = self.lanes.content.scale.shown_s, self.lanes.content.lengths.end_s
+        self._time_bar.show_range(shown_s, (0.0, max(end_s, shown_s[1])))
 
     def _scroll(self, notches: float) -> None:
-        bar = self.list.verticalScrollBar()
+        bar = self.heads.verticalScrollBar()
         bar.setValue(round(bar.value() - notches * bar.singleStep() * _ROWS_PER_NOTCH))
 
     def _follow_heads(self) -> None:
-        bar = self.list.verticalScrollBar()
+        bar = self.heads.verticalScrollBar()
         with QSignalBlocker(self._bar):
             self._bar.setRange(bar.minimum(), bar.maximum())
             self._bar.setPageStep(bar.pageStep())

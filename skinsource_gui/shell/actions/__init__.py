@@ -6,6 +6,7 @@ Each menu has a module here, whose table holds its entries in their order.
 from dataclasses import replace
 
 from skinsource_gui.qt.keys import SHORTCUTS
+from skinsource_gui.shell.actions.clip_menu import CLIP
 from skinsource_gui.shell.actions.edit_menu import EDIT
 from skinsource_gui.shell.actions.file_menu import FILE
 from skinsource_gui.shell.actions.help_menu import HELP
@@ -13,7 +14,7 @@ from skinsource_gui.shell.actions.play_menu import PLAY
 from skinsource_gui.shell.actions.spec import ActionSpec
 from skinsource_gui.shell.actions.view_menu import VIEW
 
-MENUS = {"File": FILE, "Edit": EDIT, "View": VIEW, "Play": PLAY, "Help": HELP}
+MENUS = {"File": FILE, "Edit": EDIT, "Clip": CLIP, "View": VIEW, "Play": PLAY, "Help": HELP}
 ACTIONS: tuple[ActionSpec, ...] = tuple(
     replace(spec, menu=title) for title, specs in MENUS.items() for spec in specs
 )

@@ -1,6 +1,6 @@
 """The entries of the Edit menu.
 
-The usual keys of the clipboard belong to the timeline: elsewhere they belong to texts and tables.
+The usual keys of the clipboard are about clips, but in texts and in tables.
 """
 
 from collections.abc import Callable, Iterable
@@ -11,17 +11,13 @@ from skinsource.design.comparing import NUMBERS
 from skinsource.design.design import Design, Input
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.view import View
+from skinsource_gui.panels.timeline.clipboard import copy_clips, cut_clips, paste_clips
 from skinsource_gui.qt.keys import key_text
 from skinsource_gui.shell.actions.spec import ActionSpec, action
-from skinsource_gui.state.job_runner import selected_train
 
 
 def _has_clips(design: Design, view: View) -> bool:
     return bool(design.clips)
-
-
-def _hint(text: str, name: str) -> str:
-    return f"{text} ({key_text('timeline', name)}, in the timeline)"
 
 
 def _has_snapshots(design: Design, view: View) -> bool:
@@ -54,10 +50,6 @@ def _selected(design: Design, view: View) -> list[Input]:
 
 def _has_selected(design: Design, view: View) -> bool:
     return bool(view.selected_inputs)
-
-
-def _has_train(design: Design, view: View) -> bool:
-    return selected_train(design, view) is not None
 
 
 def _all_muted(design: Design, view: View) -> bool:
@@ -95,9 +87,9 @@ EDIT: tuple[ActionSpec, ...] = (
     action(
         "cut_clips",
         "Cut clips",
-        _hint("Move the selected clips to the clipboard", "cut"),
-        command="clips.cut",
-        key_elsewhere=key_text("timeline", "cut"),
+        "Move the selected clips to the clipboard",
+        "Ctrl+X",
+        edit=cut_clips,
         enabled=_has_clips,
         keywords="clipboard remove move",
         separated=True,
@@ -105,27 +97,19 @@ EDIT: tuple[ActionSpec, ...] = (
     action(
         "copy_clips",
         "Copy clips",
-        _hint("Put the selected clips on the clipboard", "copy"),
-        command="clips.copy",
-        key_elsewhere=key_text("timeline", "copy"),
+        "Put the selected clips on the clipboard",
+        "Ctrl+C",
+        edit=copy_clips,
         enabled=_has_clips,
         keywords="clipboard",
     ),
     action(
         "paste_clips",
-        "Paste clips at playhead",
-        _hint("Put the clips of the clipboard at the playhead", "paste"),
-        command="clips.paste",
-        key_elsewhere=key_text("timeline", "paste"),
+        "Paste clips",
+        "Put clips at the playhead, on the selected track",
+        "Ctrl+V",
+        edit=paste_clips,
         keywords="clipboard insert",
-    ),
-    action(
-        "make_motion",
-        "Motion…",
-        "Sweeps, apparent motion, taps, … along a path of places",
-        command="pages.show_motion",
-        keywords="path sweep apparent phantom alternate rabbit travelling wave preset",
-        separated=True,
     ),
     action(
         "save_to_library",
@@ -181,16 +165,6 @@ EDIT: tuple[ActionSpec, ...] = (
         enabled=_has_selected,
         checked=_all_solo,
         keywords="alone only actuator",
-    ),
-    action(
-        "equalise_on_skin",
-        "Equal on the skin",
-        "Give the wavelets of the selected train gains with which the loudest 100 ms of each, "
-        "anywhere on the skin, are predicted alike",
-        command="levelling.equalise",
-        enabled=_has_train,
-        keywords="wavelet train gains level loudness equalise normalise",
-        separated=True,
     ),
     action(
         "shift_input_up",

@@ -4,7 +4,7 @@ from functools import partial
 
 from skinsource.design import edits
 from skinsource.design.design import Design
-from skinsource.design.edits.edit import Edit, Refusal, leading_clip
+from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.view import View
 from skinsource_gui.panels.skin.settings import has_colours, use_colours
 from skinsource_gui.plots.small_map import COLOURS
@@ -24,10 +24,6 @@ def _toggle_delay(design: Design, view: View) -> Edit | Refusal:
 
 def _delay_removed(design: Design, view: View) -> bool:
     return view.delay_removed
-
-
-def _has_clip(design: Design, view: View) -> bool:
-    return leading_clip(design, view) is not None
 
 
 VIEW: tuple[ActionSpec, ...] = (
@@ -63,30 +59,13 @@ VIEW: tuple[ActionSpec, ...] = (
         keywords="arrange layout panels docks default",
     ),
     action(
-        "show_clip_editor",
-        "Edit clip",
-        "Show the selected clip large, to draw and to shape it; again: go back",
-        "F4",
-        command="panel_focus.show",
-        argument="clip_editor",
-        keywords="draw waveform envelope pen freehand",
-        separated=True,
-    ),
-    action(
-        "draw_clip",
-        "Draw clip",
-        "Show the selected clip large, and take the pen",
-        command="clip_drawing.begin",
-        enabled=_has_clip,
-        keywords="drawn waveform pen freehand samples",
-    ),
-    action(
         "next_panel",
         "Go to next panel",
         "Give the keyboard to it",
         "F6",
         command="panel_focus.next",
         keywords="focus keyboard",
+        separated=True,
     ),
     action(
         "previous_panel",

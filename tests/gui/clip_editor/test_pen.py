@@ -76,18 +76,6 @@ def test_a_tone_becomes_samples_after_one_question(tone, monkeypatch):
     np.testing.assert_array_equal(tone.drawn[100:], Tone(100.0, 0.0, 0.2).samples(RATE_HZ)[100:])
 
 
-def test_bounding_leaves_what_lies_within_the_band(flat, qtbot):
-    time_s = np.arange(1300) / RATE_HZ
-    slow = np.sin(2 * np.pi * 10 * time_s) + np.sin(2 * np.pi * 100 * time_s)
-    bench = Bench(qtbot, Drawn(Samples(values=slow / 2, sample_rate_hz=RATE_HZ)))
-    assert bench.panel._spectrum.outside == pytest.approx(0.5, abs=0.01)
-    bench.panel._pen.bound()
-    # What is left outside comes from the hard ends.
-    assert bench.panel._spectrum.outside < 1e-3
-    np.testing.assert_allclose(bench.drawn, np.sin(2 * np.pi * 100 * time_s) / 2, atol=1e-9)
-    assert len(bench.steps) == 1
-
-
 @pytest.fixture
 def questions(monkeypatch):
     asked = []
@@ -109,9 +97,21 @@ def test_the_clip_of_another_design_is_asked_about_though_it_has_the_same_number
     assert other.clips[0].id == bench.clip.id
     bench.design = other
     bench.show()
-    assert bench.canvas.tool is bench.panel._view_tool
-    bench.panel.use("pen")
+    bench.drag((0.05, 0.0), (0.06, 0.5))
     assert len(questions) == 2
+    assert bench.clip.waveform == Tone(50.0)
+    bench.drag((0.05, 0.0), (0.06, 0.5))
+    assert isinstance(bench.clip.waveform, Drawn)
+    assert len(questions) == 2
+
+
+def test_draw_stays_on_when_a_step_is_taken_back(flat):
+    flat.panel.use("pen")
+    for before in (flat.design, flat.design.with_clip(1, waveform=Tone(50.0))):
+        flat.drag((0.05, 0.0), (0.08, 0.5))
+        flat.design = before
+        flat.show()
+        assert flat.canvas.tool is flat.panel._tools["pen"]
 
 
 def test_a_pen_draws_as_far_as_a_loud_recording_goes(qtbot, questions):

@@ -50,8 +50,8 @@ def test_only_what_the_file_leaves_open_is_asked(page_at, sound, tmp_path):
     shown = {w.objectName() for w in form.children() if w.isWidgetType() and w.isVisible()}
     asked = {name for name in shown if name.startswith("import_")}
     assert asked == {
-        "import_signal", "import_unit", "import_scale", "import_offset", "import_start",
-        "import_duration",
+        "import_signal", "import_axes", "import_unit", "import_scale", "import_offset",
+        "import_start", "import_duration",
     }  # fmt: skip
     rows = "\n".join(f"{k / 1300:.6f},{np.sin(k):.6f}" for k in range(500))
     (tmp_path / "a.csv").write_text(f"time [s],acc [g]\n{rows}\n")
@@ -114,14 +114,8 @@ def test_the_whole_is_shown_and_its_part_is_dragged(page_at, qtbot, tmp_path):
     loud = np.flatnonzero(strip.extremes[1] > 0.5) * 8.0 / strip.extremes.shape[1]
     assert (loud[0], loud[-1]) == (pytest.approx(5.0, abs=0.05), pytest.approx(6.0, abs=0.05))
     assert strip.isVisible()
-    ends = [QPoint(round(strip.x_of(at)), 20) for at in (8.0, 7.0)]
-    qtbot.mousePress(strip, Qt.MouseButton.LeftButton, pos=ends[0] - QPoint(1, 0))
-    qtbot.mouseMove(strip, ends[1])
-    qtbot.mouseRelease(strip, Qt.MouseButton.LeftButton, pos=ends[1])
-    middle = QPoint(round(strip.x_of(3.5)), 20)
-    qtbot.mousePress(strip, Qt.MouseButton.LeftButton, pos=middle)
-    qtbot.mouseMove(strip, middle + QPoint(round(strip.x_of(1.0)), 0))
-    qtbot.mouseRelease(strip, Qt.MouseButton.LeftButton, pos=middle)
+    drag(qtbot, strip, 8.0, 7.5, 7.0)
+    drag(qtbot, strip, 3.5, 4.0, 4.5)
     choice = page.form.choice
     assert choice.duration_s == pytest.approx(7.0, abs=0.1)
     assert choice.start_s == pytest.approx(1.0, abs=0.1)
@@ -131,10 +125,12 @@ def test_the_whole_is_shown_and_its_part_is_dragged(page_at, qtbot, tmp_path):
 
 def drag(qtbot, strip, *times_s):
     places = [QPoint(round(strip.x_of(time_s)), 20) for time_s in times_s]
-    qtbot.mousePress(strip, Qt.MouseButton.LeftButton, pos=places[0])
+    view = strip.viewport()
+    qtbot.mousePress(view, Qt.MouseButton.LeftButton, pos=places[0])
     for place in places[1:]:
-        qtbot.mouseMove(strip, place)
-    qtbot.mouseRelease(strip, Qt.MouseButton.LeftButton, pos=places[-1])
+        qtbot.mouseMove(view, place)
+        QApplication.processEvents()
+    qtbot.mouseRelease(view, Qt.MouseButton.LeftButton, pos=places[-1])
 
 
 def test_time_stamps_say_how_long_a_table_is(page_at, qtbot, tmp_path):
@@ -205,6 +201,7 @@ def test_three_axes_are_offered_as_one(desk, page_at, qtbot, tmp_path):
     assert [field.itemText(k) for k in range(field.count())] == [
         "acc_x alone",
         "With acc_y and acc_z, as one (DFT321)",
+        "Each of 3, a clip on its own place",
     ]
     choose(page, qtbot, "axes", "1 2")
     qtbot.waitUntil(lambda: page.ready, timeout=60_000)

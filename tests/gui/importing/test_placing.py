@@ -3,11 +3,13 @@
 import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDragLeaveEvent, QDragMoveEvent, QDropEvent
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 
 from skinsource.design import edits
 from skinsource.design.waveforms.samples import Recording
 from skinsource_gui.pages import actions
+from skinsource_gui.panels.timeline.content import clip_name
 
 
 def test_a_recording_goes_in_place_of_what_stands_for_one_and_of_another_when_that_is_said(
@@ -68,10 +70,10 @@ def site(window, number):
 @pytest.mark.parametrize("where", ["site", "row", "elsewhere"])
 def test_a_file_that_is_dropped_goes_where_it_was_dropped(window, qtbot, sound, where):
     first = window.document.design.inputs[0]
-    row = window.findChild(QWidget, "input_rows").rows[0]
+    row = window.panel("timeline").heads.viewport()
     at = {
         "site": site(window, 13),
-        "row": row.mapTo(window, row.rect().center()),
+        "row": row.mapTo(window, QPoint(60, 10)),
         "elsewhere": window.panel("traces").mapTo(window, QPoint(50, 50)),
     }[where]
     assert drop(window, sound, at, QDragEnterEvent).isAccepted()
@@ -100,3 +102,40 @@ def test_a_site_lights_up_while_a_recording_is_held_over_it(window, sound, tmp_p
     assert stage.state.target is None
     drop(window, tmp_path / "a.skinsource", at, QDragEnterEvent)
     assert stage.state.target is None
+
+
+def test_a_recording_goes_to_the_playhead_or_behind_the_last_clip_and_has_the_name_of_its_file(
+    desk, page_at, sound
+):
+    document = desk.document
+    first = document.design.inputs[0]
+    page_at(sound).accept()
+    clip = document.design.inputs[0].clips[-1]
+    assert clip.onset_s == first.clips[0].end_s
+    assert clip_name(clip).startswith("tap.wav")
+    document.apply(edits.move_playhead(document.design, document.view, 3.0))
+    page_at(sound).accept()
+    assert document.design.inputs[0].clips[-1].onset_s == 3.0
+
+
+def test_each_channel_gets_a_clip_on_a_place_of_its_own_and_keeps_its_share(
+    desk, qtbot, page_at, sound
+):
+    document = desk.document
+    document.apply(edits.move_playhead(document.design, document.view, 1.0))
+    page = page_at(sound)
+    field = page.form.findChild(QWidget, "import_axes")
+    assert field.isVisibleTo(page)
+    QTest.keyClick(field, Qt.Key.Key_Down)
+    qtbot.waitUntil(lambda: page.ready, timeout=60_000)
+    assert page.preview.text.startswith("1 of 2")
+    before = document.undo_stack.count()
+    page.accept()
+    assert document.undo_stack.count() == before + 1
+    tracks = document.design.inputs
+    assert [track.location for track in tracks] == [7, 8]
+    clips = [track.clips[-1] for track in tracks]
+    assert [clip.waveform.name for clip in clips] == ["tap.wav, channel 1", "tap.wav, channel 2"]
+    assert [clip.onset_s for clip in clips] == [1.0, 1.0]
+    assert [clip.waveform.samples.peak for clip in clips] == pytest.approx([1.0, 0.5], rel=1e-3)
+    assert document.view.selected_inputs == document.design.ids

@@ -89,6 +89,26 @@ def _open(hands, lanes):
     hands.double_click(lanes, _on_clip(hands, lanes))
 
 
+def on_heads(hands):
+    heads = shown_panel(hands, "timeline").heads
+    if not heads.heads:
+        return
+    row = int(hands.random.integers(len(heads.heads)))
+    heads.scrollTo(heads.model().index(row))
+    parts = heads.places(row)
+    at = getattr(parts, hands.one_of(("swatch", "mute", "solo", "fader"))).center().toPoint()
+    way = hands.one_of(("drag", "click", "wheel", "double", "menu"))
+    if way == "drag":
+        by = QPoint(int(hands.number(-60, 60)), int(hands.one_of((0, hands.number(-50, 50)))))
+        hands.drag(heads, at, at + by, hands.one_of((NONE, CONTROL)))
+    elif way == "wheel":
+        hands.wheel(heads, at, hands.one_of((-2, 1)))
+    elif way == "menu":
+        hands.menu_of(heads, at)
+    else:
+        (hands.click if way == "click" else hands.double_click)(heads, at)
+
+
 def in_editor(hands):
     view = shown_panel(hands, "clip_editor").findChild(EditorView)
     tools = (Qt.Key.Key_P, Qt.Key.Key_E, Qt.Key.Key_E, Qt.Key.Key_V)
@@ -100,7 +120,7 @@ def in_editor(hands):
         # Where the level envelope lies.
         start = QPoint(start.x(), round(view.content.y(1.0)))
     if hands.chance(0.05):
-        hands.click(hands.window.panel("clip_editor").findChild(object, "clip_bound to band"))
+        hands.window.do("limit_to_band")
     else:
         _anything(hands, view, start, (RIGHT,))
 

@@ -174,6 +174,7 @@ class Hands:
             patch.object(QFileDialog, "getOpenFileName", self._open_which),
             patch.object(QFileDialog, "getSaveFileName", self._save_where),
             patch.object(QMessageBox, "question", self._answer),
+            patch.object(QInputDialog, "getDouble", lambda *_, **__: (300.0, self.chance(0.8))),
             patch.object(
                 QInputDialog, "getText", lambda *_, **__: ("Other name", self.chance(0.8))
             ),

@@ -26,6 +26,7 @@ from tests.gui.monkey.watch import Watch
 #: Deeds, and how often each is done.
 DEEDS = (
     *(10 * [canvases.on_lanes] + 5 * [canvases.on_hand] + 5 * [canvases.in_editor]),
+    *(3 * [canvases.on_heads]),
     *(2 * [canvases.on_plots] + 6 * [fields.of_menus] + 8 * [fields.press_keys]),
     *(8 * [fields.in_numbers] + 4 * [fields.in_lists] + 4 * [fields.on_buttons]),
     *(2 * [fields.in_rows] + [fields.on_docks, fields.on_window, fields.in_pages]),

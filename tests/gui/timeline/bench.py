@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+import numpy as np
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
@@ -12,7 +13,7 @@ from skinsource.design.edits.edit import Refusal
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Tap
 from skinsource.design.waveforms.tones import Tone
-from skinsource_gui.panels.timeline.heads import InputRows
+from skinsource_gui.panels.timeline.heads import Heads
 from skinsource_gui.panels.timeline.panel import TimelinePanel
 
 LEFT, NONE = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
@@ -47,10 +48,22 @@ class Bench:
 
     @property
     def rows(self):
-        return self.panel.findChild(InputRows, "input_rows")
+        return self.panel.findChild(Heads, "input_rows")
 
-    def row(self, index):
-        return self.rows.rows[index]
+    def head(self, index):
+        """What is said and shown of a head."""
+        return self.rows.model().index(index)
+
+    def place(self, index, part="swatch"):
+        """The middle of a part of a head."""
+        return getattr(self.rows.places(index), part).center().toPoint()
+
+    def press(self, index, part="swatch", held=NONE):
+        QTest.mouseClick(self.rows.viewport(), LEFT, held, self.place(index, part))
+
+    @property
+    def content(self):
+        return self.panel.lanes.content
 
     @property
     def labels(self):
@@ -96,16 +109,19 @@ def design_of(*places, **changes):
     return design
 
 
-def click(widget, at=None):
-    QTest.mouseClick(widget, LEFT, pos=at or widget.rect().center())
-
-
 def results_of(design):
     """What the engine would tell of a design, so far as the panel needs it."""
     waveforms = tuple(
         tuple(clip.waveform.samples(1300.0) for clip in track.clips) for track in design.inputs
     )
-    return {"clip_waveforms": waveforms, "inputs": design.inputs, "sample_rate_hz": 1300.0}
+    # One clip behind the other is as loud as they are in their places.
+    tracks = tuple(np.concatenate((np.zeros(1), *played)) for played in waveforms)
+    return {
+        "clip_waveforms": waveforms,
+        "input_waveforms": tracks,
+        "inputs": design.inputs,
+        "sample_rate_hz": 1300.0,
+    }
 
 
 CLIPS = (
@@ -137,10 +153,6 @@ class LanesBench(Bench):
     def lanes(self):
         return self.panel.lanes
 
-    @property
-    def content(self):
-        return self.lanes.content
-
     def box(self, clip):
         return next(box.rect for box in self.content.boxes if box.clip.id == clip)
 
@@ -158,8 +170,9 @@ class LanesBench(Bench):
         lane_box = self.content.lanes[lane]
         return QPointF(self.content.scale.x(time_s), (lane_box.top_px + lane_box.bottom_px) / 2)
 
-    def on_ruler(self, time_s):
-        return QPointF(self.content.scale.x(time_s), 4)
+    def on_ruler(self, time_s, y=18):
+        """A place on the lower half of the ruler; loop and markers are on the upper one."""
+        return QPointF(self.content.scale.x(time_s), y)
 
     def drag(self, start, end, held=NONE, *, release=True, steps=3):
         """Press, move in some steps, and let go."""

@@ -82,6 +82,8 @@ def fade(lanes):
     lanes.drag(corner, corner + lanes.px(0.05))
     (effect,) = lanes.design.clip(2).effects
     assert (effect.in_s, effect.out_s) == (pytest.approx(0.05, abs=0.003), 0.0)
+    # To a tenth of a millisecond.
+    assert effect.in_s == pytest.approx(round(effect.in_s, 4), abs=1e-9)
     # It is caught again where it ends.
     end = corner + lanes.px(0.05)
     assert lanes.lanes.mouse.cursor_at(end) == Qt.CursorShape.SizeFDiagCursor
@@ -200,7 +202,12 @@ def playhead(lanes):
 
 
 def loop(lanes):
-    lanes.drag(lanes.on_ruler(0.2), lanes.on_ruler(0.5), SHIFT)
+    lanes.drag(lanes.on_ruler(0.2, 4), lanes.on_ruler(0.5, 4))
+    assert lanes.design.loop_s == pytest.approx((0.2, 0.5), abs=0.004)
+    assert lanes.view.playhead_s == 0.0
+    # A click there puts the playhead, and the loop stays.
+    lanes.click(lanes.on_ruler(0.35, 4))
+    assert lanes.view.playhead_s == pytest.approx(0.35, abs=0.004)
     assert lanes.design.loop_s == pytest.approx((0.2, 0.5), abs=0.004)
 
 
@@ -219,7 +226,7 @@ def move_marker(lanes):
     lanes.lanes.set_snaps(True)
     lanes.show(edits.add_marker(lanes.design, lanes.view, 0.61, "hit").design)
     # It does not snap to where it was.
-    lanes.drag(lanes.on_ruler(0.61), lanes.on_ruler(0.61) + QPointF(6, 0))
+    lanes.drag(lanes.on_ruler(0.61, 4), lanes.on_ruler(0.61, 4) + QPointF(6, 0))
     (moved,) = lanes.design.markers
     assert 0.61 < moved.time_s < 0.63
     assert moved == Marker(time_s=moved.time_s, name="hit")
@@ -312,7 +319,7 @@ def test_what_help_lists_is_what_the_mouse_does(lanes, where, name):
         (lambda lanes: end_of(lanes, 2), (-40, 0), NONE),
         (lambda lanes: end_of(lanes, 2), (40, 0), SHIFT),
         (lambda lanes: lanes.box(2).topLeft() + QPointF(3, 4), (40, 0), NONE),
-        (lambda lanes: lanes.on_ruler(0.2), (40, 0), SHIFT),
+        (lambda lanes: lanes.on_ruler(0.2, 4), (40, 0), NONE),
         (lambda lanes: strip_of(lanes).at(0.6, 1.0), (40, 8), NONE),
         (lambda lanes: strip_of(lanes).at(0.55, 1.0), (0, 8), NONE),
         (lambda lanes: strip_of(lanes).at(0.55, 1.0), (0, 8), CONTROL),

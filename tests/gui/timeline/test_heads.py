@@ -1,22 +1,22 @@
 """The heads of the tracks: what they show, and what mouse, keys and menu do to tracks."""
 
+import itertools
 from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
-from PySide6.QtGui import QContextMenuEvent
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QContextMenuEvent, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QMenu, QToolButton
 
 from skinsource.design.design import Design
 from skinsource.design.view import View
 from skinsource.design.waveforms.samples import Recording
-from skinsource.design.waveforms.tones import Tone
 from skinsource.specs.samples import Samples
 from skinsource_gui.fields.inputs import FieldChanges
+from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.timeline.content import shown_gain_curves
-from skinsource_gui.panels.timeline.head_row import row_places
 from skinsource_gui.qt.keys import key_text
 from skinsource_gui.qt.labels import how_to_add
 from tests.gui.timeline.bench import (
@@ -27,74 +27,143 @@ from tests.gui.timeline.bench import (
     PLACES,
     SHIFT,
     Bench,
-    click,
     design_of,
+    results_of,
 )
+from tests.gui.wheel import NOTCH, turn_wheel
 
 KEY = Qt.Key
-WORDS = QPoint(60, 10)
 
 
-def press_row(bench, index, modifiers=NONE):
-    QTest.mouseClick(bench.row(index), LEFT, modifiers, WORDS)
+def name_of(bench, index):
+    return bench.head(index).data(Qt.ItemDataRole.AccessibleTextRole)
 
 
 def test_there_is_one_row_for_each_input_and_without_any_it_says_what_to_do(bench):
-    assert [row.state.track.location for row in bench.rows.rows] == list(PLACES)
-    assert "7, Digit II, pad: Tone 100 Hz" in bench.row(0).accessibleName()
+    assert [head.track.location for head in bench.rows.heads] == list(PLACES)
+    assert "7, Digit II, pad: Tone 100 Hz" in name_of(bench, 0)
     bench.show(design_of(7, 25))
-    name = "Input at 25, Place 25, not on this hand: Tone"
-    assert bench.row(1).accessibleName().startswith(name)
+    assert name_of(bench, 1).startswith("Input at 25, Place 25, not on this hand: Tone")
     bench.show(Design(limb="synthetic-1"))
     label = bench.panel.findChild(QLabel, "inputs_empty")
     assert label.isVisible()
     assert label.text() == how_to_add("a track")
-    assert bench.rows.rows == ()
+    assert bench.rows.heads == []
 
 
-def test_what_is_not_heard_is_shown_as_silent(bench):
+def test_what_is_not_heard_is_said_to_be_silent(bench):
     bench.show(bench.design.with_input(1, muted=True))
-    assert [row.state.silent for row in bench.rows.rows] == [False, True, False]
+    assert [name_of(bench, k).endswith("silent") for k in range(3)] == [False, True, False]
     bench.show(bench.design.with_input(0, solo=True))
-    assert [row.state.silent for row in bench.rows.rows] == [False, True, True]
+    assert [name_of(bench, k).endswith("silent") for k in range(3)] == [False, True, True]
 
 
 @pytest.mark.parametrize("scale", [1.0, 1.3, 2.0])
-def test_heads_and_the_buttons_above_them_have_room_for_larger_text(bench, scale):
+def test_heads_have_room_for_larger_text_and_lanes_are_as_high(bench, scale):
     font = bench.panel.font()
     font.setPointSizeF(font.pointSizeF() * scale)
     bench.panel.setFont(font)
     QApplication.processEvents()
     snap = bench.panel.findChild(QToolButton, "timeline_snap")
     assert snap.width() >= snap.sizeHint().width()
-    metrics = bench.row(0).fontMetrics()
-    places = row_places(bench.row(0).width(), metrics.height())
+    places, metrics = bench.rows.places(1), bench.rows.fontMetrics()
     assert places.swatch.width() >= metrics.horizontalAdvance("15")
-    assert places.name.left() >= places.swatch.right()
-    # Lanes are as high as their heads.
-    heights = {round(lane.height_px) for lane in bench.panel.lanes.content.lanes}
-    assert heights == {row.height() for row in bench.rows.rows}
+    parts = [places.swatch, places.mute, places.solo]
+    assert all(left.right() <= right.left() for left, right in itertools.pairwise(parts))
+    assert places.solo.bottom() <= places.fader.top() < places.fader.bottom() <= places.meter.top()
+    row = bench.rows.visualRect(bench.head(1))
+    assert row.height() == pytest.approx(40 * max(metrics.height() / 14, 1.0), abs=1)
+    assert metrics.height() == bench.panel.fontMetrics().height()
+    assert row.contains(places.meter.toRect())
+    tops = [round(lane.top_px - bench.panel.lanes.ruler_px) for lane in bench.content.lanes]
+    assert tops == [row.height() * k for k in range(3)]
 
 
-def test_the_head_of_a_recording_that_keeps_its_size_says_the_peak_beside_a_gain(bench):
-    first, other = bench.row(0), bench.row(1)
-    beside = other.amplitude.geometry()
+def test_five_tracks_fit_under_toolbar_and_ruler_in_the_height_of_a_small_screen(qtbot):
+    bench = Bench(qtbot, design_of(7, 2, 15, 16, 18))
+    bench.panel.resize(938, 256)
+    QApplication.processEvents()
+    assert bench.content.lanes[-1].bottom_px <= bench.panel.lanes.height()
+    assert not bench.panel._bar.isVisible()
+    assert bench.rows.width() == 110
+
+
+def tip_of(bench, index):
+    return bench.head(index).data(Qt.ItemDataRole.ToolTipRole)
+
+
+def test_the_tooltip_says_amplitude_and_peak_and_a_gain_where_a_recording_keeps_its_size(bench):
+    bench.show(bench.design.with_input(0, amplitude=-0.5))
+    bench.panel.show_results(results_of(bench.design))
+    assert "-0.5 m/s², peak 0.496 m/s²" in tip_of(bench, 0)
     samples = Samples(values=4.88 * np.hanning(301), sample_rate_hz=1300.0, unit="m/s²")
     clip = replace(bench.design.inputs[0].clips[0], waveform=Recording(samples))
-    bench.show(bench.design.with_input(0, clips=(clip,), amplitude=-0.5))
-    assert (first.amplitude.spec.label, first.amplitude.spec.unit) == ("Gain", "")
-    assert first.amplitude.text() == "\N{MINUS SIGN}0.5"
-    assert first.state.peak == "2.44 m/s²"
-    assert "Peak 2.44 m/s²" in first.toolTip()
-    places = row_places(first.width(), first.fontMetrics().height(), peak=True)
-    assert first.amplitude.geometry() == places.amplitude
-    assert places.amplitude.right() < places.peak.left()
-    assert places.peak.right() < places.remove.left()
-    assert first.fontMetrics().horizontalAdvance(first.state.peak) <= places.peak.width()
-    assert (other.amplitude.spec.unit, other.amplitude.geometry()) == ("m/s²", beside)
-    bench.show(replace(bench.design.with_clip(clip.id, waveform=Tone()), scaling="relative"))
-    assert first.amplitude.spec.unit == "×"
-    assert first.amplitude.geometry() == beside
+    bench.show(bench.design.with_input(0, clips=(clip,)))
+    bench.panel.show_results(results_of(bench.design))
+    assert "Gain -0.5, peak 2.44 m/s²" in tip_of(bench, 0)
+
+
+def amplitudes(bench):
+    return [track.amplitude for track in bench.design.inputs]
+
+
+def drag_fader(bench, index, by_px, held=NONE, *, release=True):
+    view, start = bench.rows.viewport(), bench.place(index, "fader")
+    QTest.mousePress(view, LEFT, held, start)
+    for part in (0.5, 1.0):
+        at = QPointF(start + QPoint(round(part * by_px), 0))
+        where = QPointF(view.mapToGlobal(at))
+        move = QMouseEvent(QEvent.Type.MouseMove, at, where, LEFT, LEFT, held)
+        QApplication.sendEvent(view, move)
+    if release:
+        QTest.mouseRelease(view, LEFT, held, start + QPoint(by_px, 0))
+
+
+def test_a_fader_moves_the_selected_tracks_by_as_many_decibels_in_one_step(bench):
+    bench.show(bench.design.with_input(1, amplitude=-0.5).with_input(2, amplitude=0.0))
+    bench.look(View(selected_inputs=(1, 2)))
+    width = bench.rows.places(0).fader.width()
+    # The whole fader is 60 dB: a third of it is a factor of 10.
+    drag_fader(bench, 0, -round(width / 3))
+    first, second, third = amplitudes(bench)
+    assert first == pytest.approx(0.1, rel=0.05)
+    assert second == pytest.approx(-0.5 * first, rel=1e-3)
+    assert third == 0.0
+    assert set(bench.labels) == {"Change amplitude of 2 inputs"}
+    assert len({gesture for _, _, gesture in bench.edits} - {None}) == 1
+    # Far to the left it is silent; Escape brings it back.
+    drag_fader(bench, 2, round(width), release=False)
+    assert amplitudes(bench)[2] > 1.0
+    bench.key(KEY.Key_Escape)
+    assert amplitudes(bench)[2] == 0.0
+    drag_fader(bench, 0, -round(2 * width))
+    assert amplitudes(bench)[:2] == [0.0, second]
+
+
+def test_keys_and_the_wheel_move_a_fader_and_come_back_to_where_it_was(bench):
+    bench.key(KEY.Key_Right)
+    assert amplitudes(bench) == [1.122, 1.0, 1.0]
+    bench.key(KEY.Key_Left, SHIFT)
+    assert amplitudes(bench)[0] == pytest.approx(1.122 / 1.9953, rel=1e-3)
+    assert len({gesture for _, _, gesture in bench.edits}) == 1
+    bench.show(bench.design.with_input(0, amplitude=1.0))
+    view = bench.rows.viewport()
+    for notches, expected in ((1, 1.122), (-1, 1.0)):
+        turn_wheel(view, bench.place(0, "fader"), (0, notches * NOTCH))
+        assert amplitudes(bench) == [expected, 1.0, 1.0]
+    # Over a track that is not selected the wheel scrolls.
+    turn_wheel(view, bench.place(1, "fader"), (0, NOTCH))
+    bench.panel.lanes.setFocus()
+    turn_wheel(view, bench.place(0, "fader"), (0, NOTCH))
+    assert amplitudes(bench) == [1.0, 1.0, 1.0]
+
+
+def test_mute_and_solo_are_pressed_on_the_head_for_all_that_are_selected(bench):
+    bench.press(1, "mute")
+    assert [track.muted for track in bench.design.inputs] == [False, True, False]
+    bench.look(View(selected_inputs=(1, 3)))
+    bench.press(0, "solo")
+    assert [track.solo for track in bench.design.inputs] == [True, False, True]
 
 
 @pytest.mark.parametrize(
@@ -105,7 +174,7 @@ def test_the_head_of_a_recording_that_keeps_its_size_says_the_peak_beside_a_gain
         ((3,), [KEY.Key_Home], (1,)),
         ((1,), [KEY.Key_End], (3,)),
         ((), [KEY.Key_Down], (1,)),
-        ((), [KEY.Key_Up], (3,)),
+        ((), [KEY.Key_Up], (1,)),
         ((8,), [KEY.Key_Delete], (8,)),
         ((1,), [(KEY.Key_Down, SHIFT)] * 2, (1, 2, 3)),
         ((1,), [(KEY.Key_Down, SHIFT)] * 2 + [(KEY.Key_Up, SHIFT)], (1, 2)),
@@ -122,18 +191,22 @@ def test_keys_select(bench, selected, presses, expected):
 
 def test_clicks_select_one_add_and_take_out_and_select_all_on_the_way(qtbot):
     bench = Bench(qtbot, design_of(*range(1, 7)))
-    press_row(bench, 2)
+
+    def selected():
+        return set(bench.view.selected_inputs), bench.view.selected_input
+
+    bench.press(2)
     assert bench.rows.hasFocus()
-    press_row(bench, 4, SHIFT)
-    assert bench.view.selected_inputs == (3, 4, 5)
-    press_row(bench, 0, SHIFT)
-    assert bench.view.selected_inputs == (3, 2, 1)
-    press_row(bench, 5, CONTROL)
-    assert bench.view.selected_inputs == (3, 2, 1, 6)
-    press_row(bench, 1, CONTROL)
-    assert bench.view.selected_inputs == (3, 1, 6)
+    bench.press(4, held=SHIFT)
+    assert selected() == ({3, 4, 5}, 5)
+    bench.press(0, held=SHIFT)
+    assert selected() == ({1, 2, 3}, 1)
+    bench.press(5, held=CONTROL)
+    assert selected() == ({1, 2, 3, 6}, 6)
+    bench.press(1, held=CONTROL)
+    assert selected()[0] == {1, 3, 6}
     # A click on one of several selects it alone.
-    press_row(bench, 0)
+    bench.press(0)
     assert bench.view.selected_inputs == (1,)
     assert bench.edits == []
 
@@ -151,67 +224,62 @@ def test_clicks_select_one_add_and_take_out_and_select_all_on_the_way(qtbot):
 )
 def test_keys_act_on_all_that_are_selected_in_one_step(bench, key, modifiers, label):
     bench.key(KEY.Key_Down, SHIFT)
-    if key in (KEY.Key_M, KEY.Key_S):
-        # Also while a number has the focus.
-        bench.row(1).amplitude.setFocus()
     bench.key(key, modifiers)
     assert bench.labels == [label]
 
 
 @pytest.mark.parametrize("given_up", [False, True])
 def test_a_row_is_dragged_between_two_others_unless_escape_gives_it_up(bench, given_up):
-    rows, start = bench.rows, bench.row(0).mapTo(bench.rows, WORDS)
-    end = QPoint(start.x(), bench.row(1).geometry().bottom() - 2)
-    gap = rows.findChild(object, "input_gap")
-    QTest.mousePress(rows, LEFT, NONE, start)
+    view, start, end = bench.rows.viewport(), bench.place(0), bench.place(1, "meter")
+    gap = bench.rows.findChild(object, "input_gap")
+    QTest.mousePress(view, LEFT, NONE, start)
     for y in ((start.y() + end.y()) // 2, end.y()):
-        QTest.mouseMove(rows, QPoint(start.x(), y))
+        QTest.mouseMove(view, QPoint(start.x(), y))
     assert gap.isVisible()
     assert bench.edits == []
     if given_up:
         bench.key(KEY.Key_Escape)
-    QTest.mouseRelease(rows, LEFT, NONE, end)
+    QTest.mouseRelease(view, LEFT, NONE, end)
     assert bench.places == ([7, 2, 15] if given_up else [2, 7, 15])
     assert not gap.isVisible()
 
 
+def editor(bench):
+    return bench.rows.findChild(NumberField, "amplitude_field")
+
+
 def test_an_amplitude_is_typed_for_its_row_or_for_all_selected_ones(bench):
-    click(bench.row(1).amplitude)
-    QTest.keyClicks(bench.row(1).amplitude, "2.5")
-    bench.key(KEY.Key_Return)
-    assert bench.design.inputs[1].amplitude == 2.5
-    assert bench.view.selected_input == 2
-    assert bench.edits[0][::2] == ("Change amplitude of input at 2 (II tip)", None)
+    QTest.mouseDClick(bench.rows.viewport(), LEFT, pos=bench.place(1, "fader"))
+    QTest.keyClicks(editor(bench), "2.5")
+    QTest.keyClick(editor(bench), KEY.Key_Return)
+    assert amplitudes(bench) == [1.0, 2.5, 1.0]
+    bench.look(View(selected_inputs=(2, 1)))
+    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     bench.rows.setFocus()
-    bench.key(KEY.Key_Up, SHIFT)
     bench.key(KEY.Key_Return)
-    assert bench.row(0).amplitude.editing
-    QTest.keyClicks(bench.row(0).amplitude, "4")
-    bench.key(KEY.Key_Return)
-    assert [track.amplitude for track in bench.design.inputs] == [4.0, 4.0, 1.0]
-
-
-def test_tab_leads_through_the_selected_row_only_and_keys_stay_when_that_goes(bench):
-    bench.key(KEY.Key_Down)
-    visited = []
-    for _ in range(4):
-        bench.key(KEY.Key_Tab)
-        visited.append(QApplication.focusWidget())
-    assert visited == list(bench.row(1).controls)
-    bench.key(KEY.Key_Space)
-    assert bench.places == [7, 15]
-    assert bench.rows.hasFocus()
+    # What is no number stays, and changes nothing.
+    QTest.keyClicks(editor(bench), "x")
+    QTest.keyClick(editor(bench), KEY.Key_Return)
+    assert editor(bench).problem
+    assert amplitudes(bench) == [1.0, 2.5, 1.0]
+    QTest.keyClick(editor(bench), KEY.Key_Backspace)
+    QTest.keyClicks(editor(bench), "4")
+    QTest.keyClick(editor(bench), KEY.Key_Return)
+    assert amplitudes(bench) == [4.0, 4.0, 1.0]
+    assert bench.labels == [
+        "Change amplitude of input at 2 (II tip)",
+        "Change amplitude of 2 inputs",
+    ]
 
 
 def test_the_list_follows_the_selection_from_elsewhere(qtbot):
     bench = Bench(qtbot, design_of(*[1 + k % 20 for k in range(30)]))
 
     def in_sight(index):
-        view, row = bench.panel.list.viewport(), bench.row(index)
-        top = row.mapTo(view, QPoint(0, 0)).y()
-        lane = bench.panel.lanes.content.lanes[index]
-        beside = top + bench.panel.lanes.content.ruler_px
-        return 0 <= top <= view.height() - row.height() and abs(lane.top_px - beside) < 1
+        view, row = bench.rows.viewport(), bench.rows.visualRect(bench.head(index))
+        lane = bench.content.lanes[index]
+        beside = row.top() + bench.content.ruler_px
+        return 0 <= row.top() <= view.height() - row.height() and abs(lane.top_px - beside) < 1
 
     for index in (29, 0, 17):
         bench.look(View(selected_inputs=(index + 1,)))
@@ -252,9 +320,8 @@ def menu_of(bench):
 
     def open_menu(index, reason=QContextMenuEvent.Reason.Mouse):
         close()
-        at = bench.row(index).pos() + WORDS
-        where = bench.rows.mapToGlobal(at)
-        QApplication.sendEvent(bench.rows, QContextMenuEvent(reason, at, where))
+        at, view = bench.place(index), bench.rows.viewport()
+        QApplication.sendEvent(view, QContextMenuEvent(reason, at, view.mapToGlobal(at)))
         (menu,) = bench.panel.findChildren(QMenu, "inputs_menu")
         return {action.text().split("\t")[0]: action for action in menu.actions() if action.text()}
 

@@ -109,7 +109,8 @@ EDITS = {
 }
 #: What changes one lane alone.
 OF_ONE_LANE = (
-    *list(EDITS)[:5],
+    "clip moved over another",
+    *list(EDITS)[2:5],
     "another colour",
     "clip selected",
     "shown clip selected",
@@ -128,6 +129,43 @@ def test_what_was_not_repainted_looks_as_if_everything_were(four_lanes, name):
     four_lanes.lanes.item.update()
     settled(four_lanes)
     assert after == picture(four_lanes)
+
+
+def height_of_curve(lanes, clip):
+    """How high the curve of a clip is drawn, as a share of the room for it."""
+    image, box = picture(lanes), lanes.box(clip).toRect().adjusted(6, 3, -6, -3)
+    if lanes.design.clip(clip).label == "":
+        lanes.show(lanes.design.with_clip(clip, label=" "))
+        image = picture(lanes)
+    ground = QColor(image.pixel(box.right(), box.bottom()))
+    rows = [
+        y
+        for y in range(box.top(), box.bottom())
+        if sum(
+            abs(QColor(image.pixel(x, y)).blue() - ground.blue()) > 30
+            for x in range(box.left() + 40, box.right())
+        )
+        > 8
+    ]
+    return (rows[-1] - rows[0]) / box.height()
+
+
+def test_clips_of_all_tracks_are_drawn_in_one_amplitude_scale(four_lanes):
+    design = four_lanes.design
+    for index, track in enumerate(({}, {"amplitude": 0.25}, {"gain_curve": ((0.0, 0.5),)}, {})):
+        design = design.with_input(index, **track)
+    clip = design.inputs[3].clips[0]
+    four_lanes.show(design.with_clip(clip.id, gain=-0.5))
+    content = four_lanes.content
+    peaks = [
+        abs(track.amplitude * clip.gain) * content.drawn[clip.id].peak / content.loudest
+        for track in content.design.inputs
+        for clip in track.clips[:1]
+    ]
+    assert peaks == pytest.approx([1.0, 0.25, 0.5, 0.5], abs=0.01)
+    settled(four_lanes)
+    heights = [height_of_curve(four_lanes, track.clips[0].id) for track in design.inputs]
+    assert heights == pytest.approx([1.0, 0.25, 0.5, 0.5], abs=0.12)
 
 
 @pytest.mark.parametrize(("reach", "part"), [(0.5, (0.4, 0.6)), (-0.5, (0.4, 0.6)), (0.5, (0, 1))])

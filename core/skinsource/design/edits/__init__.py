@@ -55,6 +55,8 @@ from skinsource.design.edits.effects import (
     draw_clip,
     equalise_on_skin,
     fields_of,
+    limit_to_band,
+    match_tracks,
     move_effect,
     remove_effect,
     set_envelope,
@@ -64,7 +66,7 @@ from skinsource.design.edits.effects import (
 )
 from skinsource.design.edits.inputs import (
     add_input,
-    add_motion,
+    add_waveform,
     clear_inputs,
     duplicate_inputs,
     group_clips,
@@ -80,6 +82,7 @@ from skinsource.design.edits.inputs import (
     toggle_solo,
     ungroup_clips,
 )
+from skinsource.design.edits.motions import add_motion, change_motion
 from skinsource.design.edits.setup import (
     change_limb,
     change_scaling,
@@ -117,11 +120,13 @@ __all__ = [
     "add_input",
     "add_marker",
     "add_motion",
+    "add_waveform",
     "bound_clip",
     "change_effect_field",
     "change_field",
     "change_kind",
     "change_limb",
+    "change_motion",
     "change_scaling",
     "change_waveform",
     "choose_actuation",
@@ -146,9 +151,11 @@ __all__ = [
     "keep_match_gain",
     "kept_selection",
     "level_over",
+    "limit_to_band",
     "look_along",
     "look_by_method",
     "match_levels",
+    "match_tracks",
     "mend",
     "move_clips",
     "move_clips_to_place",

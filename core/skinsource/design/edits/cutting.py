@@ -30,10 +30,10 @@ from skinsource.design.edits.edit import (
     kept_selection,
     refusing,
 )
-from skinsource.design.effects.effect import Effect
+from skinsource.design.effects.effect import Effect, KeepsTime
 from skinsource.design.effects.level import Fade
 from skinsource.design.effects.playing import played_s
-from skinsource.design.effects.time import Stretch, Trim
+from skinsource.design.effects.time import Reverse, Stretch, Trim
 from skinsource.design.signal_path import Curve
 from skinsource.design.view import View
 from skinsource.specs.models import specs_of
@@ -160,10 +160,11 @@ def fade_clip(design: Design, view: View, id: int, in_s: float, out_s: float) ->
     clip = _one_clip(design, id, in_s, out_s)
     in_s = short(min(max(in_s, 0.0), clip.duration_s))
     out_s = short(min(max(out_s, 0.0), clip.duration_s - in_s))
-    effects: list[Any] = list(clip.effects)
-    last = effects[-1] if effects and isinstance(effects[-1], Fade) and effects[-1].on else None
-    if last is not None:
-        effects[-1:] = [replace(last, in_s=in_s, out_s=out_s)] if in_s or out_s else []
+    effects, fade = list(clip.effects), last_fade(clip.effects)
+    if fade is not None:
+        changed = [replace(fade, in_s=in_s, out_s=out_s)] if in_s or out_s else []
+        at = len(effects) - 1 - effects[::-1].index(fade)
+        effects[at : at + 1] = changed
     elif in_s or out_s:
         effects.append(Fade(in_s=in_s, out_s=out_s))
     return _with_clip(design, view, "Fade", clip, {"effects": tuple(effects)})
@@ -179,12 +180,14 @@ def _one_clip(design: Design, id: int, *times_s: float) -> Clip:
     return chosen[0]
 
 
-def fades_of(clip: Clip) -> tuple[float, float]:
-    """Return how long a clip fades in and out by the fade that `fade_clip` set, in s."""
-    last = clip.effects[-1] if clip.effects else None
-    if not isinstance(last, Fade) or not last.on:
-        return (0.0, 0.0)
-    return (last.in_s, last.out_s)
+def last_fade(effects: tuple[Effect, ...]) -> Fade | None:
+    """Return the last fade of a clip, unless an effect behind it moves or stretches time."""
+    for effect in reversed(effects):
+        if isinstance(effect, Fade) and effect.on:
+            return effect
+        if effect.on and (isinstance(effect, Reverse) or not isinstance(effect, KeepsTime)):
+            return None
+    return None
 
 
 def parts_by_id(clips: Sequence[Clip], at_s: float) -> dict[int, tuple[Clip, Clip]]:

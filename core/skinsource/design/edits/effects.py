@@ -7,12 +7,10 @@ set with `change_field`, as any other value of a field.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import isfinite
 from typing import Any, TypeVar
-
-import numpy as np
 
 from skinsource.base.arguments import checking, one_of
 from skinsource.base.arrays import Floats
@@ -39,7 +37,7 @@ from skinsource.design.edits.edit import (
 )
 from skinsource.design.effects import effect_kinds
 from skinsource.design.effects.effect import Effect
-from skinsource.design.effects.level import Envelope, Fade
+from skinsource.design.effects.level import BandLimit, Envelope, Fade
 from skinsource.design.effects.time import Trim
 from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
@@ -48,7 +46,6 @@ from skinsource.design.waveforms.samples import Drawn
 from skinsource.design.waveforms.tones import Glide
 from skinsource.design.waveforms.wavelet_train import SOFTEST_DB, WaveletTrain
 from skinsource.limbs.own_limbs import facts_of
-from skinsource.signals.drawing import bounded_to_band
 from skinsource.signals.synthesis import Column, Curve, with_curve
 from skinsource.specs.breakpoints import Breakpoint
 from skinsource.specs.models import specs_of
@@ -448,19 +445,13 @@ def _moved_value(own_value: float, origin: float, value: float, spec: NumberSpec
     return nearest(float(f"{moved:.12g}"), spec)
 
 
-#: Beginning of the note in a label, by which the next note finds and replaces it.
-_EQUALISED = "Equal on the skin: "
-_LABEL_SEPARATOR = " · "
-
-
 @refusing
 def equalise_on_skin(
     design: Design, view: View, clip_id: int, levels_db: Sequence[float], measure: str
 ) -> Edit | Refusal:
     """Set the gains of a wavelet train so that all its wavelets have the same level on the skin.
 
-    The softest wavelet keeps its drive, and the others are lowered to it.  The label of the clip
-    notes limb, place and measure, because the levels differ at other places and by other measures.
+    The softest wavelet keeps its drive, and the others are lowered to it.
 
     Parameters
     ----------
@@ -484,18 +475,41 @@ def equalise_on_skin(
         )
     # Nobody can feel or set less than a hundredth of a dB; adding 0.0 turns -0.0 into 0.0.
     gains_db = tuple(round(softest_db - level_db, 2) + 0.0 for level_db in levels_db)
-    note = f"{_EQUALISED}{measure}, {design.limb}, {location_text(track.location, design.limb)}"
-    other_parts = [
-        part
-        for part in clip.label.split(_LABEL_SEPARATOR)
-        if part and not part.startswith(_EQUALISED)
-    ]
-    label = _LABEL_SEPARATOR.join((*other_parts, note))
-    change = {
-        "waveform": replace(train, gains_db=gains_db),
-        "label": label if len(label) <= LABEL.longest else note[: LABEL.longest],
+    changes = {clip_id: {"waveform": replace(train, gains_db=gains_db)}}
+    outcome = change_inputs(design, view, "Balance wavelets of", {track.id: {}}, changes)
+    place = location_text(track.location, design.limb)
+    said = f"Balanced by the {measure}, on {design.limb} at {place}"
+    return replace(outcome, said=said) if isinstance(outcome, Edit) else outcome
+
+
+@refusing
+def match_tracks(design: Design, view: View, levels_db: Mapping[int, float]) -> Edit | Refusal:
+    """Set the amplitudes of inputs so that each alone has the same level on the skin.
+
+    The one that was selected last keeps its amplitude, and the others follow it.
+
+    Parameters
+    ----------
+    levels_db
+        Level of each input alone, by its id, see `skinsource.engine.levelling.track_levels_db`.
+    """
+    chosen = present_inputs(design, levels_db)
+    least_db = max(levels_db.values(), default=0.0) + SOFTEST_DB
+    silent = next((track for track in chosen if not levels_db[track.id] > least_db), None)
+    if silent is not None:
+        place = location_text(silent.location, design.limb)
+        return Refusal(sentence=f"The track at {place} moves nothing on the skin; leave it out.")
+    last = [id for id in view.selected_inputs if id in levels_db]
+    target_db = levels_db[last[-1]] if last else max(levels_db.values(), default=0.0)
+    changes: dict[int, dict[str, Any]] = {
+        track.id: {
+            "amplitude": float(
+                f"{track.amplitude * 10.0 ** ((target_db - levels_db[track.id]) / 20.0):.4g}"
+            )
+        }
+        for track in chosen
     }
-    return change_inputs(design, view, "Equalise wavelets of", {track.id: {}}, {clip_id: change})
+    return change_inputs(design, view, "Match levels of", changes)
 
 
 _NO_BAND = Refusal(
@@ -515,21 +529,21 @@ def draw_clip(
 
 
 @refusing
-def bound_clip(design: Design, view: View, clip_id: int, sample_rate_hz: float) -> Edit | Refusal:
-    """Remove frequencies outside the measured band from a clip's waveform, as samples."""
+def limit_to_band(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
+    """Add a band limit to clips, with the band in which the limb was measured, as last effect."""
     band_hz = facts_of(design.limb).band_hz
     if band_hz is None:
         return _NO_BAND
-    drawn = design.clip(clip_id).waveform.samples(sample_rate_hz)
-    bounded = bounded_to_band(drawn, sample_rate_hz, band_hz)
-    if bounded.removed == 0.0 and np.array_equal(bounded.samples, drawn):
-        return Refusal(sentence="Nothing of the clip lies outside the measured band.")
-    outcome = draw_clip(design, view, clip_id, bounded.samples, sample_rate_hz)
-    if isinstance(outcome, Refusal):
-        return outcome
-    low_hz, high_hz = band_hz
-    label = f"Bound to {low_hz:g}\u2013{high_hz:g} Hz, {100 * bounded.removed:.3g} % removed"
-    return replace(outcome, label=label)
+    limit, chosen = BandLimit(low_hz=band_hz[0], high_hz=band_hz[1]), chosen_clips(design, ids)
+    effects_by_clip = {clip.id: (*clip.effects, limit) for clip in chosen}
+    return _with_effects(design, view, "Limit the band of", chosen, effects_by_clip)
+
+
+@refusing
+def bound_clip(design: Design, view: View, clip_id: int, sample_rate_hz: float) -> Edit | Refusal:
+    """Do as `limit_to_band` for one clip; the sample rate does not matter."""
+    del sample_rate_hz
+    return limit_to_band(design, view, (clip_id,))
 
 
 _NO_GLIDE = Refusal(sentence="The clip does not play a glide; choose that waveform first.")

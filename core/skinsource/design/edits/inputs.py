@@ -1,15 +1,14 @@
-"""Place, move, copy, remove, silence and reorder inputs; group their clips; add motions."""
+"""Place, move, copy, remove, silence and reorder inputs; group their clips."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from itertools import count
 from typing import Any
 
-from skinsource.base.quoting import quoted
-from skinsource.base.work import counted
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, track
 from skinsource.design.edits.clips import (
+    add_clip,
     chosen_clips,
     clips_selected,
     clips_text,
@@ -32,7 +31,6 @@ from skinsource.design.edits.edit import (
     tracks_text,
     with_inputs_added,
 )
-from skinsource.design.motions import Motion
 from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms.samples import MAX_PARTS, Layers, Mode
@@ -79,11 +77,15 @@ def place_input(design: Design, view: View, location: int, besides: bool = False
 @refusing
 def add_input(design: Design, view: View) -> Edit | Refusal:
     """Add an input at a free place, if possible at the usual one, and select it."""
+    return place_input(design, view, free_location(design))
+
+
+def free_location(design: Design, after: int = 0) -> int:
+    """Return a free place: the usual one if possible, or the next one ``after`` another."""
     used, usual_place = {track.location for track in design.inputs}, usual_location(design.limb)
-    free = (
-        k for k in (usual_place, *range(1, facts_of(design.limb).n_inputs + 1)) if k not in used
-    )
-    return place_input(design, view, next(free, usual_place))
+    numbers = range(1, facts_of(design.limb).n_inputs + 1)
+    places = (*numbers[after:], *numbers[:after]) if after else (usual_place, *numbers)
+    return next((k for k in places if k not in used), usual_place)
 
 
 @refusing
@@ -254,15 +256,20 @@ def place_waveform(
 
 
 @refusing
-def add_motion(design: Design, view: View, motion: Motion) -> Edit | Refusal:
-    """Add the tracks of a motion at the end, and select them."""
-    if not isinstance(motion, Motion):
-        return Refusal(
-            sentence=f"{quoted(motion)} is no motion; make one of skinsource.design.motions."
-        )
-    tracks = motion.tracks()
-    label = f"Add {motion.title.lower()} at {counted(len(tracks), 'place')}"
-    return _added(design, view, label, tracks)
+def add_waveform(
+    design: Design, view: View, waveform: Waveform, input_id: int | None = None
+) -> Edit | Refusal:
+    """Add a clip at the playhead, or behind the last clip of the track if one plays then.
+
+    It goes to the track ``input_id``, None: the selected one, or else a new one at a free place.
+    """
+    selected = leading_input(design, view) if input_id is None else design.input(input_id)
+    if selected is None:
+        return place_waveform(design, view, free_location(design), waveform, view.playhead_s)
+    start_s, end_s = view.playhead_s, view.playhead_s + waveform.duration_s
+    if any(clip.onset_s < end_s and clip.end_s > start_s for clip in selected.clips):
+        start_s = short(max(clip.end_s for clip in selected.clips))
+    return add_clip(design, view, selected.id, start_s, waveform)
 
 
 def _added(design: Design, view: View, label: str, new: Sequence[Input]) -> Edit:

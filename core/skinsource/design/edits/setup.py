@@ -9,12 +9,10 @@ from skinsource.actuators.rigs import Rig
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import ALL_AXES
 from skinsource.base.quoting import lowered, quoted
-from skinsource.design.clips import Clip
 from skinsource.design.comparing import louder
-from skinsource.design.design import Design, Input, audible_inputs
-from skinsource.design.edits.clips import with_clips
+from skinsource.design.design import Design, audible_inputs
 from skinsource.design.edits.edit import Edit, Refusal, change_view, refusing
-from skinsource.design.effects.level import BandLimit
+from skinsource.design.edits.effects import limit_to_band
 from skinsource.design.labels import SCALINGS, label_of
 from skinsource.design.signal_path import actuation_of_rig
 from skinsource.design.view import View
@@ -145,27 +143,11 @@ def mend(design: Design, view: View, finding: Finding) -> Edit | Refusal:
         after = louder(design, finding.factor * _BELOW_LIMIT)
         return Edit(label="Play within 40 mm/s", design=after, view=view)
     if finding.repair == "band_limit":
-        return _band_limited(design, view)
+        audible = audible_inputs(design.inputs)
+        return limit_to_band(design, view, [clip.id for track in audible for clip in track.clips])
     if finding.repair == "deselect":
         outputs = tuple(output for output in view.outputs if output not in finding.outputs)
         if outputs == view.outputs:
             return Refusal(sentence="None of the selected outputs is mostly noise.")
         return change_view(design, view, "Deselect outputs that are mostly noise", outputs=outputs)
     return _NO_REPAIR
-
-
-def _band_limited(design: Design, view: View) -> Edit | Refusal:
-    """Add a band limit as last effect to each clip of the audible inputs."""
-    audible_ids = {track.id for track in audible_inputs(design.inputs)}
-    band_hz = facts_of(design.limb).band_hz
-    if band_hz is None:
-        return _NO_REPAIR
-    band_limit = BandLimit(low_hz=band_hz[0], high_hz=band_hz[1])
-
-    def clips_of(track: Input) -> tuple[Clip, ...]:
-        if track.id not in audible_ids:
-            return track.clips
-        return tuple(replace(clip, effects=(*clip.effects, band_limit)) for clip in track.clips)
-
-    after = with_clips(design, clips_of)
-    return Edit(label="Limit clips to the measured band", design=after, view=view)

@@ -1,0 +1,124 @@
+"""Add motions, and change those that stand in a design as a group of clips.
+
+A group stays while its clips are those that its motion writes; edited by hand, it is dissolved.
+"""
+
+from dataclasses import replace
+
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.quoting import quoted
+from skinsource.base.work import counted
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input, MotionGroup
+from skinsource.design.edits.edit import Edit, Refusal, refusing, with_inputs_added
+from skinsource.design.motions import Motion
+from skinsource.design.view import View
+
+
+@refusing
+def add_motion(design: Design, view: View, motion: Motion) -> Edit | Refusal:
+    """Add the tracks of a motion at the end, and select them."""
+    return _with_motion(design, view, motion, None)
+
+
+@refusing
+def change_motion(design: Design, view: View, index: int, motion: Motion) -> Edit | Refusal:
+    """Replace the ``index``-th motion of a design; tracks at places that stay keep what is theirs.
+
+    A track that only the motion before had clips on is removed.
+    """
+    if index not in range(len(design.motions)):
+        return Refusal(sentence="That motion is no longer there; add it anew.")
+    return _with_motion(design, view, motion, index)
+
+
+def _with_motion(design: Design, view: View, motion: Motion, index: int | None) -> Edit | Refusal:
+    if not isinstance(motion, Motion):
+        return Refusal(
+            sentence=f"{quoted(motion)} is no motion; make one of skinsource.design.motions."
+        )
+    written = motion.tracks()
+    old = set() if index is None else set(design.motions[index].clips)
+    fresh = {track.location: track for track in written}
+    # By place: the track that gets the clips of the motion there.
+    holders: dict[int, int] = {}
+    inputs: list[Input] = []
+    for track in design.inputs:
+        others = tuple(clip for clip in track.clips if clip.id not in old)
+        if len(others) == len(track.clips):
+            inputs.append(track)
+        elif (new := fresh.pop(track.location, None)) is not None:
+            holders[track.location] = track.id
+            inputs.append(replace(track, clips=(*others, *new.clips), amplitude=new.amplitude))
+        elif others:
+            inputs.append(replace(track, clips=others))
+    after = with_inputs_added(replace(design, inputs=tuple(inputs)), tuple(fresh.values()))
+    holders |= {track.location: track.id for track in after.inputs[len(inputs) :]}
+    clips = [
+        clip.id
+        for track in written
+        for clip in after.input(holders[track.location]).clips[-len(track.clips) :]
+    ]
+    group, motions = MotionGroup(motion=motion, clips=tuple(clips)), list(design.motions)
+    motions[slice(len(motions), None) if index is None else slice(index, index + 1)] = [group]
+    chosen = tuple(holders[track.location] for track in written)
+    return Edit(
+        label=f"{'Add' if index is None else 'Change'} {motion.title.lower()} at "
+        f"{counted(len(written), 'place')}",
+        design=replace(after, motions=tuple(motions)),
+        view=replace(view, selected_inputs=chosen, selected_clips=()),
+    )
+
+
+def motion_of(design: Design, clip_id: int) -> int | None:
+    """Return the index of the motion that a clip belongs to; None: it stands alone."""
+    groups = enumerate(design.motions)
+    return next((index for index, group in groups if clip_id in group.clips), None)
+
+
+def with_whole_motions(before: Design, edit: Edit) -> Edit:
+    """Dissolve the motions whose clips an edit has changed, and say so where they were whole."""
+    design = edit.design
+    if not design.motions:
+        return edit
+    known, now = _places(before), _places(design)
+    whole = tuple(
+        group
+        for group in design.motions
+        if _is_whole(group, known if group in before.motions else {}, now)
+    )
+    lost = [group for group in before.motions if group in design.motions and group not in whole]
+    said = edit.said
+    if lost:
+        title = lost[0].motion.title
+        said = f"{title} is now single clips; Undo makes it a motion again."
+    return replace(edit, design=replace(design, motions=whole), said=said)
+
+
+_Place = tuple[Clip, int, float]
+
+
+def _places(design: Design) -> dict[int, _Place]:
+    return {
+        clip.id: (clip, track.location, track.amplitude)
+        for track in design.inputs
+        for clip in track.clips
+    }
+
+
+def _is_whole(group: MotionGroup, known: dict[int, _Place], now: dict[int, _Place]) -> bool:
+    """Return whether the clips of a group are those that its motion writes."""
+    present = [now.get(id) for id in group.clips]
+    if None in present:
+        return False
+    if present == [known.get(id) for id in group.clips]:
+        return True
+    try:
+        tracks = group.motion.tracks()
+    except InvalidInputError:
+        return False
+    written = [(clip, track.location, track.amplitude) for track in tracks for clip in track.clips]
+    return written == [
+        (replace(clip, id=0), location, amplitude)
+        for clip, location, amplitude in filter(None, present)
+    ]
