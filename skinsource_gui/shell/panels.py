@@ -59,7 +59,6 @@ PANELS: tuple[PanelSpec, ...] = (
     PanelSpec(panel=LazyPanel("spectra", "Spectra"), settings=SpectraSettings),
     PanelSpec(panel=LazyPanel("clip_editor", "Clip")),
     PanelSpec(panel=LazyPanel("compare", "Compare"), settings=CompareSettings),
-    PanelSpec(panel=LazyPanel("history", "History")),
     PanelSpec(panel=LazyPanel("library", "Library")),
     PanelSpec(panel=LazyPanel("actuator", "Actuator"), settings=ActuatorSettings),
     PanelSpec(panel=LazyPanel("playback", "Playback")),

@@ -20,10 +20,15 @@ from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.shell import docks
 from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.appearance import Appearance, WindowFrame
-from skinsource_gui.shell.bars import SetupBar, StudioBar, WorkspaceButtons
+from skinsource_gui.shell.bars import HeadLine, SetupBar, StepsMenu
 from skinsource_gui.shell.carrying import PanelPictures
 from skinsource_gui.shell.conditions import Conditions
-from skinsource_gui.shell.drops import ClipDrops, ClipsAndClipboard, kind_choices
+from skinsource_gui.shell.drops import (
+    ClipDrops,
+    ClipsAndClipboard,
+    kind_choices,
+    scaling_choices,
+)
 from skinsource_gui.shell.focus import ClipDrawing, PanelFocus, ShortcutsInFields, move_focus
 from skinsource_gui.shell.keeping import AutosaveAndRecovery
 from skinsource_gui.shell.limb_note import LimbNote
@@ -39,7 +44,6 @@ from skinsource_gui.state.comparison import Comparison
 from skinsource_gui.state.conductor import Conductor, PanelController
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import FirstPaintEngine
-from skinsource_gui.state.historian import Historian
 from skinsource_gui.state.job_runner import JobRunner, WaveletLevelling
 from skinsource_gui.state.panel import PREPARING, Panel, PanelRegistry
 from skinsource_gui.state.preferences import InstalledLimbs, Preferences
@@ -75,6 +79,7 @@ class MainWindow(QtWidgets.QMainWindow):
         self.notice = Notice(self)
         self.hints = FirstHints(preferences, self.notice, self.document)
         self.setup_bar = SetupBar()
+        self._menus = QtWidgets.QMenuBar()
         self.status_line = StatusLine(self)
         self.job_bar = JobBar(self.runner)
         self.accuracy = Accuracy(self.engine, self)
@@ -99,7 +104,6 @@ class MainWindow(QtWidgets.QMainWindow):
         self.conductor = Conductor(self.document, self.engine, self.panels, self.status_line.needs)
         PanelController(self.document, self.panels)
         self.comparison.begin()
-        Historian(self.document, self.panels)
         self._connect()
         self.appearance.apply()
         self.panels.each(self._install)
@@ -187,11 +191,14 @@ class MainWindow(QtWidgets.QMainWindow):
         recent = RecentMenu(self.files.recent, self)
         recent.chosen.connect(self.files.open)
         self._panel_toggles = docks.menu_toggles(self.docks.values(), self)
-        fill_menu_bar(self.menuBar(), ACTIONS, actions, recent, self._panel_toggles)
+        steps = StepsMenu(self.document, self)
+        submenus = {"open_design": recent, "redo": steps}
+        fill_menu_bar(self._menus, ACTIONS, actions, submenus, self._panel_toggles)
         choices = [actions[f"arrange_{workspace.name}"] for workspace in WORKSPACES]
-        self.menuBar().setCornerWidget(WorkspaceButtons(choices, self.menuBar()))
-        groups = [[actions["undo"], actions["redo"]], [actions["find_action"]]]
-        self._bar = StudioBar(self.setup_bar, self.playback.bar, groups, self)
+        self._head = HeadLine(
+            self._menus, actions, steps, self.playback.bar, choices, self.setup_bar
+        )
+        self.setMenuWidget(self._head)
         self.statusBar().addWidget(self.status_line, 1)
         self._match_note = MatchNote([actions["keep_match_gain"], actions["match_levels"]])
         for widget in (self._match_note, self.playback.note, self.job_bar):
@@ -256,7 +263,8 @@ class MainWindow(QtWidgets.QMainWindow):
     def _findable(self) -> list[QtGui.QAction]:
         others = [action for name, action in self.actions_by_name.items() if name != "find_action"]
         panels = docks.toggles(self.docks.values())
-        return [*others, *panels, *self.setup_bar.choices(None), *kind_choices(self.document)]
+        choices = *self.setup_bar.choices(None), *scaling_choices(self.document)
+        return [*others, *panels, *choices, *kind_choices(self.document)]
 
     def _show_state(self) -> None:
         design, view = self.document.design, self.document.view
@@ -277,6 +285,10 @@ class MainWindow(QtWidgets.QMainWindow):
         self.setup_bar.show_available(self.limbs.names)
         self._limb_note.show_available(self.limbs.names)
 
+    def menuBar(self) -> QtWidgets.QMenuBar:
+        # Qt would make another one in place of the line that holds it.
+        return self._menus
+
     def createPopupMenu(self) -> QtWidgets.QMenu:
         # Qt's own menu lists docks in the order in which they were added to the window.
         menu = QtWidgets.QMenu(self)
@@ -284,7 +296,7 @@ class MainWindow(QtWidgets.QMainWindow):
         return menu
 
     def focusNextPrevChild(self, forward: bool) -> bool:
-        bars = self.notice.buttons, self.setup_bar, self.playback.bar, self._bar
+        bars = self.notice.buttons, self.playback.bar, self._head
         regions = (*bars, *self.panels, self.statusBar())
         return move_focus(self, regions, forward=forward)
 

@@ -97,7 +97,7 @@ WORKSPACES: tuple[Workspace, ...] = (
         host="timeline",
         hosts=dict.fromkeys(
             (
-                *("frequency_and_amplitude", "compare", "history", "library", "analysis_2"),
+                *("frequency_and_amplitude", "compare", "library", "analysis_2"),
                 *("actuator", "playback"),
             ),
             "inspector",
@@ -400,7 +400,7 @@ class Workspaces(QObject):
 
     def _room(self) -> QSize:
         window = self._window
-        bars = [window.menuBar(), window.statusBar(), *window.findChildren(QtWidgets.QToolBar)]
+        bars = [window.menuWidget(), window.statusBar()]
         around = sum(bar.sizeHint().height() for bar in bars if not bar.isHidden())
         return window.size() - QSize(0, around)
 

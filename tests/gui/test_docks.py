@@ -96,9 +96,9 @@ def test_whatever_is_done_to_docks_just_those_in_front_are_shown(window, settle)
 
 def test_ctrl_tab_shows_what_shares_the_place_of_the_keyboard_and_takes_it_along(active, settle):
     active.docks["library"].bring_forward()
-    active.docks["history"].bring_forward()
+    active.docks["compare"].bring_forward()
     settle()
-    active.panel("history").setFocus()
+    active.panel("compare").setFocus()
     visited = []
     for _ in range(3):
         active.do("next_tab")
@@ -107,7 +107,7 @@ def test_ctrl_tab_shows_what_shares_the_place_of_the_keyboard_and_takes_it_along
         assert visited[-1] in in_sight(active)
     names = [active.panel(name).title for name in visited]
     row = titles(bar_with(active, "Library"))
-    start = row.index("History") + 1
+    start = row.index("Compare") + 1
     assert names == row[start:] + row[:start]
     active.do("previous_tab")
     assert visited[-2] in in_sight(active)
@@ -134,23 +134,23 @@ def open_list(window, act):
 
 def test_a_key_and_the_right_button_list_the_tabs_in_one_place(active, settle):
     active.docks["library"].bring_forward()
-    active.docks["history"].bring_forward()
+    active.docks["compare"].bring_forward()
     settle()
-    active.panel("history").setFocus()
+    active.panel("compare").setFocus()
     menu, entries = open_list(active, lambda: active.do("list_tabs"))
     bar = bar_with(active, "Library")
     assert list(entries)[: bar.count()] == titles(bar)
-    assert [text for text, action in entries.items() if action.isChecked()] == ["History"]
-    assert menu.activeAction() is entries["History"]
+    assert [text for text, action in entries.items() if action.isChecked()] == ["Compare"]
+    assert menu.activeAction() is entries["Compare"]
     entries["Library"].trigger()
     menu.close()
     settle()
     assert with_keyboard(active) == "library"
-    at = bar.tabRect(titles(bar).index("History")).center()
+    at = bar.tabRect(titles(bar).index("Compare")).center()
     menu, entries = open_list(active, lambda: bar.customContextMenuRequested.emit(at))
-    entries["Float History"].trigger()
+    entries["Float Compare"].trigger()
     menu.close()
-    assert active.docks["history"].isFloating()
+    assert active.docks["compare"].isFloating()
     at = bar_with(active, "Library").tabRect(0).center()
     menu, entries = open_list(
         active, lambda: bar_with(active, "Library").customContextMenuRequested.emit(QPoint(at))
@@ -208,8 +208,8 @@ def test_a_panel_that_goes_leaves_the_keyboard_to_another_one(active, qtbot, tmp
     active.docks["hand"].hide()
     qtbot.waitUntil(lambda: with_keyboard(active) == "timeline")
     # To the one that comes in front of it.
-    active.docks["history"].bring_forward()
-    active.panel("history").setFocus()
+    active.docks["compare"].bring_forward()
+    active.panel("compare").setFocus()
     active.docks["inspector"].raise_()
     qtbot.waitUntil(lambda: with_keyboard(active) == "inspector")
     # With a file that was saved without it.

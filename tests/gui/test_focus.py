@@ -50,6 +50,7 @@ def region_of(window, widget):
         "transport": window.playback.bar,
         "status": window.statusBar(),
         **{panel.name: panel for panel in window.panels},
+        "head": window.menuWidget(),
     }
     return next(name for name, part in parts.items() if part.isAncestorOf(widget))
 
@@ -69,8 +70,8 @@ def test_tab_goes_through_all_panels_in_the_order_of_the_work_and_shift_tab_back
         "traces",
         "spectra",
         "status",  # how to get the measured limbs
-        "setup",
         "transport",
+        "setup",
         "hand",
     ]
     assert len(set(names)) == len(names)
@@ -107,7 +108,9 @@ def test_each_workspace_has_its_own_round(at_work):
     QApplication.processEvents()
     at_work.panel("skin").setFocus()
     visible = {panel.name for panel in at_work.panels if panel.isVisible()}
-    assert {region for region, _ in walk(at_work)} == visible | {"setup", "transport", "status"}
+    assert {region for region, _ in walk(at_work)} == visible | {
+        *("head", "setup", "transport", "status")
+    }
 
 
 def test_the_row_that_is_selected_has_the_stops(open_window, qtbot):

@@ -1,6 +1,6 @@
 import pytest
 from PySide6.QtCore import QMargins, QRect
-from PySide6.QtWidgets import QToolBar, QWidget
+from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.units import minus
@@ -62,7 +62,7 @@ def test_a_window_that_was_presenting_starts_with_large_words(preferences, qapp)
 
 
 def test_each_number_of_the_bar_is_shown_whole_in_letters_of_any_size(window, qtbot):
-    fields = window.findChild(QToolBar, "setup").findChildren(NumberField)
+    fields = window.menuWidget().findChildren(NumberField)
 
     def in_sight():
         return all(field.visibleRegion().boundingRect() == field.rect() for field in fields)

@@ -17,7 +17,9 @@ def bar(qtbot):
 
 def test_every_choice_and_every_value_of_it_is_explained_in_the_words_of_the_page(bar):
     fields = {field.accessibleName(): field for field in bar.findChildren(ChoiceField)}
-    for _, label, sentence, entries in CHOICES:
+    for name, label, sentence, entries in CHOICES:
+        if name == "scaling":  # beside the amplitude
+            continue
         field = fields.pop(label)
         assert " ".join(field.toolTip().split()) == f"{label} {sentence}"
         for index, word in enumerate(entries):

@@ -140,7 +140,7 @@ def test_hidden_panels_come_up_as_tabs_and_squeeze_none(window, settle):
         settle()
         first = sizes(window)
         assert set(first) == set(workspace.split.panels())
-        for name in {"timeline", "clip_editor", "history", "analysis"}.difference(first):
+        for name in {"timeline", "clip_editor", "compare", "analysis"}.difference(first):
             dock = window.docks[name]
             dock.bring_forward()
             QApplication.processEvents()
@@ -174,7 +174,7 @@ def test_each_workspace_is_remembered_until_it_is_reset(window, settle):
     drag_line(window, 60)
     assert place(window, "skin").width() == pytest.approx(wide + 60, abs=5)
     window.docks["spectra"].hide()
-    window.docks["history"].bring_forward()
+    window.docks["compare"].bring_forward()
     own = in_sight(window)
     window.do(ANALYSE)
     settle()
