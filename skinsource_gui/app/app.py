@@ -166,6 +166,8 @@ def run(path: Path | None) -> int:
     log.open()
     preferences = Preferences(settings_path())
     window = make_window(path, preferences)
+    if not window.workspaces.is_placed:
+        window.setWindowState(Qt.WindowState.WindowMaximized)
     ScreenFit(window).guess()
     end_signals = EndSignals(window)
 

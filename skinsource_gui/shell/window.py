@@ -136,12 +136,9 @@ class MainWindow(QtWidgets.QMainWindow):
         self.workspaces = Workspaces(self, self.docks, self.preferences, self.appearance)
         self.dock_tabs = docks.DockTabs(self, self.docks)
         self.files = FileActions(self.document, self.preferences, self, self.workspaces.content)
+        self._in_use = docks.PanelInUse(self, self.docks, self.panels, self.dock_tabs)
         self.pictures = PanelPictures(
-            services,
-            self.appearance,
-            self.catch_up,
-            self.docks,
-            docks.PanelInUse(self, self.docks, self.panels, self.dock_tabs),
+            services, self.appearance, self.catch_up, self.docks, self._in_use
         )
         self.exports = ExportActions(services, self.files, self.pictures.picture_of)
         self.stimuli = StimulusActions(services, self.files)
@@ -177,6 +174,7 @@ class MainWindow(QtWidgets.QMainWindow):
             "workspaces": self.workspaces,
             "dock_tabs": self.dock_tabs,
             "panel_focus": panel_focus,
+            "panel_in_use": self._in_use,
             "clip_drawing": ClipDrawing(self.panels, panel_focus, self),
             "clips": ClipsAndClipboard(self.document, self),
             "appearance": self.appearance,
@@ -227,10 +225,7 @@ class MainWindow(QtWidgets.QMainWindow):
         self.appearance.changed.connect(self._check_theme)
         self.workspaces.shown.connect(self._check_workspace)
         self.setup_bar.edited.connect(document.apply)
-        # The workspace of a scene is left before the panels of a file are shown.
-        for leaves_scene in (self.files.started_over, self.files.opened):
-            leaves_scene.connect(self.workspaces.leave_scene)
-        self.files.opened.connect(self.workspaces.show_panels)
+        self.files.started_over.connect(self.workspaces.leave_scene)
         self.scenes.opened.connect(self.presenter.note_scene)
         for begins_or_ends in (self.notice.pass_now, self.hints.put_away):
             self.presenter.presenting_changed.connect(begins_or_ends)

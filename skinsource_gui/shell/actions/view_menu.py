@@ -57,7 +57,7 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "reset_workspace",
-        "Reset workspace",
+        "Reset arrangement",
         "Put the panels of this workspace back where they were at first",
         command="workspaces.reset",
         keywords="arrange layout panels docks default",
@@ -79,6 +79,22 @@ VIEW: tuple[ActionSpec, ...] = (
         command="clip_drawing.begin",
         enabled=_has_clip,
         keywords="drawn waveform pen freehand samples",
+    ),
+    action(
+        "float_panel",
+        "Float panel",
+        "Take the panel in use out of the window, or put it back",
+        "Ctrl+Shift+W",
+        command="panel_in_use.turn_floating",
+        keywords="dock undock window screen detach",
+    ),
+    action(
+        "close_panel",
+        "Close panel",
+        "Close the panel in use; View > Panels brings it back",
+        "Ctrl+W",
+        command="panel_in_use.close",
+        keywords="hide dock remove",
     ),
     action(
         "next_panel",
