@@ -6,7 +6,7 @@ from PySide6.QtCore import QEvent, QMimeData, QSize, Qt, Signal
 from skinsource.base.errors import InvalidInputError
 from skinsource.signals.formula.reading import column_of
 from skinsource.specs.spec import TextSpec
-from skinsource_gui.fields.editor import Burst, Editor, TextMark
+from skinsource_gui.fields.editor import MIXED, Burst, Editor, TextMark
 from skinsource_gui.qt.tooltips import tooltip
 
 _MOST_LINES = 6
@@ -28,7 +28,7 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
     def __init__(self, spec: TextSpec, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._spec = spec
-        self._value, self._last_read = "", ""
+        self._value, self._last_read, self._mixed = "", "", False
         self._burst, self._mark = Burst(self), TextMark(self)
         self.problem = ""
         self.setAccessibleName(spec.label)
@@ -69,6 +69,16 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
         if self.text() != self._value:
             self._mark.put(column_of(reason))
             self._set_problem(reason)
+
+    def show_mixed(self, mixed: bool, otherwise: str = "") -> None:
+        """Say "mixed" in an empty field, or show the value; an empty one says ``otherwise``."""
+        self.setPlaceholderText(MIXED if mixed else otherwise)
+        if mixed and self.text() == self._value:
+            self._last_read = ""
+            self.setPlainText("")
+        elif self._mixed and not mixed and not self.text():
+            self._restore()
+        self._mixed = mixed
 
     def cancel(self) -> None:
         """Restore the value."""

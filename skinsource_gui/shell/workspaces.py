@@ -84,7 +84,7 @@ _BELOW = ("library",)
 PRESENTATION = "presentation"
 
 _PLOTS = Split(_DOWN, (("traces", 50), ("spectra", 50)))
-_INPUTS_AND_PLOTS = Split(_ACROSS, (("hand", 24), ("inspector", 31), (_PLOTS, 45)))
+_INPUTS_AND_PLOTS = Split(_ACROSS, (("hand", 25), ("inspector", 26), (_PLOTS, 49)))
 
 WORKSPACES: tuple[Workspace, ...] = (
     Workspace(

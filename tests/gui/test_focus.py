@@ -131,7 +131,7 @@ def test_tab_ends_typing_and_goes_on(at_work):
     ).field
     field.setFocus()
     QTest.keyClicks(field, "300")
-    assert press(at_work, KEY.Key_Tab).objectName() == "window_field"
+    assert press(at_work, KEY.Key_Tab).objectName() == "kind_field"
     assert at_work.document.design.inputs[0].clips[0].waveform.duration_s == 0.3
 
 

@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QTextCursor
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel, QPushButton
+from PySide6.QtWidgets import QLabel, QToolButton
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.waveforms.tones import Glide
@@ -103,7 +103,7 @@ def test_half_a_list_says_what_is_missing_and_esc_brings_it_back(make_cell):
 
 def test_a_sweep_replaces_the_list_once_it_is_accepted(qtbot, make_cell):
     cell = make_cell(FREQUENCIES, (400.0, 100.0, 50.0))
-    cell.findChild(QPushButton).click()
+    cell.findChild(QToolButton, "sweep").click()
     dialog = cell.window().findChild(SweepDialog)
     qtbot.waitUntil(dialog.isVisible)
     assert dialog.values == frequency_sweep(50.0, 400.0, 3, "logarithmic", "down")

@@ -34,7 +34,7 @@ def test_nothing_of_another_limb_is_shown_and_the_window_says_what_is_missing(go
     assert not hand.diagram.isVisibleTo(hand)
     assert hand.findChild(QLabel, "hand_missing").text() == "The limb 'lab-9' is missing"
     assert hand.drop_place(QPoint(50, 50)) is None
-    assert "Place 6" in gone.panel("inspector").findChild(QLabel, "inspector_heading").text()
+    assert "Place 6" in gone.panel("inspector").findChild(QLabel, "inspector_heading").toolTip()
     content = gone.panel("skin").map.content
     assert (content.limb_map, content.limb) == (None, "lab-9")
     assert "lab-9" in content.message
