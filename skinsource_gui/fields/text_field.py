@@ -18,8 +18,8 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
     """Edits a text of ``spec``, whose reader checks it while it is typed.
 
     Each valid text is signalled at once; quick ones share a gesture, until a pause, Enter, or the
-    loss of the focus.  An invalid text stays, underlined where reading stopped, while the last
-    valid one remains the value; Esc restores it.  A long line is wrapped.
+    loss of the focus.  An invalid text stays, underlined where reading stopped; once it is left,
+    the value is the one before the typing, which Esc restores.  A long line is wrapped.
     """
 
     #: The new text; number of the gesture that quick successive texts share.
@@ -29,6 +29,8 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
         super().__init__(parent)
         self._spec = spec
         self._value, self._last_read, self._mixed = "", "", False
+        # The value before what is being typed.
+        self._start: str | None = None
         self._burst, self._mark = Burst(self), TextMark(self)
         self.problem = ""
         self.setAccessibleName(spec.label)
@@ -111,14 +113,18 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
     def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             self._burst.end()
+            if not self.problem:
+                self._start = None
         elif event.key() == Qt.Key.Key_Escape:
             event.setAccepted(self.text() != self._value)
+            self._revert()
             self.cancel()
         else:
             super().keyPressEvent(event)
 
     def focusOutEvent(self, event: QtGui.QFocusEvent) -> None:
         super().focusOutEvent(event)
+        self._revert()
         self._burst.end()
 
     def insertFromMimeData(self, source: QMimeData) -> None:
@@ -147,9 +153,19 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
         self._mark.put(column)
         self._set_problem(problem)
         if not problem and text != self._value:
+            if self._start is None:
+                self._start = self._value
             self.edited.emit(text, self._burst.gesture())
 
+    def _revert(self) -> None:
+        """Give up the valid half of a text that became invalid: the value is as before it."""
+        start, self._start = self._start, None
+        if self.problem and start is not None and start != self._value:
+            self._value = start
+            self.edited.emit(start, self._burst.gesture())
+
     def _restore(self) -> None:
+        self._start = None
         self._burst.end()
         self._last_read = self._value
         self.setPlainText(self._value)
