@@ -14,7 +14,7 @@ from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.labels import CHOICES, LIMBS, Word, limb_label, short_limb_title
 from skinsource.design.view import View
 from skinsource.limbs.dataset.store import NOT_INSTALLED
-from skinsource.limbs.own_limbs import facts_of, own_limb_names
+from skinsource.limbs.own_limbs import facts_of, missing_limb, own_limb_names
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.dataset import TITLE
@@ -77,6 +77,9 @@ class SetupBar(QtWidgets.QWidget):
             (self._span, view.span),
         ):
             field.set_value(value)
+        facts = facts_of(design.limb)
+        about = missing_limb(design.limb, "") if facts.missing else facts.sentence
+        show_tooltip(self._limb, tooltip("Limb", about))
         self._offer_axes(design.limb)
         single = len(view.axes) == 1
         self._method.setEnabled(not single)

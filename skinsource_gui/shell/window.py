@@ -8,6 +8,7 @@ from PySide6.QtCore import QEventLoop, QObject
 from skinsource.design.design import Design
 from skinsource.design.view import View
 from skinsource.engine.quantities import graphs_that_share
+from skinsource.limbs.dataset.store import NOT_INSTALLED
 from skinsource_gui.pages.actions import (
     FileDrops,
     ImportActions,
@@ -15,8 +16,10 @@ from skinsource_gui.pages.actions import (
     SceneActions,
     StimulusActions,
 )
+from skinsource_gui.pages.dataset import TITLE
 from skinsource_gui.pages.files.exports import ExportActions
 from skinsource_gui.pages.files.file_actions import FileActions
+from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.shell import docks
 from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.appearance import Appearance, WindowFrame
@@ -31,7 +34,6 @@ from skinsource_gui.shell.drops import (
 )
 from skinsource_gui.shell.focus import ClipDrawing, PanelFocus, ShortcutsInFields, move_focus
 from skinsource_gui.shell.keeping import AutosaveAndRecovery
-from skinsource_gui.shell.limb_note import LimbNote
 from skinsource_gui.shell.menus import ActionSet, RecentMenu, fill_menu_bar
 from skinsource_gui.shell.notices import FirstHints, Installations, Notice, Reports, RunningJobs
 from skinsource_gui.shell.pages import Pages
@@ -50,6 +52,8 @@ from skinsource_gui.state.preferences import InstalledLimbs, Preferences
 from skinsource_gui.state.services import Services
 
 _LARGEST_AT_FIRST = (1600, 940)
+# Above and below the letters of the status bar: 24 px in letters of the usual size.
+_AROUND_STATUS_PX = 10
 
 
 class MainWindow(QtWidgets.QMainWindow):
@@ -86,7 +90,6 @@ class MainWindow(QtWidgets.QMainWindow):
         self.reports = Reports(
             self.document, self.notice, self.statusBar(), self.status_line, self.accuracy
         )
-        self._limb_note = LimbNote()
         services = Services(
             window=self,
             document=self.document,
@@ -101,7 +104,7 @@ class MainWindow(QtWidgets.QMainWindow):
         self.actions_by_name = self.action_set.by_name
         ShortcutsInFields(self.actions_by_name.values(), self)
         self._build()
-        self.conductor = Conductor(self.document, self.engine, self.panels, self.status_line.needs)
+        self.conductor = Conductor(self.document, self.engine, self.panels)
         PanelController(self.document, self.panels)
         self.comparison.begin()
         self._connect()
@@ -197,12 +200,17 @@ class MainWindow(QtWidgets.QMainWindow):
             self._menus, actions, steps, self.playback.bar, choices, self.setup_bar
         )
         self.setMenuWidget(self._head)
-        self.statusBar().addWidget(self.status_line, 1)
+        bar = self.statusBar()
+        bar.setSizeGripEnabled(False)
+        # Widgets that are not permanent would give way to messages, which the line shows.
+        bar.addPermanentWidget(self.status_line, 1)
         self._match_note = MatchNote([actions["keep_match_gain"], actions["match_levels"]])
         for widget in (self._match_note, self.playback.note, self.job_bar):
-            self.statusBar().addPermanentWidget(widget)
-        self.conditions = Conditions(self.document, self.engine, self.panels, self.statusBar())
-        self.statusBar().addPermanentWidget(self._limb_note)
+            bar.addPermanentWidget(widget)
+        self.conditions = Conditions(self.document, self.engine, self.panels, bar)
+        self._get_limbs = tool_button(bar, "get_limbs", f"{TITLE}…", NOT_INSTALLED)
+        self._get_limbs.clicked.connect(self.pages.show_dataset)
+        bar.addPermanentWidget(self._get_limbs)
 
     def _install(self, panel: Panel) -> None:
         """Connect a panel that was just made, after all others have met it, and show it."""
@@ -223,6 +231,7 @@ class MainWindow(QtWidgets.QMainWindow):
         document.refused.connect(reports.refuse)
         self.action_set.edited.connect(document.apply)
         self.appearance.changed.connect(self._check_theme)
+        self.appearance.changed.connect(self._fit_status_bar)
         self.workspaces.shown.connect(self._check_workspace)
         self.setup_bar.edited.connect(document.apply)
         self.files.started_over.connect(self.workspaces.leave_scene)
@@ -243,11 +252,9 @@ class MainWindow(QtWidgets.QMainWindow):
         self.playback.connect_to(self.panels, reports)
         self.keeping.connect_to(self.conductor, reports)
         self.running_jobs.show_on(self.actions_by_name["cancel_job"])
-        self._limb_note.help_requested.connect(self.pages.show_dataset)
         self.conductor.failed.connect(reports.show_impossible)
         self.conductor.delivered.connect(reports.show_outcome)
         self.conductor.stale.connect(self.status_line.show_stale)
-        self.conductor.delivered.connect(self._limb_note.show_outcome)
         self.accuracy.checked.connect(self.status_line.show_error)
         self.engine.finished.connect(reports.log_fault)
         Installations(self.runner, self.limbs, reports)
@@ -264,21 +271,24 @@ class MainWindow(QtWidgets.QMainWindow):
     def _show_state(self) -> None:
         design, view = self.document.design, self.document.view
         self.setup_bar.show_state(design, view)
-        self.status_line.show_design(design)
+        self.status_line.show_state(design, view)
         self._match_note.show_state(design, view)
-        self._limb_note.show_limb(design.limb)
 
     def _check_theme(self) -> None:
         name = self.preferences.theme_name
         known = f"use_{name}_theme" in self.actions_by_name
         self.actions_by_name[f"use_{name if known else 'system'}_theme"].setChecked(True)
 
+    def _fit_status_bar(self) -> None:
+        bar = self.statusBar()
+        bar.setFixedHeight(bar.fontMetrics().height() + _AROUND_STATUS_PX)
+
     def _check_workspace(self, name: str) -> None:
         self.actions_by_name[f"arrange_{name}"].setChecked(True)
 
     def _show_limbs(self) -> None:
         self.setup_bar.show_available(self.limbs.names)
-        self._limb_note.show_available(self.limbs.names)
+        self._get_limbs.setHidden(any(name.startswith("measured-") for name in self.limbs.names))
 
     def menuBar(self) -> QtWidgets.QMenuBar:
         # Qt would make another one in place of the line that holds it.
@@ -291,7 +301,7 @@ class MainWindow(QtWidgets.QMainWindow):
         return menu
 
     def focusNextPrevChild(self, forward: bool) -> bool:
-        bars = self.notice.buttons, self.playback.bar, self._head
+        bars = self.notice.card, self.playback.bar, self._head
         regions = (*bars, *self.panels, self.statusBar())
         return move_focus(self, regions, forward=forward)
 

@@ -130,7 +130,7 @@ WORKSPACES: tuple[Workspace, ...] = (
 )
 
 # Around the letters of a tab; the frame of a dock.
-_TAB_PX, _EDGE_PX = 16, 4
+_TAB_PX, _EDGE = 16, QSize(4, 4)
 _GAP = QtWidgets.QStyle.PixelMetric.PM_DockWidgetSeparatorExtent
 _PRESS, _RELEASE = QEvent.Type.MouseButtonPress, QEvent.Type.MouseButtonRelease
 
@@ -139,7 +139,8 @@ def shared(whole: int, shares: Sequence[int], least: Sequence[int]) -> list[int]
     """Split ``whole`` by ``shares``, but give each part what it needs at least, if that fits."""
     total = sum(shares)
     parts = [max(whole * share // total, need) for share, need in zip(shares, least, strict=True)]
-    excess, spare = sum(parts) - whole, sum(parts) - sum(least)
+    spare = sum(parts) - sum(least)
+    excess = min(sum(parts) - whole, spare)
     if excess > 0 and spare > 0:
         cuts = [excess * (part - need) // spare for part, need in zip(parts, least, strict=True)]
         parts = [part - cut for part, cut in zip(parts, cuts, strict=True)]
@@ -414,7 +415,8 @@ class Workspaces(QObject):
     def _room(self) -> QSize:
         window = self._window
         bars = [window.menuWidget(), window.statusBar()]
-        around = sum(bar.sizeHint().height() for bar in bars if not bar.isHidden())
+        shown = [bar for bar in bars if not bar.isHidden()]
+        around = sum(min(bar.sizeHint().height(), bar.maximumHeight()) for bar in shown)
         return window.size() - QSize(0, around)
 
     def _folds(self) -> tuple[Split, ...]:
@@ -448,7 +450,7 @@ class Workspaces(QObject):
         """Return the least room in which nothing of the panels has to scroll."""
         if isinstance(part, str):
             panel = self._docks[part].panel
-            return panel.minimumSize().expandedTo(panel.minimumSizeHint()) + QSize(_EDGE_PX, 0)
+            return panel.minimumSize().expandedTo(panel.minimumSizeHint()) + _EDGE
         needs = [self._least(inner) for inner, _ in part.parts]
         if part in self._folded:
             tab_px = self._window.fontMetrics().height() + _TAB_PX

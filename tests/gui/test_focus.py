@@ -45,7 +45,7 @@ def walk(window, modifiers=PLAIN):
 
 def region_of(window, widget):
     parts = {
-        "notice": window.notice.buttons,
+        "notice": window.notice.card,
         "setup": window.setup_bar,
         "transport": window.playback.bar,
         "status": window.statusBar(),
@@ -145,11 +145,11 @@ def test_a_field_that_tab_reaches_scrolls_into_sight(at_work):
     assert place.visibleRegion().boundingRect() == place.rect()
 
 
-def test_the_way_to_the_measured_limbs_is_followed_with_enter(at_work):
+def test_the_way_to_the_measured_limbs_is_followed_by_key(at_work):
     at_work.panel("spectra").setFocus()
     assert press(at_work, KEY.Key_Tab).objectName() == "conditions"
-    assert press(at_work, KEY.Key_Tab).objectName() == "limb_note"
-    press(at_work, KEY.Key_Return)
+    assert press(at_work, KEY.Key_Tab).objectName() == "get_limbs"
+    press(at_work, KEY.Key_Space)
     page = next(dialog for dialog in at_work.findChildren(QDialog) if dialog.isVisible())
     assert page.windowTitle() == "Get the measured limbs"
     page.close()
