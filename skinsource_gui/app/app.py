@@ -16,7 +16,6 @@ from skinsource.base.assets import user_folder
 from skinsource.base.crash_log import CrashLog
 from skinsource.base.files import make_folder
 from skinsource.limbs.catalog import available_limbs, default_limb
-from skinsource_gui.qt.screen_fit import ScreenFit
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.playing import device_is_stuck
 from skinsource_gui.state.preferences import Preferences, settings_path, start_design
@@ -168,7 +167,6 @@ def run(path: Path | None) -> int:
     window = make_window(path, preferences)
     if not window.workspaces.is_placed:
         window.setWindowState(Qt.WindowState.WindowMaximized)
-    ScreenFit(window).guess()
     end_signals = EndSignals(window)
 
     def end() -> None:

@@ -308,37 +308,16 @@ class Workspaces(QObject):
             self._settling.stop()
             self._moved = True
 
-    def _show_panels(self, content: bytes) -> None:
-        """Show and hide panels as in the layout ``content``; do nothing where it is empty.
-
-        Of panels that share a place, one that was in sight comes to the front.  Where they stand
-        and how large they are stays: that belongs to another screen.
-        """
-        before = self._window.saveState()
-        if not content or not self._window.restoreState(QByteArray(content)):
-            return
-        docks = self._docks.values()
-        hidden = {dock: dock.isHidden() for dock in docks}
-        in_sight = [dock for dock in docks if dock.isVisible() and dock.in_sight]
-        self._window.restoreState(before)
-        for dock, hide in hidden.items():
-            dock.setHidden(hide)
-        for dock in in_sight:
-            if not dock.in_sight:
-                dock.raise_()
-        self._keyboard.settle()
-
     def restore(self) -> None:
-        """Restore the last session; its sizes only where its screen is there."""
+        """Restore the last session; place and size of the window only where its screen is there."""
         screen = self._preferences.screen
         fits = not screen or screen in map(screen_key, QtGui.QGuiApplication.screens())
         self.is_placed = fits and not self._preferences.geometry.isEmpty()
         if self.is_placed:
             self._window.restoreGeometry(self._preferences.geometry)
-        name, own = self._preferences.arrangement, self._preferences.own_arrangements
-        self._show(name)
-        self._own = own if fits else {}
-        (self.put if fits else self._show_panels)(own.get(self._present.name, b""))
+        self._own = self._preferences.own_arrangements
+        self._show(self._preferences.arrangement)
+        self.put(self._own.get(self._present.name, b""))
 
     def close(self) -> None:
         """Store the workspaces for the next session, which begins without scene and audience."""

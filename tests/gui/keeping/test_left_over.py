@@ -49,7 +49,7 @@ def test_left_over_work_is_offered_with_its_age_and_picture_and_opened_as_not_sa
     picture = window.notice._picture
     assert picture.isVisible()
     assert picture.pixmap().height() == 90
-    # The notice has room of its own below the status bar.
+    # The card stands above the status bar.
     assert window.rect().contains(picture.geometry())
     assert window.notice.card.geometry().bottom() < window.statusBar().y()
     choose(window, "Open it")
