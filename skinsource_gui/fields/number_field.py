@@ -317,6 +317,17 @@ class NumberField(Editor, QtWidgets.QLineEdit):
             event.ignore()
 
     def event(self, event: QEvent) -> bool:
+        if (
+            isinstance(event, QtGui.QKeyEvent)
+            and event.type() == QEvent.Type.ShortcutOverride
+            and event.matches(QtGui.QKeySequence.StandardKey.Undo)
+            and self.editing
+            and self.text() == self._long_text
+        ):
+            # Nothing was typed yet: what is taken back is the last edit.
+            self.cancel()
+            event.ignore()
+            return True
         return claims_shortcut(event, self._claims) or super().event(event)
 
     def _claims(self, event: QtGui.QKeyEvent) -> bool:

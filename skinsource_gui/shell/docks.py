@@ -94,8 +94,6 @@ class Dock(QtWidgets.QDockWidget):
         self.setWidget(area)
         self.topLevelChanged.connect(self._show_title)
         self.topLevelChanged.connect(self._follow)
-        # The menu of Qt, with the right button on a title, would leave it behind others.
-        self.toggleViewAction().triggered.connect(self._raise_shown)
 
     @property
     def panel(self) -> Panel:
@@ -189,10 +187,6 @@ class Dock(QtWidgets.QDockWidget):
         set_title: Any = self.setTitleBarWidget
         set_title(None if floating else self._no_title)
 
-    def _raise_shown(self) -> None:
-        if not self.isHidden():
-            self.raise_()
-
 
 def _draw_buttons(dock: QtWidgets.QDockWidget) -> None:
     """Say what the buttons of the title do; those of the style are grey, whatever is behind."""
@@ -241,17 +235,11 @@ class DockTabs(QObject):
         """Bring the tab before the one in front to the front, where the keyboard is."""
         self._go(-1)
 
-    def show_list(self) -> None:
-        """List the panels in one place, where the keyboard is, to bring one to the front."""
-        bar = self._bar_in_use()
-        if bar is not None:
-            self._open_list(bar, bar.rect().bottomLeft(), bar.currentIndex())
-
     def _note_child(self, event: QChildEvent) -> None:
         bar = event.child()
         if isinstance(bar, QtWidgets.QTabBar):
             _prepare(bar)
-            bar.customContextMenuRequested.connect(self._open_list_at)
+            bar.customContextMenuRequested.connect(self._open_menu)
             bar.tabBarClicked.connect(self._note_click)
 
     def _note_click(self, index: int) -> None:
@@ -271,26 +259,13 @@ class DockTabs(QObject):
         if bar is not None:
             self._bring(bar.tabText((bar.currentIndex() + step) % bar.count()))
 
-    def _open_list_at(self, at: QPoint) -> None:
+    def _open_menu(self, at: QPoint) -> None:
         # Of the bar nothing is kept: Qt may delete it.
         bar = self.sender()
-        if isinstance(bar, QtWidgets.QTabBar):
-            self._open_list(bar, at, bar.tabAt(at))
-
-    def _open_list(self, bar: QtWidgets.QTabBar, at: QPoint, index: int) -> None:
-        """List all tabs of a bar, the front one ticked, and what can be done with one of them."""
-        menu = passing_menu(self._window, "tab_menu")
-        for other in range(bar.count()):
-            title = bar.tabText(other)
-            action = menu.addAction(title, partial(self._bring, title))
-            action.setCheckable(True)
-            action.setChecked(other == bar.currentIndex())
-            if action.isChecked():
-                menu.setActiveAction(action)
-        if index >= 0:
-            menu.addSeparator()
+        if isinstance(bar, QtWidgets.QTabBar) and (index := bar.tabAt(at)) >= 0:
+            menu = passing_menu(self._window, "tab_menu")
             self._dock_titled(bar.tabText(index)).fill_menu(menu)
-        menu.popup(bar.mapToGlobal(at))
+            menu.popup(bar.mapToGlobal(at))
 
     def _bring(self, title: str) -> None:
         dock = self._dock_titled(title)
@@ -327,10 +302,7 @@ class DockTabs(QObject):
 
 def _prepare(bar: QtWidgets.QTabBar) -> None:
     bar.setAccessibleName("Panels in one place")
-    bar.setToolTip(
-        f"Panels in one place; {shortcut_text('next_tab')} shows the next, the right button lists "
-        "them"
-    )
+    bar.setToolTip(f"Panels in one place; {shortcut_text('next_tab')} shows the next")
     bar.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
     # The keyboard has a key for it; a stop without a panel would only be in the way of Tab.
     bar.setFocusPolicy(Qt.FocusPolicy.NoFocus)

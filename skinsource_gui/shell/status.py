@@ -23,7 +23,7 @@ from skinsource_gui.panels.skin.settings import (
     Z,
 )
 from skinsource_gui.qt.buttons import page_button
-from skinsource_gui.qt.error_label import PROMISED, VISIBLE, error_text
+from skinsource_gui.qt.error_label import error_text
 from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.labels import FittingLabel
 from skinsource_gui.qt.layouts import in_row
@@ -142,7 +142,7 @@ def shown_text(design: Design, view: View) -> str:
 
 
 class StatusLine(FittingLabel):
-    """Says what the skin shows, whether that is up to date, and an error beyond promise.
+    """Says what the skin shows, and whether that is up to date.
 
     A message of the status bar is shown in its place as long as there is one.
 
@@ -216,17 +216,13 @@ class StatusLine(FittingLabel):
             self._pause.start()
 
     def _show_text(self) -> None:
-        tone, error = "dim", self.error
+        tone = "dim"
         stale = self._has_results and self._staleness.is_stale
         phrases: tuple[str, ...] = (self._shown,)
         if self._message:
             phrases, tone = (self._message,), ""
         elif stale:
             phrases = (f"{self._shown} · computing…", "computing…")
-        elif self._has_results and error is not None and error.estimate > PROMISED:
-            tone = "error" if error.estimate > VISIBLE else "warning"
-            known = error_text(error)
-            phrases = (f"{self._shown} · traces: {known}", f"traces: {known}")
         self.show_phrases(phrases)
         set_tone(self, tone)
         self.setToolTip(_OLDER if stale else self._message)

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEventLoop, QObject
+from PySide6.QtCore import QEventLoop, QObject, Qt
 
 from skinsource.design.design import Design
 from skinsource.design.view import View
@@ -71,6 +71,8 @@ class MainWindow(QtWidgets.QMainWindow):
         self.setObjectName("studio")
         self.resize(*_LARGEST_AT_FIRST)
         self.setDockNestingEnabled(True)
+        # Panels have a menu each.
+        self.setContextMenuPolicy(Qt.ContextMenuPolicy.NoContextMenu)
         self.preferences = preferences
         self.appearance = Appearance(preferences, self)
         self.document = Document(design, view, self)
@@ -191,10 +193,10 @@ class MainWindow(QtWidgets.QMainWindow):
         actions = self.actions_by_name
         recent = RecentMenu(self.files.recent, self)
         recent.chosen.connect(self.files.open)
-        self._panel_toggles = docks.menu_toggles(self.docks.values(), self)
+        panels = docks.menu_toggles(self.docks.values(), self)
         steps = StepsMenu(self.document, self)
         submenus = {"open_design": recent, "redo": steps}
-        fill_menu_bar(self._menus, ACTIONS, actions, submenus, self._panel_toggles)
+        fill_menu_bar(self._menus, ACTIONS, actions, submenus, panels)
         choices = [actions[f"arrange_{workspace.name}"] for workspace in WORKSPACES]
         self._head = HeadLine(
             self._menus, actions, steps, self.playback.bar, choices, self.setup_bar
@@ -293,12 +295,6 @@ class MainWindow(QtWidgets.QMainWindow):
     def menuBar(self) -> QtWidgets.QMenuBar:
         # Qt would make another one in place of the line that holds it.
         return self._menus
-
-    def createPopupMenu(self) -> QtWidgets.QMenu:
-        # Qt's own menu lists docks in the order in which they were added to the window.
-        menu = QtWidgets.QMenu(self)
-        menu.addActions(self._panel_toggles)
-        return menu
 
     def focusNextPrevChild(self, forward: bool) -> bool:
         bars = self.notice.card, self.playback.bar, self._head

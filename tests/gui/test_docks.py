@@ -124,46 +124,23 @@ def test_a_click_on_a_tab_takes_the_keyboard_to_the_panel_it_shows_wherever_it_w
     assert with_keyboard(active) == "compare"
 
 
-def open_list(window, act):
-    act()
-    QApplication.processEvents()
-    menu = window.findChild(QMenu, "tab_menu")
-    assert menu.isVisible()
-    return menu, {action.text(): action for action in menu.actions()}
-
-
-def test_a_key_and_the_right_button_list_the_tabs_in_one_place(active, settle):
-    active.docks["analysis"].bring_forward()
+def test_the_right_button_floats_and_closes_the_panel_of_a_tab(active, settle):
     active.docks["compare"].bring_forward()
     settle()
-    active.panel("compare").setFocus()
-    menu, entries = open_list(active, lambda: active.do("list_tabs"))
-    bar = bar_with(active, "Analysis")
-    assert list(entries)[: bar.count()] == titles(bar)
-    assert [text for text, action in entries.items() if action.isChecked()] == ["Compare"]
-    assert menu.activeAction() is entries["Compare"]
-    entries["Analysis"].trigger()
-    menu.close()
-    settle()
-    assert with_keyboard(active) == "analysis"
+    bar = bar_with(active, "Compare")
     at = bar.tabRect(titles(bar).index("Compare")).center()
-    menu, entries = open_list(active, lambda: bar.customContextMenuRequested.emit(at))
-    entries["Float Compare"].trigger()
+    bar.customContextMenuRequested.emit(at)
+    QApplication.processEvents()
+    menu = active.findChild(QMenu, "tab_menu")
+    assert [action.text() for action in menu.actions()] == ["Float Compare", "Close Compare"]
+    menu.actions()[1].trigger()
     menu.close()
-    assert active.docks["compare"].isFloating()
-    bar = bar_with(active, "Analysis")
-    at = bar.tabRect(titles(bar).index("Timeline")).center()
-    menu, entries = open_list(active, lambda: bar.customContextMenuRequested.emit(at))
-    entries["Close Timeline"].trigger()
-    menu.close()
-    assert active.docks["timeline"].isHidden()
+    assert active.docks["compare"].isHidden()
 
 
 def test_keys_for_tabs_say_when_no_panels_share_a_place(window):
-    for name in ("next_tab", "list_tabs"):
-        window.statusBar().clearMessage()
-        window.do(name)
-        assert window.statusBar().currentMessage().startswith("No panel shares its place")
+    window.do("next_tab")
+    assert window.statusBar().currentMessage().startswith("No panel shares its place")
 
 
 def test_the_panels_menu_ticks_what_is_there_and_brings_what_is_behind(window, settle):

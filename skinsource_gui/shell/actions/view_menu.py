@@ -130,14 +130,6 @@ VIEW: tuple[ActionSpec, ...] = (
         command="dock_tabs.previous",
         keywords="panel front behind keyboard",
     ),
-    action(
-        "list_tabs",
-        "List tabs",
-        "List the panels that share a place, to bring one of them to the front",
-        "Ctrl+F6",
-        command="dock_tabs.show_list",
-        keywords="panel front behind keyboard overflow all",
-    ),
     *(
         action(
             f"use_{name}_theme",
