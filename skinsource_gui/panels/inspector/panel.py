@@ -447,6 +447,11 @@ class InspectorPanel(Panel):
         self._lay_out()
 
     def minimumSizeHint(self) -> QSize:
+        if not self.isVisible():
+            # Behind another panel layouts do not follow other letters.
+            for layout in self._editor.findChildren(QtWidgets.QLayout):
+                layout.invalidate()
+            self._stack.invalidate()
         # Fields scroll down, never sideways.
         bar = self.style().pixelMetric(QtWidgets.QStyle.PixelMetric.PM_ScrollBarExtent)
         width = self._scrolled.minimumSizeHint().width() + bar
