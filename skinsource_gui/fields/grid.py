@@ -11,14 +11,13 @@ from skinsource_gui.fields.editor import NewEditor
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.fitting import LayoutWatcher
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
-from skinsource_gui.qt.tooltips import tooltip
 
 #: Height of a label, and of one line of a field.
 LABEL_PX = 26
 # Space above and below the letters of a line.
 _AROUND_LINE_PX = 12
 
-_MIXED = tooltip("The selected inputs differ here. Typing sets all, dragging moves all by as much.")
+_MIXED = "Inputs differ here; typing sets all, dragging moves all alike"
 
 
 class _FieldLabel(QtWidgets.QLabel):

@@ -83,7 +83,7 @@ VIEW: tuple[ActionSpec, ...] = (
     action(
         "float_panel",
         "Float panel",
-        "Take the panel in use out of the window, or put it back",
+        "Take the panel out of the window, or put it back",
         "Ctrl+Shift+W",
         command="panel_in_use.turn_floating",
         keywords="dock undock window screen detach",
