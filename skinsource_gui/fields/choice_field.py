@@ -7,7 +7,7 @@ from PySide6.QtCore import QPointF, Qt, Signal
 
 from skinsource.base.quoting import printable
 from skinsource.specs.spec import ChoiceSpec
-from skinsource_gui.fields.editor import Burst, Editor
+from skinsource_gui.fields.editor import MIXED, Burst, Editor
 from skinsource_gui.qt.fitting import readable_in
 from skinsource_gui.qt.tooltips import tooltip
 
@@ -101,7 +101,7 @@ class ChoiceField(Editor, DropDown):
     ) -> None:
         super().__init__(parent)
         self._burst = Burst(self)
-        self._unknown, self._empty = "", empty
+        self._unknown, self._empty, self._mixed = "", empty, False
         self.set_spec(spec)
         self.setAccessibleName(spec.label)
         self.setToolTip(tooltip(spec.label, spec.hint))
@@ -143,10 +143,18 @@ class ChoiceField(Editor, DropDown):
     @property
     def shown_text(self) -> str:
         """The text of the choice."""
+        if self._mixed:
+            return MIXED
         if self.currentIndex() >= 0:
             return self.currentText()
         # Without a value, no option is missing.
         return f"{printable(self._unknown)} (not available)" if self._unknown else self._empty
+
+    def show_mixed(self, mixed: bool) -> None:
+        """Say "mixed" in place of the choice, or show it."""
+        if mixed != self._mixed:
+            self._mixed = mixed
+            self.update()
 
     def choose(self, option: str) -> None:
         """Choose an option, as a user does."""

@@ -17,6 +17,10 @@ else:
     _Widget = object
 
 
+#: What a field says while the selected inputs have different values.
+MIXED = "mixed"
+
+
 class Editor(_Widget):
     """What a widget does that edits one value; the widget inherits this first.
 
@@ -48,6 +52,9 @@ class Editor(_Widget):
 
     def cancel(self) -> None:
         """Forget what is being typed."""
+
+    def show_mixed(self, mixed: bool) -> None:
+        """Say "mixed" in place of the value, or show the value."""
 
 
 #: Makes the editor for a field.

@@ -10,18 +10,14 @@ from skinsource.specs.spec import Spec
 from skinsource_gui.fields.editor import NewEditor
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.fitting import LayoutWatcher
-from skinsource_gui.qt.theme import UNIT_PX, letter_scale, set_tone
-from skinsource_gui.qt.tooltips import tooltip
+from skinsource_gui.qt.theme import UNIT_PX, set_tone
 
 #: Height of a label, and of one line of a field.
 LABEL_PX = 26
 # Space above and below the letters of a line.
 _AROUND_LINE_PX = 12
 
-_DIFFERS = tooltip(
-    "The selected inputs differ here; shown is the one that was selected last. Typing sets all, "
-    "dragging moves all by as much."
-)
+_MIXED = "Inputs differ here; typing sets all, dragging moves all alike"
 
 
 class _FieldLabel(QtWidgets.QLabel):
@@ -86,7 +82,7 @@ class EditedCell(LabelledCell):
         super().__init__(spec.label, parent)
         self.name, self._label_text = name, spec.label
         self._value: object = None
-        self._warns = self._differs = False
+        self._warns = self._mixed = False
         self._problem, self._reason = "", ""
         self.field = new_editor(spec, self)
         self.field.edited.connect(self._edit)
@@ -115,7 +111,7 @@ class EditedCell(LabelledCell):
         self.field.set_spec(spec)
         if spec.label != self._label_text:
             self._label_text = spec.label
-            self._show_label()
+            self.label.setText(spec.label)
 
     def set_value(self, value: object) -> None:
         """Show a value without a signal."""
@@ -124,15 +120,12 @@ class EditedCell(LabelledCell):
             self._value, self._reason = value, ""
         self._advise()
 
-    def show_differs(self, differs: bool) -> None:
-        """Say whether the selected inputs have different values."""
-        if differs != self._differs:
-            self._differs = differs
-            self._show_label()
-
-    def _show_label(self) -> None:
-        self.label.setText(f"{self._label_text} ≠" if self._differs else self._label_text)
-        self.label.setToolTip(_DIFFERS if self._differs else "")
+    def show_mixed(self, mixed: bool) -> None:
+        """Say whether the selected inputs have different values: an empty field says "mixed"."""
+        self.field.show_mixed(mixed)
+        if mixed != self._mixed:
+            self._mixed = mixed
+            self.label.setToolTip(_MIXED if mixed else "")
 
     def forget_typing(self) -> None:
         """Close an open editor without committing."""
@@ -176,36 +169,28 @@ class EditedCell(LabelledCell):
             set_tone(self._note, "warning" if warns else "error")
 
 
-#: From this width on, in letters of the usual size, two fields stand side by side.
-WIDE_PX = 440
-_MOST_PAIRS = 2
+# Labels of all grids are at least so many letters wide, so that fields stand below each other.
+_LABEL_LETTERS = 11
 _ANY_HEIGHT_PX = 16_777_215
 
 
 class FieldGrid(QtWidgets.QWidget):
-    """Cells with their labels beside them, in one column or in two where there is room.
-
-    In a narrow grid labels stand above their fields.
-    """
+    """Cells in one column, with their labels beside them; in a narrow grid above them."""
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._cells: tuple[LabelledCell, ...] = ()
-        self._pairs, self._above = 1, False
+        self._above = False
         self._grid = QtWidgets.QGridLayout(self)
         self._grid.setContentsMargins(0, 0, 0, 0)
         self._grid.setHorizontalSpacing(UNIT_PX)
         self._grid.setVerticalSpacing(UNIT_PX // 4)
+        self._grid.setColumnStretch(1, 1)
         LayoutWatcher(self).changed.connect(self._fold)
 
     def set_margins(self, left: int, top: int, right: int, bottom: int) -> None:
         """Set the margins around the cells, px."""
         self._grid.setContentsMargins(left, top, right, bottom)
-
-    @property
-    def pairs(self) -> int:
-        """Number of fields side by side."""
-        return self._pairs
 
     def show_cells(self, cells: Sequence[LabelledCell]) -> None:
         """Show these cells, in reading order; others are removed but not deleted."""
@@ -233,12 +218,14 @@ class FieldGrid(QtWidgets.QWidget):
         return super().minimumSizeHint().boundedTo(QSize(least, _ANY_HEIGHT_PX))
 
     def _fold(self) -> None:
-        wide_px = WIDE_PX * letter_scale(self.font())
-        pairs = _MOST_PAIRS if self.width() >= wide_px else 1
         above = self.width() < self._paired_px
-        if (pairs, above) != (self._pairs, self._above):
-            self._pairs, self._above = pairs, above
+        if above != self._above:
+            self._above = above
             self._arrange()
+
+    @property
+    def _labels_px(self) -> int:
+        return _LABEL_LETTERS * self.fontMetrics().averageCharWidth()
 
     @property
     def _paired_px(self) -> int:
@@ -247,27 +234,20 @@ class FieldGrid(QtWidgets.QWidget):
         labels = max((cell.label.sizeHint().width() for cell in paired), default=0)
         fields = max((cell.minimumSizeHint().width() for cell in paired), default=0)
         margins = self._grid.contentsMargins()
-        gap = self._grid.horizontalSpacing()
-        return labels + gap + fields + margins.left() + margins.right()
+        beside = max(labels, self._labels_px) + self._grid.horizontalSpacing() + fields
+        return beside + margins.left() + margins.right()
 
     def _arrange(self) -> None:
         # A cell that is across contains its label, which is in no layout of the grid.
         for part in (widget for cell in self._cells for widget in (cell.label, cell)):
             self._grid.removeWidget(part)
-        row, pair = 0, 0
-        for cell in self._cells:
+        for row, cell in enumerate(self._cells):
             if cell.across:
-                row += pair > 0
-                self._grid.addWidget(cell, row, 0, 1, 2 * self._pairs)
-                row, pair = row + 1, 0
-                continue
-            if self._above:
-                self._grid.addWidget(cell.label, row, 0, 1, 2)
-                self._grid.addWidget(cell, row + 1, 0, 1, 2)
-                row += 2
-                continue
-            self._grid.addWidget(cell.label, row, 2 * pair, Qt.AlignmentFlag.AlignTop)
-            self._grid.addWidget(cell, row, 2 * pair + 1, Qt.AlignmentFlag.AlignTop)
-            row, pair = (row, pair + 1) if pair + 1 < self._pairs else (row + 1, 0)
-        for pair in range(_MOST_PAIRS):
-            self._grid.setColumnStretch(2 * pair + 1, 1 if pair < self._pairs else 0)
+                self._grid.addWidget(cell, 2 * row, 0, 1, 2)
+            elif self._above:
+                self._grid.addWidget(cell.label, 2 * row, 0, 1, 2)
+                self._grid.addWidget(cell, 2 * row + 1, 0, 1, 2)
+            else:
+                self._grid.addWidget(cell.label, 2 * row, 0, Qt.AlignmentFlag.AlignTop)
+                self._grid.addWidget(cell, 2 * row, 1, Qt.AlignmentFlag.AlignTop)
+        self._grid.setColumnMinimumWidth(0, 0 if self._above else self._labels_px)

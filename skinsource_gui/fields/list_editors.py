@@ -31,8 +31,9 @@ from skinsource_gui.fields.units import (
     read_points,
     value_text,
 )
-from skinsource_gui.qt.buttons import page_label
-from skinsource_gui.qt.layouts import in_column
+from skinsource_gui.qt.buttons import page_label, tool_button
+from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.theme import tabular
 
 _SPACING = ChoiceSpec(
     label="Spacing",
@@ -121,7 +122,7 @@ class SweepDialog(QtWidgets.QDialog):
         self._list.setText(f"{numbers_text(values[:_MOST_SHOWN], self._spec)}{more} Hz")
 
 
-_LONGEST = 100_000
+_LONGEST, _NONE = 100_000, "none"
 
 
 class ListEditor(Editor, QtWidgets.QWidget):
@@ -135,13 +136,12 @@ class ListEditor(Editor, QtWidgets.QWidget):
             label=spec.label, hint=hint, longest=_LONGEST, one_line=True, reader=self._read
         )
         self.line = LiveText(read, self)
-        self.line.setPlaceholderText("none")
+        self.line.setPlaceholderText(_NONE)
         self.line.edited.connect(self._tell)
         self.line.problem_changed.connect(self.problem_changed)
         self.setFocusProxy(self.line)
-        self.row = QtWidgets.QHBoxLayout()
-        self.row.addWidget(self.line, 1)
-        self.column = in_column(self.row, of=self, margins=0, gap_px=4)
+        self.line.setFont(tabular(self.font()))
+        self.column = in_column(self.line, of=self, margins=0, gap_px=4)
 
     def set_value(self, value: Any) -> None:
         """Show a value without a signal; a typed text with the same value stays."""
@@ -161,6 +161,10 @@ class ListEditor(Editor, QtWidgets.QWidget):
     def mark_error(self, reason: str) -> None:
         """Mark the place that a reason names."""
         self.line.mark_error(reason)
+
+    def show_mixed(self, mixed: bool) -> None:
+        """Say "mixed" in an empty line, or show the value."""
+        self.line.show_mixed(mixed, _NONE)
 
     def cancel(self) -> None:
         """Restore the value."""
@@ -186,12 +190,12 @@ class NumbersEditor(ListEditor):
         super().__init__(spec, parent, f"{spec.hint}. Numbers between commas")
         if self._spec.of.unit != "Hz":
             return
-        self.sweep = QtWidgets.QPushButton("Sweep…", self)
-        self.sweep.setToolTip("Frequencies in equal factors or steps, rising or falling")
-        self.sweep.setAutoDefault(False)
+        hint = "Frequencies in equal factors or steps, rising or falling"
+        self.sweep = tool_button(self, "sweep", "Sweep…", hint)
         self.sweep.clicked.connect(self._ask_sweep)
-        self.row.setSpacing(4)
-        self.row.addWidget(self.sweep)
+        # The line has the whole width.
+        self.label = QtWidgets.QLabel(spec.label)
+        self.column.insertLayout(0, in_row((self.label, 1), self.sweep, margins=0, gap_px=4))
 
     def advice(self) -> str:
         """Warn of frequencies that were not measured."""

@@ -9,7 +9,7 @@ from PySide6.QtCore import QEvent, QPoint, QRect, QRectF, QSize, Qt, QTimer, Sig
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.specs.numbers import NumberSpec
-from skinsource_gui.fields.editor import Burst, Editor, new_gesture
+from skinsource_gui.fields.editor import MIXED, Burst, Editor, new_gesture
 from skinsource_gui.fields.units import (
     COARSE,
     EDITED_DIGITS,
@@ -195,7 +195,7 @@ class NumberField(Editor, QtWidgets.QLineEdit):
     ) -> None:
         super().__init__(parent)
         self.spec, self.value_si = spec, clamped(0.0, spec)
-        self.problem, self.burst = "", Burst(self)
+        self.problem, self.burst, self._mixed = "", Burst(self), False
         self._widest_unit, self._widest_number = widest_unit, widest_number
         self._problem_beside = problem_beside
         self._drag: _Drag | None = None
@@ -221,7 +221,7 @@ class NumberField(Editor, QtWidgets.QLineEdit):
     @property
     def unit_text(self) -> str:
         """The unit beside the number; a text in place of a number has none."""
-        if self.spec.unset and self.value_si == 0.0 and not self.editing:
+        if (self._mixed or (self.spec.unset and self.value_si == 0.0)) and not self.editing:
             return ""
         return display_unit(self.spec.unit, self.value_si).symbol
 
@@ -242,6 +242,14 @@ class NumberField(Editor, QtWidgets.QLineEdit):
                 self._end_typing()
             self._show(float(value_si))
 
+    def show_mixed(self, mixed: bool) -> None:
+        """Say "mixed" in place of the number, or show it."""
+        if mixed != self._mixed:
+            self._mixed = mixed
+            self.setPlaceholderText(MIXED if mixed else "")
+            self.setAccessibleDescription(MIXED if mixed else "")
+            self._show(self.value_si)
+
     def advice(self) -> str:
         """Warn of a frequency that was not measured."""
         return "" if self.spec.is_known(self.value_si) else outside_band_text(self.spec)
@@ -251,7 +259,7 @@ class NumberField(Editor, QtWidgets.QLineEdit):
         self._set_problem("")
         self.setReadOnly(False)
         self.setCursor(Qt.CursorShape.IBeamCursor)
-        self.setText(self._long_text if text is None else text)
+        self.setText(text if text is not None else "" if self._mixed else self._long_text)
         if text is None:
             self.selectAll()
 
@@ -266,6 +274,9 @@ class NumberField(Editor, QtWidgets.QLineEdit):
         """Make the typed text the value; return whether that is possible."""
         if not self.editing:
             return True
+        if self._mixed and not self.text():
+            self.cancel()
+            return True
         try:
             typed_si = parse_number(self.text(), self.spec, self.value_si)
         except InvalidInputError as error:
@@ -274,7 +285,8 @@ class NumberField(Editor, QtWidgets.QLineEdit):
         self.cancel()
         # The text may be rounded.
         short = number_text(self.value_si, self.spec.unit)
-        if typed_si not in (self.value_si, self._parsed(self._long_text), self._parsed(short)):
+        same = self.value_si, self._parsed(self._long_text), self._parsed(short)
+        if self._mixed or typed_si not in same:
             self._edit(typed_si, None)
         return True
 
@@ -305,6 +317,17 @@ class NumberField(Editor, QtWidgets.QLineEdit):
             event.ignore()
 
     def event(self, event: QEvent) -> bool:
+        if (
+            isinstance(event, QtGui.QKeyEvent)
+            and event.type() == QEvent.Type.ShortcutOverride
+            and event.matches(QtGui.QKeySequence.StandardKey.Undo)
+            and self.editing
+            and self.text() == self._long_text
+        ):
+            # Nothing was typed yet: what is taken back is the last edit.
+            self.cancel()
+            event.ignore()
+            return True
         return claims_shortcut(event, self._claims) or super().event(event)
 
     def _claims(self, event: QtGui.QKeyEvent) -> bool:
@@ -444,7 +467,8 @@ class NumberField(Editor, QtWidgets.QLineEdit):
         self.value_si = value_si
         if not self.editing:
             room_px = self._number_px
-            self.setText(fitting_text(value_si, self.spec, self.fontMetrics(), room_px))
+            text = fitting_text(value_si, self.spec, self.fontMetrics(), room_px)
+            self.setText("" if self._mixed else text)
             self.update()
 
     def _show_spec(self) -> None:

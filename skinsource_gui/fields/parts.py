@@ -575,7 +575,7 @@ class RowColumn(QtWidgets.QWidget, Generic[Row]):
 
 
 def lay_out_list(
-    editor: QtWidgets.QWidget, label: QtWidgets.QLabel, add: AddButton, rows: QtWidgets.QWidget
+    editor: QtWidgets.QWidget, label: QtWidgets.QWidget, add: AddButton, rows: QtWidgets.QWidget
 ) -> None:
     """Put a label and the button that adds rows above the rows."""
     head = in_row((label, 1), add)

@@ -6,7 +6,7 @@ from PySide6.QtCore import QEvent, QMimeData, QSize, Qt, Signal
 from skinsource.base.errors import InvalidInputError
 from skinsource.signals.formula.reading import column_of
 from skinsource.specs.spec import TextSpec
-from skinsource_gui.fields.editor import Burst, Editor, TextMark
+from skinsource_gui.fields.editor import MIXED, Burst, Editor, TextMark
 from skinsource_gui.qt.tooltips import tooltip
 
 _MOST_LINES = 6
@@ -18,8 +18,8 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
     """Edits a text of ``spec``, whose reader checks it while it is typed.
 
     Each valid text is signalled at once; quick ones share a gesture, until a pause, Enter, or the
-    loss of the focus.  An invalid text stays, underlined where reading stopped, while the last
-    valid one remains the value; Esc restores it.  A long line is wrapped.
+    loss of the focus.  An invalid text stays, underlined where reading stopped; once it is left,
+    the value is the one before the typing, which Esc restores.  A long line is wrapped.
     """
 
     #: The new text; number of the gesture that quick successive texts share.
@@ -28,7 +28,9 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
     def __init__(self, spec: TextSpec, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._spec = spec
-        self._value, self._last_read = "", ""
+        self._value, self._last_read, self._mixed = "", "", False
+        # The value before what is being typed.
+        self._start: str | None = None
         self._burst, self._mark = Burst(self), TextMark(self)
         self.problem = ""
         self.setAccessibleName(spec.label)
@@ -70,6 +72,16 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
             self._mark.put(column_of(reason))
             self._set_problem(reason)
 
+    def show_mixed(self, mixed: bool, otherwise: str = "") -> None:
+        """Say "mixed" in an empty field, or show the value; an empty one says ``otherwise``."""
+        self.setPlaceholderText(MIXED if mixed else otherwise)
+        if mixed and self.text() == self._value:
+            self._last_read = ""
+            self.setPlainText("")
+        elif self._mixed and not mixed and not self.text():
+            self._restore()
+        self._mixed = mixed
+
     def cancel(self) -> None:
         """Restore the value."""
         if self.text() != self._value:
@@ -101,14 +113,18 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
     def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             self._burst.end()
+            if not self.problem:
+                self._start = None
         elif event.key() == Qt.Key.Key_Escape:
             event.setAccepted(self.text() != self._value)
+            self._revert()
             self.cancel()
         else:
             super().keyPressEvent(event)
 
     def focusOutEvent(self, event: QtGui.QFocusEvent) -> None:
         super().focusOutEvent(event)
+        self._revert()
         self._burst.end()
 
     def insertFromMimeData(self, source: QMimeData) -> None:
@@ -137,9 +153,19 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
         self._mark.put(column)
         self._set_problem(problem)
         if not problem and text != self._value:
+            if self._start is None:
+                self._start = self._value
             self.edited.emit(text, self._burst.gesture())
 
+    def _revert(self) -> None:
+        """Give up the valid half of a text that became invalid: the value is as before it."""
+        start, self._start = self._start, None
+        if self.problem and start is not None and start != self._value:
+            self._value = start
+            self.edited.emit(start, self._burst.gesture())
+
     def _restore(self) -> None:
+        self._start = None
         self._burst.end()
         self._last_read = self._value
         self.setPlainText(self._value)

@@ -391,7 +391,8 @@ class MatchingActions(QObject):
 class SceneActions(QObject):
     """Shows the gallery of scenes, and opens the scene that is chosen there.
 
-    ``arrange`` takes the name of an arrangement, and the names of the panels to be visible.
+    ``arrange`` takes the name of a workspace and the names of the panels to be visible, and returns
+    what that is called where another one was shown.
     """
 
     failed = Signal(str)
@@ -404,7 +405,7 @@ class SceneActions(QObject):
         self,
         services: Services,
         files: FileActions,
-        arrange: Callable[[str, Sequence[str]], None],
+        arrange: Callable[[str, Sequence[str]], str],
     ) -> None:
         super().__init__(services.window)
         self._document, self._files, self._limbs = services.document, files, services.limbs
@@ -437,13 +438,15 @@ class SceneActions(QObject):
         self._files.leave_file()
         self._files.suggested = self._preferences.folder / f"{opened.scene.name}{SUFFIX}"
         self._last, self._last_limb = opened.scene.name, limb
-        self._arrange(opened.scene.arrangement, opened.scene.panels)
+        workspace = self._arrange(opened.scene.arrangement, opened.scene.panels)
         self.opened.emit(name)
         text = f"Opened {opened.scene.heading}"
         if opened.synthetic:
             text += ", on a SYNTHETIC limb"
         elif limb:
             text += f", on {limb_label(limb).title}"
+        if workspace:
+            text += f", in the {workspace} workspace"
         self.done.emit(text)
 
 

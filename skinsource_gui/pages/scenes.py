@@ -3,6 +3,7 @@
 from collections.abc import Collection
 from html import escape
 
+import numpy as np
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QPoint, QRect, QRectF, QSize, QSizeF, Qt, Signal
 
@@ -25,7 +26,7 @@ _LEAST_PX = (360, 220)
 
 
 class ScenePicture(QtWidgets.QWidget):
-    """Shows a picture on a white ground, as large as there is room."""
+    """Shows a picture on its ground, as large as there is room."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -58,7 +59,7 @@ class ScenePicture(QtWidgets.QWidget):
         painter.setRenderHint(QtGui.QPainter.RenderHint.SmoothPixmapTransform)
         ground = QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5)
         painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().border), 1))
-        painter.setBrush(QtGui.QColor("white"))
+        painter.setBrush(QtGui.QColor(current_theme().base))
         painter.drawRect(ground)
         area = self.area()
         if not area.isEmpty():
@@ -225,14 +226,36 @@ def _scrolled(inside: QtWidgets.QWidget) -> QtWidgets.QScrollArea:
 
 
 def picture_of(scene: Scene) -> QtGui.QPixmap:
-    """Return the picture of a scene."""
-    return QtGui.QPixmap(str(resource_folder() / "scenes" / f"{scene.name}.png"))
+    """Return the picture of a scene, in a dark theme on its ground."""
+    image = QtGui.QImage(str(resource_folder() / "scenes" / f"{scene.name}.png"))
+    theme = current_theme()
+    base, text = QtGui.QColor(theme.base), QtGui.QColor(theme.text)
+    if base.lightness() < text.lightness() and not image.isNull():
+        image = _recoloured(image, base, text)
+    return QtGui.QPixmap.fromImage(image)
+
+
+def _recoloured(image: QtGui.QImage, base: QtGui.QColor, text: QtGui.QColor) -> QtGui.QImage:
+    """Return a picture with white and black as ``base`` and ``text``; colours stay."""
+    image = image.convertToFormat(QtGui.QImage.Format.Format_RGB32)
+    pixels = np.frombuffer(image.bits(), np.uint8).reshape(image.height(), image.width(), 4)
+    bgr = pixels[..., :3] / 255.0
+    high = bgr.max(-1, keepdims=True)
+    # No colour of a map is less than half saturated: they all stay as they are.
+    saturation = 1.0 - bgr.min(-1, keepdims=True) / np.maximum(high, 1e-9)
+    coloured = np.minimum(2.0 * saturation, 1.0) * (high > 0)
+    white, black = (
+        np.array((colour.blueF(), colour.greenF(), colour.redF())) for colour in (base, text)
+    )
+    greys = black + (white - black) * high
+    pixels[..., :3] = np.round(255.0 * (coloured * bgr + (1.0 - coloured) * greys))
+    return image
 
 
 def _icon_of(scene: Scene) -> QtGui.QIcon:
-    """Return its picture, small, on a white card that looks the same when it is selected."""
+    """Return its picture, small, on a card that looks the same when it is selected."""
     card = QtGui.QPixmap(QSize(*_ICON_PX))
-    card.fill(Qt.GlobalColor.white)
+    card.fill(QtGui.QColor(current_theme().base))
     small = picture_of(scene).scaled(
         card.size(),
         Qt.AspectRatioMode.KeepAspectRatio,

@@ -59,6 +59,30 @@ def tool_button(
     return button
 
 
+class Fold(QtWidgets.QToolButton):
+    """A title with an arrow, which shows or hides what stands below it; folded at first."""
+
+    def __init__(self, name: str, text: str, content: QtWidgets.QWidget) -> None:
+        super().__init__()
+        self.setObjectName(name)
+        self.setText(text)
+        self.setCheckable(True)
+        self.setAutoRaise(True)
+        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setSizePolicy(
+            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Fixed
+        )
+        self._content = content
+        self.toggled.connect(self._follow)
+        self._follow(False)
+
+    def _follow(self, is_open: bool) -> None:
+        arrow = Qt.ArrowType.DownArrow if is_open else Qt.ArrowType.RightArrow
+        self.setArrowType(arrow)
+        self._content.setVisible(is_open)
+
+
 def passing_menu(parent: QtWidgets.QWidget, name: str = "") -> QtWidgets.QMenu:
     """Return a menu that is deleted when it is closed."""
     menu = QtWidgets.QMenu(parent)

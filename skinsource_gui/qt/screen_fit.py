@@ -1,7 +1,7 @@
 """Keeps windows with their frames on the screen."""
 
 from PySide6 import QtWidgets
-from PySide6.QtCore import QEvent, QMargins, QObject, QRect, QSize
+from PySide6.QtCore import QMargins, QRect, QSize
 
 
 def fitted(inside: QRect, available: QRect, frame: QMargins) -> QRect:
@@ -27,39 +27,5 @@ def fit_by_guess(window: QtWidgets.QWidget) -> None:
     """Fit a window onto its screen before it is shown, with a usual frame."""
     bar = window.style().pixelMetric(QtWidgets.QStyle.PixelMetric.PM_TitleBarHeight)
     edge = window.style().pixelMetric(QtWidgets.QStyle.PixelMetric.PM_DefaultFrameWidth)
-    _fit(window, QMargins(edge, bar + edge, edge, 2 * edge))
-
-
-def _fit(window: QtWidgets.QWidget, frame: QMargins) -> None:
-    inside = window.geometry()
-    best = fitted(inside, window.screen().availableGeometry(), frame)
-    if best != inside:
-        window.setGeometry(best)
-
-
-class ScreenFit(QObject):
-    """Fits ``window`` onto its screen when it is first shown.
-
-    The window manager adds a frame some time later; until then a usual frame is assumed.
-    """
-
-    def __init__(self, window: QtWidgets.QWidget) -> None:
-        super().__init__(window)
-        self._window = window
-        window.installEventFilter(self)
-
-    def guess(self) -> None:
-        """Fit the window with a usual frame."""
-        if not self._window.windowState():
-            fit_by_guess(self._window)
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        moved = event.type() in (QEvent.Type.Move, QEvent.Type.WindowActivate)
-        handle = self._window.windowHandle()
-        if moved and self._window.isVisible() and handle is not None:
-            frame = handle.frameMargins()
-            if not frame.isNull():
-                watched.removeEventFilter(self)
-                if not self._window.windowState():
-                    _fit(self._window, frame)
-        return super().eventFilter(watched, event)
+    frame = QMargins(edge, bar + edge, edge, 2 * edge)
+    window.setGeometry(fitted(window.geometry(), window.screen().availableGeometry(), frame))

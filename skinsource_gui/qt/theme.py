@@ -300,6 +300,28 @@ def repeat_icon() -> QtGui.QIcon:
     return drawn_icon(path, current_theme(), line_px=1.4)
 
 
+def turn_icon(*, back: bool) -> QtGui.QIcon:
+    """Return an arrow that turns back, or forth."""
+    path = QtGui.QPainterPath(QPointF(3.5, 6))
+    path.lineTo(10, 6)
+    path.arcTo(QRectF(6.5, 6, 7, 7), 90, -180)
+    path.lineTo(6.5, 13)
+    path.moveTo(6.5, 3)
+    path.lineTo(3.5, 6)
+    path.lineTo(6.5, 9)
+    mirror = QtGui.QTransform(1 if back else -1, 0, 0, 1, 0 if back else _SIZE, 0)
+    return drawn_icon(mirror.map(path), current_theme(), line_px=1.4)
+
+
+def search_icon() -> QtGui.QIcon:
+    """Return a magnifying glass."""
+    path = QtGui.QPainterPath()
+    path.addEllipse(QPointF(7, 7), 4.5, 4.5)
+    path.moveTo(10.2, 10.2)
+    path.lineTo(14, 14)
+    return drawn_icon(path, current_theme(), line_px=1.4)
+
+
 #: Dots per px on paper: so many that the wave between samples is drawn.
 PAPER_DOTS = 16.0
 _LINE_PX = 1.0

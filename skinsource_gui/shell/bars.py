@@ -1,29 +1,43 @@
-"""The bar above the panels: limb, scaling, transport and a few actions."""
+"""The one line above the panels: menus, steps, transport, workspaces, limb and search."""
 
-from collections.abc import Callable, Sequence
+import time
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
 
+from skinsource.base.quoting import printable
 from skinsource.design import edits
 from skinsource.design.design import Design
 from skinsource.design.edits.edit import Edit, Refusal
-from skinsource.design.labels import CHOICES, LIMBS, Word, limb_label, scalings_on
+from skinsource.design.labels import CHOICES, LIMBS, Word, limb_label, short_limb_title
 from skinsource.design.view import View
 from skinsource.limbs.dataset.store import NOT_INSTALLED
-from skinsource.limbs.own_limbs import drive_unit_known, facts_of, own_limb_names
+from skinsource.limbs.own_limbs import facts_of, missing_limb, own_limb_names
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.dataset import TITLE
 from skinsource_gui.qt.layouts import in_row
-from skinsource_gui.qt.theme import UNIT_PX
+from skinsource_gui.qt.theme import UNIT_PX, search_icon, turn_icon
 from skinsource_gui.qt.tooltips import show_tooltip, tooltip
+from skinsource_gui.state.document import MOST_STEPS, Document, ReplaceDesign
 
-_LEAST_PX = 260
+#: Height of the line in letters of the usual size.
+_HEAD_PX = 36
 #: Where the list keeps what can be done with an entry; None: all that is usual.
 _FLAGS = Qt.ItemDataRole.UserRole - 1
 _ENABLED = Qt.ItemFlag.ItemIsEnabled
+# Room for so many letters of a choice, and its width where there is little.
+_LETTERS, _LEAST_PX = 9, 40
+
+
+class LimbField(ChoiceField):
+    """Chooses the limb; closed, it shows its short title."""
+
+    @property
+    def shown_text(self) -> str:
+        return short_limb_title(self.value) if self.currentIndex() >= 0 else super().shown_text
 
 
 class SetupBar(QtWidgets.QWidget):
@@ -37,44 +51,29 @@ class SetupBar(QtWidgets.QWidget):
         self._design: Design | None = None
         self._view: View | None = None
         self._limb_options: tuple[Word, ...] = LIMBS
-        self._drive_unit_known = True
-        self._row = in_row(of=self, margins=0, gap_px=6)
-        self._limb, self._scaling = (
-            self._choice(label, sentence, options) for _, label, sentence, options in CHOICES[:2]
+        _, label, sentence, options = CHOICES[0]
+        self._limb = LimbField(_spec(label, sentence, options))
+        self._limb.setObjectName("limb")
+        self._limb.setMinimumContentsLength(_LETTERS)
+        self._limb.setMinimumWidth(_LEAST_PX)
+        self._limb.setSizePolicy(
+            QtWidgets.QSizePolicy.Policy.Maximum, QtWidgets.QSizePolicy.Policy.Fixed
         )
-        self._row.addStretch(1)
-        self._titles = self.findChildren(QtWidgets.QLabel)
+        _explain(self._limb, options)
+        in_row(self._limb, of=self, margins=0)
         self._limb.edited.connect(partial(self._choose, edits.change_limb))
-        self._scaling.edited.connect(partial(self._choose, edits.change_scaling))
 
     def show_state(self, design: Design, view: View) -> None:
         """Take over the present design and view."""
         self._design, self._view = design, view
         self._limb.set_value(design.limb)
-        self._scaling.set_value(design.scaling)
-        self._explain_scalings(drive_unit_known(design.limb, design.limb_digest))
+        facts = facts_of(design.limb)
+        about = missing_limb(design.limb, "") if facts.missing else facts.sentence
+        show_tooltip(self._limb, tooltip("Limb", about))
 
     def show_playhead(self, view: View) -> None:
         """Take over a view in which the playhead alone has moved."""
         self._view = view
-
-    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
-        super().resizeEvent(event)
-        # Where there is too little room, the labels are hidden rather than the choices.
-        named = sum(title.sizeHint().width() + self._row.spacing() for title in self._titles)
-        chosen = self._row.sizeHint().width()
-        needed = chosen if self._titles[0].isVisibleTo(self) else chosen + named
-        for title in self._titles:
-            title.setVisible(self.width() >= needed)
-
-    @property
-    def wanted_px(self) -> int:
-        """Width of all choices in full, without their labels."""
-        fields = self.findChildren(ChoiceField)
-        return sum(field.sizeHint().width() + 2 * self._row.spacing() for field in fields)
-
-    def minimumSizeHint(self) -> QSize:
-        return QSize(_LEAST_PX, super().minimumSizeHint().height())
 
     def show_available(self, limbs: tuple[str, ...]) -> None:
         """Offer these limbs, and no others."""
@@ -91,24 +90,15 @@ class SetupBar(QtWidgets.QWidget):
                 hint = "" if there else f"{NOT_INSTALLED} Help > {TITLE}… installs them."
                 self._limb.setItemData(index, hint, Qt.ItemDataRole.ToolTipRole)
 
-    def _explain_scalings(self, unit_known: bool) -> None:
-        """Explain what amplitudes mean on the limb."""
-        if unit_known == self._drive_unit_known:
-            return
-        self._drive_unit_known = unit_known
-        _explain(self._scaling, scalings_on(drive_unit_known=unit_known))
-
     def choices(self, parent: QObject | None) -> list[QtGui.QAction]:
         """Return an action for each choice, also those of the measure line, owned by ``parent``."""
-        actions = []
-        for field in (self._limb, self._scaling):
-            model = field.model()
-            for index in range(field.count()):
-                title = f"{field.accessibleName()}: {field.itemText(index)}"
-                there = bool(model.flags(model.index(index, 0)) & _ENABLED)
-                hint = field.itemData(index, Qt.ItemDataRole.ToolTipRole) or ""
-                choose = partial(field.choose, field.itemData(index))
-                actions.append(_action(title, hint, choose, parent, there=there))
+        actions, field = [], self._limb
+        for index in range(field.count()):
+            title = f"{field.accessibleName()}: {field.itemText(index)}"
+            there = bool(field.model().flags(field.model().index(index, 0)) & _ENABLED)
+            hint = field.itemData(index, Qt.ItemDataRole.ToolTipRole) or ""
+            choose = partial(field.choose, field.itemData(index))
+            actions.append(_action(title, hint, choose, parent, there=there))
         measured = set(facts_of(self._design.limb if self._design else "").axes)
         single = self._view is not None and len(self._view.axes) == 1
         for edit, (name, label, _, words) in zip(_LOOKS, CHOICES[2:], strict=True):
@@ -119,21 +109,6 @@ class SetupBar(QtWidgets.QWidget):
                 title = f"{label}: {word.title}"
                 actions.append(_action(title, tooltip(word.sentence), choose, parent, there=there))
         return actions
-
-    def _choice(self, label: str, sentence: str, options: tuple[Word, ...]) -> ChoiceField:
-        field = ChoiceField(_spec(label, sentence, options))
-        field.setObjectName(label.lower())
-        field.setSizeAdjustPolicy(QtWidgets.QComboBox.SizeAdjustPolicy.AdjustToContents)
-        field.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Maximum, QtWidgets.QSizePolicy.Policy.Fixed
-        )
-        _explain(field, options)
-        title = QtWidgets.QLabel(label)
-        title.setBuddy(field)
-        self._row.addWidget(title)
-        self._row.addWidget(field)
-        self._row.addSpacing(2)
-        return field
 
     def _choose(self, edit: Callable[..., Edit | Refusal], value: str, gesture: int | None) -> None:
         if self._design and self._view:
@@ -177,129 +152,210 @@ def _set_enabled(field: QtWidgets.QComboBox, index: int, *, there: bool) -> None
     field.setItemData(index, None if there else 0, _FLAGS)
 
 
-#: The buttons fold where the choices would get less than this share of their width.
-_CHOICES_SHARE = 0.8
 _REFITTED = (QEvent.Type.LayoutRequest, QEvent.Type.FontChange, QEvent.Type.StyleChange)
-
-
-class FoldedActions(QtWidgets.QWidget):
-    """Buttons of actions; where there is no room for them, one button with a menu of all.
-
-    Attributes
-    ----------
-    more
-        The button with the menu.
-    """
-
-    def __init__(
-        self, groups: Sequence[Sequence[QtGui.QAction]], parent: QtWidgets.QWidget | None = None
-    ) -> None:
-        super().__init__(parent)
-        self._buttons, row = QtWidgets.QWidget(self), QtWidgets.QHBoxLayout(self)
-        buttons = QtWidgets.QHBoxLayout(self._buttons)
-        for layout in (row, buttons):
-            layout.setContentsMargins(0, 0, 0, 0)
-            layout.setSpacing(6)
-        self.more = QtWidgets.QToolButton(self)
-        self.more.setObjectName("more_actions")
-        self.more.setText("»")
-        self.more.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.more.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        menu = QtWidgets.QMenu(self.more)
-        for group in groups:
-            line = QtWidgets.QFrame(self._buttons)
-            line.setObjectName("bar_line")
-            line.setFixedWidth(1)
-            buttons.addWidget(line)
-            menu.addSeparator()
-            for action in group:
-                button = QtWidgets.QToolButton(self._buttons)
-                button.setDefaultAction(action)
-                button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-                buttons.addWidget(button)
-                menu.addAction(action)
-        self.more.setMenu(menu)
-        names = ", ".join(action.iconText() for group in groups for action in group)
-        self.more.setAccessibleName(names)
-        show_tooltip(self.more, names)
-        row.addWidget(self._buttons)
-        row.addWidget(self.more)
-        self.fold(folded=False)
-
-    @property
-    def wanted_px(self) -> int:
-        """Width in which all buttons stand beside each other."""
-        return self._buttons.sizeHint().width()
-
-    def fold(self, *, folded: bool) -> None:
-        """Show the one button, or all of them."""
-        self._buttons.setVisible(not folded)
-        self.more.setVisible(folded)
-        self.setFixedWidth((self.more if folded else self._buttons).sizeHint().width())
+_Style = Qt.ToolButtonStyle
 
 
 class WorkspaceButtons(QtWidgets.QWidget):
-    """Buttons beside each other, one for each workspace."""
+    """Buttons beside each other, one for each workspace; where there is no room, a menu of them."""
 
-    def __init__(self, actions: Sequence[QtGui.QAction], parent: QtWidgets.QWidget) -> None:
-        super().__init__(parent)
+    def __init__(self, actions: Sequence[QtGui.QAction]) -> None:
+        super().__init__()
         self.setObjectName("workspaces")
-        buttons = [QtWidgets.QToolButton(self) for _ in actions]
-        for button, action in zip(buttons, actions, strict=True):
-            button.setDefaultAction(action)
-            button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        in_row(*buttons, of=self, margins=0, gap_px=2).setContentsMargins(0, 2, UNIT_PX, 2)
+        self._buttons = [_button(action, _Style.ToolButtonTextOnly) for action in actions]
+        self._menu = QtWidgets.QToolButton()
+        self._menu.setObjectName("workspace_menu")
+        self._menu.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
+        self._menu.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        menu = QtWidgets.QMenu(self._menu)
+        menu.addActions(list(actions))
+        self._menu.setMenu(menu)
+        in_row(*self._buttons, self._menu, of=self, margins=0, gap_px=2)
+        for action in actions:
+            action.toggled.connect(self._name)
+        self._name()
+        self.fold(False)
+
+    @property
+    def whole_px(self) -> int:
+        """Width of all buttons."""
+        return sum(button.sizeHint().width() + 2 for button in self._buttons)
+
+    @property
+    def folded_px(self) -> int:
+        """Width of the menu."""
+        return self._menu.sizeHint().width()
+
+    def fold(self, folded: bool) -> None:
+        """Show the menu, or all buttons."""
+        for button in self._buttons:
+            button.setHidden(folded)
+        self._menu.setVisible(folded)
+
+    def _name(self) -> None:
+        chosen = [button.text() for button in self._buttons if button.isChecked()]
+        self._menu.setText("".join(chosen))
+        self._menu.setAccessibleName(f"Workspace: {''.join(chosen)}")
 
 
-class StudioBar(QtWidgets.QToolBar):
-    """Choices, transport and a few actions; the actions fold before the choices are cut short.
+class StepsMenu(QtWidgets.QMenu):
+    """Lists what was done, the newest first, with its time; what is chosen is gone back to.
 
     Parameters
     ----------
-    choices, transport
-        What stands in it.
-    groups
-        Actions, with a line before each group.
-    window
-        Its parent.
+    document
+        Whose steps.
+    parent
+        As in Qt.
+    """
 
-    Attributes
+    def __init__(self, document: Document, parent: QtWidgets.QWidget) -> None:
+        super().__init__("History", parent)
+        self.setObjectName("steps")
+        self._document = document
+        self.aboutToShow.connect(self._fill)
+        self.triggered.connect(lambda step: document.go_to(step.data()))
+
+    def _fill(self) -> None:
+        self.clear()
+        stack = self._document.undo_stack
+        for count in range(stack.count(), 0, -1):
+            step = stack.command(count - 1)
+            at_s = step.at_s if isinstance(step, ReplaceDesign) else 0.0
+            self._add(count, step.text(), time.strftime("%H:%M:%S", time.localtime(at_s)))
+        self._add(0, self._start())
+
+    def _add(self, count: int, label: str, when: str = "") -> None:
+        stack = self._document.undo_stack
+        saved = "saved " if count == stack.cleanIndex() and self._document.path else ""
+        step = self.addAction(f"{label.replace('&', '&&')}\t{saved}{when}")
+        step.setData(count)
+        step.setCheckable(True)
+        step.setChecked(count == stack.index())
+        if step.isChecked():
+            self.setActiveAction(step)
+
+    def _start(self) -> str:
+        document = self._document
+        if document.undo_stack.count() >= MOST_STEPS:
+            return f"Before the last {MOST_STEPS} steps"
+        if document.opened:
+            return f"Opened {document.opened.name}"
+        return f"Scene: {printable(document.scene)}" if document.scene else "New design"
+
+
+class HeadLine(QtWidgets.QWidget):
+    """The one line above the panels: menus, steps, transport, workspaces, limb and search.
+
+    Parameters
     ----------
-    actions_at_end
-        The buttons of the actions.
+    menus, transport, choices
+        What stands in it, from left to right.
+    actions
+        By name, those of its buttons.
+    steps
+        The list under the undo arrow.
+    workspaces
+        Actions of the workspaces.
     """
 
     def __init__(
         self,
-        choices: SetupBar,
+        menus: QtWidgets.QMenuBar,
+        actions: Mapping[str, QtGui.QAction],
+        steps: StepsMenu,
         transport: QtWidgets.QWidget,
-        groups: Sequence[Sequence[QtGui.QAction]],
-        window: QtWidgets.QMainWindow,
+        workspaces: Sequence[QtGui.QAction],
+        choices: SetupBar,
     ) -> None:
-        super().__init__("Setup", window)
-        self._choices, self._transport = choices, transport
-        self.actions_at_end = FoldedActions(groups)
-        self.setObjectName("setup")
-        self.setMovable(False)
-        self.toggleViewAction().setVisible(False)
-        self.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
-        for part in (choices, transport, self.actions_at_end):
-            self.addWidget(part)
-        window.addToolBar(self)
+        super().__init__()
+        self.setObjectName("head_line")
+        # On some desktops the menus would leave the window.
+        menus.setNativeMenuBar(False)
+        for more in menus.findChildren(QtWidgets.QToolButton):
+            more.setIcon(QtGui.QIcon())
+            more.setText("»")
+        menus.setSizePolicy(
+            QtWidgets.QSizePolicy.Policy.Maximum, QtWidgets.QSizePolicy.Policy.Minimum
+        )
+        self._icons: dict[QtGui.QAction, Callable[[], QtGui.QIcon]] = {
+            actions["undo"]: partial(turn_icon, back=True),
+            actions["redo"]: partial(turn_icon, back=False),
+            actions["find_action"]: search_icon,
+        }
+        undo, redo, self._search = (
+            _button(action, _Style.ToolButtonIconOnly) for action in self._icons
+        )
+        undo.setMenu(steps)
+        undo.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.MenuButtonPopup)
+        self._menus, self._choices = menus, choices
+        self._workspaces = WorkspaceButtons(workspaces)
+        self._steady = transport, undo, redo
+        in_row(
+            *(menus, _line(), undo, redo, _line(), transport, None, self._workspaces),
+            *(None, choices, self._search),
+            of=self,
+            margins=(0, 2, UNIT_PX // 2, 2),
+            gap_px=UNIT_PX // 2,
+        )
+        self.setMinimumHeight(_HEAD_PX)
+        self._draw()
 
     def event(self, event: QEvent) -> bool:
         if event.type() in _REFITTED:
             self._fit()
         return super().event(event)
 
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self._draw()
+
     def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         self._fit()
 
+    def _draw(self) -> None:
+        for action, icon in self._icons.items():
+            action.setIcon(icon())
+            action.setIconVisibleInMenu(False)
+
     def _fit(self) -> None:
-        layout = self.layout()
-        if layout is None:
+        """Name the search, show all workspaces, then choices and menus, as there is room."""
+        row = self.layout()
+        if row is None:
             return
-        room = layout.contentsRect().width() - 2 * layout.spacing()
-        room -= self._transport.sizeHint().width() + self.actions_at_end.wanted_px
-        self.actions_at_end.fold(folded=room < _CHOICES_SHARE * self._choices.wanted_px)
+        menus, choices = self._menus.sizeHint().width(), self._choices.sizeHint().width()
+        rest = sum(part.sizeHint().width() for part in self._steady)
+        rest += self._steady[-1].sizeHint().width() + (row.count() - 1) * row.spacing()
+        whole = rest + menus + choices + self._workspaces.whole_px
+        name_px = self.fontMetrics().horizontalAdvance(self._search.text()) + 2 * UNIT_PX
+        named = whole + name_px <= self.width()
+        self._search.setToolButtonStyle(
+            _Style.ToolButtonTextBesideIcon if named else _Style.ToolButtonIconOnly
+        )
+        self._workspaces.fold(whole > self.width())
+        # One menu stays in any case; in letters three times as large on a small screen the
+        # palette has the choices.
+        room = self.width() - rest - self._workspaces.folded_px
+        least = self.fontMetrics().horizontalAdvance("File") + 5 * UNIT_PX
+        kept = self._choices.minimumSizeHint().width()
+        self._choices.setHidden(room < least + kept)
+        self._menus.setMinimumWidth(max(least, min(menus, room - kept)))
+
+
+def _button(action: QtGui.QAction, style: Qt.ToolButtonStyle) -> QtWidgets.QToolButton:
+    """Return a button of an action that the keyboard reaches by its key and its menu."""
+    button = QtWidgets.QToolButton()
+    button.setObjectName(f"{action.objectName()}_button")
+    button.setDefaultAction(action)
+    button.setToolButtonStyle(style)
+    button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    return button
+
+
+def _line() -> QtWidgets.QFrame:
+    line = QtWidgets.QFrame()
+    line.setObjectName("bar_line")
+    line.setFixedWidth(1)
+    return line

@@ -27,36 +27,41 @@ from skinsource_gui.state.engine import (
 )
 from skinsource_gui.state.panel import PanelRegistry
 
-#: What the chip calls conditions; the limb has a note of its own beside it.
+#: What the chip calls conditions; that of the limb stands on the map.
 NAMES = {
     "inputs": "inputs",
     "band": "band",
     "drive": "drive",
-    "spacing": "spacing",
-    "noise": "SNR",
+    "spacing": "sensor spacing",
+    "noise": "noise",
     "scaling": "scaling",
 }
 STATES = {"kept": "kept", "left": "caution", "unknown": "unknown"}
-_NOTHING = "Limits not checked"
+#: What it says of one that the design leaves.
+_CAUTIONS = {
+    "inputs": "inputs that cannot be played",
+    "band": "outside the measured band",
+    "drive": "probe too fast",
+    "spacing": "waves shorter than the sensor spacing",
+    "noise": "outputs near the noise",
+    "scaling": "differences between places hidden",
+}
 _OLDER = "updating: of an older design"
-_MOST_NAMES = 2
 
 
 def chip_text(findings: Findings) -> str:
-    """Return in a few words which conditions the design leaves, or that it keeps all."""
+    """Return in a few words what leaves the conditions of the measurement, or that nothing does."""
     named = [finding for finding in findings if finding.name in NAMES]
-    left, unknown = (
-        [NAMES[finding.name] for finding in named if finding.state == state]
-        for state in ("left", "unknown")
-    )
+    left = [finding for finding in named if finding.state == "left"]
     if not named:
-        return _NOTHING
-    if len(left) > _MOST_NAMES:
-        return f"⚠ {len(left)} cautions"
+        return "Limits not checked"
     if left:
-        return f"⚠ {', '.join(left)}"
-    if unknown:
-        return f"Within limits; unknown: {', '.join(unknown)}"
+        count = f"{len(left[0].outputs)} " if left[0].outputs else ""
+        more = f", {len(left) - 1} more" if left[1:] else ""
+        caution = f"{count}{_CAUTIONS[left[0].name]}"
+        return f"⚠ {caution[0].upper()}{caution[1:]}{more}"
+    if any(finding.state == "unknown" for finding in named):
+        return "✓ Within known limits"
     return "✓ Within measured limits"
 
 
@@ -211,7 +216,7 @@ class Conditions(QObject):
         # The sources of the present findings; None without findings.
         self._judged: Mapping[str, Any] | None = None
         self.chip = ConditionsChip()
-        status_bar.addPermanentWidget(self.chip)
+        status_bar.insertPermanentWidget(0, self.chip)
         self._idle = QTimer(self, singleShot=True, interval=_IDLE_MS)
         self._idle.timeout.connect(self._judge)
         engine.finished.connect(self._note)

@@ -1,7 +1,7 @@
-"""Docks, which hold the panels of the window: buttons, tabs, actions, and the keyboard in them.
+"""Docks, which hold the panels of the window: menus, tabs, actions, and the keyboard in them.
 
 A dock makes its panel when it first comes into sight. Docks that share a place are tabs of a bar
-that Qt makes.
+that Qt makes; a dock has a title of its own only while it floats.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
@@ -14,6 +14,7 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QChildEvent, QEvent, QObject, QPoint, QRectF, Qt, QTimer, Signal
 from shiboken6 import isValid
 
+from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.fitting import SteadyArea
 from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.theme import Theme, current_theme, drawn_icon
@@ -48,13 +49,10 @@ def float_icon(theme: Theme) -> QtGui.QIcon:
 
 _BUTTONS = {
     "qt_dockwidget_closebutton": (
-        "Hide this panel; View > Panels brings it back",
+        "Close this panel; View > Panels brings it back",
         close_icon,
     ),
-    "qt_dockwidget_floatbutton": (
-        "Take this panel out of the window, or back into it",
-        float_icon,
-    ),
+    "qt_dockwidget_floatbutton": ("Put this panel back into the window", float_icon),
 }
 _OTHER_LOOK = (QEvent.Type.StyleChange, QEvent.Type.PaletteChange)
 
@@ -87,17 +85,15 @@ class Dock(QtWidgets.QDockWidget):
         self._panels = panels
         self._behind = False
         self._no_title = QtWidgets.QWidget(self)
-        self._no_title.hide()
+        self.setTitleBarWidget(self._no_title)
         self.setObjectName(name)
         self._area = area = SteadyArea()
         area.setObjectName(f"{name}_area")
         area.setFrameShape(QtWidgets.QFrame.Shape.NoFrame)
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setWidget(area)
-        _draw_buttons(self)
+        self.topLevelChanged.connect(self._show_title)
         self.topLevelChanged.connect(self._follow)
-        # The menu of Qt, with the right button on a title, would leave it behind others.
-        self.toggleViewAction().triggered.connect(self._raise_shown)
 
     @property
     def panel(self) -> Panel:
@@ -135,13 +131,21 @@ class Dock(QtWidgets.QDockWidget):
         self.show()
         self.raise_()
 
-    def show_tabbed(self, tabbed: bool) -> None:
-        """Take over whether a tab names it; then it has no title of its own."""
-        if tabbed != (self.titleBarWidget() is self._no_title):
-            self._no_title.setVisible(tabbed)
-            # The stubs of PySide take None for a mistake; with it Qt's own title is back.
-            set_title: Any = self.setTitleBarWidget
-            set_title(self._no_title if tabbed else None)
+    def turn_floating(self) -> None:
+        """Take it out of the window, or put it back where it was."""
+        self.setFloating(not self.isFloating())
+
+    def fill_menu(self, menu: QtWidgets.QMenu) -> None:
+        """Add what can be done with it."""
+        way = "Put {} back" if self.isFloating() else "Float {}"
+        menu.addAction(way.format(self.windowTitle()), self.turn_floating)
+        menu.addAction(f"Close {self.windowTitle()}", self.hide)
+
+    def contextMenuEvent(self, event: QtGui.QContextMenuEvent) -> None:
+        # Where its panel has no menu of its own.
+        menu = passing_menu(self, "dock_menu")
+        self.fill_menu(menu)
+        menu.popup(event.globalPos())
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
@@ -177,9 +181,11 @@ class Dock(QtWidgets.QDockWidget):
             self._panels[self.objectName()]
         self.sight_changed.emit()
 
-    def _raise_shown(self) -> None:
-        if not self.isHidden():
-            self.raise_()
+    def _show_title(self, floating: bool) -> None:
+        self._no_title.setVisible(not floating)
+        # The stubs of PySide take None for a mistake; with it Qt's own title is back.
+        set_title: Any = self.setTitleBarWidget
+        set_title(None if floating else self._no_title)
 
 
 def _draw_buttons(dock: QtWidgets.QDockWidget) -> None:
@@ -220,9 +226,6 @@ class DockTabs(QObject):
         )
         # Qt makes a bar when it needs one, and says nothing else of it.
         WindowEvents.follow(window, self._note_child, QEvent.Type.ChildPolished)
-        for dock in docks.values():
-            dock.sight_changed.connect(self._tell)
-        self._tell()
 
     def next(self) -> None:
         """Bring the tab after the one in front to the front, where the keyboard is."""
@@ -232,17 +235,11 @@ class DockTabs(QObject):
         """Bring the tab before the one in front to the front, where the keyboard is."""
         self._go(-1)
 
-    def show_list(self) -> None:
-        """List the panels in one place, where the keyboard is, to bring one to the front."""
-        bar = self._bar_in_use()
-        if bar is not None:
-            self._open_list(bar, bar.rect().bottomLeft(), bar.currentIndex())
-
     def _note_child(self, event: QChildEvent) -> None:
         bar = event.child()
         if isinstance(bar, QtWidgets.QTabBar):
             _prepare(bar)
-            bar.customContextMenuRequested.connect(self._open_list_at)
+            bar.customContextMenuRequested.connect(self._open_menu)
             bar.tabBarClicked.connect(self._note_click)
 
     def _note_click(self, index: int) -> None:
@@ -257,42 +254,18 @@ class DockTabs(QObject):
         if dock.in_sight:
             self._enter(dock, Qt.FocusReason.MouseFocusReason)
 
-    def _tell(self) -> None:
-        for dock in self._docks.values():
-            if dock.in_sight:  # of the others no title is seen, and to ask Qt takes long
-                others = self._window.tabifiedDockWidgets(dock)
-                dock.show_tabbed(any(not other.isHidden() for other in others))
-
     def _go(self, step: int) -> None:
         bar = self._bar_in_use()
         if bar is not None:
             self._bring(bar.tabText((bar.currentIndex() + step) % bar.count()))
 
-    def _open_list_at(self, at: QPoint) -> None:
+    def _open_menu(self, at: QPoint) -> None:
         # Of the bar nothing is kept: Qt may delete it.
         bar = self.sender()
-        if isinstance(bar, QtWidgets.QTabBar):
-            self._open_list(bar, at, bar.tabAt(at))
-
-    def _open_list(self, bar: QtWidgets.QTabBar, at: QPoint, index: int) -> None:
-        """List all tabs of a bar, the front one ticked, and what can be done with one of them."""
-        menu = QtWidgets.QMenu(self._window)
-        menu.setObjectName("tab_menu")
-        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        for other in range(bar.count()):
-            title = bar.tabText(other)
-            action = menu.addAction(title, partial(self._bring, title))
-            action.setCheckable(True)
-            action.setChecked(other == bar.currentIndex())
-            if action.isChecked():
-                menu.setActiveAction(action)
-        if index >= 0:
-            title = bar.tabText(index)
-            dock = self._dock_titled(title)
-            menu.addSeparator()
-            menu.addAction(f"Float {title}", partial(dock.setFloating, True))
-            menu.addAction(f"Hide {title}", dock.hide)
-        menu.popup(bar.mapToGlobal(at))
+        if isinstance(bar, QtWidgets.QTabBar) and (index := bar.tabAt(at)) >= 0:
+            menu = passing_menu(self._window, "tab_menu")
+            self._dock_titled(bar.tabText(index)).fill_menu(menu)
+            menu.popup(bar.mapToGlobal(at))
 
     def _bring(self, title: str) -> None:
         dock = self._dock_titled(title)
@@ -329,10 +302,7 @@ class DockTabs(QObject):
 
 def _prepare(bar: QtWidgets.QTabBar) -> None:
     bar.setAccessibleName("Panels in one place")
-    bar.setToolTip(
-        f"Panels in one place; {shortcut_text('next_tab')} shows the next, the right button lists "
-        "them"
-    )
+    bar.setToolTip(f"Panels in one place; {shortcut_text('next_tab')} shows the next")
     bar.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
     # The keyboard has a key for it; a stop without a panel would only be in the way of Tab.
     bar.setFocusPolicy(Qt.FocusPolicy.NoFocus)
@@ -360,15 +330,15 @@ def menu_toggles(docks: Iterable[Dock], parent: QObject) -> list[QtGui.QAction]:
 
 
 def toggles(docks: Iterable[Dock]) -> list[QtGui.QAction]:
-    """Return new actions that bring each dock into sight, and that hide those in the window.
+    """Return new actions that bring each dock into sight, and that close those in the window.
 
-    For the palette: what says that it shows a panel never hides it.
+    For the palette: what says that it shows a panel never closes it.
     """
     actions = []
     for dock in docks:
         ways = [("Show", dock.bring_forward)]
         if not dock.isHidden():
-            ways.append(("Hide", dock.hide))
+            ways.append(("Close", dock.hide))
         for word, act in ways:
             action = QtGui.QAction(f"{word} panel: {dock.windowTitle()}")
             action.triggered.connect(act)
@@ -438,6 +408,14 @@ class PanelInUse(QObject):
                 if focused is not None and panel.isAncestorOf(focused):
                     return panel
         return (in_sight or list(self._panels))[0]
+
+    def turn_floating(self) -> None:
+        """Take the panel in use out of the window, or put it back."""
+        self._docks[self.panel.name].turn_floating()
+
+    def close(self) -> None:
+        """Close the panel in use."""
+        self._docks[self.panel.name].hide()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if not isinstance(watched, QtGui.QWindow) or not isinstance(event, QtGui.QMouseEvent):

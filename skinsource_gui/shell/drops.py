@@ -7,8 +7,11 @@ from PySide6.QtCore import QObject, QPoint
 
 from skinsource.design import edits
 from skinsource.design.edits.edit import leading_clip
+from skinsource.design.labels import scalings_on
 from skinsource.design.waveforms import kinds
+from skinsource.limbs.own_limbs import drive_unit_known
 from skinsource_gui.qt.frames import DropPlace
+from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.panel import Panel, PanelRegistry
 
@@ -77,6 +80,22 @@ def kind_choices(document: Document) -> list[QtGui.QAction]:
         action.triggered.connect(partial(_play, document, kind.__name__))
         actions.append(action)
     return actions
+
+
+def scaling_choices(document: Document) -> list[QtGui.QAction]:
+    """Return one new action for each meaning of an amplitude."""
+    actions = []
+    design = document.design
+    for word in scalings_on(drive_unit_known=drive_unit_known(design.limb, design.limb_digest)):
+        action = QtGui.QAction(f"Scaling: {word.title}")
+        action.setToolTip(tooltip(word.sentence))
+        action.triggered.connect(partial(_scale, document, word.name))
+        actions.append(action)
+    return actions
+
+
+def _scale(document: Document, scaling: str, _checked: bool = False) -> None:
+    document.apply(edits.change_scaling(document.design, document.view, scaling))
 
 
 def _play(document: Document, kind: str, _checked: bool = False) -> None:

@@ -22,7 +22,7 @@ def fill_menu_bar(
     bar: QtWidgets.QMenuBar,
     specs: Sequence[ActionSpec],
     actions: Mapping[str, QtGui.QAction],
-    recent: QtWidgets.QMenu,
+    submenus: Mapping[str, QtWidgets.QMenu],
     panels: Iterable[QtGui.QAction],
 ) -> None:
     """Fill ``bar``.
@@ -33,8 +33,8 @@ def fill_menu_bar(
         To be filled.
     specs, actions
         The table, and the action of each of its entries.
-    recent
-        The menu of recent files; stands after "Open".
+    submenus
+        Menus that stand after the action of that name.
     panels
         Actions that show and hide panels.
     """
@@ -51,8 +51,8 @@ def fill_menu_bar(
                 within[path] = menu.addMenu(spec.submenu)
             menu = within[path]
         menu.addAction(actions[spec.name])
-        if spec.name == "open_design":
-            menu.addMenu(recent)
+        if spec.name in submenus:
+            menu.addMenu(submenus[spec.name])
     shown = menus["View"].addMenu("Panels")
     for action in panels:
         shown.addAction(action)

@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QObject, QRect, Qt, QTimer, Signal
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.job import Job
@@ -16,8 +16,8 @@ from skinsource.design.labels import LIMBS
 from skinsource.design.signal_path import unplayable_text
 from skinsource.design.view import View
 from skinsource.limbs.dataset.store import StoreInfo
-from skinsource_gui.qt.buttons import page_button
-from skinsource_gui.qt.layouts import in_row
+from skinsource_gui.qt.buttons import page_button, page_label, tool_button
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import ask_yes
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.window_events import WindowEvents
@@ -38,19 +38,26 @@ _FRESH_MS = 700
 #: A button of a notice: its text, and what it does.
 Choice = tuple[str, Callable[[], object]]
 _LAID_OUT = (QEvent.Type.Resize, QEvent.Type.LayoutRequest)
+# Width of a card.
+_CARD_LETTERS = 56
 
 
 class Notice(QObject):
-    """A text at the edge of a window, which stays until it is closed, replaced or out of date.
+    """A text in front of a window, which stays until it is closed, replaced or out of date.
 
-    It covers no panel.  A passing notice lies over the status bar, or, while that is hidden, over
-    the upper right corner, where no panel has its title; another notice gets room below the status
-    bar.  A click on the notice, or where one of its buttons has just been, reaches nothing else.
+    It moves no panel: one that stays is a card over the lower left corner, where the map is; a
+    passing one lies over the status bar, or, while that is hidden, over the upper right corner.  A
+    click on the notice, or where one of its buttons has just been, reaches nothing else.
 
     Parameters
     ----------
     window
         The window; also the parent.
+
+    Attributes
+    ----------
+    card
+        Holds the text and its buttons.
     """
 
     #: The user has closed it with its cross.
@@ -58,25 +65,22 @@ class Notice(QObject):
 
     def __init__(self, window: QtWidgets.QMainWindow) -> None:
         super().__init__(window)
-        self._window = window
-        self._kind, self._passes = "info", False
-        self._label = QtWidgets.QLabel(window)
-        self._label.setObjectName("notice")
-        self._label.setWordWrap(True)
-        self._label.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        self._picture = QtWidgets.QLabel(window)
+        self._window, self._passes = window, False
+        self.card = QtWidgets.QFrame(window)
+        self.card.setObjectName("notice")
+        self._label = page_label("notice_text")
+        self._picture = QtWidgets.QLabel()
         self._picture.setObjectName("notice_picture")
-        self.buttons = QtWidgets.QWidget(window)
-        self.buttons.setObjectName("notice_buttons")
         self._choices: list[QtWidgets.QPushButton] = []
-        self._close = QtWidgets.QToolButton()
-        self._close.setText("✕")
-        self._close.setObjectName("close_notice")
-        self._close.setToolTip("Close this notice")
+        self._close = tool_button(None, "close_notice", "✕", "Close this notice")
         self._close.setAccessibleName("Close this notice")
         self._close.clicked.connect(self._choose)
         self._close.clicked.connect(self.closed)
-        self._row = in_row(self._close, of=self.buttons, margins=0, gap_px=UNIT_PX)
+        top = Qt.AlignmentFlag.AlignTop
+        head = in_row(self._picture, (self._label, 1), self._close, gap_px=UNIT_PX)
+        head.setAlignment(self._close, top)
+        self._row = in_row(None, margins=0, gap_px=UNIT_PX)
+        self._column = in_column(head, self._row, of=self.card, gap_px=UNIT_PX // 2)
         self._passing, self._watches = QTimer(self), False
         self._passing.setSingleShot(True)
         self._passing.timeout.connect(self.be_quiet)
@@ -86,7 +90,7 @@ class Notice(QObject):
     @property
     def text(self) -> str:
         """The text; "" while it is hidden."""
-        return self._label.text() if not self._label.isHidden() else ""
+        return self._label.text() if not self.card.isHidden() else ""
 
     def say(
         self,
@@ -102,16 +106,14 @@ class Notice(QObject):
         A ``picture`` stands before the text.  A notice that ``passes`` is hidden after a while,
         which is long enough to read it, or at the next click anywhere.
         """
-        self._kind, self._passes = kind, passes
+        self._passes = passes
         self._offer(choices)
         self._picture.setPixmap(picture or QtGui.QPixmap())
         self._picture.setHidden(picture is None or picture.isNull())
         self._label.setText(text)
-        set_tone(self._label, self._kind)
-        for part in (self._label, self.buttons):
-            part.show()
-            part.raise_()
-        self._picture.raise_()
+        set_tone(self.card, kind)
+        self.card.show()
+        self.card.raise_()
         self._place()
         self._let_pass(_LEAST_MS + _LETTER_MS * len(text) if passes else None)
 
@@ -122,17 +124,15 @@ class Notice(QObject):
 
     def be_quiet(self) -> None:
         """Hide the notice."""
-        if self.buttons.isAncestorOf(self._window.focusWidget()):
+        if self.card.isAncestorOf(self._window.focusWidget()):
             self._window.setFocus()
         self._let_pass(None)
-        for part in (self._label, self.buttons, self._picture):
-            part.hide()
-        self._window.setContentsMargins(0, 0, 0, 0)
+        self.card.hide()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.MouseButtonPress and self._passing.isActive():
             stood_ms = self._passing.interval() - self._passing.remainingTime()
-            if stood_ms >= _FRESH_MS and not self.buttons.underMouse():
+            if stood_ms >= _FRESH_MS and not self.card.underMouse():
                 self.be_quiet()
         return super().eventFilter(watched, event)
 
@@ -161,7 +161,7 @@ class Notice(QObject):
         for text, act in choices:
             button = page_button("notice_choice", text)
             button.clicked.connect(partial(self._choose, act))
-            self._row.insertWidget(len(self._choices), button)
+            self._row.addWidget(button)
             self._choices.append(button)
 
     def _choose(self, act: Callable[[], object] | None = None, _checked: bool = False) -> None:
@@ -170,39 +170,37 @@ class Notice(QObject):
             act()
 
     def _place(self) -> None:
-        whole, height = self._window.width(), self._window.height()
-        status = self._window.statusBar()
-        at_top = self._passes and status.isHidden()
+        bar, whole = self._window.statusBar(), self._window.rect()
+        edge = 1 if self._passes else UNIT_PX
+        self._column.setContentsMargins(UNIT_PX, edge, UNIT_PX, edge)
+        at_top = self._passes and bar.isHidden()
         self._close.setHidden(at_top)
-        size = self.buttons.sizeHint()
-        shown = QSize() if self._picture.isHidden() else self._picture.sizeHint()
-        left = shown.width() + 2 * UNIT_PX if shown.isValid() else UNIT_PX
-        self._label.setContentsMargins(left, UNIT_PX // 2, size.width() + 2 * UNIT_PX, 4)
-        least = max(size.height(), shown.height()) + (2 if self._passes else UNIT_PX)
-        if self._passes and not at_top:
-            least = max(least, status.height())
-        width = whole
+        # In letters of any size a line of the card has about as many letters.
+        widest = whole.width() if self._passes else _CARD_LETTERS * self._letter_px
+        width = min(widest, whole.width() - (0 if self._passes else 2 * UNIT_PX))
         if at_top:
-            # Beside a border a label indents words by half a letter: in one line they cover least.
-            metrics = self._label.fontMetrics()
-            text_px = metrics.horizontalAdvance(self._label.text()) + metrics.horizontalAdvance("x")
-            width = min(whole, text_px + left + size.width() + 4 * UNIT_PX)
-        needed = max(self._label.heightForWidth(width), least)
-        start, top = whole - width, 0 if at_top else height - needed
-        self._picture.setGeometry(QRect(QPoint(start + UNIT_PX, top + UNIT_PX // 4), shown))
-        self._label.setGeometry(start, top, width, needed)
-        middle = top + (needed - size.height()) // 2
-        self.buttons.setGeometry(
-            whole - size.width() - UNIT_PX, middle, size.width(), size.height()
-        )
-        over = needed if at_top else status.height() if self._passes else 0
-        self._window.setContentsMargins(0, 0, 0, max(0, needed - over))
+            text_px = self._label.fontMetrics().horizontalAdvance(self._label.text())
+            width = min(width, text_px + 6 * UNIT_PX)
+        height = self.card.heightForWidth(width)
+        if at_top:
+            place = QRect(whole.width() - width, 0, width, height)
+        elif self._passes:
+            height = max(height, bar.height())
+            place = QRect(0, whole.height() - height, width, height)
+        else:
+            bottom = whole.height() if bar.isHidden() else bar.y()
+            place = QRect(UNIT_PX, bottom - height - UNIT_PX, width, height)
+        self.card.setGeometry(place)
+
+    @property
+    def _letter_px(self) -> int:
+        return self._label.fontMetrics().averageCharWidth()
 
 
 HINTS = (
     "Click a place on the hand: an input is added there, and the skin map shows what reaches the "
     "skin.",
-    "Turn its numbers in the inspector: drag on a field, scroll over it, or type. The map follows "
+    "Turn its numbers in the clip panel: drag on a field, scroll over it, or type. The map follows "
     "while you drag.",
     "Click outputs on the skin map: traces and spectra show them. File > Scenes opens figures of "
     "the paper to begin with.",

@@ -50,7 +50,7 @@ class PanelSpec:
 PANELS: tuple[PanelSpec, ...] = (
     PanelSpec(panel=LazyPanel("hand", "Hand"), settings=HandSettings),
     PanelSpec(panel=LazyPanel("timeline", "Timeline"), settings=TimelineSettings),
-    PanelSpec(panel=LazyPanel("inspector", "Inspector")),
+    PanelSpec(panel=LazyPanel("inspector", "Clip")),
     PanelSpec(
         panel=LazyPanel("frequency_and_amplitude", "Frequency and amplitude"),
         settings=ControlSettings,
@@ -58,9 +58,8 @@ PANELS: tuple[PanelSpec, ...] = (
     PanelSpec(panel=LazyPanel("skin", "Skin"), settings=SkinSettings),
     PanelSpec(panel=LazyPanel("traces", "Traces"), settings=TracesSettings),
     PanelSpec(panel=LazyPanel("spectra", "Spectra"), settings=SpectraSettings),
-    PanelSpec(panel=LazyPanel("clip_editor", "Clip")),
+    PanelSpec(panel=LazyPanel("clip_editor", "Clip editor")),
     PanelSpec(panel=LazyPanel("compare", "Compare"), settings=CompareSettings),
-    PanelSpec(panel=LazyPanel("history", "History")),
     PanelSpec(panel=LazyPanel("library", "Library")),
     PanelSpec(panel=LazyPanel("output", "Output"), settings=OutputSettings),
     PanelSpec(panel=LazyPanel("analysis", "Analysis"), settings=AnalysisSettings),

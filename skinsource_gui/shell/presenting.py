@@ -379,12 +379,7 @@ class Presenter(QObject):
         self._notes.show_beside(self._window)
 
     def _bars(self) -> list[QtWidgets.QWidget]:
-        window = self._window
-        return [
-            window.menuBar(),
-            window.statusBar(),
-            *window.findChildren(QtWidgets.QToolBar, "setup"),
-        ]
+        return [self._window.menuWidget(), self._window.statusBar()]
 
     def _end_unless_dragging(self) -> None:
         # During a drag Esc is meant for what is dragged.

@@ -1,4 +1,4 @@
-"""The status bar: state of the results, running jobs, and notes; times and error are kept too."""
+"""The status bar: what is shown, running jobs, and notes; times and error are kept too."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -10,10 +10,20 @@ from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 from skinsource.base.job import time_left_text
 from skinsource.design.comparing import match_text
 from skinsource.design.design import Design, audible_inputs
+from skinsource.design.panel_settings import settings_of
 from skinsource.design.view import View
 from skinsource.engine.gains import TraceError
+from skinsource_gui.panels.skin.settings import (
+    LEVELS,
+    MAGNITUDE,
+    RMS,
+    SENSATION,
+    SKIN,
+    SkinSettings,
+    Z,
+)
 from skinsource_gui.qt.buttons import page_button
-from skinsource_gui.qt.error_label import PROMISED, VISIBLE, error_text
+from skinsource_gui.qt.error_label import error_text
 from skinsource_gui.qt.labels import FittingLabel
 from skinsource_gui.qt.layouts import in_row
 from skinsource_gui.qt.overlays import Overlay, Staleness
@@ -106,22 +116,34 @@ class EditClock(QObject):
             self.noted.emit()
 
 
-def audible_inputs_text(design: Design) -> str:
-    """Return the text on how many inputs there are, and how many are felt."""
-    inputs, audible = len(design.inputs), len(audible_inputs(design.inputs))
-    if not inputs:
-        return "No input yet"
-    text = "input" if inputs == 1 else "inputs"
-    return f"{inputs} {text}" if audible == inputs else f"{audible} of {inputs} {text} felt"
-
-
+#: What the map shows, by the quantity of its settings.
+_PREDICTED = {
+    LEVELS: "acceleration",
+    SENSATION: "level above the threshold of detection",
+    Z: "acceleration along z",
+    MAGNITUDE: "magnitude of acceleration",
+    RMS: "acceleration, sliding RMS",
+}
 #: Texts that change faster cannot be read, ms.
 PAUSE_MS = 250
 _OLDER = "The panels show the design before the last edits"
 
 
+def shown_text(design: Design, view: View) -> str:
+    """Return what the skin map shows, and how many inputs are felt where some are not."""
+    predicted = f"Predicted {_PREDICTED[settings_of(view, SKIN, SkinSettings).quantity]}"
+    through = " through actuators" if design.actuated else ""
+    inputs, audible = len(design.inputs), len(audible_inputs(design.inputs))
+    if not inputs:
+        return "No input yet"
+    felt = "" if audible == inputs else f" · {audible} of {inputs} inputs felt"
+    return f"{predicted}{through}, back of the hand{felt}"
+
+
 class StatusLine(FittingLabel):
-    """Says how many inputs are felt, whether results are up to date, and an error beyond promise.
+    """Says what the skin shows, and whether that is up to date.
+
+    A message of the status bar is shown in its place as long as there is one.
 
     Parameters
     ----------
@@ -129,12 +151,10 @@ class StatusLine(FittingLabel):
         The window whose painting is waited for.
     """
 
-    #: Quantities that the status bar needs beside those of the panels; its note is on the limb.
-    needs = frozenset({"limb_data", "streamed"})
     #: Its text, the times or the error have changed; at most some times a second.
     changed = Signal()
 
-    def __init__(self, window: QtWidgets.QWidget) -> None:
+    def __init__(self, window: QtWidgets.QMainWindow) -> None:
         super().__init__(window)
         self.setObjectName("status_line")
         self.setAccessibleName("State of the results")
@@ -144,22 +164,22 @@ class StatusLine(FittingLabel):
         set_tone(self, "dim")
         self.clock = EditClock(window)
         self.error: TraceError | None = None
-        self._audible, self._has_results, self._is_long = "", False, False
+        self._shown, self._has_results, self._message = "", False, ""
         self._staleness = Staleness(self)
         self._staleness.changed.connect(self._show_text)
         self._pause = QTimer(self, singleShot=True, interval=PAUSE_MS)
         self._pause.timeout.connect(self._show_text)
         self.clock.noted.connect(self._show_text_soon)
+        window.statusBar().messageChanged.connect(self._show_message)
 
-    def show_design(self, design: Design) -> None:
-        """Count the inputs of ``design``."""
-        self._audible = audible_inputs_text(design)
+    def show_state(self, design: Design, view: View) -> None:
+        """Take over what is shown."""
+        self._shown = shown_text(design, view)
         self._show_text_soon()
 
     def show_outcome(self, outcome: Outcome) -> None:
         """Take over what the panels show now."""
         self._has_results = True
-        self._is_long = bool((outcome.values or {}).get("streamed"))
         self.clock.show_outcome(outcome)
         self._show_text_soon()
 
@@ -185,17 +205,9 @@ class StatusLine(FittingLabel):
         known = "" if self.error is None else f" Traces that are shown: {error_text(self.error)}."
         return f"{times}{known}"
 
-    def showEvent(self, event: QtGui.QShowEvent) -> None:
-        super().showEvent(event)
-        QTimer.singleShot(0, self, self._give_way)
-
-    def _give_way(self) -> None:
-        """Leave the bar to a message: Qt shows both when it lays the bar out anew."""
-        bar = self.parent()
-        if isinstance(bar, QtWidgets.QStatusBar) and bar.currentMessage():
-            self.hide()
-            # As the bar itself hides it, so that it comes back with the end of the message.
-            self.setAttribute(Qt.WidgetAttribute.WA_WState_ExplicitShowHide, False)
+    def _show_message(self, message: str) -> None:
+        self._message = message
+        self._show_text()
 
     def _show_text_soon(self) -> None:
         if not self._pause.isActive():
@@ -203,21 +215,16 @@ class StatusLine(FittingLabel):
             self._pause.start()
 
     def _show_text(self) -> None:
-        text, tone = self._audible, "dim"
+        tone = "dim"
         stale = self._has_results and self._staleness.is_stale
-        if stale:
-            self.show_phrases((f"{text} · computing…", "computing…"))
-        elif not self._has_results:
-            self.show_phrases((text,))
-        elif self.error is not None and self.error.estimate > PROMISED:
-            tone = "error" if self.error.estimate > VISIBLE else "warning"
-            known = error_text(self.error)
-            self.show_phrases((f"{text} · traces: {known}", f"traces: {known}"))
-        else:
-            long = f"{text} · up to date · long scene, summed piece by piece"
-            self.show_phrases((*([long] if self._is_long else []), f"{text} · up to date", text))
+        phrases: tuple[str, ...] = (self._shown,)
+        if self._message:
+            phrases, tone = (self._message,), ""
+        elif stale:
+            phrases = (f"{self._shown} · computing…", "computing…")
+        self.show_phrases(phrases)
         set_tone(self, tone)
-        self.setToolTip(_OLDER if stale else "")
+        self.setToolTip(_OLDER if stale else self._message)
         self.changed.emit()
 
 

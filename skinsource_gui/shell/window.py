@@ -4,11 +4,12 @@ from collections.abc import Sequence
 from functools import partial
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEventLoop, QObject
+from PySide6.QtCore import QEventLoop, QObject, Qt
 
 from skinsource.design.design import Design
 from skinsource.design.view import View
 from skinsource.engine.quantities import graphs_that_share
+from skinsource.limbs.dataset.store import NOT_INSTALLED
 from skinsource_gui.pages.actions import (
     FileDrops,
     ImportActions,
@@ -16,18 +17,19 @@ from skinsource_gui.pages.actions import (
     SceneActions,
     StimulusActions,
 )
+from skinsource_gui.pages.dataset import TITLE
 from skinsource_gui.pages.files.exports import ExportActions
 from skinsource_gui.pages.files.file_actions import FileActions
+from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.shell import docks
 from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.appearance import Appearance, WindowFrame
-from skinsource_gui.shell.bars import SetupBar, StudioBar, WorkspaceButtons
+from skinsource_gui.shell.bars import HeadLine, SetupBar, StepsMenu
 from skinsource_gui.shell.carrying import PanelPictures
 from skinsource_gui.shell.conditions import Conditions
-from skinsource_gui.shell.drops import ClipDrops, ClipStretching, kind_choices
+from skinsource_gui.shell.drops import ClipDrops, ClipStretching, kind_choices, scaling_choices
 from skinsource_gui.shell.focus import ClipDrawing, PanelFocus, ShortcutsInFields, move_focus
 from skinsource_gui.shell.keeping import AutosaveAndRecovery
-from skinsource_gui.shell.limb_note import LimbNote
 from skinsource_gui.shell.menus import ActionSet, RecentMenu, fill_menu_bar
 from skinsource_gui.shell.notices import FirstHints, Installations, Notice, Reports, RunningJobs
 from skinsource_gui.shell.pages import Pages
@@ -40,13 +42,14 @@ from skinsource_gui.state.comparison import Comparison
 from skinsource_gui.state.conductor import Conductor, PanelController
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import FirstPaintEngine
-from skinsource_gui.state.historian import Historian
 from skinsource_gui.state.job_runner import JobRunner, Levelling
 from skinsource_gui.state.panel import PREPARING, Panel, PanelRegistry
 from skinsource_gui.state.preferences import InstalledLimbs, Preferences
 from skinsource_gui.state.services import Services
 
 _LARGEST_AT_FIRST = (1600, 940)
+# Above and below the letters of the status bar: 24 px in letters of the usual size.
+_AROUND_STATUS_PX = 10
 
 
 class MainWindow(QtWidgets.QMainWindow):
@@ -64,6 +67,8 @@ class MainWindow(QtWidgets.QMainWindow):
         self.setObjectName("studio")
         self.resize(*_LARGEST_AT_FIRST)
         self.setDockNestingEnabled(True)
+        # Panels have a menu each.
+        self.setContextMenuPolicy(Qt.ContextMenuPolicy.NoContextMenu)
         self.preferences = preferences
         self.appearance = Appearance(preferences, self)
         self.document = Document(design, view, self)
@@ -76,13 +81,13 @@ class MainWindow(QtWidgets.QMainWindow):
         self.notice = Notice(self)
         self.hints = FirstHints(preferences, self.notice, self.document)
         self.setup_bar = SetupBar()
+        self._menus = QtWidgets.QMenuBar()
         self.status_line = StatusLine(self)
         self.job_bar = JobBar(self.runner)
         self.accuracy = Accuracy(self.engine, self)
         self.reports = Reports(
             self.document, self.notice, self.statusBar(), self.status_line, self.accuracy
         )
-        self._limb_note = LimbNote()
         services = Services(
             window=self,
             document=self.document,
@@ -97,10 +102,9 @@ class MainWindow(QtWidgets.QMainWindow):
         self.actions_by_name = self.action_set.by_name
         ShortcutsInFields(self.actions_by_name.values(), self)
         self._build()
-        self.conductor = Conductor(self.document, self.engine, self.panels, self.status_line.needs)
+        self.conductor = Conductor(self.document, self.engine, self.panels)
         PanelController(self.document, self.panels)
         self.comparison.begin()
-        Historian(self.document, self.panels)
         self._connect()
         self.appearance.apply()
         self.panels.each(self._install)
@@ -133,12 +137,9 @@ class MainWindow(QtWidgets.QMainWindow):
         self.workspaces = Workspaces(self, self.docks, self.preferences, self.appearance)
         self.dock_tabs = docks.DockTabs(self, self.docks)
         self.files = FileActions(self.document, self.preferences, self, self.workspaces.content)
+        self._in_use = docks.PanelInUse(self, self.docks, self.panels, self.dock_tabs)
         self.pictures = PanelPictures(
-            services,
-            self.appearance,
-            self.catch_up,
-            self.docks,
-            docks.PanelInUse(self, self.docks, self.panels, self.dock_tabs),
+            services, self.appearance, self.catch_up, self.docks, self._in_use
         )
         self.exports = ExportActions(services, self.files, self.pictures.picture_of)
         self.stimuli = StimulusActions(services, self.files)
@@ -174,6 +175,7 @@ class MainWindow(QtWidgets.QMainWindow):
             "workspaces": self.workspaces,
             "dock_tabs": self.dock_tabs,
             "panel_focus": panel_focus,
+            "panel_in_use": self._in_use,
             "clip_drawing": ClipDrawing(self.panels, panel_focus, self),
             "clip_stretching": ClipStretching(self.document, self),
             "appearance": self.appearance,
@@ -187,19 +189,27 @@ class MainWindow(QtWidgets.QMainWindow):
         actions = self.actions_by_name
         recent = RecentMenu(self.files.recent, self)
         recent.chosen.connect(self.files.open)
-        self._panel_toggles = docks.menu_toggles(self.docks.values(), self)
-        fill_menu_bar(self.menuBar(), ACTIONS, actions, recent, self._panel_toggles)
+        panels = docks.menu_toggles(self.docks.values(), self)
+        steps = StepsMenu(self.document, self)
+        submenus = {"open_design": recent, "redo": steps}
+        fill_menu_bar(self._menus, ACTIONS, actions, submenus, panels)
         choices = [actions[f"arrange_{workspace.name}"] for workspace in WORKSPACES]
-        self.menuBar().setCornerWidget(WorkspaceButtons(choices, self.menuBar()))
-        groups = [[actions["undo"], actions["redo"]], [actions["find_action"]]]
-        self._bar = StudioBar(self.setup_bar, self.playback.bar, groups, self)
-        self.statusBar().addWidget(self.status_line, 1)
+        self._head = HeadLine(
+            self._menus, actions, steps, self.playback.bar, choices, self.setup_bar
+        )
+        self.setMenuWidget(self._head)
+        bar = self.statusBar()
+        bar.setSizeGripEnabled(False)
+        # Widgets that are not permanent would give way to messages, which the line shows.
+        bar.addPermanentWidget(self.status_line, 1)
         self._match_note = MatchNote([actions["keep_match_gain"], actions["match_levels"]])
         for widget in (self._match_note, self.job_bar):
-            self.statusBar().addPermanentWidget(widget)
-        self.conditions = Conditions(self.document, self.engine, self.panels, self.statusBar())
-        self.statusBar().addPermanentWidget(self._limb_note)
-        self.statusBar().addPermanentWidget(self.playback.button)
+            bar.addPermanentWidget(widget)
+        self.conditions = Conditions(self.document, self.engine, self.panels, bar)
+        self._get_limbs = tool_button(bar, "get_limbs", f"{TITLE}…", NOT_INSTALLED)
+        self._get_limbs.clicked.connect(self.pages.show_dataset)
+        bar.addPermanentWidget(self._get_limbs)
+        bar.addPermanentWidget(self.playback.button)
 
     def _install(self, panel: Panel) -> None:
         """Connect a panel that was just made, after all others have met it, and show it."""
@@ -220,12 +230,10 @@ class MainWindow(QtWidgets.QMainWindow):
         document.refused.connect(reports.refuse)
         self.action_set.edited.connect(document.apply)
         self.appearance.changed.connect(self._check_theme)
+        self.appearance.changed.connect(self._fit_status_bar)
         self.workspaces.shown.connect(self._check_workspace)
         self.setup_bar.edited.connect(document.apply)
-        # The workspace of a scene is left before the panels of a file are shown.
-        for leaves_scene in (self.files.started_over, self.files.opened):
-            leaves_scene.connect(self.workspaces.leave_scene)
-        self.files.opened.connect(self.workspaces.show_panels)
+        self.files.started_over.connect(self.workspaces.leave_scene)
         self.scenes.opened.connect(self.presenter.note_scene)
         for begins_or_ends in (self.notice.pass_now, self.hints.put_away):
             self.presenter.presenting_changed.connect(begins_or_ends)
@@ -243,12 +251,10 @@ class MainWindow(QtWidgets.QMainWindow):
         self.playback.connect_to(self.panels, reports)
         self.keeping.connect_to(self.conductor, reports)
         self.running_jobs.show_on(self.actions_by_name["cancel_job"])
-        self._limb_note.help_requested.connect(self.pages.show_dataset)
         self.playback.button.clicked.connect(partial(self.do, "show_output"))
         self.conductor.failed.connect(reports.show_impossible)
         self.conductor.delivered.connect(reports.show_outcome)
         self.conductor.stale.connect(self.status_line.show_stale)
-        self.conductor.delivered.connect(self._limb_note.show_outcome)
         self.accuracy.checked.connect(self.status_line.show_error)
         self.engine.finished.connect(reports.log_fault)
         Installations(self.runner, self.limbs, reports)
@@ -259,35 +265,37 @@ class MainWindow(QtWidgets.QMainWindow):
     def _findable(self) -> list[QtGui.QAction]:
         others = [action for name, action in self.actions_by_name.items() if name != "find_action"]
         panels = docks.toggles(self.docks.values())
-        return [*others, *panels, *self.setup_bar.choices(None), *kind_choices(self.document)]
+        choices = *self.setup_bar.choices(None), *scaling_choices(self.document)
+        return [*others, *panels, *choices, *kind_choices(self.document)]
 
     def _show_state(self) -> None:
         design, view = self.document.design, self.document.view
         self.setup_bar.show_state(design, view)
-        self.status_line.show_design(design)
+        self.status_line.show_state(design, view)
         self._match_note.show_state(design, view)
-        self._limb_note.show_limb(design.limb)
 
     def _check_theme(self) -> None:
         name = self.preferences.theme_name
         known = f"use_{name}_theme" in self.actions_by_name
         self.actions_by_name[f"use_{name if known else 'system'}_theme"].setChecked(True)
 
+    def _fit_status_bar(self) -> None:
+        bar = self.statusBar()
+        bar.setFixedHeight(bar.fontMetrics().height() + _AROUND_STATUS_PX)
+
     def _check_workspace(self, name: str) -> None:
         self.actions_by_name[f"arrange_{name}"].setChecked(True)
 
     def _show_limbs(self) -> None:
         self.setup_bar.show_available(self.limbs.names)
-        self._limb_note.show_available(self.limbs.names)
+        self._get_limbs.setHidden(any(name.startswith("measured-") for name in self.limbs.names))
 
-    def createPopupMenu(self) -> QtWidgets.QMenu:
-        # Qt's own menu lists docks in the order in which they were added to the window.
-        menu = QtWidgets.QMenu(self)
-        menu.addActions(self._panel_toggles)
-        return menu
+    def menuBar(self) -> QtWidgets.QMenuBar:
+        # Qt would make another one in place of the line that holds it.
+        return self._menus
 
     def focusNextPrevChild(self, forward: bool) -> bool:
-        bars = self.notice.buttons, self.setup_bar, self.playback.bar, self._bar
+        bars = self.notice.card, self.playback.bar, self._head
         regions = (*bars, *self.panels, self.statusBar())
         return move_focus(self, regions, forward=forward)
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from functools import reduce
+from functools import partial, reduce
 from itertools import pairwise
 
 from PySide6 import QtGui, QtWidgets
@@ -57,8 +57,8 @@ class Workspace:
         Another panel comes up as a tab beside this one.
     hosts
         By name of a panel, the host where it is another one.
-    tabs
-        Panels that are tabs from the start, behind their hosts.
+    beside
+        By name of a panel, the one beside which it comes up where it shares no place.
     folds
         Parts of ``split`` whose panels become tabs, one part after the other, where the window is
         too small.
@@ -73,16 +73,18 @@ class Workspace:
     split: Split
     host: str
     hosts: Mapping[str, str] = field(default_factory=dict)
-    tabs: tuple[str, ...] = ()
+    beside: Mapping[str, str] = field(default_factory=dict)
     folds: tuple[Split, ...] = ()
     text_scale: float = 1.0
 
 
+#: Panels that fold out of the lower edge of the window.
+_BELOW = ("library",)
 #: The workspace for an audience.
 PRESENTATION = "presentation"
 
 _PLOTS = Split(_DOWN, (("traces", 50), ("spectra", 50)))
-_INPUTS_AND_PLOTS = Split(_ACROSS, (("hand", 24), ("inspector", 31), (_PLOTS, 45)))
+_INPUTS_AND_PLOTS = Split(_ACROSS, (("hand", 25), ("inspector", 26), (_PLOTS, 49)))
 
 WORKSPACES: tuple[Workspace, ...] = (
     Workspace(
@@ -95,14 +97,7 @@ WORKSPACES: tuple[Workspace, ...] = (
             (("skin", 31), (Split(_DOWN, ((_INPUTS_AND_PLOTS, 59), ("timeline", 41))), 69)),
         ),
         host="timeline",
-        hosts=dict.fromkeys(
-            (
-                *("frequency_and_amplitude", "compare", "history", "library", "analysis_2"),
-                "output",
-            ),
-            "inspector",
-        ),
-        tabs=("clip_editor",),
+        beside={"analysis_2": "timeline"},
         folds=(_PLOTS, _INPUTS_AND_PLOTS),
     ),
     Workspace(
@@ -134,8 +129,8 @@ WORKSPACES: tuple[Workspace, ...] = (
     ),
 )
 
-# Around the letters of a dock's title; the frame of a dock.
-_TITLE_PX, _EDGE_PX = 16, 4
+# Around the letters of a tab; the frame of a dock.
+_TAB_PX, _EDGE = 16, QSize(4, 4)
 _GAP = QtWidgets.QStyle.PixelMetric.PM_DockWidgetSeparatorExtent
 _PRESS, _RELEASE = QEvent.Type.MouseButtonPress, QEvent.Type.MouseButtonRelease
 
@@ -144,7 +139,8 @@ def shared(whole: int, shares: Sequence[int], least: Sequence[int]) -> list[int]
     """Split ``whole`` by ``shares``, but give each part what it needs at least, if that fits."""
     total = sum(shares)
     parts = [max(whole * share // total, need) for share, need in zip(shares, least, strict=True)]
-    excess, spare = sum(parts) - whole, sum(parts) - sum(least)
+    spare = sum(parts) - sum(least)
+    excess = min(sum(parts) - whole, spare)
     if excess > 0 and spare > 0:
         cuts = [excess * (part - need) // spare for part, need in zip(parts, least, strict=True)]
         parts = [part - cut for part, cut in zip(parts, cuts, strict=True)]
@@ -222,14 +218,19 @@ class Workspaces(QObject):
         self._at_press = b""
         # The workspace before a scene took up its own.
         self._before_scene = ""
+        #: Whether the window stands where the last session left it.
+        self.is_placed = False
         # What a presentation has left, and what waits for the window to have its size again.
         self._before_show: _Before | None = None
         self._awaited: _Before | None = None
         # How high some panels must be is known once they have their width.
         self._settling = QTimer(self, singleShot=True, interval=0)
         self._settling.timeout.connect(self._settle)
-        for dock in docks.values():
+        # Panels that got their first room since the docks were arranged.
+        self._unfolded: set[str] = set()
+        for name, dock in docks.items():
             dock.topLevelChanged.connect(self._note_move)
+            dock.toggleViewAction().toggled.connect(partial(self._note_shown_panel, name))
         appearance.changed.connect(self._follow_letters)
         WindowEvents.follow(window, self._note_press, _PRESS)
         WindowEvents.follow(window, self._note_release, _RELEASE)
@@ -243,10 +244,10 @@ class Workspaces(QObject):
 
     def choose(self, name: str) -> None:
         """Show a workspace as it was left."""
-        if name == self._present.name and not self._before_scene:
+        self._before_scene = ""
+        if name == self._present.name:
             return
         self._store_own()
-        self._before_scene = ""
         self._show(name)
         self.put(self._own.get(name, b""))
         self._keyboard.settle()
@@ -256,8 +257,8 @@ class Workspaces(QObject):
         self._own.pop(self._present.name, None)
         self._show(self._present.name)
 
-    def show_scene(self, name: str, panels: Sequence[str]) -> None:
-        """Show the workspace of a scene as at first, with its panels; `leave_scene` leaves it.
+    def show_scene(self, name: str, panels: Sequence[str]) -> str:
+        """Show the workspace that a scene needs, as it was left, and its panels.
 
         In a presentation the workspace stays.
 
@@ -267,15 +268,22 @@ class Workspaces(QObject):
             That of the workspace.
         panels
             Names of panels; the last of several in one place comes to the front.
+
+        Returns
+        -------
+        str
+            What the workspace is called, if another one was shown before.
         """
+        present = self._present
         if self._before_show is not None:
-            name = PRESENTATION
+            self._show(PRESENTATION)
         else:
-            self._store_own()
-            self._before_scene = self._before_scene or self._present.name
-        self._show(name)
+            before = self._before_scene or self._present.name
+            self.choose(name)
+            self._before_scene = before
         for panel in panels:
             self.bring(panel)
+        return "" if self._present is present else self._present.text
 
     def leave_scene(self) -> None:
         """Show the workspace that was there before the scene; in a presentation it stays."""
@@ -307,7 +315,7 @@ class Workspaces(QObject):
             self._docks[panel].bring_forward()
 
     def content(self) -> bytes:
-        """Return the layout for `put` and `show_panels`."""
+        """Return the layout for `put`."""
         return bytes(self._window.saveState().data())
 
     def put(self, content: bytes) -> None:
@@ -318,37 +326,16 @@ class Workspaces(QObject):
             self._settling.stop()
             self._moved = True
 
-    def show_panels(self, content: bytes) -> None:
-        """Show and hide panels as in the layout ``content``; do nothing where it is empty.
-
-        Of panels that share a place, one that was in sight comes to the front.  Where they stand
-        and how large they are stays: that belongs to this window and its screen, not to the one in
-        which a file was saved.
-        """
-        before = self._window.saveState()
-        if not content or not self._window.restoreState(QByteArray(_renamed(content))):
-            return
-        docks = self._docks.values()
-        hidden = {dock: dock.isHidden() for dock in docks}
-        in_sight = [dock for dock in docks if dock.isVisible() and dock.in_sight]
-        self._window.restoreState(before)
-        for dock, hide in hidden.items():
-            dock.setHidden(hide)
-        for dock in in_sight:
-            if not dock.in_sight:
-                dock.raise_()
-        self._keyboard.settle()
-
     def restore(self) -> None:
-        """Restore the last session; its sizes only where its screen is there."""
+        """Restore the last session; place and size of the window only where its screen is there."""
         screen = self._preferences.screen
         fits = not screen or screen in map(screen_key, QtGui.QGuiApplication.screens())
-        if fits:
+        self.is_placed = fits and not self._preferences.geometry.isEmpty()
+        if self.is_placed:
             self._window.restoreGeometry(self._preferences.geometry)
-        name, own = self._preferences.arrangement, self._preferences.own_arrangements
-        self._show(name)
-        self._own = own if fits else {}
-        (self.put if fits else self.show_panels)(own.get(self._present.name, b""))
+        self._own = self._preferences.own_arrangements
+        self._show(self._preferences.arrangement)
+        self.put(self._own.get(self._present.name, b""))
 
     def close(self) -> None:
         """Store the workspaces for the next session, which begins without scene and audience."""
@@ -371,6 +358,7 @@ class Workspaces(QObject):
         """Put the docks where they are in a workspace at first."""
         named = {workspace.name: workspace for workspace in WORKSPACES}
         self._present = workspace = named.get(name, WORKSPACES[0])
+        self._unfolded.clear()
         # Letters of another size share no room before the docks stand.
         self._moved = True
         self._preferences.arrangement = workspace.name
@@ -384,11 +372,16 @@ class Workspaces(QObject):
             self._window.addDockWidget(
                 Qt.DockWidgetArea.TopDockWidgetArea, self._docks[in_sight[0]]
             )
+            for panel in _BELOW:
+                self._window.splitDockWidget(self._docks[in_sight[0]], self._docks[panel], _DOWN)
             self._place(workspace.split)
+            for panel, neighbour in workspace.beside.items():
+                # A dock that is a tab takes no other one beside it.
+                self._window.splitDockWidget(self._docks[neighbour], self._docks[panel], _ACROSS)
             for panel, dock in self._docks.items():
-                if panel not in in_sight:
+                if panel not in (*in_sight, *workspace.beside, *_BELOW):
                     self._window.tabifyDockWidget(self._docks[self._host(panel)], dock)
-                dock.setVisible(panel in in_sight or panel in workspace.tabs)
+                dock.setVisible(panel in in_sight)
             for panel in reversed(in_sight):
                 self._docks[panel].raise_()
         self._moved = False
@@ -418,8 +411,9 @@ class Workspaces(QObject):
 
     def _room(self) -> QSize:
         window = self._window
-        bars = [window.menuBar(), window.statusBar(), *window.findChildren(QtWidgets.QToolBar)]
-        around = sum(bar.sizeHint().height() for bar in bars if not bar.isHidden())
+        bars = [window.menuWidget(), window.statusBar()]
+        shown = [bar for bar in bars if not bar.isHidden()]
+        around = sum(min(bar.sizeHint().height(), bar.maximumHeight()) for bar in shown)
         return window.size() - QSize(0, around)
 
     def _folds(self) -> tuple[Split, ...]:
@@ -451,14 +445,13 @@ class Workspaces(QObject):
 
     def _least(self, part: str | Split) -> QSize:
         """Return the least room in which nothing of the panels has to scroll."""
-        title_px = self._window.fontMetrics().height() + _TITLE_PX
         if isinstance(part, str):
-            panel, hosts = self._docks[part].panel, map(self._host, self._present.tabs)
-            size = panel.minimumSize().expandedTo(panel.minimumSizeHint())
-            return size + QSize(_EDGE_PX, title_px + (title_px if part in hosts else 0))
+            panel = self._docks[part].panel
+            return panel.minimumSize().expandedTo(panel.minimumSizeHint()) + _EDGE
         needs = [self._least(inner) for inner, _ in part.parts]
         if part in self._folded:
-            return reduce(QSize.expandedTo, needs) + QSize(0, title_px)
+            tab_px = self._window.fontMetrics().height() + _TAB_PX
+            return reduce(QSize.expandedTo, needs) + QSize(0, tab_px)
         gap_px = self._window.style().pixelMetric(_GAP) * (len(needs) - 1)
         widths, heights = [need.width() for need in needs], [need.height() for need in needs]
         if part.orientation == _ACROSS:
@@ -481,7 +474,7 @@ class Workspaces(QObject):
         return b"" if self._untouched else self.content()
 
     def _store_own(self) -> None:
-        if not self._before_scene and self._before_show is None and not self._untouched:
+        if self._before_show is None and not self._untouched:
             self._own[self._present.name] = self.content()
 
     @contextmanager
@@ -513,6 +506,30 @@ class Workspaces(QObject):
 
     def _note_move(self) -> None:
         self._moved = self._moved or not self._is_arranging
+
+    def _note_shown_panel(self, panel: str, shown: bool) -> None:
+        if shown and not self._is_arranging and panel not in self._unfolded:
+            self._unfolded.add(panel)
+            # Qt finds a place for it first.
+            QTimer.singleShot(0, self, partial(self._unfold, panel))
+
+    def _unfold(self, panel: str) -> None:
+        """Give a panel its first room, at the lower edge or beside another one."""
+        dock, neighbour = self._docks[panel], self._present.beside.get(panel)
+        if panel in _BELOW:
+            height = dock.panel.sizeHint().height()
+            above = self._docks[_edge(self._present.split)]
+            rest = above.height() + dock.height() - height
+            self._window.resizeDocks([above, dock], [rest, height], _DOWN)
+        elif neighbour is not None:
+            # Another one may be in front of the neighbour, in the same place.
+            shared_by = self._window.tabifiedDockWidgets(self._docks[neighbour])
+            beside = next(
+                (other for other in self._docks.values() if other in shared_by and other.in_sight),
+                self._docks[neighbour],
+            )
+            half_px = (beside.width() + dock.width()) // 2
+            self._window.resizeDocks([beside, dock], [half_px, half_px], _ACROSS)
 
     def _note_press(self, _event: QEvent) -> None:
         # The window itself has only the lines between its docks.

@@ -297,6 +297,10 @@ class Comparison(QObject):
         else:
             self.show(other.number)
 
+    def recall(self, number: str) -> None:
+        """Show the snapshot with a number."""
+        self.show(int(number))
+
     def show(self, number: int) -> None:
         """Put a snapshot in place of the design, as loud as the others where that is wanted."""
         document = self._document

@@ -37,11 +37,6 @@ class Conductor(QObject):
     """Shows visible panels the state, and requests and delivers the results that they need.
 
     Hidden panels are shown nothing until they come into sight.
-
-    Parameters
-    ----------
-    also
-        Quantities that come with whatever panels need.
     """
 
     #: Why the results cannot be computed.
@@ -51,16 +46,9 @@ class Conductor(QObject):
     #: Whether what the panels show is older than the design.
     stale = Signal(bool)
 
-    def __init__(
-        self,
-        document: Document,
-        engine: Engine,
-        panels: PanelRegistry,
-        also: frozenset[str] = frozenset(),
-    ):
+    def __init__(self, document: Document, engine: Engine, panels: PanelRegistry):
         super().__init__(document)
         self._document, self._engine, self._panels = document, engine, panels
-        self._also = also
         self._request: Request | None = None
         self._awaited = False
         self._shown: dict[Panel, tuple[Any, ...]] = {}
@@ -129,7 +117,7 @@ class Conductor(QObject):
             return
         document = self._document
         self._leave_out_too_large(document.design.limb)
-        wanted = self._also.union(*self._needs.values())
+        wanted = frozenset().union(*self._needs.values())
         if not wanted:
             return
         request = Request(

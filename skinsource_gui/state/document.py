@@ -16,7 +16,9 @@ from skinsource.design.edits.edit import Edit, Refusal, kept_selection
 from skinsource.design.edits.motions import with_whole_motions
 from skinsource.design.view import View
 from skinsource.limbs.own_limbs import axes_on, missing_limb, outputs_on
-from skinsource_gui.state.history import MOST_STEPS
+
+#: So many can be taken back; the oldest ones are forgotten first.
+MOST_STEPS = 1000
 
 
 class HistoryState:

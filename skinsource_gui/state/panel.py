@@ -22,7 +22,6 @@ from skinsource_gui.qt.labels import HOW_TO_SELECT_OUTPUT
 from skinsource_gui.qt.overlays import Cover, Staleness, StaleOverlay
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.state.compared import Compared
-from skinsource_gui.state.history import History
 
 
 class ShowsStaleness(SharesPointedInput):
@@ -85,8 +84,6 @@ class Panel(ShowsStaleness):
     #: Title of the dock; its `objectName`.
     title: ClassVar[str] = ""
     name: ClassVar[str] = ""
-    #: Whether it lists the history, see `show_history`.
-    lists_history: ClassVar[bool] = False
     #: Whether it may need quantities of snapshots, or of the design on other limbs.
     compares: ClassVar[bool] = False
     #: Whether Tab goes from top to bottom, as its fields stand, whenever each was made.
@@ -101,8 +98,6 @@ class Panel(ShowsStaleness):
     #: The new time of the playhead, s; the other signals do not move it.
     playhead_requested = Signal(float)
     visibility_changed = Signal()
-    #: How many steps of the history are to be done.
-    step_requested = Signal(int)
     #: Number of the snapshot to show.
     snapshot_requested = Signal(int)
     #: Why something that the user wanted of this panel was not done, a sentence.
@@ -184,9 +179,6 @@ class Panel(ShowsStaleness):
 
     def show_unplayable(self, unplayable: tuple[UnplayableInput, ...]) -> None:
         """Take over the inputs that cannot be played; the next results are without them."""
-
-    def show_history(self, history: History) -> None:
-        """Take over the history; called while it is visible, if it ``lists_history``."""
 
     def show_covered(self, covered: bool) -> None:
         """Cover the parts that an audience is to guess, or reveal them."""

@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton
+from PySide6.QtWidgets import QApplication, QMessageBox, QToolButton
 
 from skinsource.design.design import Design, track
 from skinsource.design.waveforms.samples import Drawn
@@ -23,16 +23,11 @@ def pen_is_taken(window):
     return isinstance(window.panel("clip_editor")._canvas.tool, Pen)
 
 
-def pen_buttons(window):
-    draw_buttons = window.panel("inspector").findChildren(QPushButton, "draw_button")
-    return [button for button in draw_buttons if button.isVisible()]
-
-
-def test_the_inspector_of_a_drawn_waveform_leads_to_the_pen_and_so_does_the_action(studio, qtbot):
+def test_the_clip_panel_leads_to_the_pen_and_so_does_the_action(studio, qtbot):
     window = studio(Drawn())
     window.activateWindow()
     qtbot.waitUntil(window.isActiveWindow)
-    (button,) = pen_buttons(window)
+    button = window.panel("inspector").findChild(QToolButton, "draw_button")
     QTest.mouseClick(button, Qt.MouseButton.LeftButton)
     editor = window.panel("clip_editor")
     assert editor.isVisible()

@@ -15,7 +15,7 @@ from skinsource_gui.state.engine import FIRST_SLOT
 FINDINGS = (
     Finding(name="band", state="left", sentence="Outside.", repair="band_limit"),
     Finding(name="drive", state="unknown", sentence="Unknown.", repair="probe_scaling"),
-    Finding(name="noise", state="kept", sentence="Fine."),
+    Finding(name="noise", state="kept", sentence="Fine.", outputs=(1, 2, 3, 4, 5)),
     Finding(name="limb", state="left", sentence="Synthetic."),
 )
 
@@ -40,10 +40,10 @@ def edit(window, amplitude):
 @pytest.mark.parametrize(
     ("states", "text"),
     [
-        (("left", "unknown", "kept"), "⚠ band"),
-        (("left", "kept", "left"), "⚠ band, SNR"),
-        (("left", "left", "left"), "⚠ 3 cautions"),
-        (("kept", "unknown", "kept"), "Within limits; unknown: drive"),
+        (("left", "unknown", "kept"), "⚠ Outside the measured band"),
+        (("left", "kept", "left"), "⚠ Outside the measured band, 1 more"),
+        (("kept", "kept", "left"), "⚠ 5 outputs near the noise"),
+        (("kept", "unknown", "kept"), "✓ Within known limits"),
         (("kept", "kept", "kept"), "✓ Within measured limits"),
         ((), "Limits not checked"),
     ],
@@ -57,7 +57,7 @@ def test_the_chip_names_what_a_design_leaves(qtbot, states, text):
     qtbot.addWidget(chip)
     chip.show_findings(FINDINGS)
     assert chip.worst == "band"
-    assert chip.accessibleDescription() == "band: caution\ndrive: unknown\nSNR: kept"
+    assert chip.accessibleDescription() == "band: caution\ndrive: unknown\nnoise: kept"
 
 
 @pytest.mark.parametrize("by_key", [False, True])

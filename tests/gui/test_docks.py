@@ -4,9 +4,9 @@ import random
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtWidgets import QApplication, QMenu
 
-from skinsource.design.design_file import save_design
 from skinsource_gui.shell.workspaces import WORKSPACES
 from tests.gui.dock_bench import bar_with, bars, click_tab, in_sight, titles
 
@@ -79,7 +79,7 @@ def test_whatever_is_done_to_docks_just_those_in_front_are_shown(window, settle)
                 lambda: window.do("reset_workspace"),
                 lambda: saved.append(window.saveState()),
                 lambda: window.restoreState(chance.choice(saved)),
-                lambda: window.workspaces.show_panels(chance.choice(saved).data()),
+                lambda: window.workspaces.put(chance.choice(saved).data()),
             ]
         )()
 
@@ -95,10 +95,10 @@ def test_whatever_is_done_to_docks_just_those_in_front_are_shown(window, settle)
 
 
 def test_ctrl_tab_shows_what_shares_the_place_of_the_keyboard_and_takes_it_along(active, settle):
-    active.docks["library"].bring_forward()
-    active.docks["history"].bring_forward()
+    active.docks["analysis"].bring_forward()
+    active.docks["compare"].bring_forward()
     settle()
-    active.panel("history").setFocus()
+    active.panel("compare").setFocus()
     visited = []
     for _ in range(3):
         active.do("next_tab")
@@ -106,90 +106,63 @@ def test_ctrl_tab_shows_what_shares_the_place_of_the_keyboard_and_takes_it_along
         visited.append(with_keyboard(active))
         assert visited[-1] in in_sight(active)
     names = [active.panel(name).title for name in visited]
-    row = titles(bar_with(active, "Library"))
-    start = row.index("History") + 1
+    row = titles(bar_with(active, "Analysis"))
+    start = row.index("Compare") + 1
     assert names == row[start:] + row[:start]
     active.do("previous_tab")
     assert visited[-2] in in_sight(active)
 
 
 def test_a_click_on_a_tab_takes_the_keyboard_to_the_panel_it_shows_wherever_it_was(active):
-    active.docks["library"].bring_forward()
+    active.docks["compare"].bring_forward()
     QApplication.processEvents()
-    active.panel("library").setFocus()
-    click_tab(active, "Inspector")
-    assert with_keyboard(active) == "inspector"
+    active.panel("compare").setFocus()
+    click_tab(active, "Timeline")
+    assert with_keyboard(active) == "timeline"
     active.panel("hand").setFocus()
-    click_tab(active, "Library")
-    assert with_keyboard(active) == "library"
+    click_tab(active, "Compare")
+    assert with_keyboard(active) == "compare"
 
 
-def open_list(window, act):
-    act()
+def test_the_right_button_floats_and_closes_the_panel_of_a_tab(active, settle):
+    active.docks["compare"].bring_forward()
+    settle()
+    bar = bar_with(active, "Compare")
+    at = bar.tabRect(titles(bar).index("Compare")).center()
+    bar.customContextMenuRequested.emit(at)
     QApplication.processEvents()
-    menu = window.findChild(QMenu, "tab_menu")
-    assert menu.isVisible()
-    return menu, {action.text(): action for action in menu.actions()}
-
-
-def test_a_key_and_the_right_button_list_the_tabs_in_one_place(active, settle):
-    active.docks["library"].bring_forward()
-    active.docks["history"].bring_forward()
-    settle()
-    active.panel("history").setFocus()
-    menu, entries = open_list(active, lambda: active.do("list_tabs"))
-    bar = bar_with(active, "Library")
-    assert list(entries)[: bar.count()] == titles(bar)
-    assert [text for text, action in entries.items() if action.isChecked()] == ["History"]
-    assert menu.activeAction() is entries["History"]
-    entries["Library"].trigger()
+    menu = active.findChild(QMenu, "tab_menu")
+    assert [action.text() for action in menu.actions()] == ["Float Compare", "Close Compare"]
+    menu.actions()[1].trigger()
     menu.close()
-    settle()
-    assert with_keyboard(active) == "library"
-    at = bar.tabRect(titles(bar).index("History")).center()
-    menu, entries = open_list(active, lambda: bar.customContextMenuRequested.emit(at))
-    entries["Float History"].trigger()
-    menu.close()
-    assert active.docks["history"].isFloating()
-    at = bar_with(active, "Library").tabRect(0).center()
-    menu, entries = open_list(
-        active, lambda: bar_with(active, "Library").customContextMenuRequested.emit(QPoint(at))
-    )
-    entries["Hide Inspector"].trigger()
-    menu.close()
-    assert active.docks["inspector"].isHidden()
+    assert active.docks["compare"].isHidden()
 
 
 def test_keys_for_tabs_say_when_no_panels_share_a_place(window):
-    window.docks["clip_editor"].hide()
-    QApplication.processEvents()
-    for name in ("next_tab", "list_tabs"):
-        window.statusBar().clearMessage()
-        window.do(name)
-        assert window.statusBar().currentMessage().startswith("No panel shares its place")
+    window.do("next_tab")
+    assert window.statusBar().currentMessage().startswith("No panel shares its place")
 
 
 def test_the_panels_menu_ticks_what_is_there_and_brings_what_is_behind(window, settle):
     menu = next(menu for menu in window.findChildren(QMenu) if menu.title() == "Panels")
     entry = {action.text(): action for action in menu.actions()}
     assert {text for text, action in entry.items() if action.isChecked()} == {
-        "Clip",
-        *(window.panel(name).title for name in in_sight(window)),
+        window.panel(name).title for name in in_sight(window)
     }
-    entry["Library"].trigger()
+    entry["Compare"].trigger()
     settle()
-    assert entry["Library"].isChecked()
-    assert "inspector" not in in_sight(window)
-    assert entry["Inspector"].isChecked()
-    entry["Inspector"].trigger()
+    assert entry["Compare"].isChecked()
+    assert "timeline" not in in_sight(window)
+    assert entry["Timeline"].isChecked()
+    entry["Timeline"].trigger()
     settle()
-    assert "inspector" in in_sight(window)
-    assert entry["Library"].isChecked()
-    entry["Inspector"].trigger()
+    assert "timeline" in in_sight(window)
+    assert entry["Compare"].isChecked()
+    entry["Timeline"].trigger()
     settle()
-    assert window.docks["inspector"].isHidden()
-    assert not entry["Inspector"].isChecked()
-    assert "library" in in_sight(window)
+    assert window.docks["timeline"].isHidden()
+    assert not entry["Timeline"].isChecked()
+    assert "compare" in in_sight(window)
 
 
 def test_the_key_of_the_clip_editor_shows_it_and_goes_back(active):
@@ -203,32 +176,74 @@ def test_the_key_of_the_clip_editor_shows_it_and_goes_back(active):
     assert with_keyboard(active) == "timeline"
 
 
-def test_a_panel_that_goes_leaves_the_keyboard_to_another_one(active, qtbot, tmp_path):
+def test_a_panel_that_goes_leaves_the_keyboard_to_another_one(active, qtbot):
     active.panel("hand").setFocus()
     active.docks["hand"].hide()
     qtbot.waitUntil(lambda: with_keyboard(active) == "timeline")
     # To the one that comes in front of it.
-    active.docks["history"].bring_forward()
-    active.panel("history").setFocus()
-    active.docks["inspector"].raise_()
-    qtbot.waitUntil(lambda: with_keyboard(active) == "inspector")
-    # With a file that was saved without it.
-    path = tmp_path / "without.skinsource"
-    active.docks["inspector"].hide()
-    content = active.workspaces.content()
-    save_design(path, active.document.design, active.document.view, layout=content)
-    active.docks["inspector"].show()
-    active.panel("inspector").setFocus()
-    active.document.mark_saved(path)
-    active.files.open(path)
-    assert active.docks["inspector"].isHidden()
+    active.docks["compare"].bring_forward()
+    active.panel("compare").setFocus()
+    active.docks["timeline"].raise_()
     qtbot.waitUntil(lambda: with_keyboard(active) == "timeline")
 
 
-def test_a_tab_names_its_panel_once(window, settle):
-    timeline, skin = window.docks["timeline"], window.docks["skin"]
-    assert timeline.titleBarWidget() is not None
-    assert skin.titleBarWidget() is None
+def test_a_dock_has_a_title_only_while_it_floats(window, settle):
+    for dock in window.docks.values():
+        assert dock.titleBarWidget() is not None
+        assert dock.titleBarWidget().height() <= 1 or not dock.isVisible()
+    timeline = window.docks["timeline"]
+    top = timeline.mapTo(window, timeline.widget().geometry().topLeft())
+    assert top == timeline.mapTo(window, QPoint())
     timeline.setFloating(True)
     QApplication.processEvents()
     assert timeline.titleBarWidget() is None
+    timeline.setFloating(False)
+    QApplication.processEvents()
+    assert timeline.titleBarWidget() is not None
+
+
+def test_the_right_button_and_keys_float_and_close_a_panel(active, qtbot):
+    dock = active.docks["hand"]
+    at = QPoint(2, 2)
+    event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, at, dock.mapToGlobal(at))
+    QApplication.sendEvent(active.panel("hand"), event)
+    menu = dock.findChild(QMenu, "dock_menu")
+    entries = {action.text(): action for action in menu.actions()}
+    assert set(entries) == {"Float Hand", "Close Hand"}
+    entries["Float Hand"].trigger()
+    menu.close()
+    assert dock.isFloating()
+    dock.activateWindow()
+    dock.panel.setFocus()
+    qtbot.waitUntil(lambda: dock.isAncestorOf(QApplication.focusWidget()))
+    active.do("float_panel")
+    assert not dock.isFloating()
+    active.activateWindow()
+    qtbot.waitUntil(active.isActiveWindow)
+    active.panel("inspector").setFocus()
+    active.do("close_panel")
+    assert active.docks["inspector"].isHidden()
+
+
+def test_the_library_folds_out_of_the_lower_edge(window, settle):
+    window.resize(1366, 768)
+    settle()
+    before = in_sight(window)
+    window.docks["library"].bring_forward()
+    settle()
+    library = window.docks["library"]
+    assert in_sight(window) == before | {"library"}
+    assert library.width() == window.width()
+    assert 0.2 * window.height() <= library.height() <= library.panel.sizeHint().height()
+
+
+def test_a_second_analysis_opens_beside_the_first(window, settle):
+    window.resize(1366, 688)
+    settle()
+    for name in ("analysis", "analysis_2"):
+        window.docks[name].bring_forward()
+    settle()
+    first, second = window.docks["analysis"], window.docks["analysis_2"]
+    assert {"analysis", "analysis_2", "inspector"} <= in_sight(window)
+    assert second.width() == pytest.approx(first.width(), abs=8)
+    assert second.widget().widget().width() <= second.widget().viewport().width()

@@ -7,8 +7,7 @@ from skinsource.design.design import Design, track
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
-from skinsource_gui.state.document import Document
-from skinsource_gui.state.history import MOST_STEPS
+from skinsource_gui.state.document import MOST_STEPS, Document
 
 ONE_TONE = Design(limb="synthetic-1", inputs=(track(location=7, waveform=Tone()),))
 

@@ -41,7 +41,7 @@ def place(window, location=3):
     window.document.edit("Place", window.document.design.adding(track(location=location)))
 
 
-def test_a_saved_design_comes_back_with_its_view_and_arrangement(window, settle, answers, tmp_path):
+def test_a_saved_design_comes_back_with_its_view_in_ones_panels(window, settle, answers, tmp_path):
     place(window)
     panels = (("skin", (("map_range_db", (-40.0, 0.0)),)),)
     window.document.look(replace(window.document.view, outputs=(1, 61), panels=panels))
@@ -54,13 +54,15 @@ def test_a_saved_design_comes_back_with_its_view_and_arrangement(window, settle,
     answers["question"] = QMessageBox.StandardButton.Discard
     window.do("new_design")
     assert window.document.design.inputs == ()
-    window.do("arrange_design")
+    window.docks["spectra"].show()
+    window.docks["traces"].hide()
     answers["open"] = str(tmp_path / "tap.skinsource")
     window.do("open_design")
     settle()
     assert window.document.design == design
     assert window.document.view == view
-    assert window.docks["spectra"].isHidden()
+    assert window.docks["traces"].isHidden()
+    assert not window.docks["spectra"].isHidden()
     assert window.windowTitle().startswith("tap")
     assert not window.document.undo_stack.canUndo()
 

@@ -44,11 +44,12 @@ def walk(window, modifiers=PLAIN):
 
 def region_of(window, widget):
     parts = {
-        "notice": window.notice.buttons,
+        "notice": window.notice.card,
         "setup": window.setup_bar,
         "transport": window.playback.bar,
         "status": window.statusBar(),
         **{panel.name: panel for panel in window.panels},
+        "head": window.menuWidget(),
     }
     return next(name for name, part in parts.items() if part.isAncestorOf(widget))
 
@@ -69,8 +70,8 @@ def test_tab_goes_through_all_panels_in_the_order_of_the_work_and_shift_tab_back
         "traces",
         "spectra",
         "status",  # how to get the measured limbs
-        "setup",
         "transport",
+        "setup",
         "hand",
     ]
     assert len(set(names)) == len(names)
@@ -109,7 +110,9 @@ def test_each_workspace_has_its_own_round(at_work):
     QApplication.processEvents()
     at_work.panel("skin").setFocus()
     visible = {panel.name for panel in at_work.panels if panel.isVisible()}
-    assert {region for region, _ in walk(at_work)} == visible | {"setup", "transport", "status"}
+    assert {region for region, _ in walk(at_work)} == visible | {
+        *("head", "setup", "transport", "status")
+    }
 
 
 def test_tab_ends_typing_and_goes_on(at_work):
@@ -120,7 +123,7 @@ def test_tab_ends_typing_and_goes_on(at_work):
     ).field
     field.setFocus()
     QTest.keyClicks(field, "300")
-    assert press(at_work, KEY.Key_Tab).objectName() == "window_field"
+    assert press(at_work, KEY.Key_Tab).objectName() == "kind_field"
     assert at_work.document.design.inputs[0].clips[0].waveform.duration_s == 0.3
 
 
@@ -134,11 +137,11 @@ def test_a_field_that_tab_reaches_scrolls_into_sight(at_work):
     assert place.visibleRegion().boundingRect() == place.rect()
 
 
-def test_the_way_to_the_measured_limbs_is_followed_with_enter(at_work):
+def test_the_way_to_the_measured_limbs_is_followed_by_key(at_work):
     at_work.panel("spectra").setFocus()
     assert press(at_work, KEY.Key_Tab).objectName() == "conditions"
-    assert press(at_work, KEY.Key_Tab).objectName() == "limb_note"
-    press(at_work, KEY.Key_Return)
+    assert press(at_work, KEY.Key_Tab).objectName() == "get_limbs"
+    press(at_work, KEY.Key_Space)
     page = next(dialog for dialog in at_work.findChildren(QDialog) if dialog.isVisible())
     assert page.windowTitle() == "Get the measured limbs"
     page.close()

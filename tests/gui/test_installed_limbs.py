@@ -1,11 +1,10 @@
 from dataclasses import replace
 
 from PySide6.QtCore import QEvent, Qt
-from PySide6.QtWidgets import QApplication, QComboBox
+from PySide6.QtWidgets import QApplication, QComboBox, QToolButton
 
 from skinsource.limbs.dataset.install import install
 from skinsource.limbs.dataset.store import NOT_INSTALLED
-from skinsource_gui.shell.limb_note import LimbNote
 
 
 def come_back_to(window):
@@ -34,14 +33,10 @@ def test_limbs_that_are_installed_while_the_studio_runs_can_be_used_at_once(
     window.document.edit("a", replace(window.document.design, limb="measured-1"))
     settle()
     assert window.notice.text == ""
-    note = window.findChild(LimbNote)
-    assert "NOT VERIFIED AS PUBLISHED" in note.text()
-    assert note.toolTip().startswith("Made from files that are not the published ones: ")
-    assert not note.isHidden()
+    assert "not the published ones" in window.panel("skin").content.note
     window.document.edit("a", replace(window.document.design, limb="synthetic-1"))
     settle()
-    assert "SYNTHETIC LIMB" in note.text()
-    assert "computed" in note.toolTip().lower()
+    assert "computed" in window.findChild(QComboBox, "limb").toolTip().lower()
 
 
 def test_a_design_whose_limb_was_missing_is_shown_once_it_is_installed(
@@ -58,9 +53,9 @@ def test_a_design_whose_limb_was_missing_is_shown_once_it_is_installed(
     assert window.notice.text == ""
 
 
-def test_the_way_to_measured_limbs_is_told_until_they_are_there(window, synthetic_installed):
-    note = window.findChild(LimbNote)
-    assert "not installed" in note.text()
+def test_the_way_to_measured_limbs_is_shown_until_they_are_there(window, synthetic_installed):
+    way = window.findChild(QToolButton, "get_limbs")
+    assert way.isVisible()
+    assert way.toolTip() == NOT_INSTALLED
     come_back_to(window)
-    assert "SYNTHETIC LIMB" in note.text()
-    assert "not installed" not in note.text()
+    assert not way.isVisible()

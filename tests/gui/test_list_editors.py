@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QTextCursor
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel, QPushButton
+from PySide6.QtWidgets import QLabel, QToolButton
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.waveforms.tones import Glide
@@ -93,17 +93,33 @@ def test_a_list_is_told_while_it_is_typed_and_stays_as_it_is_typed(make_cell):
 
 def test_half_a_list_says_what_is_missing_and_esc_brings_it_back(make_cell):
     cell = make_cell(FREQUENCIES, (50.0, 84.1))
+    cell.edited.connect(lambda _name, value, _gesture: cell.set_value(value))
     QTest.keyClicks(cell.line, ", 90z")
     assert cell.edits[-1] == (50.0, 84.1, 90.0)
     assert cell.note == "Frequency: “z” is not one of its units. Units: Hz, kHz."
     QTest.keyClick(cell.line, Qt.Key.Key_Escape)
     assert cell.line.text() == "50, 84.1"
+    assert cell.edits[-1] == (50.0, 84.1)
     assert cell.note == ""
+
+
+def test_of_a_list_left_invalid_no_half_is_taken_and_the_text_stays_marked(make_cell, qtbot):
+    cell = make_cell(FREQUENCIES, (60.0,))
+    cell.activateWindow()
+    qtbot.waitUntil(cell.isActiveWindow)
+    cell.edited.connect(lambda _name, value, _gesture: cell.set_value(value))
+    cell.line.selectAll()
+    QTest.keyClicks(cell.line, "50, 100, abc, 9000")
+    assert (50.0, 100.0) in cell.edits
+    cell.line.clearFocus()
+    assert cell.edits[-1] == (60.0,)
+    assert cell.line.text() == "50, 100, abc, 9000"
+    assert "abc" in cell.note
 
 
 def test_a_sweep_replaces_the_list_once_it_is_accepted(qtbot, make_cell):
     cell = make_cell(FREQUENCIES, (400.0, 100.0, 50.0))
-    cell.findChild(QPushButton).click()
+    cell.findChild(QToolButton, "sweep").click()
     dialog = cell.window().findChild(SweepDialog)
     qtbot.waitUntil(dialog.isVisible)
     assert dialog.values == frequency_sweep(50.0, 400.0, 3, "logarithmic", "down")

@@ -1,7 +1,6 @@
 import gc
 
-from skinsource_gui.state.document import Document, ReplaceDesign
-from skinsource_gui.state.history import MOST_STEPS
+from skinsource_gui.state.document import MOST_STEPS, Document, ReplaceDesign
 from skinsource_gui.state.preferences import start_design
 
 

@@ -17,20 +17,20 @@ def lies_over(window, part):
     return [dock.objectName() for dock in shown_docks(window) if dock.geometry().intersects(part)]
 
 
-def test_a_notice_that_stays_gets_room_of_its_own(window, settle):
+def test_a_notice_that_stays_is_a_card_over_the_map_and_moves_nothing(window, settle):
     places = [dock.geometry() for dock in shown_docks(window)]
     window.reports.complain(LONG)
     settle()
-    label = window.findChild(QLabel, "notice")
+    card, label = window.notice.card, window.findChild(QLabel, "notice_text")
     assert label.isVisible()
     assert label.height() >= label.heightForWidth(label.width())
-    assert label.geometry().bottom() == window.height() - 1
-    assert not lies_over(window, label.geometry())
-    assert label.y() > window.statusBar().geometry().bottom()
+    assert card.geometry().left() <= 10
+    assert card.geometry().bottom() < window.statusBar().y()
+    assert card.geometry().top() > window.menuWidget().height()
+    assert "skin" in lies_over(window, card.geometry())
+    assert [dock.geometry() for dock in shown_docks(window)] == places
     window.notice.be_quiet()
-    settle()
-    for dock, place in zip(shown_docks(window), places, strict=True):
-        assert abs(dock.height() - place.height()) <= 1  # columns share what does not divide
+    assert not card.isVisible()
 
 
 def test_a_notice_that_passes_moves_nothing_and_lies_over_the_status_bar(window, settle):
@@ -38,8 +38,7 @@ def test_a_notice_that_passes_moves_nothing_and_lies_over_the_status_bar(window,
     window.reports.refuse("That cannot be.")
     settle()
     assert [dock.geometry() for dock in shown_docks(window)] == places
-    label = window.findChild(QLabel, "notice")
-    assert label.geometry() == window.statusBar().geometry()
+    assert window.notice.card.geometry() == window.statusBar().geometry()
 
 
 def test_a_notice_while_presenting_is_one_line_high_in_the_largest_letters(window, settle):
@@ -50,11 +49,11 @@ def test_a_notice_while_presenting_is_one_line_high_in_the_largest_letters(windo
         window.resize(1366, 768)
         settle()
         window.reports.report("Scene 19 of 19: 5F · Separate and joint")
-        label = window.findChild(QLabel, "notice")
+        label, card = window.findChild(QLabel, "notice_text"), window.notice.card
         assert label.isVisible()
         assert label.height() < 2 * label.fontMetrics().lineSpacing()
         tops = [dock.widget().mapTo(window, QPoint()).y() for dock in shown_docks(window)]
-        assert label.geometry().bottom() <= min(y for y in tops if y > 0)
+        assert card.geometry().bottom() <= min(y for y in tops if y > 0)
     finally:
         window.appearance.reset_text()
         window.appearance.fit_room(1.0)
@@ -72,7 +71,7 @@ def test_what_is_offered_is_done_once_and_the_notice_goes(window):
     done = []
     window.notice.say("Open it?", choices=(("Open", lambda: done.append("open")),))
     button = window.findChild(QPushButton, "notice_choice")
-    assert window.notice.buttons.geometry().contains(
+    assert window.notice.card.geometry().contains(
         button.mapTo(window, QPoint(button.width() // 2, button.height() // 2))
     )
     QTest.mouseClick(button, Qt.MouseButton.LeftButton)

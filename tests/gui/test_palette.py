@@ -169,7 +169,7 @@ def run_from_palette(window, qtbot, letters):
 
 
 def test_hiding_is_an_entry_of_its_own_while_a_panel_is_in_the_window(window, qtbot):
-    assert listed_for(window, qtbot, "panel: skin") == ["Show panel: Skin", "Hide panel: Skin"]
-    run_from_palette(window, qtbot, "Hide panel: Skin")
+    assert listed_for(window, qtbot, "panel: skin") == ["Show panel: Skin", "Close panel: Skin"]
+    run_from_palette(window, qtbot, "Close panel: Skin")
     assert window.docks["skin"].isHidden()
     assert listed_for(window, qtbot, "panel: skin") == ["Show panel: Skin"]

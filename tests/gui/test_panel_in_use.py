@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QAbstractButton, QApplication, QWidget
+from PySide6.QtWidgets import QApplication, QWidget
 
 from skinsource_gui.plots.pictures import PANEL_IN_USE
 from tests.gui.dock_bench import bar_with, titles
@@ -39,10 +39,6 @@ def press(part, at=None, button=LEFT):
     QApplication.processEvents()
 
 
-def press_title(dock):
-    press(dock, QPoint(dock.width() // 3, 8))
-
-
 def empty_part(panel):
     """A spot of a panel where nothing takes the keyboard."""
     window = panel.window()
@@ -57,9 +53,9 @@ def empty_part(panel):
 
 
 @pytest.mark.parametrize("name", ["skin", "traces", "spectra"])
-def test_a_panel_whose_title_is_pressed_is_in_use_and_the_keyboard_stays(studio, name):
+def test_a_panel_is_in_use_once_its_ground_is_pressed_and_the_keyboard_stays(studio, name):
     focused = QApplication.focusWidget()
-    press_title(studio.docks[name])
+    press(studio.panel(name), empty_part(studio.panel(name)))
     assert in_use(studio) == studio.panel(name).title
     assert QApplication.focusWidget() is focused
 
@@ -93,8 +89,8 @@ def test_a_panel_out_of_the_window_is_in_use_once_it_is_pressed(studio, qtbot):
 
 def test_a_panel_that_is_closed_is_in_use_no_longer(studio):
     dock = studio.docks["skin"]
-    press_title(dock)
+    press(dock.panel, empty_part(dock.panel))
     assert in_use(studio) == "Skin"
-    press(dock.findChild(QAbstractButton, "qt_dockwidget_closebutton"))
+    studio.do("close_panel")
     assert not dock.isVisible()
     assert in_use(studio) == "Hand"

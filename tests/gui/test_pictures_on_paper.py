@@ -34,7 +34,6 @@ SAYS = {
     "analysis/regions": ("Back of the hand", "Forearm", "Mean"),
     "compare": ("Ctrl+1", "Ctrl+4"),
     "analysis/wave": ("Way along the line (mm)", "Speed"),
-    "history": ("New design",),
 }
 
 

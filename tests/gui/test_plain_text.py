@@ -123,5 +123,5 @@ def test_in_every_tooltip_notice_and_question(window, qtbot):
     question.show()
     QToolTip.showText(QPoint(5, 5), HOSTILE, window)
     QApplication.processEvents()
-    assert shown_letter_by_letter() >= 4
+    assert shown_letter_by_letter() >= 3
     QToolTip.hideText()

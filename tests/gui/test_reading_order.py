@@ -34,8 +34,8 @@ def names(panel):
 def test_the_inspector_is_walked_from_top_to_bottom(window):
     panel = window.panel("inspector")
     stop_names = names(panel)
-    assert stop_names[:3] == ["mute_button", "solo_button", "kind_field"]
-    assert stop_names[-2:] == ["location_field", "add_effect"]
+    assert stop_names[:3] == ["draw_button", "location_field", "amplitude_field"]
+    assert stop_names[-2:] == ["add_effect", "track_fold"]
     assert tops(panel) == sorted(tops(panel))
 
 

@@ -1,10 +1,10 @@
 import pytest
 from PySide6.QtCore import QMargins, QRect
-from PySide6.QtWidgets import QToolBar, QWidget
+from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.units import minus
-from skinsource_gui.qt.screen_fit import ScreenFit, fitted
+from skinsource_gui.qt.screen_fit import fit_by_guess, fitted
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import start_design
 
@@ -29,7 +29,7 @@ def test_a_window_too_large_for_its_screen_is_fitted_onto_it_before_it_is_shown(
     window = QWidget()
     qtbot.addWidget(window)
     window.resize(5000, 4000)
-    ScreenFit(window).guess()
+    fit_by_guess(window)
     room = window.screen().availableGeometry()
     assert room.contains(window.geometry())
     # There is room left for a frame, the widest part of which is above.
@@ -62,7 +62,7 @@ def test_a_window_that_was_presenting_starts_with_large_words(preferences, qapp)
 
 
 def test_each_number_of_the_bar_is_shown_whole_in_letters_of_any_size(window, qtbot):
-    fields = window.findChild(QToolBar, "setup").findChildren(NumberField)
+    fields = window.menuWidget().findChildren(NumberField)
 
     def in_sight():
         return all(field.visibleRegion().boundingRect() == field.rect() for field in fields)

@@ -47,6 +47,14 @@ def test_while_typing_only_the_keys_of_texts_stay_with_the_text(field):
     assert not field.isReadOnly()
 
 
+def test_undo_in_a_number_that_is_only_selected_takes_back_the_last_edit(window, field):
+    window.document.edit("Louder", window.document.design.with_input(0, amplitude=2.0))
+    field.begin_editing()
+    QTest.keyClick(field, Qt.Key.Key_Z, CONTROL)
+    assert window.document.design.inputs[0].amplitude == 1.0
+    assert field.isReadOnly()
+
+
 class GreedyLine(QLineEdit):
     """A line of text as on desktops where nearly every key with Ctrl moves in the text."""
 

@@ -5,12 +5,12 @@ from itertools import pairwise
 
 import pytest
 from PySide6.QtCore import QPoint
-from PySide6.QtWidgets import QApplication, QLabel
+from PySide6.QtWidgets import QApplication
 
-from skinsource.design.clips import Clip
 from skinsource.design.design import track
-from skinsource.design.waveforms.tones import Tone
+from skinsource.design.panel_settings import with_settings
 from skinsource.engine.gains import TraceError
+from skinsource_gui.panels.skin.settings import SENSATION, SkinSettings
 from skinsource_gui.state.edit_times import summary
 
 
@@ -24,31 +24,43 @@ def edit(window, **changes):
     window.document.edit("a", window.document.design.with_input(0, **changes))
 
 
-def test_inputs_that_are_felt_are_counted(window, wait_for):
+SHOWN = "Predicted acceleration, back of the hand"
+
+
+def test_the_middle_says_what_the_skin_shows_and_how_many_inputs_are_felt(window, wait_for):
+    wait_for(SHOWN)
     inputs = (track(location=3, muted=True), track(location=4, colour=1))
     window.document.edit("a", replace(window.document.design, inputs=inputs))
-    wait_for("1 of 2 inputs felt · up to date")
+    wait_for(f"{SHOWN} · 1 of 2 inputs felt")
+    view, settings = window.document.view, SkinSettings(quantity=SENSATION)
+    window.document.look(with_settings(view, "skin", settings))
+    wait_for(
+        "Predicted level above the threshold of detection, back of the hand · 1 of 2 inputs felt"
+    )
     window.document.edit("a", replace(window.document.design, inputs=()))
-    wait_for("No input yet · up to date")
-    window.document.edit("a", replace(window.document.design, inputs=inputs[1:], limb="measured-1"))
-    wait_for("1 input")
+    wait_for("No input yet")
 
 
-def test_while_results_are_awaited_nothing_is_called_up_to_date(window, wait_for, monkeypatch):
+def test_while_results_are_awaited_it_says_so(window, wait_for, monkeypatch):
     edit(window, amplitude=2.0)
-    wait_for("1 input · up to date")
+    wait_for(SHOWN)
     asked = []
     with monkeypatch.context() as patch:
         patch.setattr(window.engine, "request", asked.append)
         edit(window, amplitude=3.0)
-        wait_for("1 input · computing…")
+        wait_for(f"{SHOWN} · computing…")
     window.engine.request(asked[-1])
-    wait_for("1 input · up to date")
+    wait_for(SHOWN)
 
 
-def test_a_long_scene_is_told_to_be_computed_piece_by_piece(window, wait_for):
-    edit(window, clips=(Clip(waveform=Tone(duration_s=14.0)),))
-    wait_for("1 input · up to date · long scene, summed piece by piece")
+def test_a_message_is_shown_in_the_middle_and_goes_while_the_chip_stays(window, wait_for):
+    chip = window.conditions.chip
+    assert chip.x() < window.status_line.x() < 200
+    window.reports.report("Snapshot 1 is shown")
+    assert window.status_line.text() == "Snapshot 1 is shown"
+    assert chip.isVisible()
+    window.statusBar().clearMessage()
+    wait_for(SHOWN)
 
 
 def test_an_edit_is_timed_from_hand_to_screen(window, qtbot):
@@ -67,26 +79,21 @@ def test_times_are_summed_up_by_median_95_percent_and_slowest():
     assert "95 % within 95 ms" in summary(tuple(k * 1e-3 for k in range(1, 101)))
 
 
-def test_an_error_beyond_the_promise_is_told_and_others_are_kept(window, wait_for):
+def test_the_error_of_the_traces_is_kept_for_the_page_on_accuracy(window, wait_for):
     line = window.status_line
-    wait_for("1 input · up to date")
+    wait_for(SHOWN)
     line.show_error(TraceError(estimate=1.2e-15, bound=3.4e-13))
     assert line.times_and_error().endswith("Traces that are shown: error ≈ 2e-15, at most 4e-13.")
-    assert line.property("tone") == "dim"
-    for estimate, tone in ((1.2e-5, "warning"), (2e-3, "error")):
-        line.show_error(TraceError(estimate=estimate, bound=1.0))
-        line._show_text()
-        assert "traces: error ≈ " in line.text()
-        assert line.property("tone") == tone
+    assert line.text() == SHOWN
 
 
 def test_nothing_in_the_status_bar_is_clipped(window, wait_for):
     window.resize(1366, 768)
     edit(window, amplitude=2.0)
-    wait_for("1 input · up to date")
+    wait_for(SHOWN)
     QApplication.processEvents()
-    shown = [label for label in window.statusBar().findChildren(QLabel) if label.isVisible()]
-    assert {label.objectName() for label in shown} == {"status_line", "limb_note"}
+    shown = window.conditions.chip, window.status_line, window._get_limbs
+    assert window.statusBar().height() <= 24
     places = sorted((label.mapTo(window, QPoint()).x(), label.width()) for label in shown)
     for (left, width), (following, _) in pairwise(places):
         assert left + width <= following

@@ -112,7 +112,6 @@ def test_in_compose_the_skin_is_a_column_of_the_full_height_beside_the_rest(wind
         assert traces.bottom() < spectra.top() < spectra.bottom() < timeline.top()
         assert hand.left() == pytest.approx(timeline.left(), abs=2)
         assert traces.right() == pytest.approx(timeline.right(), abs=2)
-        assert not window.docks["clip_editor"].isHidden()
 
 
 @pytest.mark.parametrize(("size", "scale"), [(SMALL, 1.0), (SMALL, 3.0), (LARGE, 1.5)])
@@ -140,7 +139,7 @@ def test_hidden_panels_come_up_as_tabs_and_squeeze_none(window, settle):
         settle()
         first = sizes(window)
         assert set(first) == set(workspace.split.panels())
-        for name in {"timeline", "clip_editor", "history", "analysis"}.difference(first):
+        for name in {"timeline", "clip_editor", "compare", "analysis"}.difference(first):
             dock = window.docks[name]
             dock.bring_forward()
             QApplication.processEvents()
@@ -174,7 +173,7 @@ def test_each_workspace_is_remembered_until_it_is_reset(window, settle):
     drag_line(window, 60)
     assert place(window, "skin").width() == pytest.approx(wide + 60, abs=5)
     window.docks["spectra"].hide()
-    window.docks["history"].bring_forward()
+    window.docks["compare"].bring_forward()
     own = in_sight(window)
     window.do(ANALYSE)
     settle()
@@ -238,25 +237,52 @@ def test_a_panel_that_floated_is_in_front_of_the_window_again(session, qtbot, mo
     assert again.docks["inspector"].isVisible()
 
 
-def test_a_file_shows_its_panels_and_moves_none(window, settle, tmp_path):
+def test_a_file_leaves_the_arrangement_as_it_is(window, settle, tmp_path):
     path = tmp_path / "elsewhere.skinsource"
     settle()
     before = sizes(window)
     window.docks["library"].bring_forward()
     window.docks["spectra"].hide()
-    drag_line(window, 100)
     save_design(path, window.document.design, View(), layout=window.workspaces.content())
     window.do("reset_workspace")
     settle()
     window.files.open(path)
     settle()
-    assert window.docks["spectra"].isHidden()
-    assert in_sight(window) == set(before) - {"spectra", "inspector"} | {"library"}
-    assert place(window, "skin").size() == before["skin"]
-    # The layout in a file may be damaged, or of another studio.
-    before = sizes(window)
-    window.workspaces.show_panels(b"nonsense")
     assert sizes(window) == before
+    # The layout of a copy of unsaved work may be damaged, or of another studio.
+    window.workspaces.put(b"nonsense")
+    assert sizes(window) == before
+
+
+def test_a_scene_shows_its_workspace_as_it_was_left_and_says_so(window, settle):
+    window.do(ANALYSE)
+    settle()
+    window.docks["spectra"].hide()
+    window.do(COMPOSE)
+    settle()
+    window.docks["hand"].hide()
+    own = in_sight(window)
+    window.scenes.open("1C")
+    settle()
+    assert window.actions_by_name[ANALYSE].isChecked()
+    assert "Analyse" in window.statusBar().currentMessage()
+    assert "spectra" not in in_sight(window)
+    window.do(COMPOSE)
+    assert in_sight(window) == own
+
+
+def test_the_first_window_fills_the_screen_and_later_ones_are_as_they_were_left(
+    session, preferences
+):
+    window = session()
+    assert not window.workspaces.is_placed
+    window.close_unasked()
+    again = session()
+    assert again.workspaces.is_placed
+    again.close_unasked()
+    # Sizes of another screen do not count here.
+    preferences.screen = "1920 x 1080 at 2"
+    assert not session().workspaces.is_placed
 
 
 def present(window, settle, qtbot):

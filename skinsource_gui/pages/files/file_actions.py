@@ -317,7 +317,9 @@ class FileActions(QObject):
         self.look_at_disk()
         if not self._document.modified:
             return True
-        question = "The design has edits that are not saved. Save them?"
+        path = self._document.path
+        name = f"“{path.name}”" if path else "This design"
+        question = f"{name} has edits that are not saved. If you discard them, they are lost."
         return ask_to_save(self._window, "Unsaved design", question, self.save)
 
     def look_at_disk(self) -> None:

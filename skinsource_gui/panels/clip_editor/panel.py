@@ -366,7 +366,7 @@ class ClipEditorPanel(Panel):
         Sample rate of what clips play.
     """
 
-    title = "Clip"
+    title = "Clip editor"
     name = "clip_editor"
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:

@@ -465,6 +465,7 @@ class HandDiagram(QtWidgets.QWidget):
             site = self.stage.site_at(QPointF(event.pos()))
             at = event.globalPos()
         if site is None or self._mouse.busy:
+            event.ignore()
             return
         self.site_cursor.site = site
         front = self.state.front_at(site)

@@ -1,4 +1,4 @@
-"""The effects of a clip in the inspector: a row for each, and a button that adds one."""
+"""The effects of a clip in the clip panel: a row for each, and a button that adds one."""
 
 from collections.abc import Callable
 from functools import partial
@@ -17,6 +17,7 @@ from skinsource.specs.models import specs_of
 from skinsource_gui.fields.curve_field import CurveField
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.parts import AddButton, FieldsRow, RowColumn, RowTitle, lay_out_list
+from skinsource_gui.qt.buttons import Fold
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.qt.wheel import scroll_to
@@ -100,15 +101,13 @@ class EffectChain(QtWidgets.QWidget):
         self._clip: Clip | None = None
         self._ids: tuple[int, ...] = ()
         self._adds = False
-        title = QtWidgets.QLabel("Effects")
-        set_tone(title, "dim")
         add = AddButton("add_effect", self._fill_menu)
         add.setAccessibleName("Add an effect")
         add.setToolTip(tooltip("Add an effect at the end of the chain"))
         self._column: RowColumn[EffectRow] = RowColumn(add)
         self._column.moved.connect(partial(self._change, edits.move_effect))
-        lay_out_list(self, title, add, self._column)
-        self.setContentsMargins(0, UNIT_PX // 2, 0, 0)
+        self.fold = Fold("effects_fold", "Effects", self._column)
+        lay_out_list(self, self.fold, add, self._column)
 
     @property
     def rows(self) -> tuple[EffectRow, ...]:
@@ -135,8 +134,10 @@ class EffectChain(QtWidgets.QWidget):
             row.show_effect(effect)
             row.show_end(end_s)
         self._column.show_rows(rows)
+        self.fold.setText(f"Effects · {len(rows)}" if rows else "Effects")
         if self._adds and new is not None and same_clip:
             self._adds = False
+            self.fold.setChecked(True)
             new.title.setFocus(Qt.FocusReason.OtherFocusReason)
             # Only the layout gives it a place to scroll to.
             QTimer.singleShot(0, new, partial(_show_whole, new))

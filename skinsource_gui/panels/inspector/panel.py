@@ -1,4 +1,4 @@
-"""The inspector: fields of the selected inputs and clips, their preview and their effects."""
+"""The clip panel: fields of the selected inputs and clips, their picture and their effects."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
@@ -8,6 +8,7 @@ from typing import Any
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QSize, Qt, Signal, SignalInstance
 
+from skinsource.base.arrays import Floats
 from skinsource.base.measurement_conditions import Band
 from skinsource.design import edits
 from skinsource.design.amplitudes import is_gain, peak_text
@@ -30,22 +31,36 @@ from skinsource.design.edits.edit import (
     kind_spec,
     leading_input,
 )
+from skinsource.design.labels import SCALINGS, scalings_on
 from skinsource.design.signal_path import UnplayableInput
 from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
-from skinsource.design.waveforms.samples import Drawn, Recording
+from skinsource.design.waveforms.samples import Recording
 from skinsource.limbs.limb import LimbFacts
 from skinsource.limbs.locations import input_name
-from skinsource.limbs.own_limbs import facts_of
+from skinsource.limbs.own_limbs import drive_unit_known, facts_of
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.grid import LABEL_PX, FieldGrid, LabelledCell, TextCell
-from skinsource_gui.fields.inputs import FieldChanges, fixed_length_text, played_length_text
+from skinsource_gui.fields.inputs import (
+    DURATION_FIELD,
+    FieldChanges,
+    fixed_length_text,
+    played_length_text,
+    waveforms_of,
+)
 from skinsource_gui.panels.inspector.effects import EffectChain
 from skinsource_gui.plots.preview import WaveformPreview
-from skinsource_gui.qt.buttons import Swatch, mute_button, page_label, solo_button
+from skinsource_gui.qt.buttons import (
+    Fold,
+    Swatch,
+    mute_button,
+    page_label,
+    solo_button,
+    tool_button,
+)
 from skinsource_gui.qt.fitting import SteadyArea
 from skinsource_gui.qt.labels import HOW_TO_SELECT_INPUT, FittingLabel, how_to_add
 from skinsource_gui.qt.layouts import in_column, in_row
@@ -79,29 +94,73 @@ def _places(limb: str, facts: LimbFacts) -> ChoiceSpec:
     numbers = range(1, facts.n_inputs + 1)
     return ChoiceSpec(
         label="Place",
-        options=tuple((str(k), f"{k} · {input_name(k, limb).name}") for k in numbers),
+        options=tuple((str(k), f"{k} · {input_name(k, limb).short_name}") for k in numbers),
         hint="Where the actuator touches",
     )
 
 
+#: What follows an amplitude, by the scaling of the design.
+_MEANINGS = {
+    "probe": "at the probe",
+    "upstream": "peak on the skin",
+    "relative": "of the measuring pulse",
+}
+
+
+class Meaning(QtWidgets.QToolButton):
+    """Says what an amplitude of 1 means; its menu chooses another meaning."""
+
+    #: The name of the scaling that was chosen.
+    chosen = Signal(str)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("scaling")
+        self.setAutoRaise(True)
+        self.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        set_tone(self, "dim")
+        menu = QtWidgets.QMenu(self)
+        menu.setToolTipsVisible(True)
+        self._actions = {word.name: menu.addAction(word.title) for word in SCALINGS}
+        for name, action in self._actions.items():
+            action.setCheckable(True)
+            action.triggered.connect(partial(self._choose, name))
+        self.setMenu(menu)
+
+    def show_scaling(self, design: Design) -> None:
+        """Show that of a design, as it is meant on its limb."""
+        known = drive_unit_known(design.limb, design.limb_digest)
+        for word in scalings_on(drive_unit_known=known):
+            action = self._actions[word.name]
+            action.setToolTip(tooltip(word.sentence))
+            action.setChecked(word.name == design.scaling)
+            if action.isChecked():
+                self.setText(_MEANINGS[word.name])
+                self.setAccessibleName(f"Scaling: {word.title}")
+                show_tooltip(self, tooltip(f"{word.title}: {word.sentence}"))
+
+    def _choose(self, name: str, _checked: bool = False) -> None:
+        self.chosen.emit(name)
+
+
 class InputFields(QObject):
-    """Fields of an input and a clip of it: kind, the waveform's own, amplitude, onset, place.
+    """Fields of an input and a clip of it, in three groups.
 
     The gain of a clip is shown where it has others beside it, the gain curve of a track where
     there is one.
 
     Attributes
     ----------
-    grid
-        Contains the fields.
-    kind, place
+    head, grid, track
+        Contain place, amplitude, onset and duration; kind and the waveform's own fields; and those
+        of the track.
+    kind, place, meaning
         These emit what is chosen themselves; all others emit ``edited``.
     """
 
     #: Name of the field, its new value, number of the gesture or None.
     edited = Signal(str, object, object)
-    #: The clip shall be drawn with the pen.
-    pen_requested = Signal()
     #: A file shall be imported as a recording.
     file_requested = Signal()
 
@@ -110,16 +169,18 @@ class InputFields(QObject):
         facts = facts_of("")
         self._played_at, self._places = (facts.sample_rate_hz, facts.band_hz), _places_of("")
         self._own: tuple[LabelledCell, ...] = ()
-        self._arranged: tuple[LabelledCell, ...] = ()
+        self._arranged: tuple[tuple[LabelledCell, ...], ...] = ()
         self._built_for: type[Waveform] | None = None
-        self._length: TextCell | None = None
+        self._duration: LabelledCell | None = None
         self._several = False
         self._curve_of: int | None = None
         self._view = View()
-        self.grid = FieldGrid()
+        self.head, self.grid, self.track = FieldGrid(), FieldGrid(), FieldGrid()
         self.kind = FieldCell("kind", kind_spec())
         self.place = FieldCell("location", self._places)
         self._amplitude = FieldCell("amplitude", AMPLITUDE, edited=self.edited)
+        self.meaning = Meaning()
+        self._amplitude.stack.insertWidget(1, self.meaning, 0, Qt.AlignmentFlag.AlignRight)
         self._onset = FieldCell("onset_s", ONSET, edited=self.edited)
         self._gain = FieldCell("gain", GAIN, edited=self.edited)
         self._curve = FieldCell("gain_curve", GAIN_CURVE, edited=self.edited)
@@ -155,11 +216,12 @@ class InputFields(QObject):
         self._several, self._curve_of = several, curved
         self._played_length.text_label.setText(lasts)
         self._peak.text_label.setText(peak)
+        self.meaning.setHidden(bool(peak))
         if kind is not self._built_for:
             self._build_own(None if clip is None else clip.waveform)
         self._arrange()
-        if self._length is not None and clip is not None:
-            self._length.text_label.setText(fixed_length_text(clip.waveform))
+        if isinstance(self._duration, TextCell) and clip is not None:
+            self._duration.text_label.setText(fixed_length_text(clip.waveform))
         self._amplitude.set_spec(amplitude)
         self._gain.set_spec(replace(GAIN, label="Clip gain") if peak else GAIN)
         pairs = [(other, each) for other in batch for each in clips_of(other, view) or (None,)]
@@ -171,7 +233,7 @@ class InputFields(QObject):
             value = own.get(cell.name)
             cell.set_value(value)
             different = {value, *(other.get(cell.name) for other in rest)} - {None}
-            cell.show_differs(len(different) > 1)
+            cell.show_mixed(len(different) > 1)
 
     def show_limb(self, limb: str) -> None:
         """Take over the places of a limb and the band in which it was measured."""
@@ -204,42 +266,50 @@ class InputFields(QObject):
         for cell in self._fields():
             cell.forget_typing()
 
-    def _cells(self) -> tuple[LabelledCell, ...]:
-        optional: tuple[tuple[LabelledCell, object], ...] = (
-            (self._played_length, self._played_length.text_label.text()),
-            (self._amplitude, True),
-            (self._peak, self._peak.text_label.text()),
-            (self._gain, self._several),
-            (self._onset, self._built_for is not None),
+    def _groups(self) -> tuple[tuple[LabelledCell, ...], ...]:
+        """Return the cells of each grid."""
+        has_clip = self._built_for is not None
+        head: tuple[tuple[LabelledCell | None, object], ...] = (
             (self.place, True),
+            (self._amplitude, True),
+            (self._onset, has_clip),
+            (self._duration, has_clip),
+            (self._played_length, self._played_length.text_label.text()),
+        )
+        track = (
+            (self._peak, self._peak.text_label.text()),
             (self._curve, self._curve_of is not None),
         )
-        return (self.kind, *self._own, *(cell for cell, shown in optional if shown))
+        gain = (self._gain,) if self._several else ()
+        return (
+            tuple(cell for cell, shown in head if shown and cell is not None),
+            (self.kind, *self._own, *gain),
+            tuple(cell for cell, shown in track if shown),
+        )
 
     def _arrange(self) -> None:
         """Show the cells that belong to the input."""
-        cells = self._cells()
-        if cells != self._arranged:
-            self._arranged = cells
-            self.grid.show_cells(cells)
+        groups = self._groups()
+        if groups != self._arranged:
+            self._arranged = groups
+            for grid, cells in zip((self.head, self.grid, self.track), groups, strict=True):
+                grid.show_cells(cells)
 
     def _fields(self) -> list[FieldCell]:
-        return [cell for cell in self._cells() if isinstance(cell, FieldCell)]
+        return [cell for group in self._groups() for cell in group if isinstance(cell, FieldCell)]
 
     def _build_own(self, waveform: Waveform | None) -> None:
-        old = self._own
+        old = self._own if self._duration is None else (self._duration, *self._own)
         cells: list[LabelledCell] = []
-        self._length = None
+        self._duration = None
         for name, spec in (specs_of(waveform) if waveform else {}).items():
-            cells.append(FieldCell(name, spec.at_rate(*self._played_at), edited=self.edited))
+            cell = FieldCell(name, spec.at_rate(*self._played_at), edited=self.edited)
+            if name == DURATION_FIELD:
+                self._duration = cell
+            else:
+                cells.append(cell)
         if waveform and fixed_length_text(waveform):
-            self._length = TextCell("Duration", fixed_length_text(waveform))
-            cells.append(self._length)
-        if isinstance(waveform, Drawn):
-            hint = "Show the clip large, and draw on it with the pen"
-            cells.append(
-                _button_cell("Pen", "Draw", hint, name="draw_button", clicked=self.pen_requested)
-            )
+            self._duration = TextCell("Duration", fixed_length_text(waveform))
         if isinstance(waveform, Recording):
             hint = "Import a recording, in place of these samples or beside them"
             requested = self.file_requested
@@ -265,11 +335,8 @@ def _values(track: Input, clip: Clip | None) -> dict[str, object]:
     return {**own, "kind": kind, "location": str(track.location)}
 
 
-class InputHeading(QtWidgets.QWidget):
-    """Colour, number and name of an input's place, with its mute and solo buttons."""
-
-    mute_toggled = Signal()
-    solo_toggled = Signal()
+class ClipHeading(QtWidgets.QWidget):
+    """Colour and number of the place, which clip it is, and whether it is silent."""
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
@@ -285,42 +352,67 @@ class InputHeading(QtWidgets.QWidget):
         self._title.setFont(font)
         self._state = QtWidgets.QLabel()
         set_tone(self._state, "warning")
-        self._mute, self._solo = mute_button(), solo_button()
-        parts = (self._swatch, (self._title, 1), self._state, self._mute, self._solo)
+        parts = (self._swatch, (self._title, 1), self._state)
         in_row(*parts, of=self, margins=0, gap_px=UNIT_PX // 2).insertSpacing(1, UNIT_PX // 2)
-        self._mute.clicked.connect(self.mute_toggled)
-        self._solo.clicked.connect(self.solo_toggled)
 
-    def show_input(
-        self, shown: Input, limb: str, *, silent: bool, batch: tuple[Input, ...]
+    def show_clip(
+        self,
+        track: Input,
+        clip: Clip | None,
+        limb: str,
+        *,
+        silent: bool,
+        batch: tuple[Input, ...],
     ) -> None:
-        """Show the last input of a ``batch`` edited together; ``silent``: it is not heard."""
-        place = input_name(shown.location, limb)
-        before = f"{len(batch)} inputs, last: " if len(batch) > 1 else ""
-        short = f"{before}{place.short_name}"
-        self._title.show_phrases((f"{before}{place.name}", f"{short[0].upper()}{short[1:]}"))
-        self._swatch.show_input(shown.location, shown.colour, silent=silent)
+        """Show a clip of the last input of a ``batch`` edited together; ``silent``: not heard."""
+        place = input_name(track.location, limb)
+        which, title = "", "No clip yet"
+        if clip is not None:
+            which = f"Clip {track.clips.index(clip) + 1} of {len(track.clips)} · "
+            title = clip.waveform.title
+        if len(batch) > 1:
+            which = f"{len(batch)} inputs, last: "
+        self._title.show_phrases((f"{which}{title}", title))
+        self._swatch.show_input(track.location, track.colour, silent=silent)
         contact = f" ({place.kind})" if place.kind else ""
         show_tooltip(self._title, f"Input place {place.number}: {place.name}{contact}")
         of_whom = "last silent" if len(batch) > 1 else "silent"
         self._state.setText(of_whom if silent else "")
+
+
+class TrackButtons(QtWidgets.QWidget):
+    """Mute and solo of the selected inputs."""
+
+    mute_toggled = Signal()
+    solo_toggled = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._mute, self._solo = mute_button(), solo_button()
+        in_row(self._mute, self._solo, None, of=self, margins=0, gap_px=UNIT_PX // 2)
+        self._mute.clicked.connect(self.mute_toggled)
+        self._solo.clicked.connect(self.solo_toggled)
+
+    def show_inputs(self, batch: tuple[Input, ...]) -> None:
+        """Show whether all of them are muted, or solo."""
         self._mute.setChecked(all(track.muted for track in batch))
         self._solo.setChecked(all(track.solo for track in batch))
 
 
-_NEEDS = frozenset({"input_waveforms", "sample_rate_hz"})
-# Smallest size with letters of any size, px.
-_LEAST = QSize(204, 224)
+_NEEDS = frozenset({"clip_waveforms", "inputs", "sample_rate_hz"})
+# Smallest size with letters of any size, and height of the picture, px.
+_LEAST, _PICTURE_PX = QSize(204, 224), 28
 
 
 class InspectorPanel(Panel):
-    """Edits the selected inputs: place, waveform, the waveform's own fields, amplitude, onset.
+    """Edits the selected inputs: which clip, place, amplitude and its meaning, onset, duration.
 
-    The panel shows the input that was selected last. A typed value sets all inputs; a drag changes
-    all by the same amount.
+    These stay in sight; below them the waveform's own fields, effects and the track scroll.  The
+    panel shows the input that was selected last. A typed value sets all inputs; a drag changes all
+    by the same amount.
     """
 
-    title = "Inspector"
+    title = "Clip"
     name = "inspector"
     reads_down = True
 
@@ -329,7 +421,8 @@ class InspectorPanel(Panel):
         self._design = Design(limb="")
         self._shown: tuple[tuple[int, ...], ...] = ()
         self._view = View()
-        self._results: Mapping[str, Any] | None = None
+        self._waveforms: dict[int, Floats] | None = None
+        self._rate_hz = 0.0
         self._problems: Mapping[int, str] = {}
         self._changes = FieldChanges()
         # The input that was selected last.
@@ -338,19 +431,27 @@ class InspectorPanel(Panel):
         self._fields.kind.edited.connect(self._change_kind)
         self._fields.place.edited.connect(self._change_place)
         self._fields.edited.connect(self._change_field)
-        self._fields.pen_requested.connect(partial(self.action_requested.emit, "draw_clip"))
+        self._fields.meaning.chosen.connect(self._change_scaling)
         self._fields.file_requested.connect(partial(self.action_requested.emit, "import_recording"))
         self._chain = EffectChain()
         self._chain.edited.connect(self.edited)
-        self._heading = InputHeading()
-        self._heading.mute_toggled.connect(partial(self._change, edits.toggle_mute))
-        self._heading.solo_toggled.connect(partial(self._change, edits.toggle_solo))
-        self._preview = WaveformPreview(axis=True)
-        self._preview.setMaximumHeight(160)
+        self._heading = ClipHeading()
+        self._draw = tool_button(None, "draw_button", "Draw", "Draw this clip with the pen")
+        self._draw.clicked.connect(partial(self.action_requested.emit, "draw_clip"))
+        self._track = TrackButtons()
+        self._track.mute_toggled.connect(partial(self._change, edits.toggle_mute))
+        self._track.solo_toggled.connect(partial(self._change, edits.toggle_solo))
+        self._preview = WaveformPreview()
+        self._preview.setFixedHeight(_PICTURE_PX)
         self.computed = (self._preview,)
         self._lay_out()
 
     def minimumSizeHint(self) -> QSize:
+        if not self.isVisible():
+            # Behind another panel layouts do not follow other letters.
+            for layout in self._editor.findChildren(QtWidgets.QLayout):
+                layout.invalidate()
+            self._stack.invalidate()
         # Fields scroll down, never sideways.
         bar = self.style().pixelMetric(QtWidgets.QStyle.PixelMetric.PM_ScrollBarExtent)
         width = self._scrolled.minimumSizeHint().width() + bar
@@ -358,7 +459,7 @@ class InspectorPanel(Panel):
 
     @property
     def needs(self) -> frozenset[str]:
-        """What each input plays, and its rate."""
+        """What each clip plays, and its rate."""
         return _NEEDS
 
     def show_state(self, design: Design, view: View) -> None:
@@ -376,6 +477,7 @@ class InspectorPanel(Panel):
             self._fields.forget_typing()
             self._chain.forget_typing()
             self._shown = (view.selected_inputs, view.selected_clips)
+            self._scroll.verticalScrollBar().setValue(0)
             self._show_waveform()
         self._show_input(
             track, silent=all(track is not audible for audible in audible_inputs(design.inputs))
@@ -386,7 +488,7 @@ class InspectorPanel(Panel):
         self._empty.setText(HOW_TO_SELECT_INPUT if self._design.inputs else how_to_add())
 
     def show_results(self, results: Mapping[str, Any]) -> None:
-        self._results = {name: results[name] for name in _NEEDS}
+        self._waveforms, self._rate_hz = waveforms_of(results), results["sample_rate_hz"]
         self._fields.show_rate(results["sample_rate_hz"])
         self._show_waveform()
 
@@ -396,51 +498,54 @@ class InspectorPanel(Panel):
             self._show_style(self._last)
 
     def _show_waveform(self) -> None:
-        results = self._results or {"input_waveforms": ()}
-        waveforms = results["input_waveforms"]
-        # Results of an older design may have another number of inputs; new ones come soon.
-        track = self._last
-        if track is not None and len(waveforms) == len(self._design.inputs):
-            samples = waveforms[self._design.index_of(track.id)]
-            if samples is None:
-                self._preview.show_message("Cannot be sampled at the rate of this limb")
-            else:
-                self._preview.show_samples(samples, results["sample_rate_hz"])
+        clip = None if self._last is None else clip_of(self._last, self._view)
+        samples = (self._waveforms or {}).get(-1 if clip is None else clip.id)
+        if samples is not None:
+            self._preview.show_samples(samples, self._rate_hz)
         else:
+            # A clip of a newer design has results soon.
             self._preview.show_message("")
 
     def show_problem(self, reason: str) -> None:
-        self._results = None
+        self._waveforms = None
         self._preview.show_message(reason)
 
     def _lay_out(self) -> None:
+        fields, sides = self._fields, (UNIT_PX, 0, UNIT_PX, 0)
         self._scrolled = inside = QtWidgets.QWidget()
-        in_column(
-            self._fields.grid, self._chain, None, of=inside, margins=(UNIT_PX, 0, UNIT_PX, UNIT_PX)
-        )
-        scroll = SteadyArea()
+        track = QtWidgets.QWidget()
+        in_column(self._track, fields.track, of=track, margins=0, gap_px=UNIT_PX // 4)
+        fold = Fold("track_fold", "Track", track)
+        parts = fields.grid, self._chain, fold, track, None
+        in_column(*parts, of=inside, margins=(UNIT_PX, 0, UNIT_PX, UNIT_PX), gap_px=UNIT_PX // 4)
+        self._scroll = scroll = SteadyArea()
         scroll.setObjectName("inspector_fields")
         scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         scroll.setWidget(inside)
         self._editor = QtWidgets.QWidget()
-        top = in_column(self._heading, self._preview, margins=(UNIT_PX, 0, UNIT_PX, 0))
-        margins = (0, UNIT_PX // 2, 0, 0)
-        in_column((top, 1), (scroll, 3), of=self._editor, margins=margins, gap_px=UNIT_PX // 2)
+        picture = in_row((self._preview, 1), self._draw, margins=0, gap_px=UNIT_PX // 2)
+        top = in_column(self._heading, picture, fields.head, margins=sides, gap_px=UNIT_PX // 4)
+        margins = (0, UNIT_PX // 4, 0, 0)
+        in_column(top, (scroll, 1), of=self._editor, margins=margins, gap_px=UNIT_PX // 4)
         self._empty = page_label("inspector_empty", tone="dim", centred=True)
         self._stack = QtWidgets.QStackedLayout(self)
         self._stack.addWidget(self._empty)
         self._stack.addWidget(self._editor)
-        self.setFocusProxy(self._fields.kind)
+        self.setFocusProxy(fields.place)
 
     def _show_input(self, track: Input, *, silent: bool) -> None:
         # In the order of the design.
         batch = tuple(each for each in self._design.inputs if each.id in self._view.selected_inputs)
-        self._heading.show_input(track, self._design.limb, silent=silent, batch=batch)
+        clip, limb = clip_of(track, self._view), self._design.limb
+        self._heading.show_clip(track, clip, limb, silent=silent, batch=batch)
+        self._track.show_inputs(batch)
+        self._draw.setEnabled(clip is not None)
+        self._fields.meaning.show_scaling(self._design)
         amplitude, peak = amplitude_spec(self._design), ""
         if is_gain(self._design, track):
             amplitude, peak = AMPLITUDE_GAIN, peak_text(self._design, track)
-        self._fields.show_limb(self._design.limb)
+        self._fields.show_limb(limb)
         self._fields.show_input(track, batch, amplitude, self._view, peak)
         self._show_chain(track, batch)
         self._show_style(track)
@@ -459,6 +564,9 @@ class InspectorPanel(Panel):
 
     def _change_place(self, _: str, number: str, gesture: int | None) -> None:
         self._change(edits.move_inputs, int(number), gesture=gesture)
+
+    def _change_scaling(self, scaling: str) -> None:
+        self._tell(edits.change_scaling(self._design, self._view, scaling), None)
 
     def _change_field(self, name: str, value: Any, gesture: int | None) -> None:
         """Change a field of all selected inputs, by typing or dragging."""

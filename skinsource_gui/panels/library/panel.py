@@ -257,7 +257,7 @@ class LibraryPanel(Panel):
         self._connect()
 
     def sizeHint(self) -> QSize:
-        return QSize(280, 560)
+        return QSize(560, 236)
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view

@@ -20,6 +20,10 @@ def _has_clips(design: Design, view: View) -> bool:
     return bool(design.clips)
 
 
+def _has_snapshot(number: int, design: Design, view: View) -> bool:
+    return any(snapshot.number == number for snapshot in view.snapshots)
+
+
 def _has_snapshots(design: Design, view: View) -> bool:
     return bool(view.snapshots)
 
@@ -216,11 +220,24 @@ EDIT: tuple[ActionSpec, ...] = (
             name=f"store_snapshot_{number}",
             text=f"Store snapshot {number}",
             hint="Keep the design as it is now, to compare others with it",
-            keys=(f"Ctrl+{number}",),
+            keys=(f"Ctrl+Shift+{number}",),
             keywords="a/b compare keep variant version",
             command="comparison.store",
             argument=str(number),
             separated=number == NUMBERS[0],
+        )
+        for number in NUMBERS
+    ),
+    *(
+        ActionSpec(
+            name=f"show_snapshot_{number}",
+            text=f"Show snapshot {number}",
+            hint="Put it in place of the design; Undo brings that back",
+            keys=(f"Ctrl+{number}",),
+            keywords="a/b compare recall variant version",
+            command="comparison.recall",
+            argument=str(number),
+            enabled=partial(_has_snapshot, number),
         )
         for number in NUMBERS
     ),

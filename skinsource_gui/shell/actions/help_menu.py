@@ -10,7 +10,7 @@ HELP: tuple[ActionSpec, ...] = (
         "Type a few letters of anything the studio can do",
         "Ctrl+K",
         command="pages.search",
-        short="Search…",
+        short="Search",
         keywords="palette find command",
     ),
     action(

@@ -53,10 +53,26 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "reset_workspace",
-        "Reset workspace",
+        "Reset arrangement",
         "Put the panels of this workspace back where they were at first",
         command="workspaces.reset",
         keywords="arrange layout panels docks default",
+    ),
+    action(
+        "float_panel",
+        "Float panel",
+        "Take the panel out of the window, or put it back",
+        "Ctrl+Shift+W",
+        command="panel_in_use.turn_floating",
+        keywords="dock undock window screen detach",
+    ),
+    action(
+        "close_panel",
+        "Close panel",
+        "Close the panel in use; View > Panels brings it back",
+        "Ctrl+W",
+        command="panel_in_use.close",
+        keywords="hide dock remove",
     ),
     action(
         "next_panel",
@@ -92,14 +108,6 @@ VIEW: tuple[ActionSpec, ...] = (
         "Ctrl+PgUp",
         command="dock_tabs.previous",
         keywords="panel front behind keyboard",
-    ),
-    action(
-        "list_tabs",
-        "List tabs",
-        "List the panels that share a place, to bring one of them to the front",
-        "Ctrl+F6",
-        command="dock_tabs.show_list",
-        keywords="panel front behind keyboard overflow all",
     ),
     *(
         action(

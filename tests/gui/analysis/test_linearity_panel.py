@@ -115,7 +115,7 @@ def test_while_snapshots_are_computed_anew_what_is_drawn_is_told_to_be_of_others
     panel.show_snapshots([Compared(snapshot=snapshot) for snapshot in snapshots_of(*STRENGTHS)])
     qtbot.waitUntil(lambda: panel.is_stale)
     panel.show_snapshots([])
-    assert "with Ctrl+1 to Ctrl+4" in panel.figure.message
+    assert "with Ctrl+Shift+1 to Ctrl+Shift+4" in panel.figure.message
     assert not panel.is_stale
 
 
@@ -150,7 +150,7 @@ def test_rms_are_copied_by_strength_output_and_axis(show):
 
 def test_what_cannot_be_held_against_each_other_says_what_to_store(show, qtbot):
     window, panel = show([played(8), played(9)])
-    assert "with Ctrl+1 to Ctrl+4" in panel.figure.message
+    assert "with Ctrl+Shift+1 to Ctrl+Shift+4" in panel.figure.message
     assert panel.table_text() == ""
     assert not window.panel("analysis").copy.isEnabled()
     document = window.document

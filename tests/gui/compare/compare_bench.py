@@ -12,6 +12,7 @@ from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource_gui.panels.compare.settings import CompareSettings
 
 KEY, CTRL, ALT = Qt.Key, Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.AltModifier
+SHIFT = Qt.KeyboardModifier.ShiftModifier
 
 
 def edit(window, amplitude):

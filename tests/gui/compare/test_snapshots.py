@@ -23,6 +23,7 @@ from tests.gui.compare.compare_bench import (
     ALT,
     CTRL,
     KEY,
+    SHIFT,
     cards,
     choose,
     edit,
@@ -37,19 +38,21 @@ def names_of(requests):
     return [request.slot.name for request in requests]
 
 
-def test_keys_store_and_toggle_and_arrangements_have_moved(window, qtbot, settle):
+def test_keys_store_show_and_toggle_and_arrangements_have_moved(window, qtbot, settle):
     window.activateWindow()
     qtbot.waitUntil(window.isActiveWindow)
     first = window.document.design
-    QTest.keyClick(window, KEY.Key_1, CTRL)
+    QTest.keyClick(window, KEY.Key_1, CTRL | SHIFT)
     edit(window, 2.0)
-    QTest.keyClick(window, KEY.Key_4, CTRL)
+    QTest.keyClick(window, KEY.Key_4, CTRL | SHIFT)
     settle()
     assert [snapshot.number for snapshot in window.document.view.snapshots] == [1, 4]
     QTest.keyClick(window, KEY.Key_X)
     assert window.document.design == first
-    QTest.keyClick(window, KEY.Key_X)
+    QTest.keyClick(window, KEY.Key_4, CTRL)
     assert window.document.design.inputs[0].amplitude == 2.0
+    QTest.keyClick(window, KEY.Key_1, CTRL)
+    assert window.document.design == first
     assert window.docks["hand"].isVisible()
     QTest.keyClick(window, KEY.Key_2, ALT)
     assert not window.docks["hand"].isVisible()
@@ -92,10 +95,11 @@ def test_an_edit_while_levels_are_predicted_is_not_lost(window, settle):
 
 
 def test_without_a_snapshot_one_is_told_how_to_store_one(window, panel):
-    assert "Store the design with Ctrl+1 to Ctrl+4" in panel.maps.content.message
+    assert "Ctrl+Shift+1 to 4" in panel.maps.content.message
     assert not window.actions_by_name["toggle_snapshots"].isEnabled()
     window.comparison.toggle()
-    assert "Ctrl+1 to Ctrl+4" in window.notice.text
+    assert "Ctrl+Shift+1 to 4" in window.notice.text
+    assert not window.actions_by_name["show_snapshot_2"].isEnabled()
     window.do("store_snapshot_2")
     window.comparison.toggle()
     assert "The design in the window is snapshot 2" in window.notice.text

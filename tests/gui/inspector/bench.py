@@ -13,6 +13,7 @@ from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.inspector.panel import InspectorPanel
 from skinsource_gui.plots.preview import WaveformPreview
+from skinsource_gui.qt.buttons import Fold
 
 
 class Bench:
@@ -53,6 +54,10 @@ class Bench:
     def preview(self):
         return self.panel.findChild(WaveformPreview, "waveform_preview")
 
+    def open(self, fold):
+        """Unfold a part of the panel."""
+        self.panel.findChild(Fold, fold).setChecked(True)
+
     def show(self, design=None, **looking):
         self.design = design or self.design
         self.view = replace(self.view, **looking)
@@ -70,8 +75,12 @@ class Bench:
         QTest.keyClicks(box, text)
 
     def results(self):
-        waveforms = tuple(clip.waveform.samples(1300.0) for clip in self.design.clips)
-        return {"input_waveforms": waveforms, "sample_rate_hz": 1300.0}
+        waveforms = tuple(
+            tuple(clip.waveform.samples(1300.0) for clip in track.clips)
+            for track in self.design.inputs
+        )
+        inputs = self.design.inputs
+        return {"clip_waveforms": waveforms, "inputs": inputs, "sample_rate_hz": 1300.0}
 
     def _edit(self, outcome, gesture):
         if isinstance(outcome, Refusal):

@@ -47,7 +47,9 @@ class ChainBench(Bench):
 def bench(qtbot):
     clips = (Clip(id=1, waveform=Tone(), effects=CHAIN), Clip(id=2, onset_s=0.5))
     inputs = (Input(location=7, clips=clips), Input(location=3, clips=()))
-    return ChainBench(qtbot, Design(limb="synthetic-1", inputs=inputs))
+    bench = ChainBench(qtbot, Design(limb="synthetic-1", inputs=inputs))
+    bench.open("effects_fold")
+    return bench
 
 
 def test_every_effect_can_be_added_and_stands_open(bench):

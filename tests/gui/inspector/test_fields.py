@@ -6,15 +6,17 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QScrollArea, QToolButton, QWidget
 
-from skinsource.design.design import Design
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input
 from skinsource.design.effects.time import Stretch, Trim
 from skinsource.design.waveforms.pulses import Noise
-from skinsource.design.waveforms.samples import Formula, Recording
+from skinsource.design.waveforms.samples import Drawn, Formula, Recording
 from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.specs.samples import Samples
 from skinsource_gui.fields.editors import FieldCell
-from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.fields.text_field import LiveText
 from skinsource_gui.qt.labels import how_to_add
 from tests.gui.inspector.bench import Bench, design_of
@@ -57,7 +59,7 @@ def test_the_place_can_be_chosen_by_its_number(bench):
     # The list follows each key, in one gesture.
     assert bench.labels[-1].endswith(" to 15 (V base)")
     assert len({gesture for _, _, gesture in bench.edits}) == 1
-    assert bench.label("inspector_heading").text() == "Digit V, base"
+    assert bench.choice("location").shown_text == "15 · V base"
 
 
 def test_another_kind_of_waveform_keeps_what_both_share(bench):
@@ -107,7 +109,7 @@ def test_how_long_a_clip_lasts_with_its_effects_is_said_where_it_differs(bench):
 
 def test_a_recording_that_keeps_its_size_has_a_gain_without_a_unit_and_the_peak(bench):
     def strength():
-        cells = bench.panel.findChild(FieldGrid).findChildren(FieldCell)
+        cells = bench.panel.findChildren(FieldCell)
         cell = next(cell for cell in cells if cell.name == "amplitude")
         return cell.label.text(), cell.field.spec.unit
 
@@ -180,6 +182,7 @@ def test_the_gain_curve_of_a_track_is_typed_where_there_is_one(qtbot):
 
     design = design_of(Tone())
     bench = Bench(qtbot, design)
+    bench.open("track_fold")
     assert lines() == []
     bench.show(design.with_input(0, gain_curve=((0.1, 1.0), (0.4, 0.25))))
     (line,) = lines()
@@ -193,3 +196,57 @@ def test_the_gain_curve_of_a_track_is_typed_where_there_is_one(qtbot):
     assert lines() == [line]
     QTest.keyClicks(line, "0 0.5")
     assert bench.track.gain_curve == ((0.0, 0.5),)
+
+
+def test_the_heading_says_which_clip_is_edited_and_the_picture_is_its_own(qtbot):
+    clips = (Clip(id=1, waveform=Tone()), Clip(id=2, waveform=Noise(), onset_s=0.5))
+    bench = Bench(qtbot, Design(limb="synthetic-1", inputs=(Input(location=7, clips=clips),)))
+    bench.panel.resize(400, 460)
+    bench.panel.show_results(bench.results())
+    bench.show(selected_clips=(2,))
+    assert bench.label("inspector_heading").text() == "Clip 2 of 2 · Noise"
+    assert bench.preview.duration_s == pytest.approx(0.2)
+    bench.type("duration_s", "50")
+    bench.panel.show_results(bench.results())
+    assert bench.preview.duration_s == pytest.approx(0.05)
+    bench.show(selected_clips=(1,))
+    assert bench.label("inspector_heading").text() == "Clip 1 of 2 · Tone"
+
+
+def test_what_an_amplitude_means_is_said_and_chosen_beside_it(bench):
+    meaning = bench.panel.findChild(QToolButton, "scaling")
+    assert meaning.text() == "at the probe"
+    for action in meaning.menu().actions():
+        assert action.toolTip()
+    next(a for a in meaning.menu().actions() if a.text() == "Equal drives").trigger()
+    assert bench.design.scaling == "relative"
+    assert meaning.text() == "of the measuring pulse"
+    assert meaning.accessibleName() == "Scaling: Equal drives"
+
+
+@pytest.mark.parametrize("waveform", [Tone(), WaveletTrain(), Drawn()])
+def test_the_first_fields_of_a_clip_stand_in_240_px_without_scrolling(qtbot, waveform):
+    bench = Bench(qtbot, design_of(waveform))
+    bench.panel.resize(240, 372)
+    QTest.qWait(1)
+    area = bench.panel.findChild(QScrollArea, "inspector_fields")
+    own = [cell for cell in area.findChildren(FieldCell) if cell.isVisible()][:5]
+    assert own[0].name == "kind"
+    for cell in own:
+        bottom = cell.mapTo(area.viewport(), cell.rect().bottomLeft()).y()
+        assert bottom <= area.viewport().height(), cell.name
+    for name in ("location", "amplitude", "onset_s", "kind"):
+        assert (
+            bench.panel.findChild(QWidget, f"{name}_field").visibleRegion().boundingRect().height()
+            > 20
+        )
+
+
+def test_another_clip_is_shown_from_the_top(qtbot):
+    bench = Bench(qtbot, design_of(Noise(), Tone()))
+    bench.panel.resize(240, 300)
+    bar = bench.panel.findChild(QScrollArea, "inspector_fields").verticalScrollBar()
+    qtbot.waitUntil(lambda: bar.maximum() > 0)
+    bar.setValue(bar.maximum())
+    bench.show(selected_inputs=(2,))
+    assert bar.value() == 0

@@ -5,15 +5,11 @@ from PySide6.QtTest import QTest
 
 from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.tones import Tone
-from skinsource_gui.fields.editors import FieldCell
+from skinsource.design.waveforms.wavelet_train import WaveletTrain
+from skinsource_gui.fields.text_field import LiveText
 from tests.gui.inspector.bench import Bench, design_of
 
 LEFT = Qt.MouseButton.LeftButton
-
-
-def label_of(bench, name):
-    cells = bench.panel.findChildren(FieldCell)
-    return next(cell.label.text() for cell in cells if cell.name == name and cell.isVisible())
 
 
 def two(qtbot):
@@ -25,10 +21,38 @@ def two(qtbot):
 def test_the_heading_says_how_many_and_fields_say_where_they_differ(qtbot):
     bench = two(qtbot)
     assert bench.label("inspector_heading").text().startswith("2 inputs, last: ")
-    assert label_of(bench, "frequency_hz") == "Frequency ≠"
-    assert label_of(bench, "amplitude") == "Amplitude"
+    field = bench.number("frequency_hz")
+    assert (field.text(), field.placeholderText(), field.unit_text) == ("", "mixed", "")
+    assert bench.number("amplitude").text() == "1"
+    assert bench.choice("location").shown_text == "mixed"
     bench.show(selected_inputs=(1,))
-    assert label_of(bench, "frequency_hz") == "Frequency"
+    assert (field.text(), field.unit_text) == ("100", "Hz")
+    assert bench.choice("location").shown_text.startswith("7 ")
+
+
+def test_a_mixed_list_is_an_empty_line_and_what_is_typed_sets_all(qtbot):
+    trains = (WaveletTrain(frequencies_hz=(50.0,)), WaveletTrain(frequencies_hz=(60.0, 70.0)))
+    bench = Bench(qtbot, design_of(*trains))
+    bench.show(selected_inputs=(1, 2))
+    line = bench.panel.findChild(LiveText, "frequencies_hz_field") or next(
+        line for line in bench.panel.findChildren(LiveText) if line.isVisible()
+    )
+    assert (line.text(), line.placeholderText()) == ("", "mixed")
+    line.setFocus()
+    QTest.keyClicks(line, "80, 90")
+    assert {track.clips[0].waveform.frequencies_hz for track in bench.design.inputs} == {
+        (80.0, 90.0)
+    }
+
+
+def test_a_mixed_number_that_is_left_without_typing_stays_as_it_is(qtbot):
+    bench = two(qtbot)
+    bench.type("frequency_hz", "")
+    field = bench.number("frequency_hz")
+    field.begin_editing()
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    assert bench.edits == []
+    assert field.placeholderText() == "mixed"
 
 
 def test_a_typed_value_sets_all_in_one_step(qtbot):
@@ -39,7 +63,7 @@ def test_a_typed_value_sets_all_in_one_step(qtbot):
         240.0,
     ]
     assert bench.labels == ["Change frequency of 2 inputs"]
-    assert label_of(bench, "frequency_hz") == "Frequency"
+    assert bench.number("frequency_hz").text() == "240"
 
 
 def test_steps_move_all_by_the_same_factor(qtbot):

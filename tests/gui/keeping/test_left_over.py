@@ -15,7 +15,7 @@ ENDED = to_bytes(replace(this_process(), started_s=1000.0))
 
 
 def choose(window, text):
-    buttons = window.notice.buttons.findChildren(QPushButton)
+    buttons = window.notice.card.findChildren(QPushButton)
     next(button for button in buttons if button.text() == text).click()
 
 
@@ -49,9 +49,9 @@ def test_left_over_work_is_offered_with_its_age_and_picture_and_opened_as_not_sa
     picture = window.notice._picture
     assert picture.isVisible()
     assert picture.pixmap().height() == 90
-    # The notice has room of its own below the status bar.
+    # The card stands above the status bar.
     assert window.rect().contains(picture.geometry())
-    assert picture.y() > window.statusBar().geometry().bottom()
+    assert window.notice.card.geometry().bottom() < window.statusBar().y()
     choose(window, "Open it")
     assert window.document.design.inputs[0].amplitude == 2.5
     assert window.document.modified
@@ -126,7 +126,7 @@ def test_a_copy_that_stopped_the_last_studio_is_named_and_not_opened(window, lea
     copy.with_name(f"{copy.name}.opening").write_bytes(ENDED)
     window.keeping.offer(window.notice)
     assert f"{copy.name} stopped the studio when it was opened" in window.notice.text
-    assert window.notice.buttons.findChildren(QPushButton) == []
+    assert window.notice.card.findChildren(QPushButton) == []
     assert not copy.exists()
 
 

@@ -48,7 +48,7 @@ def do(hands, name):
 def press_keys(hands):
     name = hands.one_of(("timeline", "timeline", "hand", "clip_editor", "skin", "inspector"))
     if hands.chance(0.3):
-        name = hands.one_of(("traces", "spectra", "history", "library"))
+        name = hands.one_of(("traces", "spectra", "library"))
     panel = shown_panel(hands, name)
     panel.setFocus(Qt.FocusReason.TabFocusReason)
     for _ in range(int(hands.random.integers(1, 4))):
@@ -111,18 +111,15 @@ def on_buttons(hands):
 
 
 def in_rows(hands):
-    """Choose a preset or a step of the history."""
-    name = hands.one_of(("library", "library", "history"))
-    rows = shown_panel(hands, name).findChild(
-        QAbstractItemView, "preset_rows" if name == "library" else "history_rows"
-    )
+    """Choose a preset."""
+    rows = shown_panel(hands, "library").findChild(QAbstractItemView, "preset_rows")
     count = rows.model().rowCount()
     if not count:
         return
     index = rows.model().index(int(hands.random.integers(count)), 0)
     rows.scrollTo(index)
     at = rows.visualRect(index).center()
-    if name == "library" and hands.chance(0.5):
+    if hands.chance(0.5):
         hands.double_click(rows, at)
     else:
         hands.click(rows, at)

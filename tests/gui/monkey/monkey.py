@@ -15,7 +15,7 @@ from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
 from skinsource.engine import prediction
 from skinsource_gui.panels.skin.settings import LEVELS, SkinSettings
-from skinsource_gui.state.history import MOST_STEPS
+from skinsource_gui.state.document import MOST_STEPS
 from skinsource_gui.state.preferences import start_design
 from tests.gui.monkey import deeds_in_fields as fields
 from tests.gui.monkey import deeds_on_canvases as canvases

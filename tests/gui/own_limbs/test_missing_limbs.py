@@ -8,7 +8,6 @@ from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.limbs.own_limbs import facts_of, remove_limb
 from skinsource_gui.fields.choice_field import ChoiceField
-from skinsource_gui.shell.limb_note import LimbNote
 from tests.core.own_limbs.lab_bench import installed
 
 GONE = Design(limb="lab-9", inputs=(track(6),))
@@ -34,15 +33,14 @@ def test_nothing_of_another_limb_is_shown_and_the_window_says_what_is_missing(go
     assert not hand.diagram.isVisibleTo(hand)
     assert hand.findChild(QLabel, "hand_missing").text() == "The limb 'lab-9' is missing"
     assert hand.drop_place(QPoint(50, 50)) is None
-    assert "Place 6" in gone.panel("inspector").findChild(QLabel, "inspector_heading").text()
+    assert "Place 6" in gone.panel("inspector").findChild(QLabel, "inspector_heading").toolTip()
     content = gone.panel("skin").map.content
     assert (content.limb_map, content.limb) == (None, "lab-9")
     assert "lab-9" in content.message
     assert not gone.panel("skin").grab().isNull()
-    note = gone.findChild(LimbNote)
-    assert "LIMB MISSING" in note.text()
-    assert "not here" in note.toolTip()
-    assert not note.isHidden()
+    limb = gone.setup_bar.findChild(ChoiceField, "limb")
+    assert limb.shown_text == "lab-9 (not available)"
+    assert "not here" in limb.toolTip()
 
 
 def test_a_new_design_on_a_limb_whose_file_has_come_back_tells_its_name(user_data, window, qtbot):
@@ -63,4 +61,3 @@ def test_a_new_design_on_a_limb_whose_file_has_come_back_tells_its_name(user_dat
     rested(window, qtbot)
     assert window.document.design.limb == "lab-1"
     assert box.shown_text == there
-    assert "OWN LIMB" in window.findChild(LimbNote).text()

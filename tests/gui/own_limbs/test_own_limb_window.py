@@ -16,7 +16,6 @@ from skinsource.design.waveforms.pulses import Noise
 from skinsource.design.waveforms.tones import Tone
 from skinsource.limbs.own_limbs import facts_of, mirror_limb, remove_limb
 from skinsource_gui.fields.choice_field import ChoiceField
-from skinsource_gui.shell.limb_note import LimbNote
 from tests.core.own_limbs.lab_bench import N_INPUTS, N_OUTPUTS, installed
 from tests.gui.skin.bench import entries
 
@@ -91,8 +90,9 @@ def test_names_places_and_axes_are_those_of_the_limb(lab_window, lab):
     drawn = window.panel("skin").map.stage.layout
     assert drawn.unplaced == (5,)
     assert drawn.card_title == "No place"
-    assert not window.findChild(LimbNote).isHidden()
-    assert "OWN LIMB" in window.findChild(LimbNote).text()
+    assert facts_of(window.document.design.limb).sentence in " ".join(
+        window.setup_bar.findChild(ChoiceField, "limb").toolTip().split()
+    )
 
 
 def test_a_new_design_and_one_of_a_file_are_looked_at_along_the_axes_of_the_limb(lab_window, qtbot):

@@ -3,8 +3,8 @@
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import QEvent, Qt
-from PySide6.QtWidgets import QApplication, QLabel
+from PySide6.QtCore import QEvent
+from PySide6.QtWidgets import QApplication, QLabel, QToolButton
 
 from skinsource.actuators.actuation import Actuation, ActuatorAt
 from skinsource.actuators.catalog import load
@@ -52,16 +52,15 @@ def symbol_of(field):
 
 
 def tooltip_of_scaling(window):
-    scaling = window.findChild(ChoiceField, "scaling")
-    return scaling.itemData(scaling.currentIndex(), Qt.ItemDataRole.ToolTipRole)
+    meaning = window.panel("inspector").findChild(QToolButton, "scaling")
+    return next(action.toolTip() for action in meaning.menu().actions() if action.isChecked())
 
 
 def shown_unit(window):
     """The unit of amplitudes as the panel in front says it, and what is always in sight."""
-    (head,) = window.panel("timeline").findChildren(NumberField, "amplitude_field")
     caption = caption_of(window.document.design)
     return {
-        "head": checked_unit(head),
+        "clip": checked_unit(window.panel("inspector")._fields._amplitude.field),
         "caption": caption.partition("Place 3, 0.5 ")[2].partition(":")[0],
         window.front: IN_FRONT[window.front](window),
     }
@@ -81,7 +80,9 @@ def played_unit(window):
 
 #: Panels that say it, which stand behind each other.
 IN_FRONT = {
-    "inspector": lambda window: checked_unit(window.panel("inspector")._fields._amplitude.field),
+    "timeline": lambda window: checked_unit(
+        window.panel("timeline").findChild(NumberField, "amplitude_field")
+    ),
     "frequency_and_amplitude": lambda window: checked_unit(
         window.panel("frequency_and_amplitude")._amplitude.field
     ),

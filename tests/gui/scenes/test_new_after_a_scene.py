@@ -26,7 +26,7 @@ def in_sight(window):
 def moved(window):
     """What is in sight where the person has moved something."""
     window.docks["spectra"].hide()
-    window.docks["history"].bring_forward()
+    window.docks["compare"].bring_forward()
     return in_sight(window)
 
 

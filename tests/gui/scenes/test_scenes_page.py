@@ -4,12 +4,15 @@ import struct
 
 import pytest
 from PySide6.QtCore import QRect, QSize, Qt
+from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QDialogButtonBox, QMessageBox, QScrollArea
 
 import skinsource as ss
 from benchmarks.gallery import MARK, mark_of, page_of, synthetic_scene
 from skinsource.design.panel_settings import settings_of
+from skinsource_gui.pages.scenes import picture_of
 from skinsource_gui.qt.resources import resource_folder
+from skinsource_gui.qt.theme import current_theme
 from skinsource_gui.shell.appearance import LARGEST_TEXT
 from skinsource_gui.shell.panels import PANELS
 from skinsource_gui.shell.workspaces import WORKSPACES
@@ -104,7 +107,7 @@ def test_each_opens_with_the_panels_that_show_it_and_nothing_to_complain_of(wind
         for panel in scene.panels:
             assert window.docks[panel].in_sight, (scene.name, panel)
         assert window.notice.text == "", scene.name
-        assert messages[-1] == f"Opened {scene.heading}, on a SYNTHETIC limb"
+        assert messages[-1].startswith(f"Opened {scene.heading}, on a SYNTHETIC limb")
 
 
 @pytest.mark.parametrize(
@@ -150,3 +153,17 @@ def test_it_scrolls_inside_where_the_screen_is_small_and_letters_are_large(windo
         page.reject()
     finally:
         window.appearance.reset_text()
+
+
+def test_in_the_dark_pictures_have_the_ground_of_the_theme_and_maps_their_colours(window):
+    scene = next(scene for scene in ss.scenes.all_scenes() if scene.name == "1E")
+    plain = picture_of(scene).toImage()
+    window.appearance.use_theme("dark")
+    dark = picture_of(scene).toImage()
+    assert dark.pixelColor(0, 0) == QColor(current_theme().base)
+    assert plain.pixelColor(0, 0) == QColor("white")
+    places = [(x, y) for x in range(0, plain.width(), 7) for y in range(0, plain.height(), 7)]
+    coloured = [at for at in places if plain.pixelColor(*at).hsvSaturationF() > 0.5]
+    assert len(coloured) > 50
+    for at in coloured:
+        assert abs(dark.pixelColor(*at).green() - plain.pixelColor(*at).green()) <= 1

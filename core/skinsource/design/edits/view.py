@@ -95,7 +95,7 @@ def _with_marker(
 
 
 _NO_SNAPSHOT = Refusal(
-    sentence="Nothing is stored to compare with; store a snapshot with Ctrl+1 to 4."
+    sentence="Nothing is stored to compare with; store a snapshot with Ctrl+Shift+1 to 4."
 )
 
 
