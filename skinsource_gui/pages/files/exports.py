@@ -1,12 +1,12 @@
-"""Exports of numbers and pictures: their table, their jobs, and the actions that start them.
+"""Exports: the table of what can be exported, and the dialog and jobs that write it.
 
-Menus, shortcuts and the palette are made from the table `EXPORTS`.
+The dialog, and the entries of the palette that open it, are made from the table `EXPORTS`.
 """
 
 import logging
 import math
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -15,41 +15,25 @@ from PySide6 import QtGui
 from PySide6.QtCore import QObject, Signal
 
 from skinsource.actuators import rigs
-from skinsource.base.errors import MissingExtraError, SkinSourceError, TooInaccurateError
-from skinsource.base.extras import package_of_extra
+from skinsource.base.errors import SkinSourceError, TooInaccurateError
+from skinsource.base.files import path_exists
 from skinsource.base.job import Job, Progress, Stop
 from skinsource.design.design import Design
 from skinsource.design.view import View
 from skinsource.export import packing
 from skinsource.export.map_files import export_map
 from skinsource.export.tables import export_field, export_levels, export_traces, export_windows
+from skinsource_gui import pages
 from skinsource_gui.pages.files.file_actions import FileActions
-from skinsource_gui.panels.skin.film import (
-    KINDS,
-    MOST_PX,
-    SIZE_PX,
-    export_animation,
-    film_name,
-    film_options,
-    film_remark,
-)
-from skinsource_gui.plots.pictures import (
-    ALL_VISIBLE,
-    PANEL_IN_USE,
-    Picture,
-    PictureOptions,
-    ask_picture_options,
-    caption_px,
-    save_drawing,
-)
+from skinsource_gui.panels.skin.film import SIZE_PX, export_animation
+from skinsource_gui.plots.pictures import ALL_VISIBLE, PANEL_IN_USE, Picture, PictureOptions
 from skinsource_gui.qt.error_label import VISIBLE
-from skinsource_gui.qt.questions import ask_yes
+from skinsource_gui.qt.questions import ask_to_replace, ask_yes
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.services import Services
 
 #: The exports that are written with more than design and view.
-_FILM, _PACK = "animation", "pack"
-_PICTURES = (("PNG", ".png"), ("SVG", ".svg"), ("PDF", ".pdf"))
+STIMULUS, FILM, PACK = "stimulus", "animation", "pack"
 
 #: Computes and writes a file, given path, design and view, and by name ``progress``, ``stop`` and
 #: ``largest_error``.
@@ -60,66 +44,48 @@ Write = Callable[..., Any]
 class ExportSpec:
     """One thing that can be exported.
 
-    It is either written by a function, as a job, or a picture of a panel.
+    It is written by a function, as a job, or is a picture of a panel; the stimulus is neither.
 
     Attributes
     ----------
     name
-        Name of the action, after ``export_``.
-    title
-        Text in the menu, after "Export".
+        Name of its entry in the palette, after ``export_``.
+    group, title
+        Entry in the list of the dialog, and in the choice beside it; "" where there is no other.
     file_name
-        Suggested name of the file.
-    kinds
-        Kinds of files, as title and ending, first that of the suggested name.
+        Suggested name of the file, whose ending says its kind.
     hint
         What is written, as a sentence.
     write
         Computes and writes the file.
     panel, size_px
         Panel whose picture is saved, or one of its views as ``"panel/view"``; width and height.
-    enabled
-        Whether there is anything to export; None: always.
+    lacks
+        Returns why there is nothing to export now, "" where there is; None: there always is.
     keys, keywords
         As those of an action.
     """
 
     name: str
-    title: str
-    file_name: str
+    group: str
+    title: str = ""
+    file_name: str = ""
     hint: str
-    kinds: tuple[tuple[str, str], ...] = _PICTURES
     write: Write | None = None
     panel: str = ""
     size_px: tuple[int, int] = (1200, 1800)
-    enabled: Callable[[Design, View], bool] | None = None
+    lacks: Callable[[Design, View], str] | None = None
     keys: tuple[str, ...] = ()
     keywords: str = ""
 
-    def filter_for(self, ending: str) -> str:
-        """Return the filter with one of the endings first, which the dialog starts with."""
-        kinds = sorted(self.kinds, key=lambda kind: kind[1] != ending)
-        return ";;".join(f"{title} (*{ending})" for title, ending in kinds)
-
     @property
-    def window_title(self) -> str:
-        """The title of the dialogs that ask for options and a file."""
-        return f"Export {self.title.removesuffix('…')}"
-
-    @property
-    def kinds_text(self) -> str:
-        """The kinds of files within a sentence: "PNG, SVG or PDF"."""
-        *others, last = (title for title, _ in self.kinds)
-        return f"{', '.join(others)} or {last}" if others else last
-
-    @property
-    def endings(self) -> tuple[str, ...]:
-        """The endings that the file may have."""
-        return tuple(ending for _, ending in self.kinds)
+    def text(self) -> str:
+        """Its entry in the palette."""
+        return f"Export {': '.join(filter(None, (self.group.lower(), self.title)))}…"
 
 
-def _has_outputs(design: Design, view: View) -> bool:
-    return bool(view.outputs)
+def _lacks_outputs(design: Design, view: View) -> str:
+    return "" if view.outputs else "No output is selected. Click one on the skin map."
 
 
 def _pack(
@@ -127,7 +93,7 @@ def _pack(
     design: Design,
     view: View,
     *,
-    rig_path: Path | None,
+    rig_path: Path | None = None,
     progress: Progress,
     stop: Stop,
     largest_error: float,
@@ -139,8 +105,16 @@ def _pack(
 
 EXPORTS: tuple[ExportSpec, ...] = (
     ExportSpec(
+        name=STIMULUS,
+        group="Stimulus",
+        hint="Write what the actuators get: WAV, FLAC, CSV, MATLAB, C and others",
+        keys=("Ctrl+Alt+E",),
+        keywords="drive wav flac csv npz mat hdf5 header bids sound play actuator equaliser",
+    ),
+    ExportSpec(
         name="picture",
-        title="picture of the skin map…",
+        group="Picture",
+        title="Skin map",
         file_name="skin-map.png",
         hint="Save the skin map as PNG, SVG or PDF, with its colour bar",
         panel="skin",
@@ -149,7 +123,8 @@ EXPORTS: tuple[ExportSpec, ...] = (
     ),
     ExportSpec(
         name="panel_picture",
-        title="picture of the panel in use…",
+        group="Picture",
+        title="Active panel",
         file_name="panel.png",
         hint="Save the panel that has the keyboard as PNG, SVG or PDF, for a paper or a slide",
         panel=PANEL_IN_USE,
@@ -157,63 +132,17 @@ EXPORTS: tuple[ExportSpec, ...] = (
     ),
     ExportSpec(
         name="window_picture",
-        title="picture of all panels…",
+        group="Picture",
+        title="All panels",
         file_name="studio.png",
         hint="Save all panels that are in sight, arranged as they are, as PNG, SVG or PDF",
         panel=ALL_VISIBLE,
         keywords="image figure screenshot vector pdf svg png arrangement window slide",
     ),
     ExportSpec(
-        name=_FILM,
-        title="animation of the skin map…",
-        file_name="skin-map.mp4",
-        kinds=KINDS,
-        hint="Save the skin map in time, in slow motion, as MP4, WebM or GIF",
-        write=export_animation,
-        size_px=SIZE_PX,
-        keywords="video film movie wave gif mp4 webm slow motion time",
-    ),
-    ExportSpec(
-        name="traces",
-        title="traces as CSV…",
-        file_name="traces.csv",
-        kinds=(("CSV", ".csv"),),
-        hint="Save the traces of the selected outputs, with times and units",
-        write=export_traces,
-        enabled=_has_outputs,
-        keys=("Ctrl+E",),
-        keywords="table excel matlab waveform acceleration",
-    ),
-    ExportSpec(
-        name="levels",
-        title="RMS levels as CSV…",
-        file_name="rms-levels.csv",
-        kinds=(("CSV", ".csv"),),
-        hint="Save the RMS of all outputs, in m/s² and dB",
-        write=export_levels,
-        keywords="table excel matlab decibels",
-    ),
-    ExportSpec(
-        name="map",
-        title="map of levels as CSV…",
-        file_name="map.csv",
-        kinds=(("CSV", ".csv"),),
-        hint="Save the map as numbers, in dB: a row for each y, a column for each x, in mm",
-        write=export_map,
-        keywords="table excel matlab decibels skin heatmap surface",
-    ),
-    ExportSpec(
-        name="windows",
-        title="windows as CSV…",
-        file_name="windows.csv",
-        kinds=(("CSV", ".csv"),),
-        hint="Save the RMS of all outputs in consecutive windows, and how far each window reaches",
-        write=export_windows,
-        keywords="table excel matlab windowed rms extent distance strip contraction",
-    ),
-    ExportSpec(
         name="windows_picture",
-        title="picture of the windows…",
+        group="Picture",
+        title="Time windows",
         file_name="windows.png",
         hint="Save the strip of windows as PNG, SVG or PDF, with its colour scale and the extent",
         panel="analysis/windowed",
@@ -221,19 +150,62 @@ EXPORTS: tuple[ExportSpec, ...] = (
         keywords="image figure screenshot vector pdf svg png windowed rms strip",
     ),
     ExportSpec(
-        name="field",
-        title="whole field as NPZ…",
-        file_name="field.npz",
-        kinds=(("NumPy archive", ".npz"),),
-        hint="Save the acceleration of all outputs on three axes, for NumPy",
-        write=export_field,
-        keywords="python numpy matlab data array",
+        name=FILM,
+        group="Film",
+        hint="Save the skin map in time, in slow motion, as MP4, WebM or GIF",
+        write=export_animation,
+        size_px=SIZE_PX,
+        keywords="animation video movie wave gif mp4 webm slow motion time",
     ),
     ExportSpec(
-        name=_PACK,
-        title="all of it as ZIP…",
+        name="traces",
+        group="Table",
+        title="Traces",
+        file_name="traces.csv",
+        hint="Save the traces of the selected outputs, with times and units",
+        write=export_traces,
+        lacks=_lacks_outputs,
+        keywords="excel matlab waveform acceleration csv",
+    ),
+    ExportSpec(
+        name="levels",
+        group="Table",
+        title="RMS levels",
+        file_name="rms-levels.csv",
+        hint="Save the RMS of all outputs, in m/s² and dB",
+        write=export_levels,
+        keywords="excel matlab decibels csv",
+    ),
+    ExportSpec(
+        name="map",
+        group="Table",
+        title="Map of levels",
+        file_name="map.csv",
+        hint="Save the map as numbers, in dB: a row for each y, a column for each x, in mm",
+        write=export_map,
+        keywords="excel matlab decibels skin heatmap surface csv",
+    ),
+    ExportSpec(
+        name="windows",
+        group="Table",
+        title="Time windows",
+        file_name="windows.csv",
+        hint="Save the RMS of all outputs in consecutive windows, and how far each window reaches",
+        write=export_windows,
+        keywords="excel matlab windowed rms extent distance strip contraction csv",
+    ),
+    ExportSpec(
+        name="field",
+        group="Data",
+        file_name="field.npz",
+        hint="Save the acceleration of all outputs on three axes, for NumPy",
+        write=export_field,
+        keywords="whole field npz python numpy matlab array",
+    ),
+    ExportSpec(
+        name=PACK,
+        group="Project",
         file_name="design.zip",
-        kinds=(("ZIP", ".zip"),),
         hint="Save design, stimulus, rig, figure, tables, versions and what to cite as one file",
         write=_pack,
         keywords="zip archive pack share publish supplement reproduce citation",
@@ -314,108 +286,95 @@ DrawerOf = Callable[[str], Picture]
 
 
 class ExportActions(QObject):
-    """Exports the present design, and reports how that ended."""
+    """Opens the dialog on the present design, and writes what is chosen there."""
 
     #: Why something was not exported.
     failed = Signal(str)
 
-    def __init__(
-        self,
-        services: Services,
-        files: FileActions,
-        drawer_of: DrawerOf,
-    ) -> None:
+    def __init__(self, services: Services, files: FileActions, drawer_of: DrawerOf) -> None:
         super().__init__(services.window)
         self._document, self._preferences = services.document, services.preferences
         self._files, self._drawer_of, self._window = files, drawer_of, services.window
         self._jobs = ExportJobs(services.runner, files, self)
         self._jobs.failed.connect(self.failed)
         self._picture_options: dict[str, PictureOptions] = {}
+        self._last = STIMULUS
+        #: The dialog, while it is open.
+        self.page: Any = None
 
-    def export(self, name: str) -> None:
-        """Ask for a file, and write the export ``name`` of the table to it."""
-        spec = next(spec for spec in EXPORTS if spec.name == name)
-        # The design as the user sees it now, even if it changes while the dialog is open.
-        design, view = self._document.design, self._document.view
-        write = spec.write
-        if write is None:
-            self._export_picture(spec)
-            return
-        arguments: dict[str, Any] = {}
-        if name == _FILM:
-            options = self._ask_film(spec, design, view)
-            if options is None:
-                return
-            spec = replace(spec, file_name=film_name(design, view, options))
-            arguments = {"options": options, "seen": self._drawer_of("skin").visible}
-        elif name == _PACK:
-            rig = self._preferences.rig_path
-            arguments = {"rig_path": Path(rig) if rig else None}
-        path = self._ask_where(spec)
-        if path is not None:
-            # Tables and films hold the design without the gain that matches its level to another's.
-            matched = view.match_gain(design) != 1.0
-            note = "amplitudes are as stored, levels are not matched" if matched else ""
-            self._add(path, partial(write, path, design, view, **arguments), note)
+    def show(self, name: str = "") -> None:
+        """Open the dialog on an entry of the table, at first that of the last export."""
+        self.end()
+        own = self._document.path
+        # The design as the user sees it now.
+        self.page = page = pages.ExportPage(
+            self._document.design,
+            self._document.view,
+            self._window,
+            drawer_of=self._drawer_of,
+            picture_options=self._picture_options,
+            last_stimulus=self._preferences.export_text,
+            machine_rig=self._preferences.rig_path,
+            stem="stimulus" if own is None else own.stem,
+        )
+        page.show_export(name or self._last)
+        page.chosen.connect(self._ask_and_write)
+        page.finished.connect(self._forget_page)
+        page.open()
+
+    def end(self) -> None:
+        """Close the dialog."""
+        if self.page is not None:
+            self.page.reject()
 
     def copy_citation(self) -> None:
         """Put what to cite for the open design on the clipboard."""
         QtGui.QGuiApplication.clipboard().setText(packing.citation(self._document.design))
         self._files.done.emit("Copied what to cite")
 
-    def _ask_film(self, spec: ExportSpec, design: Design, view: View) -> Any:
-        """Ask for the options of a film; None where there is none to be written."""
-        try:
-            package_of_extra("imageio_ffmpeg", "video")
-        except MissingExtraError as error:
-            self.failed.emit(str(error))
-            return None
-        remark = partial(film_remark, design, view)
-        usual = film_options(design, view, self._usual_options(spec, spec.size_px))
-        about = {"kinds": "", "most_px": MOST_PX, "remark": remark}
-        return self._ask_options(spec, usual, spec.size_px, **about)
+    def _forget_page(self) -> None:
+        self.page = None
 
-    def _ask_where(self, spec: ExportSpec) -> Path | None:
-        start = self._preferences.folder / spec.file_name
-        kinds = spec.filter_for(start.suffix)
-        return self._files.ask_where(spec.window_title, start, kinds, spec.endings)
-
-    def _export_picture(self, spec: ExportSpec) -> None:
-        picture = self._drawer_of(spec.panel)
-        if spec.panel == PANEL_IN_USE:
-            # The dialogs cover the window, so their title names the panel.
-            name = picture.title.lower().replace(" ", "-")
-            spec = replace(
-                spec, title=f"picture of the panel {picture.title}…", file_name=f"{name}.png"
-            )
-        size = picture.size_px or spec.size_px
-        below = partial(caption_px, picture.caption)
-        usual = self._usual_options(spec, size)
-        options = self._ask_options(spec, usual, size, kinds=spec.kinds_text, below=below)
-        path = None if options is None else self._ask_where(spec)
-        if options is None or path is None:
+    def _ask_and_write(self) -> None:
+        """Ask for a file, close the dialog, and write what it shows; cancelled, it stays open."""
+        page = self.page
+        name, kinds, endings, ending = page.part.suggestion()
+        start = self._preferences.folder / name
+        path = self._files.ask_where(page.windowTitle(), start, kinds, endings, ending=ending)
+        if path is None or not self._may_write(path, page.part.files(path)):
             return
-        draw = partial(picture.draw, theme=options.theme)
+        self._last, write = page.part.name, page.part.writer(path)
+        if page.settings:
+            self._preferences.export_text = page.settings
+        draws = page.part.draws
+        page.accept()
+        if draws:
+            self._draw(path, write)
+            return
+        # Tables and films hold the design without the gain that matches its level to another's.
+        matched = self._document.view.match_gain(self._document.design) != 1.0
+        note = "amplitudes are as stored, levels are not matched" if matched else ""
+        self._add(path, write, note)
+
+    def _may_write(self, path: Path, written: Iterable[tuple[Path, ...]]) -> bool:
+        """Return whether files other than ``path``, on which the dialog asked, may be replaced."""
+        # A user who has a file replaced has its sidecar replaced too.
+        agreed = path_exists(path)
+        firsts = (
+            next(filter(path_exists, files), None)
+            for files in written
+            if not (agreed and files[0] == path)
+        )
+        existing = [file for file in firsts if file is not None]
+        return not existing or ask_to_replace(self._window, existing)
+
+    def _draw(self, path: Path, write: Callable[[], object]) -> None:
         try:
-            save_drawing(path, draw, options.width_px, options.height_px, dpi=options.dpi)
+            write()
         except SkinSourceError as error:
             self.failed.emit(str(error))
         else:
             self._files.note_written(path)
-
-    def _usual_options(self, spec: ExportSpec, size_px: tuple[int, int]) -> PictureOptions:
-        usual = PictureOptions(width_px=size_px[0], height_px=size_px[1])
-        return self._picture_options.get(spec.name, usual)
-
-    def _ask_options(
-        self, spec: ExportSpec, usual: PictureOptions, shape: tuple[int, int], **about: Any
-    ) -> PictureOptions | None:
-        """Ask for size and colours, which are offered the next time too."""
-        about |= {"title": spec.window_title, "shape": shape}
-        options = ask_picture_options(self._window, usual, **about)
-        if options is not None:
-            self._picture_options[spec.name] = options
-        return options
 
     def _add(
         self, path: Path, write: Callable[..., Any], note: str, largest_error: float = VISIBLE

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from PySide6 import QtWidgets
-from PySide6.QtCore import QObject, QSignalBlocker, Signal
+from PySide6.QtCore import QObject, QSignalBlocker, Qt, Signal
 
 from skinsource.actuators.actuation import Actuation, ActuatorAt
 from skinsource.actuators.catalog import load, names, profile
@@ -37,7 +37,7 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.rig_field import RigField
-from skinsource_gui.qt.buttons import page_label
+from skinsource_gui.qt.buttons import page_label, tool_button
 from skinsource_gui.qt.tooltips import tooltip
 
 
@@ -132,12 +132,12 @@ LONGEST_FADE_S = 10.0
 
 def part_spec(view: View) -> ChoiceSpec:
     """Return the choice of tracks and clips."""
-    options = [("all", "All that is heard")]
+    options = [("all", "All unmuted")]
     if view.selected_inputs:
         options.append(("tracks", "Selected tracks"))
     if view.selected_clips:
         options.append(("clips", "Selected clips"))
-    return ChoiceSpec(label="Plays", options=tuple(options), hint="What takes part")
+    return ChoiceSpec(label="Tracks", options=tuple(options), hint="Which of them are written")
 
 
 def time_spec(design: Design) -> ChoiceSpec:
@@ -283,15 +283,18 @@ _MAP_HINT = (
 _BOX_HINTS = {
     "sync": "A last channel with a pulse at full scale where the design begins",
     "dither": "Noise of one step before rounding, so that the error does not follow the signal",
+    "advanced": "Channels, fades, lead-in, full scale, and more of the format",
 }
 #: Names of the rows; choices of a format follow what it is about.
 _ROWS = (
-    "format", "about", "rate", "other_rate", "plays", "channels", "map", "time", "from", "to",
-    "fade_in", "fade_out", "lead_in", "rig", "actuator", "equaliser", "scale", "full_scale",
-    "sync", "dither",
+    "format", "about", "rate", "other_rate", "plays", "actuator", "equaliser", "rig", "time",
+    "from", "to", "advanced", "channels", "map", "fade_in", "fade_out", "lead_in", "scale",
+    "full_scale", "sync", "dither",
 )  # fmt: skip
+#: Rows that fold away, as all choices of a format but the first do.
+_ADVANCED = frozenset(_ROWS[_ROWS.index("advanced") + 1 :])
 #: Rows that go on with the one before.
-_CONTINUED = ("other_rate", "full_scale")
+_CONTINUED = ("other_rate", "full_scale", "advanced")
 
 
 class StimulusForm(QtWidgets.QWidget):
@@ -336,12 +339,15 @@ class StimulusForm(QtWidgets.QWidget):
         self.rigs = RigFields(design, view, self)
         self._map = QtWidgets.QLineEdit()
         self._map.setAccessibleName("Channel map")
-        self._map.setPlaceholderText("as they are")
+        self._map.setPlaceholderText("in their order")
         self._map.setToolTip(tooltip("Channel map", _MAP_HINT))
-        self._boxes = {
+        self._boxes: dict[str, Any] = {
             "sync": QtWidgets.QCheckBox("Sync channel"),
             "dither": QtWidgets.QCheckBox("Dither"),
+            "advanced": tool_button(None, "", "Advanced", checkable=True),
         }
+        self._boxes["advanced"].setAccessibleName("Advanced")
+        self._boxes["advanced"].setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         for name, box in self._boxes.items():
             box.setToolTip(_BOX_HINTS[name])
         self._form = QtWidgets.QFormLayout(self)
@@ -418,7 +424,7 @@ class StimulusForm(QtWidgets.QWidget):
     def _show_rows(self) -> None:
         format, fields, rigs = self.format, self._fields, self.rigs
         own_part = fields["time"].value == "part"
-        for name, visible in {
+        visible = {
             "rate": not format.fixed_rate,
             "other_rate": not format.fixed_rate and fields["rate"].value == OTHER,
             "plays": fields["plays"].count() > 1,
@@ -430,8 +436,15 @@ class StimulusForm(QtWidgets.QWidget):
             "scale": not self._scale_is_known,
             "full_scale": self._own_scale,
             "dither": format.rounds(self.chosen),
-        }.items():
-            self._form.setRowVisible(self.field(name), visible)
+        }
+        unfolded = self._boxes["advanced"].isChecked()
+        arrow = Qt.ArrowType.DownArrow if unfolded else Qt.ArrowType.RightArrow
+        self._boxes["advanced"].setArrowType(arrow)
+        folding = {*_ADVANCED, *list(self._choices)[1:]}
+        for name in (*_ROWS, *self._choices):
+            if name != "about":
+                shown = visible.get(name, True) and (unfolded or name not in folding)
+                self._form.setRowVisible(self.field(name), shown)
         unit = drive_unit(self._design) if self.rigs.equaliser is None else "V"
         self._numbers["full_scale"].set_spec(scale_number(unit))
 
@@ -506,7 +519,7 @@ def channel_map_of(text: str) -> tuple[int, ...]:
 # Fields that are remembered; times, drives and channel maps belong to one design.
 _LISTS = ("format", "rate", "channels", "equaliser")
 _NUMBERS = ("other_rate", "fade_in", "fade_out", "lead_in")
-_BOXES = ("sync", "dither")
+_BOXES = ("sync", "dither", "advanced")
 _MOST_CHARACTERS = 10_000
 
 
@@ -559,7 +572,7 @@ def _value(widget: QtWidgets.QWidget) -> Any:
         return widget.value
     if isinstance(widget, NumberField):
         return widget.value_si
-    return isinstance(widget, QtWidgets.QCheckBox) and widget.isChecked()
+    return isinstance(widget, QtWidgets.QAbstractButton) and widget.isChecked()
 
 
 def _put(widget: QtWidgets.QWidget, value: Any) -> None:
@@ -572,5 +585,5 @@ def _put(widget: QtWidgets.QWidget, value: Any) -> None:
                 spec = widget.spec
                 if spec.minimum <= value <= spec.maximum:
                     widget.set_value(value)
-        elif isinstance(widget, QtWidgets.QCheckBox) and isinstance(value, bool):
+        elif isinstance(widget, QtWidgets.QAbstractButton) and isinstance(value, bool):
             widget.setChecked(value)

@@ -365,6 +365,24 @@ def export_animation(
             progress(number + 1, film.count, "Drawing frames")
 
 
+def film_picture(
+    design: Design, view: View, *, options: FilmOptions, seen: VisiblePart = ALL, stop: Stop = never
+) -> QtGui.QImage:
+    """Return the frame of a film in which the clips are half over; see `export_animation`."""
+    view = options.view_of(view)
+    settings, limb = settings_of(view, SKIN, SkinSettings), facts_of(design.limb)
+    exported = ExportedDesign(design, view, stop=stop)
+    camera = _Camera(exported, settings, options, options.part_of(seen))
+    film = film_of(view, settings, camera.end_s, options.frames_per_s, limb)
+    middle_s = sum(_moves_s(design)) / 2.0
+    middle_s += 0.0 if view.delay_removed else limb.pre_trigger_delay_s
+    number = round((middle_s - film.begin_s) * film.frames_per_s * film.slow_motion)
+    frame = np.ascontiguousarray(camera.frame(film, min(max(number, 0), film.count - 1)))
+    height, width, _ = frame.shape
+    pixels = QtGui.QImage(frame.data, width, height, 3 * width, QtGui.QImage.Format.Format_RGB888)
+    return pixels.copy()
+
+
 def _usual_size() -> PictureOptions:
     return PictureOptions(width_px=SIZE_PX[0], height_px=SIZE_PX[1])
 

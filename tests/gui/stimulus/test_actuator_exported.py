@@ -48,7 +48,7 @@ def test_what_was_chosen_in_the_panel_is_exported_and_said(open_window, qtbot, s
     choose_in_panel(brought_forward(window, qtbot), "actuator", FINGERTIP)
     assert window.document.design.actuated is None
     window.do("export_stimulus")
-    page = opened(window.stimuli, qtbot)
+    page = opened(window.exports, qtbot)
     assert label(page, "summary").endswith(f"Equalised for {TITLE} (regularised inverse).")
     assert page.form.field("actuator").currentText() == f"{TITLE} (as in the panel)"
     path = save_as("volts.wav")
@@ -59,7 +59,7 @@ def test_what_was_chosen_in_the_panel_is_exported_and_said(open_window, qtbot, s
     assert metadata["actuator"] == [TITLE]
     # The next page starts there again, and another choice is free.
     window.do("export_stimulus")
-    page = opened(window.stimuli, qtbot)
+    page = opened(window.exports, qtbot)
     choose(page, qtbot, "equaliser", "none")
     assert label(page, "summary").endswith(RAW)
     choose(page, qtbot, "equaliser", "minimum")
@@ -67,7 +67,7 @@ def test_what_was_chosen_in_the_panel_is_exported_and_said(open_window, qtbot, s
     choose(page, qtbot, "actuator", "none")
     assert label(page, "summary").endswith(RAW)
     assert not page.form.field("equaliser").isVisible()
-    page.reject()
+    page.window().reject()
 
 
 def test_changed_parameters_and_equaliser_go_with_it(form_on):

@@ -39,8 +39,8 @@ def pale(page, name):
 
 
 def test_the_page_says_that_it_computes_and_how_far_it_is(desk, qtbot, gate):
-    desk.stimuli.show()
-    page = desk.stimuli.page
+    desk.exports.show("stimulus")
+    page = desk.exports.page.part
     qtbot.waitExposed(page)
     qtbot.waitUntil(
         lambda: (
@@ -54,15 +54,15 @@ def test_the_page_says_that_it_computes_and_how_far_it_is(desk, qtbot, gate):
     qtbot.waitUntil(lambda: page.ready, timeout=WAIT_MS)
     assert not computing_label(page).isVisible()
     assert not bar.isVisible()
-    desk.stimuli.end()
+    desk.exports.end()
 
 
 def test_escape_leaves_the_page_while_it_computes(desk, qtbot, gate):
-    desk.stimuli.show()
-    page = desk.stimuli.page
+    desk.exports.show("stimulus")
+    page = desk.exports.page.part
     qtbot.waitUntil(lambda: computing_label(page).isVisible())
-    with qtbot.waitSignal(page.finished):
-        QTest.keyClick(page, Qt.Key.Key_Escape)
+    with qtbot.waitSignal(page.window().finished):
+        QTest.keyClick(page.window(), Qt.Key.Key_Escape)
     assert not gate.is_set()
 
 

@@ -1,4 +1,4 @@
-"""File > Export stimulus…: seen first, then written."""
+"""File > Export…, Stimulus: seen first, then written."""
 
 import json
 
@@ -10,7 +10,8 @@ import skinsource as ss
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
 from skinsource.export.formats import FORMATS
-from skinsource_gui.pages.stimulus.page import joined, size_text
+from skinsource_gui.pages.files.export_parts import size_text
+from skinsource_gui.pages.stimulus.page import joined
 from tests.gui.stimulus.stimulus_bench import WAIT_MS, choose, export, label
 
 
@@ -33,6 +34,8 @@ def test_it_shows_the_channels_as_they_will_be(page, design):
 
 def test_only_rows_that_mean_something_are_shown(page, qtbot):
     form = page.form
+    assert not form.field("channels").isVisible()
+    form.field("advanced").click()
     assert not form.field("dither").isVisible()
     assert not form.field("from").isVisible()
     choose(page, qtbot, "samples", "pcm16")
@@ -112,6 +115,7 @@ def test_a_rig_says_what_is_wired_and_an_equaliser_makes_volts(
 
 
 def test_every_format_of_the_table_is_offered_and_shown(page, qtbot):
+    page.form.field("advanced").click()
     for file_format in FORMATS:
         choose(page, qtbot, "format", file_format.name)
         assert page.ready, file_format.name
