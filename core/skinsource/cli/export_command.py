@@ -18,7 +18,8 @@ from skinsource.export.stimulus_export.options import StimulusOptions
 _TIME_OPTIONS = {
     "--from": ("from_s", "begin of the part of the design that is exported"),
     "--to": ("to_s", "its end"),
-    "--lead-in": ("lead_in_s", "silence before it"),
+    "--lead-in": ("lead_in_s", "silence before it (default: 0.1 s with an equaliser)"),
+    "--tail": ("tail_s", "silence after it (default: 0.1 s with an equaliser)"),
     "--fade-in": ("fade_in_s", "fade at its begin"),
     "--fade-out": ("fade_out_s", "fade at its end"),
 }
@@ -32,8 +33,7 @@ def add_to(subparsers: Any) -> None:
         help="write the stimulus of a design file: WAV, CSV, MATLAB, C and others",
         description="Writes what the actuators get, and beside it OUT.json, which says what its "
         "numbers mean. One channel per place in use; the largest sample is full scale. Prints the "
-        "paths, and below them, indented, what is lost, what it is equalised for and whether it is "
-        "calibrated.",
+        "paths, and below them, indented, a summary, what is lost and whether it is calibrated.",
         epilog=f"formats:\n{listed}",
         formatter_class=HelpFormatter,
     )
@@ -150,7 +150,7 @@ def _export(arguments: argparse.Namespace) -> int:
     for path in exported.files:
         sys.stdout.write(f"{path}\n")
     for note in filter(
-        None, (exported.edges, exported.loses, exported.equalised, exported.calibration)
+        None, (exported.summary, exported.edges, exported.loses, exported.calibration)
     ):
         sys.stdout.write(f"  {note[:1].upper()}{note[1:].rstrip('.')}.\n")
     return 0

@@ -17,6 +17,7 @@ from skinsource.base.job import Stop, silent
 from skinsource.base.quoting import sentence
 from skinsource.design.design import Design
 from skinsource.design.view import View
+from skinsource.export.stimulus_export.preparing import size_text
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.files.exports import FILM, PACK, DrawerOf, ExportSpec
@@ -347,11 +348,3 @@ def preview_of(write: Callable[..., Any], name: str, stop: Stop) -> tuple[str, i
             lines = head[:_HEAD_BYTES].decode(errors="ignore").splitlines()
             lines += ["…"] * (len(head) > _HEAD_BYTES)
     return "\n".join(lines), n_bytes
-
-
-def size_text(n_bytes: int) -> str:
-    """Return a number of bytes as text."""
-    for factor, unit in ((1e9, "GB"), (1e6, "MB"), (1e3, "kB")):
-        if n_bytes >= factor:
-            return f"{n_bytes / factor:.3g} {unit}"
-    return f"{n_bytes} bytes"

@@ -4,7 +4,8 @@ Rows that do not apply to the chosen format, rig or actuator are hidden.
 """
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -104,6 +105,7 @@ LEAD_IN = NumberSpec(
     step=0.05,
     hint="Silence before the stimulus, in which it may ring",
 )
+TAIL = replace(LEAD_IN, label="Tail", hint="Silence after the stimulus, in which it may ring")
 SCALE = ChoiceSpec(
     label="Full scale",
     options=(("largest", "Largest sample"), ("own", "A drive of…")),
@@ -288,7 +290,7 @@ _BOX_HINTS = {
 #: Names of the rows; choices of a format follow what it is about.
 _ROWS = (
     "format", "about", "rate", "other_rate", "plays", "actuator", "equaliser", "rig", "time",
-    "from", "to", "advanced", "channels", "map", "fade_in", "fade_out", "lead_in", "scale",
+    "from", "to", "advanced", "channels", "map", "fade_in", "fade_out", "lead_in", "tail", "scale",
     "full_scale", "sync", "dither",
 )  # fmt: skip
 #: Rows that fold away, as all choices of a format but the first do.
@@ -316,6 +318,8 @@ class StimulusForm(QtWidgets.QWidget):
         self._design, self._view = design, view
         self._about = page_label("stimulus_format_hint", tone="dim")
         self._choices: dict[str, ChoiceField] = {}
+        #: Numbers that were typed; a silence that was not follows the equaliser.
+        self.typed: set[str] = set()
         self._fields = {
             "format": ChoiceField(FORMAT),
             "rate": ChoiceField(RATE),
@@ -332,6 +336,7 @@ class StimulusForm(QtWidgets.QWidget):
             "fade_in": NumberField(time_number("Fade in", LONGEST_FADE_S)),
             "fade_out": NumberField(time_number("Fade out", LONGEST_FADE_S)),
             "lead_in": NumberField(LEAD_IN),
+            "tail": NumberField(TAIL),
             "full_scale": NumberField(scale_number(drive_unit(design))),
         }
         for name, value in (("to", longest_s), ("other_rate", 48_000), ("full_scale", 1.0)):
@@ -375,6 +380,12 @@ class StimulusForm(QtWidgets.QWidget):
         rows |= {"actuator": rigs.actuator_field, "equaliser": rigs.equaliser_field}
         return {**rows, **self._fields, **self._numbers, **self._choices, **self._boxes}[name]
 
+    def show_silence(self, lead_in_s: float, tail_s: float) -> None:
+        """Show how long the silences are that follow the equaliser."""
+        for name, length_s in (("lead_in", lead_in_s), ("tail", tail_s)):
+            if name not in self.typed:
+                self._numbers[name].set_value(length_s)
+
     def emit_order(self) -> None:
         """Emit the order that the fields make, or why they make none."""
         self._show_rows()
@@ -391,7 +402,8 @@ class StimulusForm(QtWidgets.QWidget):
                 field.edited.connect(self.show_format)
             else:
                 field.edited.connect(self.emit_order)
-        for number in self._numbers.values():
+        for name, number in self._numbers.items():
+            number.edited.connect(partial(self._note_typed, name))
             number.edited.connect(self.emit_order)
         self.rigs.changed.connect(self.emit_order)
         self.rigs.refused.connect(self.refused)
@@ -420,6 +432,9 @@ class StimulusForm(QtWidgets.QWidget):
         self.setTabOrder(before, self._fields["rate"])
         self._about.setText(f"{format.hint}.")
         self.emit_order()
+
+    def _note_typed(self, name: str, *_: object) -> None:
+        self.typed.add(name)
 
     def _show_rows(self) -> None:
         format, fields, rigs = self.format, self._fields, self.rigs
@@ -472,7 +487,8 @@ class StimulusForm(QtWidgets.QWidget):
             to_s=to_s,
             fade_in_s=numbers["fade_in"].value_si,
             fade_out_s=numbers["fade_out"].value_si,
-            lead_in_s=numbers["lead_in"].value_si,
+            lead_in_s=self._silence("lead_in"),
+            tail_s=self._silence("tail"),
             sync=self._boxes["sync"].isChecked(),
             channel_map=() if channels == "files" else channel_map_of(self._map.text()),
             full_scale=numbers["full_scale"].value_si if self._own_scale else None,
@@ -489,6 +505,9 @@ class StimulusForm(QtWidgets.QWidget):
             rig=self.rigs.rig,
             equaliser=self.rigs.equaliser,
         )
+
+    def _silence(self, name: str) -> float | None:
+        return self._numbers[name].value_si if name in self.typed else None
 
     @property
     def _own_scale(self) -> bool:
@@ -518,14 +537,15 @@ def channel_map_of(text: str) -> tuple[int, ...]:
 
 # Fields that are remembered; times, drives and channel maps belong to one design.
 _LISTS = ("format", "rate", "channels", "equaliser")
-_NUMBERS = ("other_rate", "fade_in", "fade_out", "lead_in")
+_NUMBERS, _SILENCES = ("other_rate", "fade_in", "fade_out"), ("lead_in", "tail")
 _BOXES = ("sync", "dither", "advanced")
 _MOST_CHARACTERS = 10_000
 
 
 def remembered(form: StimulusForm, machine_rig: str = "") -> str:
     """Return the settings of ``form`` and the rig that this machine plays for now, as JSON."""
-    settings = {name: _value(form.field(name)) for name in (*_LISTS, *_NUMBERS, *_BOXES)}
+    typed = [name for name in _SILENCES if name in form.typed]
+    settings = {name: _value(form.field(name)) for name in (*_LISTS, *_NUMBERS, *typed, *_BOXES)}
     settings["choices"] = form.chosen
     settings["rig"] = "" if form.rigs.path is None else str(form.rigs.path)
     settings["machine_rig"] = machine_rig
@@ -552,7 +572,9 @@ def recall(form: StimulusForm, text: str, machine_rig: str = "") -> None:
     for name, value in choices.items() if isinstance(choices, dict) else ():
         if name in form.chosen:
             _put(form.field(name), value)
-    for name in (*_LISTS[1:], *_NUMBERS, *_BOXES):
+    silences = [name for name in _SILENCES if settings.get(name)]
+    form.typed.update(silences)
+    for name in (*_LISTS[1:], *_NUMBERS, *silences, *_BOXES):
         # A choice in the panel Actuator replaces the equaliser of another design.
         if name != "equaliser" or form.rigs.chosen is None:
             _put(form.field(name), settings.get(name))

@@ -19,12 +19,11 @@ from skinsource.base.errors import Stopped
 from skinsource.base.quoting import sentence
 from skinsource.base.work import counted
 from skinsource.design.design import Design
-from skinsource.design.motions import ms_text
 from skinsource.design.view import View
 from skinsource.export.formats.format import ChannelOverview
 from skinsource.export.stimulus_export.export import write_prepared, written_files
 from skinsource.export.stimulus_export.preparing import PreparedStimulus, prepare_stimulus
-from skinsource_gui.pages.files.export_parts import FIELDS_PX, ExportPart, size_text
+from skinsource_gui.pages.files.export_parts import FIELDS_PX, ExportPart
 from skinsource_gui.pages.files.exports import STIMULUS
 from skinsource_gui.pages.stimulus.form import Order, StimulusForm, recall, remembered
 from skinsource_gui.qt.buttons import page_label, scrolled
@@ -343,8 +342,9 @@ class StimulusPart(ExportPart):
         self.channels.show_channels(prepared.channels, self._colours)
         notes = prepared.edges, prepared.loses, calibration_of(prepared)
         self._notes.setText(" ".join(filter(None, notes)))
+        self.form.show_silence(prepared.lead_in_s, prepared.tail_s)
         objections = " ".join(filter(None, (prepared.advice_on_loss, *prepared.objections)))
-        self._show(summary_of(prepared), objections, ask=bool(objections))
+        self._show(sentence(prepared.summary), objections, ask=bool(objections))
 
     def _show_progress(self, order: Order, done: int, total: int) -> None:
         if order is self._ordered:
@@ -385,39 +385,8 @@ def _write(prepared: Any, path: Path, confirmed: bool, *, largest_error: float, 
     return write_prepared(prepared, path, confirmed=confirmed, **job).files[0]
 
 
-def summary_of(prepared: PreparedStimulus) -> str:
-    """Return how much will be written, what full scale means, and how it is equalised."""
-    file, n_files = prepared.files[0], len(prepared.files)
-    many = "" if n_files == 1 else f" in {n_files} files"
-    rate = f"{file.stimulus.sample_rate_hz:,g}".replace(",", " ")
-    unit = "" if file.stimulus.unit == "1" else f" {file.stimulus.unit}"
-    # Without a rig, it is not known that the device gives the volts that the actuators need.
-    verb = "shall be" if _lacks_rig(prepared) else "is"
-    size = sentence(
-        f"{counted(len(prepared.channels), 'channel')}{many}, "
-        f"{duration_text(file.stimulus.duration_s)} at {rate} Hz, about "
-        f"{size_text(prepared.n_bytes)}. Full scale {verb} {file.full_scale:.4g}{unit}"
-    )
-    return f"{size} {sentence(prepared.equalised)}"
-
-
 def calibration_of(prepared: PreparedStimulus) -> str:
     """Return a sentence on whether accelerations follow from the samples."""
-    if _lacks_rig(prepared):
-        return (
-            "Uncalibrated: no rig says how many volts output and amplifier give. Choose one, or "
-            "set the amplifier so that full scale is as many."
-        )
+    if prepared.calibration == UNCALIBRATED:
+        return "Uncalibrated: choose a rig to know the volts at full scale."
     return sentence(f"{prepared.calibration[:1].upper()}{prepared.calibration[1:]}")
-
-
-def _lacks_rig(prepared: PreparedStimulus) -> bool:
-    """Return whether the actuators need known volts, and no rig states those of the device."""
-    return prepared.files[0].stimulus.unit == "V" and prepared.calibration == UNCALIBRATED
-
-
-def duration_text(time_s: float) -> str:
-    """Return a duration as text, in ms below a second."""
-    if time_s < 1e-3:
-        return f"{1e3 * time_s:.2g} ms"
-    return ms_text(time_s) if time_s < 1.0 else f"{time_s:.4g} s"

@@ -19,7 +19,7 @@ DESIGN = ss.Design(
     limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Gabor(200.0, cycles=8.0), onset_s=0.1),)
 )
 FINGERTIP, TITLE = "kastor-2023-air", "Fingertip voice coil, in air"
-RAW = "Not equalised (raw accelerations)."
+RAW = "not equalised (raw accelerations)"
 
 
 def view_of(**settings):
@@ -49,7 +49,10 @@ def test_what_was_chosen_in_the_panel_is_exported_and_said(open_window, qtbot, s
     assert window.document.design.actuated is None
     window.do("export_stimulus")
     page = opened(window.exports, qtbot)
-    assert label(page, "summary").endswith(f"Equalised for {TITLE} (regularised inverse).")
+    needed = "lead-in 0.1 s, tail 0.1 s, as the equaliser needs."
+    equalised = f"equalised for {TITLE} (regularised inverse), {needed}"
+    assert label(page, "summary").endswith(equalised)
+    assert page.form.field("lead_in").value_si == page.form.field("tail").value_si == 0.1
     assert page.form.field("actuator").currentText() == f"{TITLE} (as in the panel)"
     path = save_as("volts.wav")
     export(window, page, qtbot)
@@ -61,11 +64,12 @@ def test_what_was_chosen_in_the_panel_is_exported_and_said(open_window, qtbot, s
     window.do("export_stimulus")
     page = opened(window.exports, qtbot)
     choose(page, qtbot, "equaliser", "none")
-    assert label(page, "summary").endswith(RAW)
+    assert label(page, "summary").endswith(f"{RAW}, for {TITLE}.")
+    assert page.form.field("lead_in").value_si == 0.0
     choose(page, qtbot, "equaliser", "minimum")
-    assert "Equalised for" in label(page, "summary")
+    assert "equalised for" in label(page, "summary")
     choose(page, qtbot, "actuator", "none")
-    assert label(page, "summary").endswith(RAW)
+    assert label(page, "summary").endswith(f"{RAW}.")
     assert not page.form.field("equaliser").isVisible()
     page.window().reject()
 

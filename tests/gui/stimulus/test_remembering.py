@@ -10,7 +10,6 @@ from skinsource_gui.pages.stimulus.form import StimulusForm, recall, remembered
 from skinsource_gui.pages.stimulus.page import (
     StimulusPart,
     calibration_of,
-    summary_of,
 )
 
 WAIT = {"timeout": 30_000}
@@ -47,6 +46,7 @@ def test_the_next_page_exports_as_the_last_one_did(form, other, tmp_path):
     form.field("format").choose("flac")
     form.field("rate").choose("96000")
     form.field("lead_in").set_value(0.25)
+    form.field("lead_in").edited.emit(0.25, None)
     form.field("sync").setChecked(True)
     form.rigs.open_rig(tmp_path / "bench.skinrig")
     form.field("equaliser").choose("minimum")
@@ -105,8 +105,8 @@ def test_full_scale_in_volts_without_a_rig_is_what_shall_be(qtbot):
     qtbot.waitUntil(lambda: page.ready and not page.busy, **WAIT)
     prepared = page.prepared
     assert prepared.drives.unit == "V"
-    assert "Full scale shall be" in summary_of(prepared)
-    assert "no rig says how many volts output and amplifier give" in calibration_of(prepared)
+    assert " V, not equalised (volts of the design), for coil" in prepared.summary
+    assert calibration_of(prepared).startswith("Uncalibrated: choose a rig")
     page.close_worker()
 
 

@@ -10,7 +10,7 @@ import skinsource as ss
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
 from skinsource.export.formats import FORMATS
-from skinsource_gui.pages.files.export_parts import size_text
+from skinsource.export.stimulus_export.preparing import size_text
 from skinsource_gui.pages.stimulus.page import joined
 from tests.gui.stimulus.stimulus_bench import WAIT_MS, choose, export, label
 
@@ -27,8 +27,9 @@ def test_it_shows_the_channels_as_they_will_be(page, design):
     assert "1  Place 7, Digit II, pad; peak" in page.channels.accessibleDescription()
     text = label(page, "summary")
     n_times = ss.stimulus_of(design, 48_000).n_times
-    assert text.startswith(f"2 channels, {1e3 * n_times / 48_000:.4g} ms at 48 000 Hz, about ")
+    assert text.startswith(f"2 channels, 48 kHz, {1e3 * n_times / 48_000:.4g} ms, about ")
     assert size_text(page.prepared.n_bytes) in text
+    assert text.endswith("m/s², not equalised (raw accelerations).")
     assert "Uncalibrated" in label(page, "loses")
 
 
@@ -69,7 +70,7 @@ def test_options_reach_what_is_shown(page, qtbot):
     assert page.prepared.files[0].stimulus.duration_s == pytest.approx(0.1)
     choose(page, qtbot, "channels", "files")
     assert len(page.prepared.files) == 3
-    assert "in 3 files" in label(page, "summary")
+    assert "3 files" in label(page, "summary")
 
 
 def test_what_cannot_be_says_why_and_cannot_be_exported(page, qtbot):

@@ -75,6 +75,8 @@ def sidecar_of(
         "n_channels": len(stimulus.channels),
         "n_times": stimulus.n_times,
         "duration_s": stimulus.duration_s,
+        "lead_in_s": ready.lead_in_s,
+        "tail_s": ready.tail_s,
         "channels": [
             {**_about_channel(stimulus, channel, count), **_wiring(ready, stimulus, row)}
             for row, (channel, count) in enumerate(zip(file.channels, counts, strict=True))
