@@ -59,7 +59,7 @@ def test_what_was_chosen_in_the_panel_is_exported_and_said(open_window, qtbot, s
     metadata = json.loads((path.parent / "volts.wav.json").read_text())
     assert metadata["equalised"] == f"Equalised for {TITLE} (regularised inverse)"
     assert metadata["unit"] == "V"
-    assert metadata["actuator"] == [TITLE]
+    assert [actuator["name"] for actuator in metadata["actuator"]] == [TITLE]
     # The next page starts there again, and another choice is free.
     window.do("export_stimulus")
     page = opened(window.exports, qtbot)

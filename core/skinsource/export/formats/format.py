@@ -222,16 +222,16 @@ class StimulusFormat(ABC):
 
     def check_equaliser(self, actuator: str, model: Actuator | None) -> None:
         """Raise `InvalidInputError` where it does not drive what an equaliser is made for."""
+        chip = self.title.partition(",")[0]
         if not self.plays_waveform:
             raise InvalidInputError(
-                f"{self.title} sends only the amplitude, which no equaliser can shape. Choose no "
+                f"{chip} sends only the amplitude, which no equaliser can shape. Choose no "
                 "equaliser, or WAV."
             )
         if self.actuators is not None and not isinstance(model, self.actuators):
-            kinds = " or ".join(lowered(kind.title) for kind in self.actuators)
             raise InvalidInputError(
-                f"{self.title} drives a {kinds}, and the equaliser is made for "
-                f"{quoted(actuator)}. Choose no equaliser, or WAV."
+                f"{chip} drives a {lowered(self.actuators[0].title)}, and the equaliser is made "
+                f"for {quoted(actuator)}. Choose no equaliser, or WAV."
             )
 
     def rounds(self, choices: Choices) -> bool:
