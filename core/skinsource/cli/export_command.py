@@ -1,4 +1,4 @@
-"""``skinsource export``: write the stimulus of a design file for actuators."""
+"""``skinsource export`` and ``wiring``: stimulus and wiring page of a design file."""
 
 import argparse
 import sys
@@ -14,6 +14,7 @@ from skinsource.design.design_file import open_design
 from skinsource.export.formats import FORMATS, export_formats
 from skinsource.export.stimulus_export.export import export_stimulus
 from skinsource.export.stimulus_export.options import StimulusOptions
+from skinsource.export.wiring import export_wiring
 
 _TIME_OPTIONS = {
     "--from": ("from_s", "begin of the part of the design that is exported"),
@@ -60,6 +61,21 @@ def add_to(subparsers: Any) -> None:
     _add_numbers(parser.add_argument_group("numbers").add_argument)
     _add_rig(parser.add_argument_group("rig").add_argument)
     parser.set_defaults(run=_export)
+    wiring = subparsers.add_parser(
+        "wiring",
+        help="draw which channel of a stimulus goes to which place",
+        description="Writes a page with the channels of a stimulus at their places on the hand, "
+        "and their polarity, gain and actuator, for the wall beside the setup. Needs the extra "
+        "plot.",
+    )
+    add_wiring = wiring.add_argument
+    add_wiring("design", type=Path, metavar="DESIGN", help="a .skinsource file")
+    add_wiring(
+        "--out", type=Path, required=True, metavar="FILE", help="a .pdf, .svg or .png to write"
+    )
+    add_wiring("--rig", type=Path, metavar="FILE", help="a .skinrig file: what is wired")
+    _add_channels(wiring.add_argument_group("channels").add_argument)
+    wiring.set_defaults(run=_wiring)
 
 
 def _add_channels(add: Any) -> None:
@@ -127,12 +143,24 @@ def _choices() -> dict[str, tuple[list[str], list[str]]]:
     return choices
 
 
-def _export(arguments: argparse.Namespace) -> int:
-    choices = {name: getattr(arguments, f"choice_{name}") for name in _choices()}
+def _options(arguments: argparse.Namespace) -> StimulusOptions:
+    choices = {name: getattr(arguments, f"choice_{name}", None) for name in _choices()}
     # Flags that are given are fields of the options.
     given = {field.name: getattr(arguments, field.name, None) for field in fields(StimulusOptions)}
     given["choices"] = {name: value for name, value in choices.items() if value is not None}
-    options = StimulusOptions(**{name: value for name, value in given.items() if value is not None})
+    return StimulusOptions(**{name: value for name, value in given.items() if value is not None})
+
+
+def _wiring(arguments: argparse.Namespace) -> int:
+    rig = None if arguments.rig is None else open_rig(arguments.rig)
+    make_folder(arguments.out.parent)
+    design = open_design(arguments.design).design
+    export_wiring(design, arguments.out, options=_options(arguments), rig=rig)
+    sys.stdout.write(f"{arguments.out}\n")
+    return 0
+
+
+def _export(arguments: argparse.Namespace) -> int:
     rig = None if arguments.rig is None else open_rig(arguments.rig)
     make_folder(arguments.out.parent)
     exported = export_stimulus(
@@ -140,7 +168,7 @@ def _export(arguments: argparse.Namespace) -> int:
         arguments.out,
         arguments.format,
         arguments.rate,
-        options=options,
+        options=_options(arguments),
         rig=rig,
         equaliser=_equaliser(arguments),
         confirmed=arguments.confirm,

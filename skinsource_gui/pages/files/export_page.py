@@ -1,6 +1,7 @@
 """The dialog File > Export…: what is exported at the left, its choices and a preview beside it."""
 
 from pathlib import Path
+from typing import Any
 
 from PySide6 import QtWidgets
 from PySide6.QtCore import Qt, Signal
@@ -104,12 +105,15 @@ class ExportPage(ToolPage):
         for part in self._parts.values():
             part.close_worker()
 
-    def _show_group(self, group: str) -> None:
+    def _made(self, group: str) -> ExportPart:
         if group not in self._parts:
             self._parts[group] = part = self._new_part(group)
             part.changed.connect(self._show_button)
             self._stack.addWidget(part)
-        self._stack.setCurrentWidget(self._parts[group])
+        return self._parts[group]
+
+    def _show_group(self, group: str) -> None:
+        self._stack.setCurrentWidget(self._made(group))
         self.setWindowTitle(f"Export {group.lower()}")
         self._show_button()
 
@@ -119,9 +123,15 @@ class ExportPage(ToolPage):
         if specs[0].name == STIMULUS:
             return StimulusPart(design, view, self._last_stimulus, rig, self._stem)
         rig_path = Path(rig) if rig else None
-        part = FilePart(specs, design, view, self._drawer_of, self._picture_options, rig_path)
+        pictures = self._drawer_of, self._picture_options
+        part = FilePart(specs, design, view, *pictures, rig_path, self._wired)
         part.show_export(specs[0].name)
         return part
+
+    def _wired(self) -> dict[str, Any]:
+        """Return channels, rig and actuators of the stimulus, as its part has them."""
+        part = self._made("Stimulus")
+        return part.wired if isinstance(part, StimulusPart) else {}
 
     def _show_button(self) -> None:
         ready = self.part.ready

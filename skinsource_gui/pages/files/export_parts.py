@@ -20,7 +20,7 @@ from skinsource.design.view import View
 from skinsource.export.stimulus_export.preparing import size_text
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
-from skinsource_gui.pages.files.exports import FILM, PACK, DrawerOf, ExportSpec
+from skinsource_gui.pages.files.exports import FILM, PACK, WIRING, DrawerOf, ExportSpec
 from skinsource_gui.panels.skin.film import KINDS as FILM_KINDS
 from skinsource_gui.panels.skin.film import (
     MOST_PX,
@@ -150,6 +150,8 @@ class FilePart(ExportPart):
         Options of the last pictures by the name of their export; new ones are added.
     rig_path
         Rig file that goes into a project; None: none does.
+    wired
+        Returns the channels, rig and actuators of the stimulus, for the wiring page.
     """
 
     def __init__(
@@ -160,12 +162,13 @@ class FilePart(ExportPart):
         drawer_of: DrawerOf,
         picture_options: dict[str, PictureOptions],
         rig_path: Path | None,
+        wired: Callable[[], dict[str, Any]],
     ) -> None:
         super().__init__("file")
         self._specs = {spec.name: spec for spec in specs}
         self._spec = specs[0]
         self._design, self._view, self._rig_path = design, view, rig_path
-        self._drawer_of, self._kept = drawer_of, picture_options
+        self._drawer_of, self._kept, self._wired = drawer_of, picture_options, wired
         self._worker = Worker("skinsource-preview", self)
         options = tuple((spec.name, spec.title) for spec in specs)
         self._choice = ChoiceField(ChoiceSpec(label="What", options=options))
@@ -207,18 +210,19 @@ class FilePart(ExportPart):
         if self.form is not None:
             self._room.insertWidget(2, self.form)
             self.form.changed.connect(self._show_preview)
-        self.image.setVisible(self.form is not None)
-        self.text.setVisible(self.form is None)
+        drawn = self.form is not None or name == WIRING
+        self.image.setVisible(drawn)
+        self.text.setVisible(not drawn)
         self._show_preview()
 
     def suggestion(self) -> tuple[str, str, tuple[str, ...], str]:
         spec, name = self._spec, self._spec.file_name
         kinds: Sequence[tuple[str, str]] = KINDS
-        if self.form is None:
+        if self.form is None and spec.name != WIRING:
             kinds = ((spec.group, Path(name).suffix),)
-        elif isinstance(self.form.options, FilmOptions):
+        elif self.form is not None and isinstance(self.form.options, FilmOptions):
             kinds, name = FILM_KINDS, film_name(self._design, self._view, self.form.options)
-        else:
+        elif self.form is not None:
             title = self._picture.title if self._picture is not None else ""
             if spec.name == "panel_picture" and title:
                 name = f"{title.lower().replace(' ', '-')}.png"
@@ -249,6 +253,8 @@ class FilePart(ExportPart):
         """Return what a film and a project are written with besides design and view."""
         if self._spec.name == FILM and self.form is not None:
             return {"options": self.form.options, "seen": self._drawer_of("skin").visible}
+        if self._spec.name == WIRING:
+            return self._wired()
         return {"rig_path": self._rig_path} if self._spec.name == PACK else {}
 
     def _new_form(self) -> PictureForm | None:
@@ -306,7 +312,8 @@ class FilePart(ExportPart):
         stop = partial(self._worker.is_outdated, _PREVIEW)
         if self._spec.name == FILM:
             return film_picture(self._design, self._view, stop=stop, **more)
-        return preview_of(partial(self._write(), **more), self._spec.file_name, stop)
+        name = "wiring.png" if self._spec.name == WIRING else self._spec.file_name
+        return preview_of(partial(self._write(), **more), name, stop)
 
     def _receive(self, result: Any, error: Exception | None) -> None:
         if isinstance(error, Stopped):
@@ -316,6 +323,8 @@ class FilePart(ExportPart):
             self._say("", sentence(fault_text(error)))
         elif isinstance(result, QtGui.QImage):
             self.image.show_image(result)
+            if self.form is None:
+                self._say(f"{sentence(self._spec.hint)} PDF, SVG or PNG.")
         else:
             text, n_bytes = result
             self.text.setPlainText(text)
@@ -323,8 +332,8 @@ class FilePart(ExportPart):
         self.changed.emit()
 
 
-def preview_of(write: Callable[..., Any], name: str, stop: Stop) -> tuple[str, int]:
-    """Return the begin of a file or what an archive holds, and its bytes; it is not kept."""
+def preview_of(write: Callable[..., Any], name: str, stop: Stop) -> QtGui.QImage | tuple[str, int]:
+    """Return a picture, or the begin of a file or what it holds, and its bytes; it is not kept."""
     with TemporaryDirectory(prefix="skinsource-") as folder:
         path = Path(folder) / name
 
@@ -334,6 +343,8 @@ def preview_of(write: Callable[..., Any], name: str, stop: Stop) -> tuple[str, i
 
         write(path, progress=silent, stop=too_large, largest_error=np.inf)
         n_bytes = path.stat().st_size
+        if path.suffix == ".png":
+            return QtGui.QImage(str(path))
         if path.suffix == ".npz":
             with np.load(path, allow_pickle=False) as arrays:
                 lines = [f"{key}: {array.dtype}, {array.shape}" for key, array in arrays.items()]

@@ -23,6 +23,7 @@ from skinsource.design.view import View
 from skinsource.export import packing
 from skinsource.export.map_files import export_map
 from skinsource.export.tables import export_field, export_levels, export_traces, export_windows
+from skinsource.export.wiring import export_wiring
 from skinsource_gui import pages
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.panels.skin.film import SIZE_PX, export_animation
@@ -33,7 +34,7 @@ from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.services import Services
 
 #: The exports that are written with more than design and view.
-STIMULUS, FILM, PACK = "stimulus", "animation", "pack"
+STIMULUS, FILM, PACK, WIRING = "stimulus", "animation", "pack", "wiring"
 
 #: Computes and writes a file, given path, design and view, and by name ``progress``, ``stop`` and
 #: ``largest_error``.
@@ -101,6 +102,20 @@ def _pack(
     del largest_error  # each table states its own
     rig = None if rig_path is None else rigs.open_rig(rig_path)
     packing.pack(path, design, view, rig=rig, progress=progress, stop=stop)
+
+
+def _wiring(
+    path: Path,
+    design: Design,
+    view: View,
+    *,
+    progress: Progress,
+    stop: Stop,
+    largest_error: float,
+    **wired: Any,
+) -> None:
+    del view, progress, stop, largest_error  # nothing is predicted
+    export_wiring(design, path, **wired)
 
 
 EXPORTS: tuple[ExportSpec, ...] = (
@@ -209,6 +224,14 @@ EXPORTS: tuple[ExportSpec, ...] = (
         hint="Save design, stimulus, rig, figure, tables, versions and what to cite as one file",
         write=_pack,
         keywords="zip archive pack share publish supplement reproduce citation",
+    ),
+    ExportSpec(
+        name=WIRING,
+        group="Wiring page",
+        file_name="wiring.pdf",
+        hint="Draw which channel goes to which place, with polarity, gain and actuator",
+        write=_wiring,
+        keywords="connect cable channel map polarity gain print setup rig",
     ),
 )
 

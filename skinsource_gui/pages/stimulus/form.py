@@ -408,8 +408,8 @@ class StimulusForm(QtWidgets.QWidget):
         self.rigs.changed.connect(self.emit_order)
         self.rigs.refused.connect(self.refused)
         self._map.textChanged.connect(self.emit_order)
-        for box in self._boxes.values():
-            box.toggled.connect(self.emit_order)
+        for name, box in self._boxes.items():
+            box.toggled.connect(self._show_rows if name == "advanced" else self.emit_order)
 
     def show_format(self) -> None:
         """Show the choices of the format, and its usual rate."""

@@ -5,6 +5,7 @@ and the samples that would clip, and what the export loses.
 """
 
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -21,12 +22,13 @@ from skinsource.base.work import counted
 from skinsource.design.design import Design
 from skinsource.design.view import View
 from skinsource.export.formats.format import ChannelOverview
+from skinsource.export.methods import methods_of
 from skinsource.export.stimulus_export.export import write_prepared, written_files
 from skinsource.export.stimulus_export.preparing import PreparedStimulus, prepare_stimulus
 from skinsource_gui.pages.files.export_parts import FIELDS_PX, ExportPart
 from skinsource_gui.pages.files.exports import STIMULUS
 from skinsource_gui.pages.stimulus.form import Order, StimulusForm, recall, remembered
-from skinsource_gui.qt.buttons import page_label, scrolled
+from skinsource_gui.qt.buttons import page_button, page_label, scrolled
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.overlays import PALE, Staleness
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
@@ -248,8 +250,10 @@ class StimulusPart(ExportPart):
         self._confirm = QtWidgets.QCheckBox("Write it all the same")
         self._confirm.setObjectName("stimulus_confirm")
         self._confirm.hide()
+        self._copy = page_button("stimulus_copy_methods", "", "Text for the methods of a paper")
+        self._copy.clicked.connect(self._copy_methods)
         self._lay_out()
-        self._design, self._stem = design, stem
+        self._design, self._view, self._stem = design, view, stem
         self._worker = Worker("skinsource-stimulus", self)
         self.form.changed.connect(self._order)
         self.form.refused.connect(self._show_refused)
@@ -267,6 +271,15 @@ class StimulusPart(ExportPart):
     def settings(self) -> str:
         """Settings to remember for the next export."""
         return remembered(self.form, self._machine_rig)
+
+    @property
+    def wired(self) -> dict[str, Any]:
+        """Channels, rig and actuators, as `skinsource.export_wiring` takes them."""
+        order = self._ordered
+        if order is None:
+            return {}
+        options = replace(order.options, choices={})
+        return {"options": options, "rig": order.rig, "actuation": order.actuation}
 
     @property
     def busy(self) -> bool:
@@ -295,8 +308,22 @@ class StimulusPart(ExportPart):
         pictures = scrolled(self.channels, "stimulus_scroll")
         pictures.setAccessibleName("Channels; arrow keys scroll")
         columns = in_row(left, (pictures, 1), gap_px=2 * UNIT_PX)
-        below = self._summary, self._notes, self._problem, self._confirm, self._preparing
+        foot = in_row((self._preparing, 1), self._copy)
+        below = self._summary, self._notes, self._problem, self._confirm, foot
         in_column((columns, 1), *below, of=self, margins=0, gap_px=UNIT_PX)
+
+    def _copy_methods(self) -> None:
+        """Put the methods text on the clipboard, once it is computed."""
+        if self.prepared is not None:
+            work = partial(methods_of, self._design, self._view, self.prepared)
+            self._worker.run(work, self._put_on_clipboard)
+
+    def _put_on_clipboard(self, text: str | None, error: Exception | None) -> None:
+        if error is not None or text is None:
+            self._show_refused(fault_text(error) if error else "")
+            return
+        QtGui.QGuiApplication.clipboard().setText(text)
+        self._copy.setText("Methods text copied")
 
     def _order(self, order: Order) -> None:
         self._ordered, self.prepared = order, None
@@ -376,6 +403,8 @@ class StimulusPart(ExportPart):
     def _show_readiness(self) -> None:
         confirmed = self._confirm.isHidden() or self._confirm.isChecked()
         self.ready = self.prepared is not None and confirmed
+        self._copy.setEnabled(self.prepared is not None)
+        self._copy.setText("Copy methods text")
         self.changed.emit()
 
 

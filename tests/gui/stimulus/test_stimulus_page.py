@@ -4,7 +4,7 @@ import json
 
 import numpy as np
 import pytest
-from PySide6.QtWidgets import QFileDialog
+from PySide6.QtWidgets import QFileDialog, QPushButton
 
 import skinsource as ss
 from skinsource.actuators.measured_response import MeasuredResponse
@@ -132,3 +132,27 @@ def test_neighbours_in_the_picture_of_a_channel_meet():
     # Each begins where the one before is, and holds no more than both.
     assert low.tolist() == [0.0, 0.0, -0.6, -0.6, -0.6]
     assert high.tolist() == [0.0, 0.8, 0.8, -0.6, 0.1]
+
+
+def test_the_methods_text_of_what_is_shown_is_copied(page, qtbot, qapp):
+    button = page.findChild(QPushButton, "stimulus_copy_methods")
+    choose(page, qtbot, "rate", "44100")
+    button.click()
+    qtbot.waitUntil(lambda: button.text() == "Methods text copied", timeout=WAIT_MS)
+    assert "WAV (44.1 kHz, full scale = 1 m/s²)" in qapp.clipboard().text()
+    choose(page, qtbot, "rate", "8000")
+    assert button.text() == "Copy methods text"
+
+
+def test_the_wiring_page_has_the_channels_of_the_stimulus(page, qtbot):
+    choose(page, qtbot, "plays", "tracks")
+    page.form.field("sync").setChecked(True)
+    qtbot.waitUntil(lambda: not page.busy, timeout=WAIT_MS)
+    dialog = page.window()
+    dialog.show_export("wiring")
+    part = dialog.part
+    wired = part.writer(None).keywords
+    assert wired["options"].inputs == (2,)
+    assert wired["options"].sync
+    qtbot.waitUntil(lambda: not part.image.image.isNull(), timeout=WAIT_MS)
+    assert part.suggestion()[:2] == ("wiring.pdf", "PDF (*.pdf);;PNG (*.png);;SVG (*.svg)")

@@ -217,20 +217,30 @@ class PreparedStimulus:
         return f"{raw}, for {title}" if title else raw
 
     @property
+    def rate_text(self) -> str:
+        """How many values a second are sent: "48 kHz"."""
+        rate_hz = self.files[0].sent.sample_rate_hz
+        if self.format.plays_waveform:
+            return f"{rate_hz / 1000.0:.10g} kHz"
+        return f"{rate_hz:g} amplitudes a second"
+
+    @property
+    def scale_text(self) -> str:
+        """The drive that full scale stands for: "full scale = 1.5 m/s²"."""
+        unit = self.files[0].stimulus.unit
+        return f"full scale = {self.files[0].full_scale:.3g}{'' if unit == '1' else f' {unit}'}"
+
+    @property
     def summary(self) -> str:
         """What is written, in a sentence: channels, rate, length, bytes, full scale, equaliser."""
-        sent, full_scale = self.files[0].sent, self.files[0].full_scale
-        unit = "" if sent.unit == "1" else f" {sent.unit}"
-        rate_hz, duration_s = sent.sample_rate_hz, sent.duration_s
+        duration_s = self.files[0].sent.duration_s
         parts = [
             counted(len(self.channels), "channel"),
             "" if len(self.files) == 1 else counted(len(self.files), "file"),
-            f"{rate_hz / 1000.0:.10g} kHz"
-            if self.format.plays_waveform
-            else f"{rate_hz:g} amplitudes a second",
+            self.rate_text,
             f"{duration_s:.4g} s" if duration_s >= 1.0 else f"{1e3 * duration_s:.4g} ms",
             f"about {size_text(self.n_bytes)}",
-            f"full scale = {full_scale:.3g}{unit}",
+            self.scale_text,
             lowered(self.equalised),
             *(
                 f"{name} {length_s:.3g} s"
