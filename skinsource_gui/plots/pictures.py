@@ -578,7 +578,8 @@ class PictureOptions:
     @property
     def unused(self) -> frozenset[str]:
         """Names of the fields that have no effect beside the values of the others."""
-        return frozenset() if self.kind == ".png" else frozenset({"dpi"})
+        sides = {"width_px", "height_px"} if self.layout != OWN else set()
+        return frozenset(sides if self.kind == ".png" else {*sides, "dpi"})
 
     @property
     def size_text(self) -> str:

@@ -30,7 +30,6 @@ from skinsource_gui.panels.skin.film import SIZE_PX, export_animation
 from skinsource_gui.plots.pictures import ALL_VISIBLE, PANEL_IN_USE, Picture, PictureOptions
 from skinsource_gui.qt.error_label import VISIBLE
 from skinsource_gui.qt.questions import ask_to_replace, ask_yes
-from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.services import Services
 
 #: The exports that are written with more than design and view.
@@ -239,71 +238,6 @@ EXPORTS: tuple[ExportSpec, ...] = (
 _log = logging.getLogger(__name__)
 
 
-class ExportJobs(QObject):
-    """Runs exports as jobs, and reports how each ended."""
-
-    #: Why something was not exported.
-    failed = Signal(str)
-
-    def __init__(self, runner: JobRunner, files: FileActions, parent: QObject) -> None:
-        super().__init__(parent)
-        self._runner, self._files = runner, files
-        self._running: dict[Job[Any], tuple[Path, Callable[[Exception], bool], str]] = {}
-        runner.done.connect(self._note_written)
-        runner.cancelled.connect(self._note_cancelled)
-        runner.failed.connect(self._note_failed)
-
-    def add(
-        self,
-        path: Path,
-        work: Callable[..., Any],
-        *,
-        handled: Callable[[Exception], bool] = lambda error: False,
-        note: str = "",
-    ) -> None:
-        """Export to ``path``.
-
-        Parameters
-        ----------
-        path
-            File or folder, which names the job.
-        work
-            Work of the job; where it returns a path, that is reported instead.
-        handled
-            Returns whether it has handled an error, which is then not reported.
-        note
-            Text that follows the name of the written file.
-        """
-        job = Job(f"Exporting {path.name}", work)
-        self._running[job] = path, handled, note
-        self._runner.add(job)
-
-    def _note_written(self, job: Job[Any], result: Any) -> None:
-        if job in self._running:
-            path, _, note = self._running.pop(job)
-            self._files.note_written(result if isinstance(result, Path) else path, note)
-
-    def _note_cancelled(self, job: Job[Any]) -> None:
-        if job in self._running:
-            path, *_ = self._running.pop(job)
-            self._files.done.emit(f"Export of {path.name} cancelled; nothing was written")
-
-    def _note_failed(self, job: Job[Any], error: Exception) -> None:
-        if job not in self._running:
-            return
-        path, handled, _ = self._running.pop(job)
-        if handled(error):
-            return
-        if isinstance(error, SkinSourceError):
-            self.failed.emit(str(error))
-            return
-        _log.error("an export failed", exc_info=error)
-        self.failed.emit(
-            f"{path.name} was not exported: the studio made a mistake "
-            f"({type(error).__name__}: {error}). Please report this."
-        )
-
-
 #: Returns the picture of a panel with the present results, given the name of the panel.
 DrawerOf = Callable[[str], Picture]
 
@@ -318,8 +252,12 @@ class ExportActions(QObject):
         super().__init__(services.window)
         self._document, self._preferences = services.document, services.preferences
         self._files, self._drawer_of, self._window = files, drawer_of, services.window
-        self._jobs = ExportJobs(services.runner, files, self)
-        self._jobs.failed.connect(self.failed)
+        self._runner = services.runner
+        # Path, what handles an error, and what is said besides, of each job that runs.
+        self._running: dict[Job[Any], tuple[Path, Callable[[Exception], bool], str]] = {}
+        self._runner.done.connect(self._note_written)
+        self._runner.cancelled.connect(self._note_cancelled)
+        self._runner.failed.connect(self._note_failed)
         self._picture_options: dict[str, PictureOptions] = {}
         self._last = STIMULUS
         #: The dialog, while it is open.
@@ -410,4 +348,31 @@ class ExportActions(QObject):
                 self._add(path, write, note, math.inf)
             return True
 
-        self._jobs.add(path, partial(write, largest_error=largest_error), handled=ask, note=note)
+        job = Job(f"Exporting {path.name}", partial(write, largest_error=largest_error))
+        self._running[job] = path, ask, note
+        self._runner.add(job)
+
+    def _note_written(self, job: Job[Any], result: Any) -> None:
+        if job in self._running:
+            path, _, note = self._running.pop(job)
+            self._files.note_written(result if isinstance(result, Path) else path, note)
+
+    def _note_cancelled(self, job: Job[Any]) -> None:
+        if job in self._running:
+            path, *_ = self._running.pop(job)
+            self._files.done.emit(f"Export of {path.name} cancelled; nothing was written")
+
+    def _note_failed(self, job: Job[Any], error: Exception) -> None:
+        if job not in self._running:
+            return
+        path, handled, _ = self._running.pop(job)
+        if handled(error):
+            return
+        if isinstance(error, SkinSourceError):
+            self.failed.emit(str(error))
+            return
+        _log.error("an export failed", exc_info=error)
+        self.failed.emit(
+            f"{path.name} was not exported: the studio made a mistake "
+            f"({type(error).__name__}: {error}). Please report this."
+        )

@@ -161,29 +161,19 @@ def channel_lines(overview: ChannelOverview) -> list[str]:
     return lines
 
 
-_BAR_PX = 96
-
-
-class PreparingRow(QtWidgets.QWidget):
-    """Shows a label and a bar while a stimulus is computed.
+class PreparingBar(QtWidgets.QProgressBar):
+    """Shows how much of a stimulus is computed.
 
     It appears with a delay, so that it does not flicker during short computations.
     """
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("stimulus_preparing")
-        self._label = QtWidgets.QLabel()
-        self._label.setObjectName("stimulus_computing")
-        self._label.setFont(tabular(self.font()))
-        self._bar = QtWidgets.QProgressBar()
-        self._bar.setObjectName("stimulus_progress")
-        self._bar.setAccessibleName("Progress")
-        self._bar.setTextVisible(False)
-        self._bar.setFixedSize(_BAR_PX, UNIT_PX)
-        in_row(self._label, self._bar, None, of=self, margins=0, gap_px=UNIT_PX)
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("stimulus_progress")
+        self.setAccessibleName("Progress")
+        self.setFormat("Computing… %p %")
         policy = self.sizePolicy()
-        # The buttons next to it stay where they are.
+        # The button next to it stays where it is.
         policy.setRetainSizeWhenHidden(True)
         self.setSizePolicy(policy)
         self.staleness = Staleness(self)
@@ -202,12 +192,8 @@ class PreparingRow(QtWidgets.QWidget):
 
     def show_progress(self, done: int, total: int) -> None:
         """Show how much of the total is done; a total of 0: not known."""
-        # A bar whose total is not known looks full.
-        self._bar.setVisible(bool(total))
-        self._bar.setMaximum(max(total, 1))
-        self._bar.setValue(done)
-        percent = f" {100 * done // total} %" if total else ""
-        self._label.setText(f"Computing\u2026{percent}")
+        self.setMaximum(max(total, 1))
+        self.setValue(done)
 
 
 #: Of the worker's tasks: only the newest order is prepared.
@@ -246,7 +232,7 @@ class StimulusPart(ExportPart):
         self.channels = ChannelsView()
         self._notes = page_label("stimulus_loses", tone="dim")
         self._notes.setTextFormat(Qt.TextFormat.PlainText)
-        self._preparing = PreparingRow()
+        self._preparing = PreparingBar()
         self._confirm = QtWidgets.QCheckBox("Write it all the same")
         self._confirm.setObjectName("stimulus_confirm")
         self._confirm.hide()

@@ -37,7 +37,14 @@ from skinsource_gui.panels.skin.settings import (
     Z,
 )
 from skinsource_gui.panels.skin.time import NEEDS, PACES, Frames, slow_down_factor
-from skinsource_gui.plots.pictures import PER_INCH, PictureOptions, Remark, caption_of, with_caption
+from skinsource_gui.plots.pictures import (
+    OWN,
+    PER_INCH,
+    PictureOptions,
+    Remark,
+    caption_of,
+    with_caption,
+)
 from skinsource_gui.plots.small_map import field_image, px_per_mm_of
 from skinsource_gui.qt.theme import Theme
 from skinsource_gui.qt.wheel import WHOLE
@@ -169,7 +176,8 @@ class FilmOptions(PictureOptions):
 
     @property
     def unused(self) -> frozenset[str]:
-        return frozenset() if self.quantity == RMS else frozenset({"rms_window_s"})
+        sides = {"width_px", "height_px"} if self.layout != OWN else set()
+        return frozenset(sides if self.quantity == RMS else {*sides, "rms_window_s"})
 
     @property
     def frames_per_s(self) -> int:
