@@ -46,6 +46,21 @@ def test_a_page_says_for_each_channel_where_it_goes(tmp_path):
     assert words.count("1") == words.count("2") == 1
 
 
+def test_the_hand_is_seen_from_the_palm(tmp_path):
+    places = {1: "Digit I, tip", 7: "Digit II, pad", 12: "Digit II, base"}
+    inputs = tuple(ss.track(place, GABOR) for place in (1, 7, 12))
+    ss.export_wiring(replace(DESIGN, inputs=inputs), tmp_path / "a.svg")
+    text = (tmp_path / "a.svg").read_text(encoding="utf-8")
+    for place, name in places.items():
+        assert f"{place}, {name}" in text
+    found = re.findall(r'fill: #ffffff" x="([\d.]+)" y="([\d.]+)"[^>]*>(\d)</text>', text)
+    at = {int(number): (float(x), float(y)) for x, y, number in found}
+    # The thumb of a right hand is at the right, fingertips are above their roots.
+    assert at[1][0] > at[2][0] + 20
+    assert at[2][1] < at[3][1] - 20
+    assert len(at) == 3
+
+
 def test_channels_of_the_page_are_those_of_the_export(tmp_path):
     options = ss.StimulusOptions(per="input", sync=True, channel_map=(4, 0, 1, 2, 3))
     at = ss.ActuatorAt(actuator="mine", model=ss.actuators.load("example-piezo"))

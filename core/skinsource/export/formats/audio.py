@@ -53,8 +53,7 @@ class Wav(StimulusFormat):
         "container": ChoiceSpec(
             label="WAV header",
             options=(("plain", "Standard"), ("extensible", "Extensible, mask 0")),
-            hint="The standard one is read everywhere; some programs want the extensible form above 2 "
-            "channels",
+            hint="Some programs want the extensible form above 2 channels",
         ),
     }
 
