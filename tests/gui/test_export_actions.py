@@ -1,5 +1,6 @@
 import os
 import threading
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -17,7 +18,9 @@ from skinsource.base.errors import Stopped
 from skinsource.design.design import track
 from skinsource.engine import trace_rules
 from skinsource.engine.gains import TraceError
-from tests.gui.exporting import export
+from skinsource.export.stimulus_export.preparing import size_text
+from skinsource_gui.pages.files.export_parts import preview_of
+from tests.gui.exporting import export, press, shown
 
 YES, NO = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.Cancel
 
@@ -83,6 +86,59 @@ def test_traces_levels_and_field_hold_the_present_design(window, wait, answers, 
         assert archive["acceleration_m_per_s2"].shape[:2] == (72, 3)
     assert "field.npz" in window.statusBar().currentMessage()
     assert window.preferences.folder == tmp_path
+
+
+def test_a_preview_begins_as_the_file_and_lists_what_an_archive_holds(
+    qtbot, window, wait, answers, tmp_path
+):
+    def preview(name):
+        part = shown(window, name)
+        qtbot.waitUntil(lambda: bool(part.text.toPlainText()), timeout=20_000)
+        return part
+
+    part = preview("levels")
+    answers["save"] = str(tmp_path / "levels.csv")
+    text, summary = part.text.toPlainText(), part.findChild(QLabel, "file_summary").text()
+    press(part)
+    wait()
+    assert (tmp_path / "levels.csv").read_text(encoding="utf-8").startswith(text.rstrip("…"))
+    assert summary == f"rms-levels.csv, {size_text((tmp_path / 'levels.csv').stat().st_size)}."
+    assert "acceleration_m_per_s2: float64, (72, 3, " in preview("field").text.toPlainText()
+    assert "stimulus.wav.json, " in preview("pack").text.toPlainText()
+    window.exports.end()
+
+
+def test_what_is_large_is_not_written_for_a_preview(tmp_path):
+    def write(path, *, progress, stop, largest_error):
+        for _ in range(100):
+            with path.open("ab") as file:
+                file.write(b"0" * 1_000_000)
+            if stop():
+                raise Stopped
+        raise AssertionError("all of it was written")
+
+    with pytest.raises(Stopped):
+        preview_of(write, "a.csv", lambda: False)
+
+
+def test_where_nothing_can_be_exported_the_dialog_says_why(window):
+    window.document.look(replace(window.document.view, outputs=()))
+    part = shown(window, "traces")
+    assert not part.ready
+    assert part.findChild(QLabel, "file_problem").text().startswith("No output is selected.")
+    window.exports.end()
+
+
+def test_the_dialog_opens_where_the_last_export_was(window, wait, answers, tmp_path):
+    answers["save"] = str(tmp_path / "levels.csv")
+    export(window, "levels")
+    wait()
+    # What was only looked at does not count.
+    shown(window, "picture")
+    window.do("export")
+    assert window.exports.page.windowTitle() == "Export table"
+    assert window.exports.page.part.name == "levels"
+    window.exports.end()
 
 
 def test_the_design_of_the_moment_is_exported_while_editing_goes_on(
