@@ -17,8 +17,6 @@ from skinsource_gui.plots.pictures import PictureOptions
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX
 
-_LIST_PX = 112
-
 
 class ExportPage(ToolPage):
     """Shows one part at a time; each is made when it is first chosen.
@@ -62,9 +60,10 @@ class ExportPage(ToolPage):
         self._list = QtWidgets.QListWidget()
         self._list.setObjectName("export_groups")
         self._list.setAccessibleName("What to export")
-        self._list.setFixedWidth(_LIST_PX)
         self._list.setSpacing(UNIT_PX // 4)
         self._list.addItems(list(dict.fromkeys(spec.group for spec in exports.EXPORTS)))
+        # Letters may be larger.
+        self._list.setFixedWidth(self._list.sizeHintForColumn(0) + 4 * UNIT_PX)
         self._stack = QtWidgets.QStackedWidget()
         buttons = QtWidgets.QDialogButtonBox(QtWidgets.QDialogButtonBox.StandardButton.Cancel)
         self._button = buttons.addButton(

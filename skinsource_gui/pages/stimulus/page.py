@@ -172,6 +172,7 @@ class PreparingBar(QtWidgets.QProgressBar):
         self.setObjectName("stimulus_progress")
         self.setAccessibleName("Progress")
         self.setFormat("Computing… %p %")
+        self.setFixedWidth(_TEXT_PX)
         policy = self.sizePolicy()
         # The button next to it stays where it is.
         policy.setRetainSizeWhenHidden(True)
@@ -294,7 +295,7 @@ class StimulusPart(ExportPart):
         pictures = scrolled(self.channels, "stimulus_scroll")
         pictures.setAccessibleName("Channels; arrow keys scroll")
         columns = in_row(left, (pictures, 1), gap_px=2 * UNIT_PX)
-        foot = in_row((self._preparing, 1), self._copy)
+        foot = in_row(self._preparing, None, self._copy)
         below = self._summary, self._notes, self._problem, self._confirm, foot
         in_column((columns, 1), *below, of=self, margins=0, gap_px=UNIT_PX)
 
