@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -13,11 +14,10 @@ from skinsource.base.files import FilePath, write_bytes
 from skinsource.base.quoting import printable
 from skinsource.design.design import Design
 from skinsource.design.labels import limb_label
-from skinsource.engine.stimulus import Channel
+from skinsource.engine.stimulus import Channel, in_order, stimulus_of, with_sync
 from skinsource.export import plot
-from skinsource.export.formats import format_named
 from skinsource.export.stimulus_export.options import StimulusOptions
-from skinsource.export.stimulus_export.preparing import actuator_at, prepare_stimulus
+from skinsource.export.stimulus_export.preparing import actuator_at
 from skinsource.limbs.catalog import limb_of
 
 # A4 upright.
@@ -50,7 +50,8 @@ def export_wiring(
     Examples
     --------
     >>> import tempfile
-    >>> from pathlib import Path
+    >>> from collections.abc import Sequence
+    from pathlib import Path
     >>> import skinsource as ss
     >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(12)))
     >>> with tempfile.TemporaryDirectory() as folder:
@@ -64,21 +65,26 @@ def export_wiring(
             f"{printable(Path(path).name)} is no page that can be drawn. Call it *.pdf, *.svg or "
             "*.png."
         )
-    # The channels are those of any format: no rate, no equaliser changes them.
-    ready = prepare_stimulus(
-        design, format_named("npz"), None, options or StimulusOptions(), actuation=actuation
-    )
-    channels = [channel for file in ready.files for channel in file.stimulus.channels]
+    options = options or StimulusOptions()
+    per = "input" if options.one_file_per_input else options.per
+    # No rate and no equaliser changes the channels.
+    drives = stimulus_of(design, per=per, inputs=options.inputs, clips=options.clips)
+    if not drives.channels:
+        raise InvalidInputError("Nothing is heard: there is no channel to wire. Unmute an input.")
+    drives = with_sync(drives) if options.sync else drives
+    if options.channel_map:
+        drives = in_order(drives, options.channel_map)
+    actuation = design.actuated if actuation is None else actuation
     with plot.style():
         figure = plot.new_figure(*_PAGE_MM)
         title = design.title or Path(path).stem
         figure.text(0.08, 0.96, f"Wiring of {title}", fontsize=12, parse_math=False)
-        _draw_table(figure.add_axes((0.08, 0.04, 0.84, 0.4)), channels, rig, ready.actuation)
-        _draw_hand(figure.add_axes((0.08, 0.46, 0.84, 0.46)), channels, design.limb)
+        _draw_table(figure.add_axes((0.08, 0.04, 0.84, 0.4)), drives.channels, rig, actuation)
+        _draw_hand(figure.add_axes((0.08, 0.46, 0.84, 0.46)), drives.channels, design.limb)
     write_bytes(Path(path), plot.figure_content(figure, kind))
 
 
-def _draw_table(ax: Any, channels: list[Channel], rig: Rig | None, actuation: Any) -> None:
+def _draw_table(ax: Any, channels: Sequence[Channel], rig: Rig | None, actuation: Any) -> None:
     rows = []
     for channel in channels:
         place, wired = channel.place, None
@@ -104,7 +110,7 @@ def _draw_table(ax: Any, channels: list[Channel], rig: Rig | None, actuation: An
         cell.set_linewidth(0.4)
 
 
-def _draw_hand(ax: Any, channels: list[Channel], name: str) -> None:
+def _draw_hand(ax: Any, channels: Sequence[Channel], name: str) -> None:
     """Draw the palm side with the number of each channel at its place."""
     limb = limb_of(name)
     outline, places = limb.map.outline, limb.map.input_positions

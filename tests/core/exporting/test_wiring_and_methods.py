@@ -84,9 +84,12 @@ def test_the_command_writes_the_page_for_a_rig(tmp_path, capsys, ending, begin):
     assert out.read_bytes().startswith(begin)
 
 
-def test_a_page_of_another_kind_is_refused(tmp_path):
+def test_a_page_of_another_kind_or_of_nothing_is_refused(tmp_path):
     with pytest.raises(InvalidInputError, match=r"Call it \*\.pdf"):
         ss.export_wiring(DESIGN, tmp_path / "a.docx")
+    with pytest.raises(InvalidInputError, match="Nothing is heard"):
+        ss.export_wiring(replace(DESIGN, inputs=()), tmp_path / "a.pdf")
+    assert not any(tmp_path.iterdir())
 
 
 def test_the_methods_text_has_the_numbers_of_the_design():
