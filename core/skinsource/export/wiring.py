@@ -50,8 +50,7 @@ def export_wiring(
     Examples
     --------
     >>> import tempfile
-    >>> from collections.abc import Sequence
-    from pathlib import Path
+    >>> from pathlib import Path
     >>> import skinsource as ss
     >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(12)))
     >>> with tempfile.TemporaryDirectory() as folder:
