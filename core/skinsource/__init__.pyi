@@ -31,10 +31,12 @@ from .engine.stimulus import Stimulus as Stimulus
 from .engine.stimulus import stimulus_of as stimulus_of
 from .export import plot as plot
 from .export.formats import export_formats as export_formats
+from .export.methods import methods_text as methods_text
 from .export.result import Result as Result
 from .export.result import result as result
 from .export.stimulus_export.export import export_stimulus as export_stimulus
 from .export.stimulus_export.options import StimulusOptions as StimulusOptions
+from .export.wiring import export_wiring as export_wiring
 from .lab import matching as matching
 from .lab import rig_measuring as rig_measuring
 from .limbs import locations as locations

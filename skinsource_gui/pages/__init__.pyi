@@ -1,6 +1,7 @@
 from .accuracy import AccuracyPage as AccuracyPage
 from .checking import CheckingPage as CheckingPage
 from .dataset import DatasetPage as DatasetPage
+from .files.export_page import ExportPage as ExportPage
 from .importing.page import ImportPage as ImportPage
 from .library import SavePage as SavePage
 from .library import fragments_to_save as fragments_to_save
@@ -9,4 +10,3 @@ from .matching import MatchingPage as MatchingPage
 from .motion import MotionPage as MotionPage
 from .rig.page import RigPage as RigPage
 from .scenes import ScenesPage as ScenesPage
-from .stimulus.page import StimulusPage as StimulusPage

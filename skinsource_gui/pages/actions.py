@@ -4,7 +4,7 @@ Each class of actions opens one page, and carries out what is chosen there.
 """
 
 import importlib
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -13,7 +13,6 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
 
 from skinsource.base.errors import SkinSourceError
-from skinsource.base.files import path_exists
 from skinsource.design import edits
 from skinsource.design.design import Design, Input
 from skinsource.design.design_file import SUFFIX
@@ -33,11 +32,9 @@ from skinsource.design.waveforms.samples import Recording
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.studies import scenes
 from skinsource_gui import pages
-from skinsource_gui.pages.files.exports import ExportJobs
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.plots.small_map import with_colours_of
 from skinsource_gui.qt.frames import DropPlace
-from skinsource_gui.qt.questions import ask_to_replace
 from skinsource_gui.qt.window_events import WindowEvents
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.panel import Panel, PanelRegistry
@@ -47,7 +44,6 @@ from skinsource_gui.state.services import Services
 
 if TYPE_CHECKING:
     from skinsource.design.presets.presets import Preset
-    from skinsource.export.stimulus_export.preparing import PreparedStimulus
     from skinsource_gui.pages.library import SavePage
     from skinsource_gui.pages.scenes import ScenesPage
 
@@ -448,71 +444,3 @@ class SceneActions(QObject):
         if workspace:
             text += f", in the {workspace} workspace"
         self.done.emit(text)
-
-
-class StimulusActions(QObject):
-    """Exports the stimulus of the open design: opens the page, asks for a file, and runs a job."""
-
-    #: Why something was not exported.
-    failed = Signal(str)
-
-    def __init__(
-        self,
-        services: Services,
-        files: FileActions,
-    ) -> None:
-        super().__init__(services.window)
-        self._document, self._preferences = services.document, services.preferences
-        self._files, self._window = files, services.window
-        self._jobs = ExportJobs(services.runner, files, self)
-        self._jobs.failed.connect(self.failed)
-        #: The page, while it is open.
-        self.page: Any = None
-
-    def show(self) -> None:
-        """Open the page on the design as it is now."""
-        design, view = self._document.design, self._document.view
-        page = pages.StimulusPage(design, view, self._window, self._preferences.export_text)
-        page.chosen.connect(self._export)
-        page.finished.connect(self._forget_page)
-        self.page = page
-        page.open()
-
-    def end(self) -> None:
-        """Close the page."""
-        if self.page is not None:
-            self.page.reject()
-
-    def _forget_page(self) -> None:
-        self.page = None
-
-    def _export(self, prepared: "PreparedStimulus", confirmed: bool, settings: str) -> None:
-        # The next export mostly has the same settings.
-        self._preferences.export_text = settings
-        kind, own = prepared.format, self._document.path
-        name = "stimulus" if own is None else own.stem
-        start = self._preferences.folder / f"{name}{kind.suffix}"
-        title = "Folder" if kind.folder else kind.title
-        filter_text = f"{title} (*{kind.suffix})" if kind.suffix else "All files (*)"
-        path = self._files.ask_where("Export stimulus", start, filter_text, ending=kind.suffix)
-        # Imported when something is exported: the start of the studio does not wait for it.
-        export = importlib.import_module("skinsource.export.stimulus_export.export")
-        if path is not None and self._may_write(path, export.written_files(prepared, path)):
-            self._jobs.add(
-                path,
-                lambda **job: export.write_prepared(
-                    prepared, path, confirmed=confirmed, **job
-                ).files[0],
-            )
-
-    def _may_write(self, path: Path, written: Iterable[tuple[Path, ...]]) -> bool:
-        """Return whether files other than ``path``, on which the dialog asked, may be replaced."""
-        # A user who has a file replaced has its sidecar replaced too.
-        agreed = path_exists(path)
-        firsts = (
-            next(filter(path_exists, files), None)
-            for files in written
-            if not (agreed and files[0] == path)
-        )
-        existing = [file for file in firsts if file is not None]
-        return not existing or ask_to_replace(self._window, existing)

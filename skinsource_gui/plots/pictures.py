@@ -16,16 +16,15 @@ from typing import Any
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import (
     QBuffer,
-    QEvent,
     QIODevice,
     QMarginsF,
-    QObject,
     QPoint,
     QPointF,
     QRect,
     QRectF,
     QSize,
     QSizeF,
+    Signal,
 )
 from PySide6.QtSvg import QSvgGenerator
 
@@ -47,9 +46,9 @@ from skinsource.specs.spec import ChoiceSpec, Spec
 from skinsource.studies import scenes
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.inputs import duration_text, full_label
-from skinsource_gui.fields.number_field import FINISHERS, NumberField
 from skinsource_gui.fields.units import minus
 from skinsource_gui.qt.buttons import page_label
+from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import LIGHT, THEMES, Theme, on_paper, set_tone, theme_label
 
 #: Pixels in an inch of a page or a drawing, as in CSS.
@@ -109,6 +108,7 @@ def layout_of(name: str) -> Layout | None:
 Draw = Callable[..., None]
 
 _POINTS = 72
+_MM_IN_INCH = 25.4
 _INCHES_IN_METRE = 1 / 0.0254
 
 
@@ -506,9 +506,16 @@ def _height(lines: Sequence[str], font: QtGui.QFont) -> float:
     return len(lines) * QtGui.QFontMetricsF(font).lineSpacing()
 
 
+#: Formats of a picture: title and suffix.
+KINDS = (("PNG", ".png"), ("SVG", ".svg"), ("PDF", ".pdf"))
+KIND = ChoiceSpec(
+    label="Format",
+    options=tuple((ending, title) for title, ending in KINDS),
+    hint="PNG has pixels; SVG and PDF have lines and letters, for print",
+)
 LAYOUT = ChoiceSpec(
     label="For",
-    options=((OWN, "A size of its own"), *((layout.name, layout.title) for layout in LAYOUTS)),
+    options=((OWN, "Custom size"), *((layout.name, layout.title) for layout in LAYOUTS)),
     hint="Width and height for a column of a paper, a slide, or a poster",
 )
 _SIDE: dict[str, Any] = {
@@ -518,7 +525,7 @@ _SIDE: dict[str, Any] = {
     "step": 100.0,
     "whole": True,
 }
-_HINT = "Of pixels; in SVG and PDF 96 of them are an inch"
+_HINT = "Of the page, in steps of 1/96 inch"
 WIDTH = NumberSpec(label="Width", hint=_HINT, **_SIDE)
 HEIGHT = NumberSpec(label="Height", hint=_HINT, **_SIDE)
 DPI = NumberSpec(
@@ -528,8 +535,7 @@ DPI = NumberSpec(
     maximum=2400,
     step=10.0,
     whole=True,
-    hint="Dots in an inch of a PNG; at 96 dpi it has as many pixels as width and height say. SVG "
-    "and PDF are lines, and have none",
+    hint="Dots in an inch of the page",
 )
 COLOURS = ChoiceSpec(
     label="Colours",
@@ -544,6 +550,8 @@ class PictureOptions:
 
     Attributes
     ----------
+    kind
+        How its name ends.
     layout
         Name of a layout, or `OWN`.
     dpi
@@ -552,6 +560,7 @@ class PictureOptions:
         Name of a theme.
     """
 
+    kind: str = fields.choice(".png", KIND)
     layout: str = fields.choice(OWN, LAYOUT)
     width_px: int = fields.number(1200, WIDTH)
     height_px: int = fields.number(1800, HEIGHT)
@@ -569,15 +578,19 @@ class PictureOptions:
     @property
     def unused(self) -> frozenset[str]:
         """Names of the fields that have no effect beside the values of the others."""
-        return frozenset()
+        sides = {"width_px", "height_px"} if self.layout != OWN else set()
+        return frozenset(sides if self.kind == ".png" else {*sides, "dpi"})
 
     @property
-    def pixels_text(self) -> str:
-        """Width and height of a PNG, in pixels."""
-        across, down = (
-            round(side_px * self.dpi / PER_INCH) for side_px in (self.width_px, self.height_px)
-        )
-        return f"In pixels: {across} × {down}"
+    def size_text(self) -> str:
+        """Width and height: of a page in mm, and of a PNG in pixels."""
+        sides = self.width_px, self.height_px
+        across, down = (round(side / PER_INCH * _MM_IN_INCH) for side in sides)
+        text = f"{across} × {down} mm"
+        if self.kind == ".png":
+            wide, high = (round(side * self.dpi / PER_INCH) for side in sides)
+            text += f", {wide} × {high} pixels"
+        return text
 
 
 @dataclass(frozen=True, slots=True)
@@ -598,19 +611,17 @@ class Remark:
 RemarkOf = Callable[[Any], Remark]
 
 
-class PictureDialog(QtWidgets.QDialog):
-    """Lets the user change `PictureOptions`, or a subclass of them.
+class PictureForm(QtWidgets.QWidget):
+    """Fields of `PictureOptions`, or of a subclass of them.
 
     Parameters
     ----------
     options
         The options to begin with.
-    title, kinds
-        Title of the window; names of the file formats, unless they are among the options.
     most_px
         Pixels that the longer side may have: the resolution of a layout is lowered to it.
     remark
-        Returns the remark on the present options.
+        Returns the remark on the present options; their size unless given.
     shape
         Usual width and height of the picture; those of ``options`` unless given.
     below
@@ -620,17 +631,15 @@ class PictureDialog(QtWidgets.QDialog):
     ----------
     options
         The options as they are in the fields.
-    pixels, remark_label
-        Labels of the size in pixels, and of the remark.
     """
+
+    changed = Signal()
 
     def __init__(
         self,
         options: PictureOptions,
         parent: QtWidgets.QWidget | None = None,
         *,
-        title: str = "Picture",
-        kinds: str = "PNG, SVG or PDF",
         most_px: int | None = None,
         remark: RemarkOf | None = None,
         shape: tuple[int, int] | None = None,
@@ -640,52 +649,21 @@ class PictureDialog(QtWidgets.QDialog):
         self.options, self._most_px, self._remark = options, most_px, remark
         self._usual, self._below = shape or (options.width_px, options.height_px), below
         self._cells: dict[str, FieldCell] = {}
-        self.setWindowTitle(title)
-        self._form = form = QtWidgets.QFormLayout(self)
+        self._form = QtWidgets.QFormLayout(self)
+        self._form.setContentsMargins(0, 0, 0, 0)
         for name, spec in _specs(options).items():
-            self._cells[name] = self._cell(name, spec)
-        self.pixels = QtWidgets.QLabel()
-        form.addRow(self.pixels)
-        self.remark_label = page_label("picture_remark")
-        form.addRow(self.remark_label)
-        whether = f", and whether as {kinds}" if kinds else ""
-        form.addRow(QtWidgets.QLabel(f"The next step asks where to{whether}."))
-        buttons = QtWidgets.QDialogButtonBox(QtWidgets.QDialogButtonBox.StandardButton.Cancel)
-        self._save = buttons.addButton("Save as…", QtWidgets.QDialogButtonBox.ButtonRole.AcceptRole)
-        self._save.setDefault(True)
-        buttons.accepted.connect(self.accept)
-        buttons.rejected.connect(self.reject)
-        form.addRow(buttons)
-        self._show_options()
+            self._cells[name] = cell = FieldCell(name, spec, self)
+            cell.set_value(getattr(options, name))
+            cell.edited.connect(self._edit)
+            self._form.addRow(cell.label, cell)
+        self._show_rows()
 
-    def _cell(self, name: str, spec: Spec) -> FieldCell:
-        cell = FieldCell(name, spec, self)
-        cell.set_value(getattr(self.options, name))
-        cell.edited.connect(self._edit)
-        cell.field.installEventFilter(self)
-        self._form.addRow(cell.label, cell)
-        return cell
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        # In the studio's panels Enter begins to type; in a dialog it accepts.
-        if (
-            isinstance(event, QtGui.QKeyEvent)
-            and event.type() == QEvent.Type.KeyPress
-            and event.key() in FINISHERS
-            and isinstance(watched, NumberField)
-        ):
-            if (not watched.editing or watched.commit()) and self._save.isEnabled():
-                self.accept()
-            return True
-        return super().eventFilter(watched, event)
-
-    def event(self, event: QEvent) -> bool:
-        done = super().event(event)
-        if event.type() == QEvent.Type.LayoutRequest:
-            # A remark under a field may take several lines.
-            needed = self._form.totalHeightForWidth(self.width())
-            self.resize(self.width(), max(self.height(), needed))
-        return done
+    @property
+    def remark(self) -> Remark:
+        """What there is to say on the present options."""
+        return (
+            Remark(self.options.size_text) if self._remark is None else self._remark(self.options)
+        )
 
     def _edit(self, name: str, value: object, _gesture: int | None) -> None:
         spec = specs_of(self.options)[name]
@@ -704,24 +682,44 @@ class PictureDialog(QtWidgets.QDialog):
         self.options = replace(self.options, **changes)
         for other in changes.keys() - {name}:
             self._cells[other].set_value(getattr(self.options, other))
-        self._show_options()
+        self._show_rows()
+        self.changed.emit()
 
-    def _show_options(self) -> None:
-        """Show what follows from the options, and the fields that have an effect."""
+    def _show_rows(self) -> None:
         for name, cell in self._cells.items():
             self._form.setRowVisible(cell, name not in self.options.unused)
-        self.pixels.setText(self.options.pixels_text)
-        remark = Remark("") if self._remark is None else self._remark(self.options)
+
+
+class PictureDialog(QtWidgets.QDialog):
+    """Asks for the options of the picture of a plot; ``about`` goes to its `PictureForm`."""
+
+    def __init__(
+        self, options: PictureOptions, parent: QtWidgets.QWidget | None = None, **about: Any
+    ) -> None:
+        super().__init__(parent)
+        self.setWindowTitle("Picture")
+        self.form, self.remark_label = PictureForm(options, **about), page_label("picture_remark")
+        buttons = QtWidgets.QDialogButtonBox(QtWidgets.QDialogButtonBox.StandardButton.Cancel)
+        self._save = buttons.addButton("Save as…", QtWidgets.QDialogButtonBox.ButtonRole.AcceptRole)
+        self._save.setDefault(True)
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        in_column(self.form, self.remark_label, None, buttons, of=self)
+        self.form.changed.connect(self._show_remark)
+        self._show_remark()
+
+    def _show_remark(self) -> None:
+        remark = self.form.remark
         set_tone(self.remark_label, "error" if remark.refuses else "")
         self.remark_label.setText(remark.text)
-        self._form.setRowVisible(self.remark_label, bool(remark.text))
         self._save.setEnabled(not remark.refuses)
 
 
 def _specs(options: PictureOptions) -> dict[str, Spec]:
     """Return the specifications of all fields: content first, size last."""
     usual, every = specs_of(PictureOptions), specs_of(options)
-    return {name: spec for name, spec in every.items() if name not in usual} | usual
+    names = [*(name for name in every if name not in usual), *usual]
+    return {name: every[name] for name in names}
 
 
 def ask_picture_options(
@@ -729,9 +727,9 @@ def ask_picture_options(
 ) -> PictureOptions | None:
     """Let the user change ``options``; return None if the dialog is cancelled.
 
-    ``about`` are the other arguments of `PictureDialog`.
+    ``about`` are the other arguments of `PictureForm`.
     """
     dialog = PictureDialog(options, parent, **about)
     accepted = dialog.exec() == QtWidgets.QDialog.DialogCode.Accepted
     dialog.deleteLater()
-    return dialog.options if accepted else None
+    return dialog.form.options if accepted else None

@@ -260,7 +260,7 @@ class SignalExports(QObject):
         options = ask_picture_options(self._parent, self._options or usual, **page)
         if options is None:
             return
-        path = self._ask("Save picture", f"{self._plot.objectName()}.png", _PICTURES)
+        path = self._ask("Save picture", f"{self._plot.objectName()}{options.kind}", _PICTURES)
         if path is None:
             return
         # Unless the user changed the size, the next picture follows the plot.

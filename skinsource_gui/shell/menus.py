@@ -42,6 +42,9 @@ def fill_menu_bar(
     menus = {title: bar.addMenu(f"&{title}") for title in MENUS}
     within: dict[tuple[str, str], QtWidgets.QMenu] = {}
     for spec in specs:
+        if not spec.menu:
+            bar.window().addAction(actions[spec.name])
+            continue
         menu = menus[spec.menu]
         if spec.separated:
             menu.addSeparator()

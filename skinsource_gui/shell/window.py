@@ -15,7 +15,6 @@ from skinsource_gui.pages.actions import (
     ImportActions,
     LibraryActions,
     SceneActions,
-    StimulusActions,
 )
 from skinsource_gui.pages.dataset import TITLE
 from skinsource_gui.pages.files.exports import ExportActions
@@ -142,7 +141,6 @@ class MainWindow(QtWidgets.QMainWindow):
             services, self.appearance, self.catch_up, self.docks, self._in_use
         )
         self.exports = ExportActions(services, self.files, self.pictures.picture_of)
-        self.stimuli = StimulusActions(services, self.files)
         self.scenes = SceneActions(services, self.files, self.workspaces.show_scene)
         self.comparison = Comparison(self.document, self.engine, self.panels)
         self.keeping = AutosaveAndRecovery(services, self.files, self.workspaces)
@@ -162,7 +160,6 @@ class MainWindow(QtWidgets.QMainWindow):
         return {
             "files": self.files,
             "exports": self.exports,
-            "stimuli": self.stimuli,
             "imports": self.imports,
             "scenes": self.scenes,
             "library": self.library,
@@ -238,7 +235,7 @@ class MainWindow(QtWidgets.QMainWindow):
         for begins_or_ends in (self.notice.pass_now, self.hints.put_away):
             self.presenter.presenting_changed.connect(begins_or_ends)
         saving = self.files, self.scenes, self.library, self.presenter
-        for fails in (*saving, self.exports, self.stimuli, self.levelling):
+        for fails in (*saving, self.exports, self.levelling):
             fails.failed.connect(reports.complain)
         for works in (*saving, self.imports, self.comparison, self.dock_tabs):
             works.done.connect(reports.report)
@@ -306,6 +303,6 @@ class MainWindow(QtWidgets.QMainWindow):
         self.keeping.end()
         self.workspaces.close()
         self.engine.close()
-        for part in (self.playback, self.running_jobs, self.pages, self.imports, self.stimuli):
+        for part in (self.playback, self.running_jobs, self.pages, self.imports, self.exports):
             part.end()
         super().closeEvent(event)

@@ -123,7 +123,7 @@ def test_fades_begin_and_end_at_zero_and_leave_the_middle():
 
 def test_a_sync_channel_marks_time_0_at_full_scale():
     quiet = stimulus_of(design(track(7, Impulse(), onset_s=0.1, amplitude=0.01)), 8000)
-    marked = stimulus.with_sync(stimulus.with_lead_in(quiet, 0.05))
+    marked = stimulus.with_sync(stimulus.with_silence(quiet, 0.05))
     assert marked.channels[-1] == stimulus.Channel(number=2, place=None, title="Sync")
     assert np.flatnonzero(marked.samples[1]).tolist() == list(range(400, 480))
     # Neither the factor of the others nor a fade changes it.

@@ -5,9 +5,11 @@ from PySide6.QtWidgets import QMainWindow
 from skinsource.design.design import Design
 from skinsource.design.view import View
 from skinsource.engine.quantities import graphs_that_share
-from skinsource_gui.pages.actions import ImportActions, StimulusActions
+from skinsource_gui.pages.actions import ImportActions
+from skinsource_gui.pages.files.exports import ExportActions
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.pages.motion import MotionPage
+from skinsource_gui.plots.pictures import Picture
 from skinsource_gui.shell.playing import Playback
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import Engine
@@ -40,7 +42,7 @@ class Desk(QMainWindow):
         )
         self.imports = ImportActions(services)
         self.playback = Playback(self.document, preferences, self)
-        self.stimuli = StimulusActions(services, self.files)
+        self.exports = ExportActions(services, self.files, lambda _: Picture(draw=id))
 
     def show_motion(self) -> MotionPage:
         """Open the page of motions."""
@@ -50,7 +52,7 @@ class Desk(QMainWindow):
 
     def end(self) -> None:
         """Let go of devices, pages and threads."""
-        for owner in (self.playback, self.imports, self.stimuli):
+        for owner in (self.playback, self.imports, self.exports):
             owner.end()
         self.runner.close()
         self.close()

@@ -103,7 +103,7 @@ def _tidy(window: MainWindow) -> None:
         window.presenter.end()
     if window.presenter.covered:
         window.presenter.cover()
-    for part in (window.imports, window.stimuli, window.playback.matching):
+    for part in (window.imports, window.exports, window.playback.matching):
         part.end()
     window.playback.player.stop_at_once()
     window.files.suggested = None

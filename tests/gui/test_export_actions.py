@@ -1,5 +1,6 @@
 import os
 import threading
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -17,6 +18,9 @@ from skinsource.base.errors import Stopped
 from skinsource.design.design import track
 from skinsource.engine import trace_rules
 from skinsource.engine.gains import TraceError
+from skinsource.export.stimulus_export.preparing import size_text
+from skinsource_gui.pages.files.export_parts import preview_of
+from tests.gui.exporting import export, press, shown
 
 YES, NO = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.Cancel
 
@@ -72,7 +76,7 @@ def part(window, kind, name):
 def test_traces_levels_and_field_hold_the_present_design(window, wait, answers, tmp_path):
     for name in ("traces.csv", "levels.csv", "field.npz"):
         answers["save"] = str(tmp_path / name)
-        window.actions_by_name[f"export_{name.split('.')[0]}"].trigger()
+        export(window, name.split(".")[0])
     wait()
     lines = (tmp_path / "traces.csv").read_text(encoding="utf-8").splitlines()
     assert any("SYNTHETIC" in line for line in lines)
@@ -84,11 +88,64 @@ def test_traces_levels_and_field_hold_the_present_design(window, wait, answers, 
     assert window.preferences.folder == tmp_path
 
 
+def test_a_preview_begins_as_the_file_and_lists_what_an_archive_holds(
+    qtbot, window, wait, answers, tmp_path
+):
+    def preview(name):
+        part = shown(window, name)
+        qtbot.waitUntil(lambda: bool(part.text.toPlainText()), timeout=20_000)
+        return part
+
+    part = preview("levels")
+    answers["save"] = str(tmp_path / "levels.csv")
+    text, summary = part.text.toPlainText(), part.findChild(QLabel, "file_summary").text()
+    press(part)
+    wait()
+    assert (tmp_path / "levels.csv").read_text(encoding="utf-8").startswith(text.rstrip("…"))
+    assert summary == f"rms-levels.csv, {size_text((tmp_path / 'levels.csv').stat().st_size)}."
+    assert "acceleration_m_per_s2: float64, (72, 3, " in preview("field").text.toPlainText()
+    assert "stimulus.wav.json, " in preview("pack").text.toPlainText()
+    window.exports.end()
+
+
+def test_what_is_large_is_not_written_for_a_preview(tmp_path):
+    def write(path, *, progress, stop, largest_error):
+        for _ in range(100):
+            with path.open("ab") as file:
+                file.write(b"0" * 1_000_000)
+            if stop():
+                raise Stopped
+        raise AssertionError("all of it was written")
+
+    with pytest.raises(Stopped):
+        preview_of(write, "a.csv", lambda: False)
+
+
+def test_where_nothing_can_be_exported_the_dialog_says_why(window):
+    window.document.look(replace(window.document.view, outputs=()))
+    part = shown(window, "traces")
+    assert not part.ready
+    assert part.findChild(QLabel, "file_problem").text().startswith("No output is selected.")
+    window.exports.end()
+
+
+def test_the_dialog_opens_where_the_last_export_was(window, wait, answers, tmp_path):
+    answers["save"] = str(tmp_path / "levels.csv")
+    export(window, "levels")
+    wait()
+    # What was only looked at does not count.
+    shown(window, "picture")
+    window.do("export")
+    assert window.exports.page.windowTitle() == "Export table"
+    assert window.exports.page.part.name == "levels"
+    window.exports.end()
+
+
 def test_the_design_of_the_moment_is_exported_while_editing_goes_on(
     qtbot, window, wait, gate, answers, tmp_path
 ):
     answers["save"] = str(tmp_path / "field.npz")
-    window.do("export_field")
+    export(window, "field")
     assert gate.started.wait(5)
     window.document.edit("Place", window.document.design.adding(track(location=3)))
     qtbot.waitUntil(lambda: not window.engine.busy)
@@ -105,8 +162,8 @@ def test_a_running_export_is_seen_and_cancelled_with_a_click(
     bar = part(window, QPushButton, "cancel_running_job")
     assert not bar.isVisible()
     assert not window.actions_by_name["cancel_job"].isEnabled()
-    window.do("export_field")
-    window.do("export_field")
+    export(window, "field")
+    export(window, "field")
     qtbot.waitUntil(lambda: part(window, QLabel, "job_percent").text() == "34 %")
     assert part(window, QLabel, "job_name").text() == "Exporting field.npz (+1)"
     assert part(window, QProgressBar, "job_progress").value() == 340
@@ -124,7 +181,7 @@ def test_a_running_export_is_seen_and_cancelled_with_a_click(
 
 def test_an_export_is_cancelled_from_the_keyboard(qtbot, window, wait, gate, answers, tmp_path):
     answers["save"] = str(tmp_path / "field.npz")
-    window.do("export_field")
+    export(window, "field")
     assert gate.started.wait(5)
     window.activateWindow()
     qtbot.waitUntil(window.isActiveWindow)
@@ -140,13 +197,13 @@ def test_what_is_too_inaccurate_is_written_only_if_the_user_agrees(
     poor = TraceError(estimate=2e-3, bound=1.0)
     monkeypatch.setattr(trace_rules, "trace_error_of", lambda *_: poor)
     answers["save"] = str(tmp_path / "levels.csv")
-    window.do("export_levels")
+    export(window, "levels")
     qtbot.waitUntil(lambda: len(answers["asked"]) == 1)
     wait()
     assert "2.0e-03" in answers["asked"][0]
     assert os.listdir(tmp_path) == []
     answers["question"] = YES
-    window.do("export_levels")
+    export(window, "levels")
     qtbot.waitUntil(lambda: (tmp_path / "levels.csv").exists())
     wait()
     assert len(answers["asked"]) == 2
@@ -161,7 +218,7 @@ def test_a_mistake_of_the_studio_is_told_and_the_studio_lives(
 
     write_with("levels", fail)
     answers["save"] = str(tmp_path / "levels.csv")
-    window.do("export_levels")
+    export(window, "levels")
     wait()
     assert "ZeroDivisionError: oh" in window.notice.text
     assert "an export failed" in caplog.text
@@ -171,7 +228,7 @@ def test_closing_during_an_export_asks_first_and_then_leaves_nothing(
     window, gate, answers, tmp_path
 ):
     answers["save"] = str(tmp_path / "field.npz")
-    window.do("export_field")
+    export(window, "field")
     assert gate.started.wait(5)
     window.close()
     assert window.isVisible()

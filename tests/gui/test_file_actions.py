@@ -7,10 +7,9 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
 
 from skinsource.design.design import track
 from skinsource.design.design_file import open_design, save_design
-from skinsource_gui.pages.files import exports
-from skinsource_gui.plots import signal_view
 from skinsource_gui.plots.pictures import PictureOptions
 from skinsource_gui.qt.theme import DARK
+from tests.gui.exporting import press, shown
 
 NO_KEYS = Qt.KeyboardModifier.NoModifier
 
@@ -28,11 +27,6 @@ def answers(monkeypatch):
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (answer("open"), ""))
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (answer("save"), ""))
     monkeypatch.setattr(QMessageBox, "question", lambda *_: answer("question"))
-    given["picture"] = lambda options: options
-    for asking in (exports, signal_view):
-        monkeypatch.setattr(
-            asking, "ask_picture_options", lambda _, options, **about: given["picture"](options)
-        )
     given["asked"] = asked
     return given
 
@@ -118,17 +112,19 @@ def test_the_picture_has_the_size_and_colours_asked_for_and_they_are_kept(
     window, answers, tmp_path
 ):
     answers["save"] = str(tmp_path / "map.png")
-    answers["picture"] = lambda options: replace(
-        options, width_px=500, height_px=400, colours="dark"
-    )
-    window.do("export_picture")
+    part = shown(window, "picture")
+    for name, value in (("width_px", 500.0), ("height_px", 400.0), ("colours", "dark")):
+        part.form._edit(name, value, None)
+    preview = part.image.image
+    assert QColor(preview.pixel(2, 2)).name() == DARK.base
+    assert preview.width() / preview.height() == pytest.approx(1.25, rel=0.01)
+    press(part)
     picture = QImage(answers["save"])
     assert (picture.width(), picture.height()) == (500, 400)
     assert QColor(picture.pixel(2, 2)).name() == DARK.base
-    offered = []
-    answers["picture"] = offered.append
-    window.do("export_picture")
-    assert offered == [PictureOptions(width_px=500, height_px=400, colours="dark")]
+    kept = PictureOptions(width_px=500, height_px=400, colours="dark")
+    assert shown(window, "picture").form.options == kept
+    window.exports.end()
     assert answers["asked"] == ["save"]
 
 

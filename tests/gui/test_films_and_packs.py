@@ -5,17 +5,17 @@ import zipfile
 from dataclasses import replace
 from pathlib import Path
 
-from PySide6.QtWidgets import QFileDialog
+from PySide6.QtWidgets import QFileDialog, QLabel
 
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
-from skinsource_gui.pages.files import exports
 from skinsource_gui.panels.skin.film import FilmOptions
+from tests.gui.exporting import export, press, shown
 
 
 def test_a_film_asks_for_its_size_and_a_pack_takes_the_rig_of_the_design(
     window, qtbot, monkeypatch, write_with, tmp_path
 ):
-    given, asked, suggested, answers = [], [], [], {}
+    given, suggested, answers = [], [], {}
 
     def name_it(_window, _title, start, kinds):
         suggested.append((Path(start).name, kinds))
@@ -30,25 +30,23 @@ def test_a_film_asks_for_its_size_and_a_pack_takes_the_rig_of_the_design(
     write_with("animation", lambda *_, options, seen, **more: given.append((options, seen.fit)))
     chosen = FilmOptions(width_px=640, height_px=480, colours="dark", kind=".webm")
 
-    def ask(_window, usual, *, title, kinds, most_px, remark, shape):
-        assert "frames" in remark(usual).text
-        assert shape == (900, 1200)
-        asked.append((title, usual.width_px, usual.height_px, kinds, most_px))
-        return answers.get("options", chosen)
-
-    monkeypatch.setattr(exports, "ask_picture_options", ask)
     answers["save"] = str(tmp_path / "film.mp4")
-    window.do("export_animation")
+    part = shown(window, "animation")
+    assert (part.form.options.width_px, part.form.options.height_px) == (900, 1200)
+    assert "frames" in part.form.remark.text
+    qtbot.waitUntil(lambda: not part.image.image.isNull(), timeout=20_000)
+    for name in ("width_px", "height_px", "colours", "kind"):
+        part.form._edit(name, getattr(chosen, name), None)
+    press(part)
     wait()
-    assert asked == [("Export animation of the skin map", 900, 1200, "", 4096)]
     assert suggested == [
         ("skin-map-along-z-1-20.webm", "WebM (*.webm);;MP4 (*.mp4);;GIF (*.gif)"),
     ]
     assert given == [(chosen, "hand")]
     # The next time it begins with these; cancelled, nothing is asked or written any more.
-    answers["options"] = None
-    window.do("export_animation")
-    assert asked[1][1:3] == (640, 480)
+    part = shown(window, "animation")
+    assert (part.form.options.width_px, part.form.options.height_px) == (640, 480)
+    window.exports.end()
     assert len(given) == 1
     path = tmp_path / "two.skinrig"
     rig = Rig(channels=(RigChannel(place=1), RigChannel(place=7, output=2)))
@@ -57,7 +55,7 @@ def test_a_film_asks_for_its_size_and_a_pack_takes_the_rig_of_the_design(
     wired = tuple(replace(track, location=7) for track in design.inputs)
     window.document.edit("Wire", replace(design, inputs=wired, rig=rig))
     answers["save"] = str(tmp_path / "all.zip")
-    window.do("export_pack")
+    export(window, "pack")
     wait()
     with zipfile.ZipFile(tmp_path / "all.zip") as archive:
         assert archive.read("rig.skinrig") == path.read_bytes()
@@ -65,12 +63,11 @@ def test_a_film_asks_for_its_size_and_a_pack_takes_the_rig_of_the_design(
 
 
 def test_a_film_that_cannot_be_written_says_so_before_anything_is_asked(window, monkeypatch):
-    messages = []
-    window.exports.failed.connect(messages.append)
     # As where it is not installed.
     monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
-    monkeypatch.setattr(exports, "ask_picture_options", lambda *_, **__: messages.append("asked"))
-    window.do("export_animation")
-    (message,) = messages
+    part = shown(window, "animation")
+    message = part.findChild(QLabel, "file_problem").text()
     assert message.lower().startswith("the package 'imageio_ffmpeg' is needed for this")
     assert "[video]" in message
+    assert not part.ready
+    window.exports.end()

@@ -10,7 +10,6 @@ from PySide6.QtWidgets import QApplication
 import skinsource as ss
 from skinsource.actuators.actuation import Actuation, ActuatorAt
 from skinsource.actuators.equalising import RegularisedInverse
-from skinsource_gui.pages.files import exports
 from skinsource_gui.plots.pictures import (
     ALL_VISIBLE,
     PANEL_IN_USE,
@@ -21,6 +20,7 @@ from skinsource_gui.plots.pictures import (
 )
 from skinsource_gui.qt.theme import DARK, LIGHT, current_theme
 from tests.gui.dock_bench import bar_with, click_tab, titles
+from tests.gui.exporting import shown
 
 DESIGN = ss.Design(
     limb="synthetic-1",
@@ -128,24 +128,20 @@ def test_pictures_are_on_light_ground_and_the_studio_stays_dark(open_window, qtb
 
 
 def test_a_panel_whose_tab_is_clicked_is_in_use_and_named_where_its_picture_is_asked_for(
-    open_window, monkeypatch
+    open_window,
 ):
     window = open_window(DESIGN)
     window.activateWindow()
-    asked = []
-
-    def note(_window, _options, **about):
-        asked.append(about["title"])
-
-    monkeypatch.setattr(exports, "ask_picture_options", note)
     window.tabifyDockWidget(window.docks["traces"], window.docks["spectra"])
     shared = titles(bar_with(window, "Traces"))
     for title in (*shared, shared[0], shared[0]):
         window.panel("skin").setFocus()
         click_tab(window, title)
         assert window.pictures.picture_of(PANEL_IN_USE).title == title
-        window.do("export_panel_picture")
-        assert asked.pop() == f"Export picture of the panel {title}"
+        part = shown(window, "panel_picture")
+        assert part.suggestion()[0] == f"{title.lower().replace(' ', '-')}.png"
+        assert part.ready
+        window.exports.end()
 
 
 def test_what_to_cite_is_copied(open_window, qapp):

@@ -76,11 +76,10 @@ def test_shortcuts_work_on_desktops_where_lines_of_text_want_them(window, field)
         assert takes(line, key)
 
 
-def test_ctrl_e_in_a_number_field_exports(window, field, monkeypatch):
-    asked = []
-    monkeypatch.setattr(window.files, "ask_where", lambda *arguments: asked.append(arguments[0]))
+def test_ctrl_e_in_a_number_field_exports(window, field):
     QTest.keyClick(field, Qt.Key.Key_E, CONTROL)
-    assert asked == ["Export traces as CSV"]
+    assert window.exports.page.windowTitle() == "Export stimulus"
+    window.exports.end()
 
 
 def test_a_field_that_dies_with_the_keyboard_leaves_the_next_one_watched(window, field):

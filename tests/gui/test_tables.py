@@ -9,10 +9,9 @@ from skinsource_gui.shell.actions.spec import ActionSpec
 
 def test_conditions_follow_the_document(window):
     enabled = {name: action.isEnabled for name, action in window.actions_by_name.items()}
-    assert enabled["export_traces"]()
+    assert enabled["select_no_outputs"]()
     assert enabled["mute_input"]()
     window.document.look(replace(window.document.view, outputs=(), selected_inputs=()))
-    assert not enabled["export_traces"]()
     assert not enabled["select_no_outputs"]()
     assert not enabled["mute_input"]()
     assert enabled["clear_inputs"]()

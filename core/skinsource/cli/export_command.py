@@ -1,4 +1,4 @@
-"""``skinsource export``: write the stimulus of a design file for actuators."""
+"""``skinsource export`` and ``wiring``: stimulus and wiring page of a design file."""
 
 import argparse
 import sys
@@ -14,11 +14,13 @@ from skinsource.design.design_file import open_design
 from skinsource.export.formats import FORMATS, export_formats
 from skinsource.export.stimulus_export.export import export_stimulus
 from skinsource.export.stimulus_export.options import StimulusOptions
+from skinsource.export.wiring import export_wiring
 
 _TIME_OPTIONS = {
     "--from": ("from_s", "begin of the part of the design that is exported"),
     "--to": ("to_s", "its end"),
-    "--lead-in": ("lead_in_s", "silence before it"),
+    "--lead-in": ("lead_in_s", "silence before it (default: 0.1 s with an equaliser)"),
+    "--tail": ("tail_s", "silence after it (default: 0.1 s with an equaliser)"),
     "--fade-in": ("fade_in_s", "fade at its begin"),
     "--fade-out": ("fade_out_s", "fade at its end"),
 }
@@ -32,8 +34,7 @@ def add_to(subparsers: Any) -> None:
         help="write the stimulus of a design file: WAV, CSV, MATLAB, C and others",
         description="Writes what the actuators get, and beside it OUT.json, which says what its "
         "numbers mean. One channel per place in use; the largest sample is full scale. Prints the "
-        "paths, and below them, indented, what is lost, what it is equalised for and whether it is "
-        "calibrated.",
+        "paths, and below them, indented, a summary, what is lost and whether it is calibrated.",
         epilog=f"formats:\n{listed}",
         formatter_class=HelpFormatter,
     )
@@ -60,6 +61,21 @@ def add_to(subparsers: Any) -> None:
     _add_numbers(parser.add_argument_group("numbers").add_argument)
     _add_rig(parser.add_argument_group("rig").add_argument)
     parser.set_defaults(run=_export)
+    wiring = subparsers.add_parser(
+        "wiring",
+        help="draw which channel of a stimulus goes to which place",
+        description="Writes a page with the channels of a stimulus at their places on the hand, "
+        "and their polarity, gain and actuator, for the wall beside the setup. Needs the extra "
+        "plot.",
+    )
+    add_wiring = wiring.add_argument
+    add_wiring("design", type=Path, metavar="DESIGN", help="a .skinsource file")
+    add_wiring(
+        "--out", type=Path, required=True, metavar="FILE", help="a .pdf, .svg or .png to write"
+    )
+    add_wiring("--rig", type=Path, metavar="FILE", help="a .skinrig file: what is wired")
+    _add_channels(wiring.add_argument_group("channels").add_argument)
+    wiring.set_defaults(run=_wiring)
 
 
 def _add_channels(add: Any) -> None:
@@ -127,23 +143,37 @@ def _choices() -> dict[str, tuple[list[str], list[str]]]:
     return choices
 
 
-def _export(arguments: argparse.Namespace) -> int:
-    choices = {name: getattr(arguments, f"choice_{name}") for name in _choices()}
+def _options(arguments: argparse.Namespace) -> StimulusOptions:
+    choices = {name: getattr(arguments, f"choice_{name}", None) for name in _choices()}
     # Flags that are given are fields of the options.
     given = {field.name: getattr(arguments, field.name, None) for field in fields(StimulusOptions)}
     given["choices"] = {name: value for name, value in choices.items() if value is not None}
-    options = StimulusOptions(**{name: value for name, value in given.items() if value is not None})
-    rig: Rig | Literal["none"] | None = None
-    if arguments.rig is not None:
-        rig = "none" if str(arguments.rig) == "none" else open_rig(arguments.rig)
+    return StimulusOptions(**{name: value for name, value in given.items() if value is not None})
+
+
+def _rig(arguments: argparse.Namespace) -> Rig | Literal["none"] | None:
+    if arguments.rig is None:
+        return None
+    return "none" if str(arguments.rig) == "none" else open_rig(arguments.rig)
+
+
+def _wiring(arguments: argparse.Namespace) -> int:
+    make_folder(arguments.out.parent)
+    design = open_design(arguments.design).design
+    export_wiring(design, arguments.out, options=_options(arguments), rig=_rig(arguments))
+    sys.stdout.write(f"{arguments.out}\n")
+    return 0
+
+
+def _export(arguments: argparse.Namespace) -> int:
     make_folder(arguments.out.parent)
     exported = export_stimulus(
         open_design(arguments.design).design,
         arguments.out,
         arguments.format,
         arguments.rate,
-        options=options,
-        rig=rig,
+        options=_options(arguments),
+        rig=_rig(arguments),
         equaliser=_equaliser(arguments),
         confirmed=arguments.confirm,
     )
@@ -152,7 +182,7 @@ def _export(arguments: argparse.Namespace) -> int:
     for path in exported.files:
         sys.stdout.write(f"{path}\n")
     for note in filter(
-        None, (exported.edges, exported.loses, exported.equalised, exported.calibration)
+        None, (exported.summary, exported.edges, exported.loses, exported.calibration)
     ):
         sys.stdout.write(f"  {note[:1].upper()}{note[1:].rstrip('.')}.\n")
     return 0

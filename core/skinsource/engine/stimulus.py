@@ -251,7 +251,7 @@ def scaled(stimulus: Stimulus, factor: float) -> Stimulus:
     return stimulus.with_samples(stimulus.samples * factors)
 
 
-#: Longest silence before a stimulus.
+#: Longest silence before or after a stimulus.
 LONGEST_LEAD_IN_S = 60.0
 
 
@@ -286,18 +286,18 @@ def part_of_time(stimulus: Stimulus, from_s: float, to_s: float) -> Stimulus:
     )
 
 
-def with_lead_in(stimulus: Stimulus, silence_s: float) -> Stimulus:
-    """Return a stimulus with silence before it, rounded up to whole samples."""
-    n = lead_in_samples(silence_s, stimulus.sample_rate_hz)
-    if not n:
+def with_silence(stimulus: Stimulus, lead_in_s: float, tail_s: float = 0.0) -> Stimulus:
+    """Return a stimulus with silence before and after it, rounded up to whole samples."""
+    lead = silent_samples("lead_in_s", lead_in_s, stimulus.sample_rate_hz)
+    tail = silent_samples("tail_s", tail_s, stimulus.sample_rate_hz)
+    if not lead and not tail:
         return stimulus
-    samples = np.zeros((len(stimulus.channels), n + stimulus.n_times))
-    samples[:, n:] = stimulus.samples
-    return stimulus.with_samples(samples, start_s=stimulus.start_s - n / stimulus.sample_rate_hz)
+    samples = np.pad(stimulus.samples, ((0, 0), (lead, tail)))
+    return stimulus.with_samples(samples, start_s=stimulus.start_s - lead / stimulus.sample_rate_hz)
 
 
-def lead_in_samples(length_s: float, sample_rate_hz: float) -> int:
-    """Return the number of samples of a lead-in, rounded up.
+def silent_samples(name: str, length_s: float, sample_rate_hz: float) -> int:
+    """Return the number of samples of a silence, rounded up.
 
     Raises
     ------
@@ -305,7 +305,7 @@ def lead_in_samples(length_s: float, sample_rate_hz: float) -> int:
         It is negative, or longer than `LONGEST_LEAD_IN_S`.
     """
     length_s = real_number(
-        "lead_in_s",
+        name,
         length_s,
         f"a time from 0 to {LONGEST_LEAD_IN_S:g} s",
         least=0.0,
@@ -384,6 +384,7 @@ def stimulus_of(
         clips=clips,
         limb=limb,
         lead_in_s=lead_in_s,
+        tail_s=0.0,
         progress=progress,
         stop=stop,
     )
@@ -402,12 +403,14 @@ def stimuli_of(
     clips: Iterable[int] | None,
     limb: Limb | str | None = None,
     lead_in_s: float,
+    tail_s: float,
     progress: Progress,
     stop: Stop,
 ) -> tuple[Stimulus, Stimulus]:
     """Return the stimulus at the rate of the limb from time 0 on, and the one of `stimulus_of`.
 
-    Waveforms are sampled once.  Parameters and errors are those of `stimulus_of`.
+    Waveforms are sampled once.  Parameters and errors are those of `stimulus_of`; ``tail_s`` is how
+    long the samples go on after the last clip.
     """
     tracks = _playing_tracks(design, inputs, clips)
     one_of("per", per, ("place", "input"))
@@ -419,8 +422,11 @@ def stimuli_of(
     own_rate_hz = limb.sample_rate_hz
     rate_hz = own_rate_hz if sample_rate_hz is None else float(sample_rate_hz)
     channels = _channels(tracks, per, design.limb)
-    lead = lead_in_samples(lead_in_s, rate_hz)
-    own_samples, samples = _samples_of(tracks, channels, own_rate_hz, rate_hz, lead, progress, stop)
+    lead = silent_samples("lead_in_s", lead_in_s, rate_hz)
+    tail = silent_samples("tail_s", tail_s, own_rate_hz)
+    own_samples, samples = _samples_of(
+        tracks, channels, own_rate_hz, rate_hz, lead, tail, progress, stop
+    )
     own = Stimulus(
         channels=channels,
         samples=own_samples,
@@ -474,10 +480,14 @@ def _samples_of(
     own_rate_hz: float,
     rate_hz: float,
     lead: int,
+    tail: int,
     progress: Progress,
     stop: Stop,
 ) -> tuple[Floats, Floats]:
-    """Return samples at the own rate from time 0 on, and at ``rate_hz`` from ``lead`` before it."""
+    """Return samples at the own rate from time 0 on, and at ``rate_hz`` from ``lead`` before it.
+
+    Both go on for ``tail`` samples of the own rate.
+    """
     ratio = Fraction(rate_hz) / Fraction(own_rate_hz)
     rows = {id: row for row, channel in enumerate(channels) for id in channel.inputs}
     pieces: list[tuple[int, int, float, Floats]] = []
@@ -494,7 +504,7 @@ def _samples_of(
     # Samples of both rates coincide at time 0, so that the lead is a whole number of both.
     steps = -(-lead // ratio.numerator)
     before, surplus = steps * ratio.denominator, steps * ratio.numerator - lead
-    n += before
+    n += before + tail
     _check_length(len(channels), -(-n * ratio.numerator // ratio.denominator), rate_hz)
     total = np.zeros((len(channels), n))
     for row, start, factor, samples in pieces:

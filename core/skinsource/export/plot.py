@@ -389,7 +389,7 @@ def draw_map(
     _hatch(ax, limb.output_positions_mm, levels.noisy, reach_mm, outline)
     _mark(ax, limb.input_positions_mm, levels.places, "input")
     _mark(ax, limb.output_positions_mm, outputs, "output")
-    low, high = _bounds(limb, part)
+    low, high = bounds_of(limb, part)
     ax.set_xlim(low[0] - 4.0, high[0] + 4.0)
     ax.set_ylim(low[1] - (4.0 if bar == "none" else _BELOW_MM), high[1] + 4.0)
     ax.set_aspect("equal")
@@ -444,7 +444,7 @@ def _hatch(
     strokes.set_clip_path(outline)
 
 
-def _bounds(limb: Limb, part: Part) -> tuple[Floats, Floats]:
+def bounds_of(limb: Limb, part: Part) -> tuple[Floats, Floats]:
     """Return the lower left and upper right corner of a part of the limb, mm."""
     outline = limb.map.outline * (limb.hand_length_mm / limb.map.hand_length_px)
     if part == "hand":

@@ -4,12 +4,13 @@ Rows that do not apply to the chosen format, rig or actuator are hidden.
 """
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 from PySide6 import QtWidgets
-from PySide6.QtCore import QObject, QSignalBlocker, Signal
+from PySide6.QtCore import QObject, QSignalBlocker, Qt, Signal
 
 from skinsource.actuators.actuation import Actuation, ActuatorAt
 from skinsource.actuators.catalog import load, names, profile
@@ -35,7 +36,7 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.rig_field import RigField
-from skinsource_gui.qt.buttons import page_label
+from skinsource_gui.qt.buttons import page_label, tool_button
 from skinsource_gui.qt.tooltips import tooltip
 
 
@@ -102,6 +103,7 @@ LEAD_IN = NumberSpec(
     step=0.05,
     hint="Silence before the stimulus, in which it may ring",
 )
+TAIL = replace(LEAD_IN, label="Tail", hint="Silence after the stimulus, in which it may ring")
 SCALE = ChoiceSpec(
     label="Full scale",
     options=(("largest", "Largest sample"), ("own", "A drive of…")),
@@ -130,12 +132,12 @@ LONGEST_FADE_S = 10.0
 
 def part_spec(view: View) -> ChoiceSpec:
     """Return the choice of tracks and clips."""
-    options = [("all", "All that is heard")]
+    options = [("all", "All unmuted")]
     if view.selected_inputs:
         options.append(("tracks", "Selected tracks"))
     if view.selected_clips:
         options.append(("clips", "Selected clips"))
-    return ChoiceSpec(label="Plays", options=tuple(options), hint="What takes part")
+    return ChoiceSpec(label="Tracks", options=tuple(options), hint="Which of them are written")
 
 
 def time_spec(design: Design) -> ChoiceSpec:
@@ -274,15 +276,18 @@ _MAP_HINT = (
 _BOX_HINTS = {
     "sync": "A last channel with a pulse at full scale where the design begins",
     "dither": "Noise of one step before rounding, so that the error does not follow the signal",
+    "advanced": "Channels, fades, lead-in, full scale, and more of the format",
 }
 #: Names of the rows; choices of a format follow what it is about.
 _ROWS = (
-    "format", "about", "rate", "other_rate", "plays", "channels", "map", "time", "from", "to",
-    "fade_in", "fade_out", "lead_in", "rig", "actuator", "equaliser", "scale", "full_scale",
-    "sync", "dither",
+    "format", "about", "rate", "other_rate", "plays", "actuator", "equaliser", "rig", "time",
+    "from", "to", "advanced", "channels", "map", "fade_in", "fade_out", "lead_in", "tail", "scale",
+    "full_scale", "sync", "dither",
 )  # fmt: skip
+#: Rows that fold away, as all choices of a format but the first do.
+_ADVANCED = frozenset(_ROWS[_ROWS.index("advanced") + 1 :])
 #: Rows that go on with the one before.
-_CONTINUED = ("other_rate", "full_scale")
+_CONTINUED = ("other_rate", "full_scale", "advanced")
 
 
 class StimulusForm(QtWidgets.QWidget):
@@ -304,6 +309,8 @@ class StimulusForm(QtWidgets.QWidget):
         self._design, self._view = design, view
         self._about = page_label("stimulus_format_hint", tone="dim")
         self._choices: dict[str, ChoiceField] = {}
+        #: Numbers that were typed; a silence that was not follows the equaliser.
+        self.typed: set[str] = set()
         self._fields = {
             "format": ChoiceField(FORMAT),
             "rate": ChoiceField(RATE),
@@ -320,6 +327,7 @@ class StimulusForm(QtWidgets.QWidget):
             "fade_in": NumberField(time_number("Fade in", LONGEST_FADE_S)),
             "fade_out": NumberField(time_number("Fade out", LONGEST_FADE_S)),
             "lead_in": NumberField(LEAD_IN),
+            "tail": NumberField(TAIL),
             "full_scale": NumberField(scale_number(drive_unit(design))),
         }
         for name, value in (("to", longest_s), ("other_rate", 48_000), ("full_scale", 1.0)):
@@ -327,12 +335,15 @@ class StimulusForm(QtWidgets.QWidget):
         self.rigs = RigFields(design, self)
         self._map = QtWidgets.QLineEdit()
         self._map.setAccessibleName("Channel map")
-        self._map.setPlaceholderText("as they are")
+        self._map.setPlaceholderText("in their order")
         self._map.setToolTip(tooltip("Channel map", _MAP_HINT))
-        self._boxes = {
+        self._boxes: dict[str, Any] = {
             "sync": QtWidgets.QCheckBox("Sync channel"),
             "dither": QtWidgets.QCheckBox("Dither"),
+            "advanced": tool_button(None, "", "Advanced", checkable=True),
         }
+        self._boxes["advanced"].setAccessibleName("Advanced")
+        self._boxes["advanced"].setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         for name, box in self._boxes.items():
             box.setToolTip(_BOX_HINTS[name])
         self._form = QtWidgets.QFormLayout(self)
@@ -360,6 +371,12 @@ class StimulusForm(QtWidgets.QWidget):
         rows |= {"actuator": rigs.actuator_field, "equaliser": rigs.equaliser_field}
         return {**rows, **self._fields, **self._numbers, **self._choices, **self._boxes}[name]
 
+    def show_silence(self, lead_in_s: float, tail_s: float) -> None:
+        """Show how long the silences are that follow the equaliser."""
+        for name, length_s in (("lead_in", lead_in_s), ("tail", tail_s)):
+            if name not in self.typed:
+                self._numbers[name].set_value(length_s)
+
     def emit_order(self) -> None:
         """Emit the order that the fields make, or why they make none."""
         self._show_rows()
@@ -376,13 +393,14 @@ class StimulusForm(QtWidgets.QWidget):
                 field.edited.connect(self.show_format)
             else:
                 field.edited.connect(self.emit_order)
-        for number in self._numbers.values():
+        for name, number in self._numbers.items():
+            number.edited.connect(partial(self._note_typed, name))
             number.edited.connect(self.emit_order)
         self.rigs.changed.connect(self.emit_order)
         self.rigs.refused.connect(self.refused)
         self._map.textChanged.connect(self.emit_order)
-        for box in self._boxes.values():
-            box.toggled.connect(self.emit_order)
+        for name, box in self._boxes.items():
+            box.toggled.connect(self._show_rows if name == "advanced" else self.emit_order)
 
     def show_format(self) -> None:
         """Show the choices of the format, and its usual rate."""
@@ -406,10 +424,13 @@ class StimulusForm(QtWidgets.QWidget):
         self._about.setText(f"{format.hint}.")
         self.emit_order()
 
+    def _note_typed(self, name: str, *_: object) -> None:
+        self.typed.add(name)
+
     def _show_rows(self) -> None:
         format, fields, rigs = self.format, self._fields, self.rigs
         own_part = fields["time"].value == "part"
-        for name, visible in {
+        visible = {
             "rate": not format.fixed_rate,
             "other_rate": not format.fixed_rate and fields["rate"].value == OTHER,
             "plays": fields["plays"].count() > 1,
@@ -421,8 +442,15 @@ class StimulusForm(QtWidgets.QWidget):
             "scale": not self._scale_is_known,
             "full_scale": self._own_scale,
             "dither": format.rounds(self.chosen),
-        }.items():
-            self._form.setRowVisible(self.field(name), visible)
+        }
+        unfolded = self._boxes["advanced"].isChecked()
+        arrow = Qt.ArrowType.DownArrow if unfolded else Qt.ArrowType.RightArrow
+        self._boxes["advanced"].setArrowType(arrow)
+        folding = {*_ADVANCED, *list(self._choices)[1:]}
+        for name in (*_ROWS, *self._choices):
+            if name != "about":
+                shown = visible.get(name, True) and (unfolded or name not in folding)
+                self._form.setRowVisible(self.field(name), shown)
         unit = drive_unit(self._design) if self.rigs.equaliser is None else "V"
         self._numbers["full_scale"].set_spec(scale_number(unit))
 
@@ -450,7 +478,8 @@ class StimulusForm(QtWidgets.QWidget):
             to_s=to_s,
             fade_in_s=numbers["fade_in"].value_si,
             fade_out_s=numbers["fade_out"].value_si,
-            lead_in_s=numbers["lead_in"].value_si,
+            lead_in_s=self._silence("lead_in"),
+            tail_s=self._silence("tail"),
             sync=self._boxes["sync"].isChecked(),
             channel_map=() if channels == "files" else channel_map_of(self._map.text()),
             full_scale=numbers["full_scale"].value_si if self._own_scale else None,
@@ -467,6 +496,9 @@ class StimulusForm(QtWidgets.QWidget):
             rig=self.rigs.rig,
             equaliser=self.rigs.equaliser,
         )
+
+    def _silence(self, name: str) -> float | None:
+        return self._numbers[name].value_si if name in self.typed else None
 
     @property
     def _own_scale(self) -> bool:
@@ -497,14 +529,15 @@ def channel_map_of(text: str) -> tuple[int, ...]:
 # Fields that are remembered; times, drives, channel maps and what is equalised for belong to a
 # design.
 _LISTS = ("format", "rate", "channels")
-_NUMBERS = ("other_rate", "fade_in", "fade_out", "lead_in")
-_BOXES = ("sync", "dither")
+_NUMBERS, _SILENCES = ("other_rate", "fade_in", "fade_out"), ("lead_in", "tail")
+_BOXES = ("sync", "dither", "advanced")
 _MOST_CHARACTERS = 10_000
 
 
 def remembered(form: StimulusForm) -> str:
     """Return the settings of ``form``, as JSON."""
-    settings = {name: _value(form.field(name)) for name in (*_LISTS, *_NUMBERS, *_BOXES)}
+    typed = [name for name in _SILENCES if name in form.typed]
+    settings = {name: _value(form.field(name)) for name in (*_LISTS, *_NUMBERS, *typed, *_BOXES)}
     settings["choices"] = form.chosen
     return json.dumps(settings)
 
@@ -521,7 +554,9 @@ def recall(form: StimulusForm, text: str) -> None:
     for name, value in choices.items() if isinstance(choices, dict) else ():
         if name in form.chosen:
             _put(form.field(name), value)
-    for name in (*_LISTS[1:], *_NUMBERS, *_BOXES):
+    silences = [name for name in _SILENCES if settings.get(name)]
+    form.typed.update(silences)
+    for name in (*_LISTS[1:], *_NUMBERS, *silences, *_BOXES):
         _put(form.field(name), settings.get(name))
 
 
@@ -539,7 +574,7 @@ def _value(widget: QtWidgets.QWidget) -> Any:
         return widget.value
     if isinstance(widget, NumberField):
         return widget.value_si
-    return isinstance(widget, QtWidgets.QCheckBox) and widget.isChecked()
+    return isinstance(widget, QtWidgets.QAbstractButton) and widget.isChecked()
 
 
 def _put(widget: QtWidgets.QWidget, value: Any) -> None:
@@ -552,5 +587,5 @@ def _put(widget: QtWidgets.QWidget, value: Any) -> None:
                 spec = widget.spec
                 if spec.minimum <= value <= spec.maximum:
                     widget.set_value(value)
-        elif isinstance(widget, QtWidgets.QCheckBox) and isinstance(value, bool):
+        elif isinstance(widget, QtWidgets.QAbstractButton) and isinstance(value, bool):
             widget.setChecked(value)

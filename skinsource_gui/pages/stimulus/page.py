@@ -4,12 +4,15 @@ A worker prepares the stimulus that the form orders; the page shows its channels
 and the samples that would clip, and what the export loses.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
 from functools import partial
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QLineF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QLineF, QRectF, QSize, Qt
 
 from skinsource.actuators.rigs import UNCALIBRATED
 from skinsource.base.arrays import Floats
@@ -17,16 +20,18 @@ from skinsource.base.errors import Stopped
 from skinsource.base.quoting import sentence
 from skinsource.base.work import counted
 from skinsource.design.design import Design
-from skinsource.design.motions import ms_text
 from skinsource.design.view import View
 from skinsource.export.formats.format import ChannelOverview
+from skinsource.export.methods import methods_of
+from skinsource.export.stimulus_export.export import write_prepared, written_files
 from skinsource.export.stimulus_export.preparing import PreparedStimulus, prepare_stimulus
-from skinsource_gui.pages.page import ToolPage
+from skinsource_gui.pages.files.export_parts import FIELDS_PX, ExportPart
+from skinsource_gui.pages.files.exports import STIMULUS
 from skinsource_gui.pages.stimulus.form import Order, StimulusForm, recall, remembered
-from skinsource_gui.qt.buttons import scrolled
+from skinsource_gui.qt.buttons import page_button, page_label, scrolled
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.overlays import PALE, Staleness
-from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone, tabular
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
 from skinsource_gui.state.worker import Worker, fault_text
 
 _ROW_PX, _GAP_PX = 58, 6
@@ -156,29 +161,20 @@ def channel_lines(overview: ChannelOverview) -> list[str]:
     return lines
 
 
-_BAR_PX = 96
-
-
-class PreparingRow(QtWidgets.QWidget):
-    """Shows a label and a bar while a stimulus is computed.
+class PreparingBar(QtWidgets.QProgressBar):
+    """Shows how much of a stimulus is computed.
 
     It appears with a delay, so that it does not flicker during short computations.
     """
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("stimulus_preparing")
-        self._label = QtWidgets.QLabel()
-        self._label.setObjectName("stimulus_computing")
-        self._label.setFont(tabular(self.font()))
-        self._bar = QtWidgets.QProgressBar()
-        self._bar.setObjectName("stimulus_progress")
-        self._bar.setAccessibleName("Progress")
-        self._bar.setTextVisible(False)
-        self._bar.setFixedSize(_BAR_PX, UNIT_PX)
-        in_row(self._label, self._bar, None, of=self, margins=0, gap_px=UNIT_PX)
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("stimulus_progress")
+        self.setAccessibleName("Progress")
+        self.setFormat("Computing… %p %")
+        self.setFixedWidth(_TEXT_PX)
         policy = self.sizePolicy()
-        # The buttons next to it stay where they are.
+        # The button next to it stays where it is.
         policy.setRetainSizeWhenHidden(True)
         self.setSizePolicy(policy)
         self.staleness = Staleness(self)
@@ -197,20 +193,15 @@ class PreparingRow(QtWidgets.QWidget):
 
     def show_progress(self, done: int, total: int) -> None:
         """Show how much of the total is done; a total of 0: not known."""
-        # A bar whose total is not known looks full.
-        self._bar.setVisible(bool(total))
-        self._bar.setMaximum(max(total, 1))
-        self._bar.setValue(done)
-        percent = f" {100 * done // total} %" if total else ""
-        self._label.setText(f"Computing\u2026{percent}")
+        self.setMaximum(max(total, 1))
+        self.setValue(done)
 
 
-_LEFT_PX = 300
 #: Of the worker's tasks: only the newest order is prepared.
 _ORDER = "order"
 
 
-class StimulusPage(ToolPage):
+class StimulusPart(ExportPart):
     """Shows the channels as they will be written, and asks for format and options.
 
     Parameters
@@ -218,104 +209,104 @@ class StimulusPage(ToolPage):
     design, view
         The design that is exported, and what is selected in it.
     last_settings
-        Settings of the last export, as ``chosen`` emitted them.
+        Settings of the last export.
+    stem
+        Begin of the suggested name.
     """
-
-    #: The `PreparedStimulus`; whether clipping was confirmed; settings to remember.
-    chosen = Signal(object, bool, str)
 
     def __init__(
         self,
         design: Design,
         view: View,
-        parent: QtWidgets.QWidget | None = None,
         last_settings: str = "",
+        stem: str = "stimulus",
     ) -> None:
-        super().__init__(parent, "stimulus_page", "Export stimulus", (960, 680))
+        super().__init__(STIMULUS)
         self._colours = {track.id: track.colour for track in design.inputs}
         self._ordered: Order | None = None
         #: What is shown, and would be written; None while it is prepared.
         self.prepared: PreparedStimulus | None = None
         self.form = StimulusForm(design, view)
         self.channels = ChannelsView()
-        self._summary, self._loses, self._problem = (
-            QtWidgets.QLabel(),
-            QtWidgets.QLabel(),
-            QtWidgets.QLabel(),
-        )
-        self._preparing = PreparingRow()
+        self._notes = page_label("stimulus_loses", tone="dim")
+        self._notes.setTextFormat(Qt.TextFormat.PlainText)
+        self._preparing = PreparingBar()
         self._confirm = QtWidgets.QCheckBox("Write it all the same")
-        self._buttons = QtWidgets.QDialogButtonBox(
-            QtWidgets.QDialogButtonBox.StandardButton.Ok
-            | QtWidgets.QDialogButtonBox.StandardButton.Cancel
-        )
-        self._name_parts()
+        self._confirm.setObjectName("stimulus_confirm")
+        self._confirm.hide()
+        self._copy = page_button("stimulus_copy_methods", "", "Text for the methods of a paper")
+        self._copy.clicked.connect(self._copy_methods)
         self._lay_out()
-        self._design, self._worker = design, Worker("skinsource-stimulus", self)
-        self._connect()
+        self._design, self._view, self._stem = design, view, stem
+        self._worker = Worker("skinsource-stimulus", self)
+        self.form.changed.connect(self._order)
+        self.form.refused.connect(self._show_refused)
+        self._confirm.toggled.connect(self._show_readiness)
         recall(self.form, last_settings)
+        self.setFocusProxy(self.form.field("format"))
         self.form.emit_order()
+
+    @property
+    def name(self) -> str:
+        return STIMULUS
+
+    @property
+    def settings(self) -> str:
+        """Settings to remember for the next export."""
+        return remembered(self.form)
+
+    @property
+    def wired(self) -> dict[str, Any]:
+        """Channels, rig and actuators, as `skinsource.export_wiring` takes them."""
+        order = self._ordered
+        if order is None:
+            return {}
+        options = replace(order.options, choices={})
+        return {"options": options, "rig": order.rig or "none", "actuation": order.actuation}
 
     @property
     def busy(self) -> bool:
         """Whether the order that is prepared is not shown yet."""
         return self._ordered is not None and self.prepared is None
 
-    @property
-    def ready(self) -> bool:
-        """Whether the stimulus that is shown can be written."""
-        return self._export_button.isEnabled()
+    def suggestion(self) -> tuple[str, str, tuple[str, ...], str]:
+        kind = self.form.format
+        title = "Folder" if kind.folder else kind.title
+        kinds = f"{title} (*{kind.suffix})" if kind.suffix else "All files (*)"
+        return f"{self._stem}{kind.suffix}", kinds, (), kind.suffix
 
-    def done(self, result: int) -> None:
-        """Close the page, with or without an export."""
-        prepared, confirmed = self.prepared, self._confirm.isChecked()
-        settings = remembered(self.form)
-        # The page closes before the worker, which may take time to stop.
-        super().done(result)
+    def files(self, path: Path) -> Iterable[tuple[Path, ...]]:
+        return () if self.prepared is None else written_files(self.prepared, path)
+
+    def writer(self, path: Path) -> Callable[..., Any]:
+        return partial(_write, self.prepared, path, self._confirm.isChecked())
+
+    def close_worker(self) -> None:
         self._worker.close()
-        if result == QtWidgets.QDialog.DialogCode.Accepted and prepared is not None:
-            self.chosen.emit(prepared, confirmed, settings)
-
-    def _name_parts(self) -> None:
-        self._export_button = self._buttons.button(QtWidgets.QDialogButtonBox.StandardButton.Ok)
-        self._export_button.setText("Export…")
-        self._export_button.setObjectName("stimulus_export")
-        self._export_button.setEnabled(False)
-        for label, name, tone in (
-            (self._summary, "stimulus_summary", ""),
-            (self._loses, "stimulus_loses", "dim"),
-            (self._problem, "stimulus_problem", "error"),
-        ):
-            label.setObjectName(name)
-            label.setWordWrap(True)
-            label.setTextFormat(Qt.TextFormat.PlainText)
-            set_tone(label, tone)
-        self._confirm.setObjectName("stimulus_confirm")
-        self._confirm.hide()
-        self._problem.hide()
 
     def _lay_out(self) -> None:
         left = scrolled(self.form, "stimulus_fields")
-        left.setFixedWidth(_LEFT_PX)
+        left.setFixedWidth(FIELDS_PX)
         left.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         pictures = scrolled(self.channels, "stimulus_scroll")
         pictures.setAccessibleName("Channels; arrow keys scroll")
-        right = in_column(
-            (pictures, 1), self._summary, self._loses, self._problem, self._confirm, gap_px=UNIT_PX
-        )
-        columns = in_row(left, (right, 1), gap_px=2 * UNIT_PX)
-        foot = QtWidgets.QHBoxLayout()
-        foot.addSpacing(_LEFT_PX + columns.spacing())
-        foot.addWidget(self._preparing, 1)
-        foot.addWidget(self._buttons)
-        in_column((columns, 1), foot, of=self)
+        columns = in_row(left, (pictures, 1), gap_px=2 * UNIT_PX)
+        foot = in_row(self._preparing, None, self._copy)
+        below = self._summary, self._notes, self._problem, self._confirm, foot
+        in_column((columns, 1), *below, of=self, margins=0, gap_px=UNIT_PX)
 
-    def _connect(self) -> None:
-        self.form.changed.connect(self._order)
-        self.form.refused.connect(self._show_refused)
-        self._confirm.toggled.connect(self._show_button)
-        self._buttons.accepted.connect(self.accept)
-        self._buttons.rejected.connect(self.reject)
+    def _copy_methods(self) -> None:
+        """Put the methods text on the clipboard, once it is computed."""
+        if self.prepared is not None:
+            work = partial(methods_of, self._design, self._view, self.prepared)
+            self._worker.run(work, self._put_on_clipboard)
+
+    def _put_on_clipboard(self, text: str | None, error: Exception | None) -> None:
+        if error is not None or text is None:
+            self._show_refused(fault_text(error) if error else "")
+            return
+        QtGui.QGuiApplication.clipboard().setText(text)
+        self._copy.setText("Methods text copied")
 
     def _order(self, order: Order) -> None:
         self._ordered, self.prepared = order, None
@@ -323,7 +314,7 @@ class StimulusPage(ToolPage):
         self._confirm.setChecked(False)
         self._set_pale(True)
         self._preparing.begin()
-        self._export_button.setEnabled(False)
+        self._show_readiness()
         self._worker.run_newest(
             _ORDER, partial(self._prepare, order), partial(self._receive, order)
         )
@@ -359,11 +350,11 @@ class StimulusPage(ToolPage):
         self._preparing.end()
         self._set_pale(False)
         self.channels.show_channels(prepared.channels, self._colours)
-        self._summary.setText(summary_of(prepared))
         notes = prepared.edges, prepared.loses, calibration_of(prepared)
-        self._loses.setText(" ".join(filter(None, notes)))
+        self._notes.setText(" ".join(filter(None, notes)))
+        self.form.show_silence(prepared.lead_in_s, prepared.tail_s)
         objections = " ".join(filter(None, (prepared.advice_on_loss, *prepared.objections)))
-        self._show_problem(objections, ask=bool(objections))
+        self._show(sentence(prepared.summary), objections, ask=bool(objections))
 
     def _show_progress(self, order: Order, done: int, total: int) -> None:
         if order is self._ordered:
@@ -372,7 +363,7 @@ class StimulusPage(ToolPage):
     def _set_pale(self, pale: bool) -> None:
         """Show channels and texts pale where they are out of date."""
         self.channels.set_pale(pale)
-        for label in (self._summary, self._loses, self._problem):
+        for label in (self._summary, self._notes, self._problem):
             effect = label.graphicsEffect()
             if not isinstance(effect, QtWidgets.QGraphicsOpacityEffect):
                 effect = QtWidgets.QGraphicsOpacityEffect(label, opacity=PALE)
@@ -384,63 +375,30 @@ class StimulusPage(ToolPage):
         self._preparing.end()
         self._set_pale(False)
         self.channels.show_channels((), {})
-        self._summary.setText("")
-        self._loses.setText("")
-        self._show_problem(sentence(reason), ask=False)
+        self._notes.setText("")
+        self._show("", sentence(reason), ask=False)
 
-    def _show_problem(self, text: str, *, ask: bool) -> None:
-        self._problem.setText(text)
-        self._problem.setVisible(bool(text))
+    def _show(self, summary: str, problem: str, *, ask: bool) -> None:
+        self._say(summary, problem)
         self._confirm.setVisible(ask)
-        self._show_button()
+        self._show_readiness()
 
-    def _show_button(self) -> None:
-        may_export = self._confirm.isHidden() or self._confirm.isChecked()
-        self._export_button.setEnabled(self.prepared is not None and may_export)
-        self._export_button.setDefault(self._export_button.isEnabled())
+    def _show_readiness(self) -> None:
+        confirmed = self._confirm.isHidden() or self._confirm.isChecked()
+        self.ready = self.prepared is not None and confirmed
+        self._copy.setEnabled(self.prepared is not None)
+        self._copy.setText("Copy methods text")
+        self.changed.emit()
 
 
-def summary_of(prepared: PreparedStimulus) -> str:
-    """Return how much will be written, what full scale means, and how it is equalised."""
-    file, n_files = prepared.files[0], len(prepared.files)
-    many = "" if n_files == 1 else f" in {n_files} files"
-    rate = f"{file.stimulus.sample_rate_hz:,g}".replace(",", " ")
-    unit = "" if file.stimulus.unit == "1" else f" {file.stimulus.unit}"
-    # Without a rig, it is not known that the device gives the volts that the actuators need.
-    verb = "shall be" if _lacks_rig(prepared) else "is"
-    size = sentence(
-        f"{counted(len(prepared.channels), 'channel')}{many}, "
-        f"{duration_text(file.stimulus.duration_s)} at {rate} Hz, about "
-        f"{size_text(prepared.n_bytes)}. Full scale {verb} {file.full_scale:.4g}{unit}"
-    )
-    return f"{size} {sentence(prepared.equalised)}"
+def _write(prepared: Any, path: Path, confirmed: bool, *, largest_error: float, **job: Any) -> Path:
+    """Write what was shown; return the first of its files."""
+    del largest_error  # drives are sampled, not predicted
+    return write_prepared(prepared, path, confirmed=confirmed, **job).files[0]
 
 
 def calibration_of(prepared: PreparedStimulus) -> str:
     """Return a sentence on whether accelerations follow from the samples."""
-    if _lacks_rig(prepared):
-        return (
-            "Uncalibrated: no rig says how many volts output and amplifier give. Choose one, or "
-            "set the amplifier so that full scale is as many."
-        )
+    if prepared.calibration == UNCALIBRATED:
+        return "Uncalibrated: choose a rig to know the volts at full scale."
     return sentence(f"{prepared.calibration[:1].upper()}{prepared.calibration[1:]}")
-
-
-def _lacks_rig(prepared: PreparedStimulus) -> bool:
-    """Return whether the actuators need known volts, and no rig states those of the device."""
-    return prepared.files[0].stimulus.unit == "V" and prepared.calibration == UNCALIBRATED
-
-
-def duration_text(time_s: float) -> str:
-    """Return a duration as text, in ms below a second."""
-    if time_s < 1e-3:
-        return f"{1e3 * time_s:.2g} ms"
-    return ms_text(time_s) if time_s < 1.0 else f"{time_s:.4g} s"
-
-
-def size_text(n_bytes: int) -> str:
-    """Return a number of bytes as text."""
-    for factor, unit in ((1e9, "GB"), (1e6, "MB"), (1e3, "kB")):
-        if n_bytes >= factor:
-            return f"{n_bytes / factor:.3g} {unit}"
-    return f"{n_bytes} bytes"

@@ -44,7 +44,14 @@ from skinsource_gui.panels.skin.settings import (
     Z,
 )
 from skinsource_gui.panels.skin.time import PACES, slow_down_factor
-from skinsource_gui.plots.pictures import PER_INCH, PictureOptions, Remark, caption_of, with_caption
+from skinsource_gui.plots.pictures import (
+    OWN,
+    PER_INCH,
+    PictureOptions,
+    Remark,
+    caption_of,
+    with_caption,
+)
 from skinsource_gui.qt.theme import Theme
 from skinsource_gui.qt.wheel import WHOLE
 
@@ -175,7 +182,8 @@ class FilmOptions(PictureOptions):
 
     @property
     def unused(self) -> frozenset[str]:
-        return frozenset() if self.quantity == RMS else frozenset({"rms_window_s"})
+        sides = {"width_px", "height_px"} if self.layout != OWN else set()
+        return frozenset(sides if self.quantity == RMS else {*sides, "rms_window_s"})
 
     @property
     def frames_per_s(self) -> int:
@@ -369,6 +377,24 @@ def export_animation(
         for number in range(film.count):
             add(camera.frame(film, number))
             progress(number + 1, film.count, "Drawing frames")
+
+
+def film_picture(
+    design: Design, view: View, *, options: FilmOptions, seen: VisiblePart = ALL, stop: Stop = never
+) -> QtGui.QImage:
+    """Return the frame of a film in which the clips are half over; see `export_animation`."""
+    view = options.view_of(view)
+    settings, limb = settings_of(view, SKIN, SkinSettings), facts_of(design.limb)
+    exported = ExportedDesign(design, view, stop=stop)
+    camera = _Camera(exported, settings, options, options.part_of(seen))
+    film = film_of(view, settings, camera.end_s, options.frames_per_s, limb)
+    middle_s = sum(_moves_s(design)) / 2.0
+    middle_s += 0.0 if view.delay_removed else limb.pre_trigger_delay_s
+    number = round((middle_s - film.begin_s) * film.frames_per_s * film.slow_motion)
+    frame = np.ascontiguousarray(camera.frame(film, min(max(number, 0), film.count - 1)))
+    height, width, _ = frame.shape
+    pixels = QtGui.QImage(frame.data, width, height, 3 * width, QtGui.QImage.Format.Format_RGB888)
+    return pixels.copy()
 
 
 def _usual_size() -> PictureOptions:

@@ -8,14 +8,16 @@ from dataclasses import replace
 from skinsource_gui.qt.keys import SHORTCUTS
 from skinsource_gui.shell.actions.clip_menu import CLIP
 from skinsource_gui.shell.actions.edit_menu import EDIT
-from skinsource_gui.shell.actions.file_menu import FILE
+from skinsource_gui.shell.actions.file_menu import EXPORT_ENTRIES, FILE
 from skinsource_gui.shell.actions.help_menu import HELP
 from skinsource_gui.shell.actions.play_menu import PLAY
 from skinsource_gui.shell.actions.spec import ActionSpec
 from skinsource_gui.shell.actions.view_menu import VIEW
 
 MENUS = {"File": FILE, "Edit": EDIT, "Clip": CLIP, "View": VIEW, "Play": PLAY, "Help": HELP}
-ACTIONS: tuple[ActionSpec, ...] = tuple(
-    replace(spec, menu=title) for title, specs in MENUS.items() for spec in specs
+#: Those without a menu are found by the palette and by their keys.
+ACTIONS: tuple[ActionSpec, ...] = (
+    *(replace(spec, menu=title) for title, specs in MENUS.items() for spec in specs),
+    *EXPORT_ENTRIES,
 )
 SHORTCUTS.update({spec.name: spec.keys for spec in ACTIONS})

@@ -1,14 +1,7 @@
 """The entries of the File menu."""
 
-from skinsource.design.design import Design, audible_inputs
-from skinsource.design.view import View
 from skinsource_gui.pages.files.exports import EXPORTS
 from skinsource_gui.shell.actions.spec import ActionSpec, action
-
-
-def _has_audible_inputs(design: Design, view: View) -> bool:
-    return bool(audible_inputs(design.inputs))
-
 
 FILE: tuple[ActionSpec, ...] = (
     action(
@@ -81,27 +74,13 @@ FILE: tuple[ActionSpec, ...] = (
         keywords="copy rename",
     ),
     action(
-        "export_stimulus",
-        "Export stimulus…",
-        "Write what the actuators get: WAV, FLAC, CSV, MATLAB, C and others",
-        "Ctrl+Alt+E",
-        command="stimuli.show",
-        keywords="save write drive wav flac csv npz mat hdf5 header bids sound play actuator",
-        enabled=_has_audible_inputs,
+        "export",
+        "Export…",
+        "Write stimulus, pictures, films, tables, data or the whole project",
+        "Ctrl+E",
+        command="exports.show",
+        keywords="save write wav csv png pdf npz zip mp4 actuator",
         separated=True,
-    ),
-    *(
-        ActionSpec(
-            name=f"export_{export.name}",
-            text=f"Export {export.title}",
-            hint=export.hint,
-            keys=export.keys,
-            keywords=f"save write {export.keywords}",
-            command="exports.export",
-            argument=export.name,
-            enabled=export.enabled,
-        )
-        for export in EXPORTS
     ),
     action(
         "cancel_job",
@@ -120,4 +99,18 @@ FILE: tuple[ActionSpec, ...] = (
         keywords="exit end leave",
         separated=True,
     ),
+)
+
+#: Each entry of the dialog, for the palette.
+EXPORT_ENTRIES = tuple(
+    ActionSpec(
+        name=f"export_{export.name}",
+        text=export.text,
+        hint=export.hint,
+        keys=export.keys,
+        keywords=f"save write {export.keywords}",
+        command="exports.show",
+        argument=export.name,
+    )
+    for export in EXPORTS
 )

@@ -25,7 +25,7 @@ class ActionSpec:
     text
         What the menu says.
     menu
-        Menu it stands in, which the table of menus says.
+        Menu it stands in, which the table of menus says; "" for the palette alone.
     submenu
         The one in that menu it stands in; in the menu itself where there is none.
     short

@@ -3,12 +3,17 @@
 import json
 import re
 import subprocess
+from contextlib import nullcontext
 
 import numpy as np
 import pytest
 
 import skinsource as ss
+from skinsource.actuators.equalising import RegularisedInverse
+from skinsource.base.errors import InvalidInputError
+from skinsource.export.formats import format_named
 from skinsource.export.formats.chips import envelope_of
+from skinsource.export.stimulus_export.preparing import prepare_stimulus
 from tests.core.exporting.export_bench import sidecar
 
 FLAGS = ("-Wall", "-Wextra", "-Werror", "-pedantic")
@@ -86,6 +91,45 @@ def test_drv2605l_gets_amplitudes_and_ends_off(tone, tmp_path, updates):
     assert ratio == pytest.approx(0.5, abs=0.03)
     assert values[round(0.55 * hz)] < 8
     assert "frequency and phase are the chip's" in sidecar(path)["loses"]
+
+
+def test_what_is_told_of_a_chip_is_what_it_is_sent(tone, tmp_path):
+    path = tmp_path / "a.h"
+    ready = prepare_stimulus(tone, format_named("drv2605l"), None, ss.StimulusOptions())
+    done = ss.export_stimulus(tone, path, "drv2605l")
+    (values,) = arrays_of(path)[0].values()
+    sent = ready.files[0].sent
+    assert ready.n_bytes == values.size == sidecar(path)["array_bytes"]
+    np.testing.assert_array_equal(np.round(127 * sent.samples[0]), values)
+    assert sent.sample_rate_hz == 200
+    (overview,) = ready.channels
+    assert overview.extremes.min() >= 0.0
+    assert done.summary.startswith("1 channel, 200 amplitudes a second, 805 ms, about 161 bytes, ")
+
+
+@pytest.mark.parametrize(
+    ("name", "actuator", "refused"),
+    [
+        ("drv2605l", "example-voice-coil", "sends only the amplitude"),
+        ("drv2605l", "example-piezo", "sends only the amplitude"),
+        ("haptic", "example-voice-coil", "sends only the amplitude"),
+        ("bos1901", "example-voice-coil", "drives a piezo .* made for 'x'"),
+        ("drv2665", "example-recoil", "drives a piezo .* made for 'x'"),
+        ("bos1901", "example-piezo", ""),
+        ("wav", "example-voice-coil", ""),
+    ],
+)
+def test_a_chip_takes_no_equaliser_that_was_made_for_another_kind(
+    tmp_path, name, actuator, refused
+):
+    gabor = ss.waveforms.Gabor(frequency_hz=200.0)
+    design = ss.Design(limb="synthetic-1", inputs=(ss.track(7, gabor),))
+    at = ss.ActuatorAt(actuator="x", model=ss.actuators.load(actuator))
+    call = {"actuation": ss.Actuation(actuators=(at,)), "equaliser": RegularisedInverse()}
+    expected = pytest.raises(InvalidInputError, match=refused) if refused else nullcontext()
+    with expected:
+        ss.export_stimulus(design, tmp_path / "a", name, **call)
+    assert bool(refused) != any(tmp_path.iterdir())
 
 
 def test_bos1901_gets_12_bits_that_begin_and_end_at_0_volts(design, tmp_path):

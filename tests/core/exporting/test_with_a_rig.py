@@ -72,7 +72,7 @@ def test_equalised_samples_are_the_volts_that_make_the_acceleration(design, rig,
     path = tmp_path / "a.wav"
     equaliser = RegularisedInverse(boost_db=60.0)
     done = ss.export_stimulus(
-        design, path, rate_hz=RATE_HZ, rig=rig, equaliser=equaliser, options=None
+        design, path, rate_hz=RATE_HZ, rig=rig, equaliser=equaliser, options=BARE
     )
     assert done.gain == 1.0
     # By hand: samples times volts of full scale, polarity, and m/s² for each volt.
@@ -183,7 +183,7 @@ def test_an_equaliser_may_ring_in_the_silence_before(design, rig, tmp_path):
     equaliser = RegularisedInverse()
     coil = ss.actuators.load("example-voice-coil")
     named = replace(rig, channels=(replace(rig.channels[0], measured=None, model=coil),))
-    options = ss.StimulusOptions(lead_in_s=0.25)
+    options = ss.StimulusOptions(lead_in_s=0.25, tail_s=0.0)
     ss.export_stimulus(
         early, path, rate_hz=RATE_HZ, rig=named, equaliser=equaliser, options=options
     )
@@ -195,9 +195,47 @@ def test_an_equaliser_may_ring_in_the_silence_before(design, rig, tmp_path):
     assert sidecar(path)["start_s"] == -0.25
 
 
+@pytest.mark.parametrize("phase", ["linear", "minimum"])
+@pytest.mark.parametrize("name", ss.actuators.names())
+def test_an_equaliser_has_all_the_silence_it_needs_unless_it_is_said(tmp_path, name, phase):
+    tone = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Tone(100.0)),))
+    actuator = ss.ActuatorAt(actuator=name, model=ss.actuators.load(name))
+    call = {"equaliser": RegularisedInverse(phase=phase), "rate_hz": 8000}
+    call["actuation"] = ss.Actuation(actuators=(actuator,))
+    done = ss.export_stimulus(tone, tmp_path / "a.wav", **call)
+    assert done.edges == ""
+    assert done.summary.endswith("lead-in 0.1 s, tail 0.1 s, as the equaliser needs")
+    about = sidecar(tmp_path / "a.wav")
+    assert (about["start_s"], about["lead_in_s"], about["tail_s"]) == (-0.1, 0.1, 0.1)
+    assert about["n_times"] == ss.stimulus_of(tone, 8000).n_times + 2 * 800
+    bare = ss.export_stimulus(tone, tmp_path / "b.wav", **call, options=BARE)
+    assert "lead-in" not in bare.summary
+    part = replace(BARE, lead_in_s=None, tail_s=None, from_s=0.05, to_s=0.1)
+    cut = ss.export_stimulus(tone, tmp_path / "c.wav", **call, options=part)
+    assert "lead-in" not in cut.summary
+
+
+def test_a_tail_keeps_what_rings_after_the_end(tmp_path):
+    early = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Impulse()),))
+    options = ss.StimulusOptions(lead_in_s=0.1)
+    assert (
+        "A tail of 0.1 s keeps it."
+        in ss.export_stimulus(early, tmp_path / "a.wav", rate_hz=8000, options=options).edges
+    )
+    whole = ss.export_stimulus(
+        early, tmp_path / "a.wav", rate_hz=8000, options=replace(options, tail_s=0.1)
+    )
+    assert whole.edges == ""
+    fade = replace(options, tail_s=0.1, fade_out_s=0.0005)
+    ss.export_stimulus(early, tmp_path / "b.wav", rate_hz=8000, options=fade)
+    # What was faded out is followed by silence.
+    assert not read(tmp_path / "b.wav")[0][-800:].any()
+
+
 COIL = ss.actuators.load("example-voice-coil")
 THROUGH = ss.Actuation(actuators=(ss.ActuatorAt(actuator="Coil, in air", model=COIL),))
 INVERSE = RegularisedInverse(boost_db=12.0)
+BARE = ss.StimulusOptions(lead_in_s=0.0, tail_s=0.0)
 
 
 @pytest.mark.parametrize(
@@ -212,8 +250,9 @@ INVERSE = RegularisedInverse(boost_db=12.0)
 def test_what_is_not_equalised_says_what_it_is(design, tmp_path, changes, message):
     path = tmp_path / "a.wav"
     exported = ss.export_stimulus(replace(design, **changes), path, actuation=THROUGH)
-    assert exported.equalised == sidecar(path)["equalised"] == f"Not equalised ({message})"
-    assert sidecar(path)["actuator"] is None
+    words = f"Not equalised ({message}), for Coil, in air"
+    assert exported.equalised == sidecar(path)["equalised"] == words
+    assert exported.summary.endswith(f"{words[0].lower()}{words[1:]}")
     if "scaling" in changes:
         call = {"actuation": THROUGH, "equaliser": INVERSE}
         with pytest.raises(InvalidInputError, match="scaling is upstream"):
@@ -225,7 +264,12 @@ def test_an_actuator_that_is_named_or_predicted_through_gets_its_volts(design, t
     path = tmp_path / "a.wav"
     shown = design if named else replace(design, actuation=replace(THROUGH, equaliser=INVERSE))
     exported = ss.export_stimulus(
-        shown, path, rate_hz=RATE_HZ, actuation=THROUGH if named else None, equaliser=INVERSE
+        shown,
+        path,
+        rate_hz=RATE_HZ,
+        actuation=THROUGH if named else None,
+        equaliser=INVERSE,
+        options=BARE,
     )
     drives = ss.stimulus_of(design, RATE_HZ).samples
     for row, drive in zip(read(path), drives, strict=True):
@@ -235,7 +279,7 @@ def test_an_actuator_that_is_named_or_predicted_through_gets_its_volts(design, t
     assert about["equalised"] == exported.equalised
     assert exported.equalised == "Equalised for Coil, in air (regularised inverse)"
     assert (about["unit"], about["calibration"][:12]) == ("V", "uncalibrated")
-    assert about["actuator"] == ["Coil, in air"] * 2
+    assert [actuator["name"] for actuator in about["actuator"]] == ["Coil, in air"]
     assert about["equaliser"]["boost_db"] == 12.0
     assert (about["predicted_through"] is None) == named
     # It is the design that was exported, not one with an actuator in it.
@@ -253,4 +297,5 @@ def test_a_rig_says_the_actuators_itself(design, rig, tmp_path):
             equaliser=INVERSE,
         )
         assert exported.equalised == f"Equalised for {title or 'the rig'} (regularised inverse)"
-        assert sidecar(tmp_path / "a.wav")["actuator"] == ["own", "own"]
+        said = sidecar(tmp_path / "a.wav")["actuator"]
+        assert [each["name"] for each in said] == ["own", "own"]

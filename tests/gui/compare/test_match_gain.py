@@ -19,6 +19,7 @@ from skinsource_gui.shell.status import MatchNote
 from skinsource_gui.state.playing import played_of
 from tests.gui.analysis.analysis_bench import analysis
 from tests.gui.compare.compare_bench import choose, levels, show_matched, shown_levels
+from tests.gui.exporting import export
 
 OTHER = Design(limb="synthetic-1", inputs=(track(3),))
 
@@ -116,10 +117,10 @@ def test_tables_hold_the_design_as_it_is_stored_and_say_so(
     window, settle, matched, tmp_path, monkeypatch, qtbot
 ):
     path = tmp_path / "levels.csv"
-    monkeypatch.setattr(window.files, "ask_where", lambda *_: path)
+    monkeypatch.setattr(window.files, "ask_where", lambda *_, **__: path)
     messages = []
     window.files.done.connect(messages.append)
-    window.exports.export("levels")
+    export(window, "levels")
     qtbot.waitUntil(lambda: bool(messages), timeout=20_000)
     assert messages[0].endswith("levels.csv; amplitudes are as stored, levels are not matched")
     lines = [line for line in path.read_text().splitlines() if not line.startswith("#")]

@@ -176,13 +176,13 @@ def test_pages_ask_for_drives_in_it(limbs, make_desk, qtbot, monkeypatch, limb, 
     cells = {cell.name: cell for cell in motion.motion_fields.cells}
     assert symbol_of(cells["amplitude"].field) == unit
     motion.reject()
-    desk.stimuli.show()
-    page = desk.stimuli.page
+    desk.exports.show("stimulus")
+    page = desk.exports.page.part
     qtbot.waitUntil(lambda: not page.busy, **WAIT)
     assert symbol_of(page.form._numbers["full_scale"]) == unit
     summary = page.findChild(QLabel, "stimulus_summary").text()
-    assert f"Full scale is 0.5 {unit}{'.' * (unit == 'm/s²')} Not equalised (raw " in summary
-    desk.stimuli.end()
+    assert f"full scale = 0.5 {unit}, not equalised (raw " in summary
+    desk.exports.end()
     desk.playback.matching.show()
     drive = desk.playback.matching.page.form.field("amplitude")
     assert symbol_of(drive) == unit

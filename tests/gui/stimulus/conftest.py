@@ -40,22 +40,23 @@ def window(open_window, design):
 def opened(actions, qtbot):
     """The page, once it shows what would be exported."""
     qtbot.waitExposed(actions.page)
-    qtbot.waitUntil(lambda: not actions.page.busy, timeout=WAIT_MS)
-    return actions.page
+    part = actions.page.part
+    qtbot.waitUntil(lambda: not part.busy, timeout=WAIT_MS)
+    return part
 
 
 @pytest.fixture
 def page(desk, qtbot):
-    desk.stimuli.show()
-    yield opened(desk.stimuli, qtbot)
-    desk.stimuli.end()
+    desk.exports.show("stimulus")
+    yield opened(desk.exports, qtbot)
+    desk.exports.end()
 
 
 @pytest.fixture
 def page_in_window(window, qtbot):
     window.do("export_stimulus")
-    yield opened(window.stimuli, qtbot)
-    window.stimuli.end()
+    yield opened(window.exports, qtbot)
+    window.exports.end()
 
 
 @pytest.fixture

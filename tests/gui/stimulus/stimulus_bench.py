@@ -1,4 +1,4 @@
-"""What tests do with the page of File > Export stimulus…."""
+"""What tests do with the page of File > Export…, Stimulus."""
 
 from PySide6.QtWidgets import QLabel, QPushButton
 
@@ -16,5 +16,5 @@ def choose(page, qtbot, name, option):
 
 
 def export(window, page, qtbot):
-    page.findChild(QPushButton, "stimulus_export").click()
+    page.window().findChild(QPushButton, "export_button").click()
     qtbot.waitUntil(lambda: not window.runner.busy, timeout=WAIT_MS)

@@ -19,12 +19,12 @@ def desk(make_desk):
 
 @pytest.fixture
 def low(desk, qtbot):
-    desk.stimuli.show()
-    page = opened(desk.stimuli, qtbot)
+    desk.exports.show("stimulus")
+    page = opened(desk.exports, qtbot)
     page.form.field("other_rate").set_value(1000)
     choose(page, qtbot, "rate", "other")
     yield page
-    desk.stimuli.end()
+    desk.exports.end()
 
 
 def test_a_lossy_rate_keeps_the_button_off_until_it_is_ticked(low, desk, qtbot, save_as):

@@ -7,9 +7,8 @@ import skinsource as ss
 from skinsource.design.view import View
 from skinsource_gui.pages.stimulus.form import StimulusForm, recall, remembered
 from skinsource_gui.pages.stimulus.page import (
-    StimulusPage,
+    StimulusPart,
     calibration_of,
-    summary_of,
 )
 
 WAIT = {"timeout": 30_000}
@@ -44,6 +43,7 @@ def test_the_next_page_exports_as_the_last_one_did(form, other):
     form.field("format").choose("flac")
     form.field("rate").choose("96000")
     form.field("lead_in").set_value(0.25)
+    form.field("lead_in").edited.emit(0.25, None)
     form.field("sync").setChecked(True)
     recall(other, remembered(form))
     assert orders(other) == orders(form)
@@ -64,14 +64,14 @@ def test_full_scale_in_volts_without_a_rig_is_what_shall_be(qtbot):
     design = ss.Design(
         limb="synthetic-1", inputs=DESIGN.inputs, actuation=ss.Actuation(actuators=(COIL,))
     )
-    page = StimulusPage(design, View())
+    page = StimulusPart(design, View())
     qtbot.addWidget(page)
     qtbot.waitUntil(lambda: page.ready and not page.busy, **WAIT)
     prepared = page.prepared
     assert prepared.drives.unit == "V"
-    assert "Full scale shall be" in summary_of(prepared)
-    assert "no rig says how many volts output and amplifier give" in calibration_of(prepared)
-    page.reject()
+    assert " V, not equalised (volts of the design), for coil" in prepared.summary
+    assert calibration_of(prepared).startswith("Uncalibrated: choose a rig")
+    page.close_worker()
 
 
 def test_a_design_that_is_predicted_through_an_equaliser_starts_with_that(qtbot):
@@ -83,6 +83,7 @@ def test_a_design_that_is_predicted_through_an_equaliser_starts_with_that(qtbot)
     assert form.field("equaliser").currentText() == "That of the design"
     assert orders(form).equaliser == equaliser
     # The rig that says full scale is missing, so the page asks for it.
+    form.field("advanced").click()
     assert not form.field("scale").isHidden()
 
 
@@ -91,12 +92,12 @@ def test_a_name_without_an_ending_gets_all_of_it_and_the_format_is_remembered(
 ):
     desk, name = make_desk(DESIGN), str(tmp_path / "x.tsv")
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (name, ""))
-    desk.stimuli.show()
-    page = desk.stimuli.page
+    desk.exports.show("stimulus")
+    page = desk.exports.page.part
     page.form.field("format").choose("bids")
     qtbot.waitUntil(lambda: page.ready and not page.busy, **WAIT)
-    page.accept()
+    page.window().chosen.emit()
     qtbot.waitUntil(lambda: (tmp_path / "x_stim.tsv.gz").exists(), **WAIT)
-    desk.stimuli.show()
-    assert desk.stimuli.page.form.field("format").value == "bids"
-    desk.stimuli.end()
+    desk.exports.show("stimulus")
+    assert desk.exports.page.part.form.field("format").value == "bids"
+    desk.exports.end()

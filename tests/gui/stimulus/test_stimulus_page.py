@@ -1,16 +1,17 @@
-"""File > Export stimulus…: seen first, then written."""
+"""File > Export…, Stimulus: seen first, then written."""
 
 import json
 
 import numpy as np
 import pytest
-from PySide6.QtWidgets import QFileDialog
+from PySide6.QtWidgets import QFileDialog, QPushButton
 
 import skinsource as ss
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
 from skinsource.export.formats import FORMATS
-from skinsource_gui.pages.stimulus.page import joined, size_text
+from skinsource.export.stimulus_export.preparing import size_text
+from skinsource_gui.pages.stimulus.page import joined
 from tests.gui.stimulus.stimulus_bench import WAIT_MS, choose, export, label
 
 
@@ -26,13 +27,16 @@ def test_it_shows_the_channels_as_they_will_be(page, design):
     assert "1  Place 7, Digit II, pad; peak" in page.channels.accessibleDescription()
     text = label(page, "summary")
     n_times = ss.stimulus_of(design, 48_000).n_times
-    assert text.startswith(f"2 channels, {1e3 * n_times / 48_000:.4g} ms at 48 000 Hz, about ")
+    assert text.startswith(f"2 channels, 48 kHz, {1e3 * n_times / 48_000:.4g} ms, about ")
     assert size_text(page.prepared.n_bytes) in text
+    assert text.endswith("m/s², not equalised (raw accelerations).")
     assert "Uncalibrated" in label(page, "loses")
 
 
 def test_only_rows_that_mean_something_are_shown(page, qtbot):
     form = page.form
+    assert not form.field("channels").isVisible()
+    form.field("advanced").click()
     assert not form.field("dither").isVisible()
     assert not form.field("from").isVisible()
     choose(page, qtbot, "samples", "pcm16")
@@ -66,7 +70,7 @@ def test_options_reach_what_is_shown(page, qtbot):
     assert page.prepared.files[0].stimulus.duration_s == pytest.approx(0.1)
     choose(page, qtbot, "channels", "files")
     assert len(page.prepared.files) == 3
-    assert "in 3 files" in label(page, "summary")
+    assert "3 files" in label(page, "summary")
 
 
 def test_what_cannot_be_says_why_and_cannot_be_exported(page, qtbot):
@@ -112,6 +116,7 @@ def test_a_rig_says_what_is_wired_and_an_equaliser_makes_volts(
 
 
 def test_every_format_of_the_table_is_offered_and_shown(page, qtbot):
+    page.form.field("advanced").click()
     for file_format in FORMATS:
         choose(page, qtbot, "format", file_format.name)
         assert page.ready, file_format.name
@@ -127,3 +132,27 @@ def test_neighbours_in_the_picture_of_a_channel_meet():
     # Each begins where the one before is, and holds no more than both.
     assert low.tolist() == [0.0, 0.0, -0.6, -0.6, -0.6]
     assert high.tolist() == [0.0, 0.8, 0.8, -0.6, 0.1]
+
+
+def test_the_methods_text_of_what_is_shown_is_copied(page, qtbot, qapp):
+    button = page.findChild(QPushButton, "stimulus_copy_methods")
+    choose(page, qtbot, "rate", "44100")
+    button.click()
+    qtbot.waitUntil(lambda: button.text() == "Methods text copied", timeout=WAIT_MS)
+    assert "WAV (44.1 kHz, full scale = 1 m/s²)" in qapp.clipboard().text()
+    choose(page, qtbot, "rate", "8000")
+    assert button.text() == "Copy methods text"
+
+
+def test_the_wiring_page_has_the_channels_of_the_stimulus(page, qtbot):
+    choose(page, qtbot, "plays", "tracks")
+    page.form.field("sync").setChecked(True)
+    qtbot.waitUntil(lambda: not page.busy, timeout=WAIT_MS)
+    dialog = page.window()
+    dialog.show_export("wiring")
+    part = dialog.part
+    wired = part.writer(None).keywords
+    assert wired["options"].inputs == (2,)
+    assert wired["options"].sync
+    qtbot.waitUntil(lambda: not part.image.image.isNull(), timeout=WAIT_MS)
+    assert part.suggestion()[:2] == ("wiring.pdf", "PDF (*.pdf);;PNG (*.png);;SVG (*.svg)")

@@ -1,4 +1,4 @@
-"""File > Export stimulus…: what is written is what was looked at."""
+"""File > Export…, Stimulus: what is written is what was looked at."""
 
 import json
 
@@ -51,8 +51,8 @@ def test_from_the_page_to_the_file_each_clip_is_sampled_once(
 
     monkeypatch.setattr(stimulus, "played", count_sampled)
     monkeypatch.setattr(sidecar, "about_validity", count_predictions)
-    desk.stimuli.show()
-    page = opened(desk.stimuli, qtbot)
+    desk.exports.show("stimulus")
+    page = opened(desk.exports, qtbot)
     # Its losses to 48 kHz are told already.
     assert page.prepared.drives.sample_rate_hz == 48_000
     path = save_as("drive.wav")
@@ -63,6 +63,7 @@ def test_from_the_page_to_the_file_each_clip_is_sampled_once(
 
 
 def test_it_can_be_done_with_keys_alone(page, desk, qtbot, save_as):
+    page.form.field("advanced").click()
     first = page.form.field("format")
     assert QApplication.focusWidget() is first
     QTest.keyClick(first, Qt.Key.Key_Down)
@@ -80,12 +81,13 @@ def test_it_can_be_done_with_keys_alone(page, desk, qtbot, save_as):
     assert {f"stimulus_{name}" for name in names} <= reached
     qtbot.waitUntil(lambda: page.ready, timeout=WAIT_MS)
     path = save_as("drive.flac")
-    QTest.keyClick(page, Qt.Key.Key_Return)
+    QTest.keyClick(page.window(), Qt.Key.Key_Return)
     qtbot.waitUntil(lambda: path.exists() and not desk.runner.busy, timeout=WAIT_MS)
     assert soundfile.info(path).subtype == "PCM_24"
 
 
 def test_what_would_clip_is_shown_and_must_be_confirmed(page, desk, qtbot, save_as):
+    page.form.field("advanced").click()
     choose(page, qtbot, "scale", "own")
     field = page.form.field("full_scale")
     field.setFocus()

@@ -39,7 +39,7 @@ class Wav(StimulusFormat):
     name = "wav"
     title = "WAV"
     suffix = ".wav"
-    hint = "Sound cards and players: one channel per actuator, no loudspeakers named"
+    hint = "For sound cards; one channel per actuator, no speaker layout"
     choices: ClassVar = {
         SAMPLES: ChoiceSpec(
             label="Samples",
@@ -51,10 +51,9 @@ class Wav(StimulusFormat):
             hint="Floating point keeps all; some devices read whole numbers only",
         ),
         "container": ChoiceSpec(
-            label="Header",
-            options=(("plain", "Plain"), ("extensible", "Extensible, mask 0")),
-            hint="Plain is read everywhere; some programs want the extensible form above 2 "
-            "channels",
+            label="WAV header",
+            options=(("plain", "Standard"), ("extensible", "Extensible, mask 0")),
+            hint="Some programs want the extensible form above 2 channels",
         ),
     }
 

@@ -11,7 +11,10 @@ from typing import ClassVar
 import numpy as np
 import scipy
 
+from skinsource.actuators.measured_response import MeasuredResponse
+from skinsource.actuators.models import Piezo
 from skinsource.base.arrays import Floats
+from skinsource.engine.stimulus import Stimulus
 from skinsource.export.formats.format import Choices, Facts, StimulusFile, StimulusFormat
 from skinsource.export.formats.text import BYTES, write_header
 from skinsource.signals.quantising import quantised
@@ -61,7 +64,7 @@ def envelope_of(samples: Floats, rate_hz: float, step_s: float) -> Envelope:
     power = np.concatenate(([0.0], np.cumsum(np.abs(analytic) ** 2)))
     turns = np.concatenate(([0.0, 0.0], np.cumsum(analytic[1:] * analytic[:-1].conj())))
     end_s = n / rate_hz
-    n_points = max(int(np.ceil(end_s / step_s - 1e-9)), 1) + 1
+    n_points = n_points_of(end_s, step_s)
     time_s = np.minimum(np.arange(n_points) * step_s, end_s)
     first = np.clip(np.round((time_s - step_s / 2) * rate_hz).astype(int), 0, n - 1)
     last = np.clip(np.round((time_s + step_s / 2) * rate_hz).astype(int), first + 1, n)
@@ -74,6 +77,18 @@ def envelope_of(samples: Floats, rate_hz: float, step_s: float) -> Envelope:
         latest = np.maximum.accumulate(np.where(audible, np.arange(n_points), -1))
         frequency_hz = frequency_hz[np.where(latest < 0, int(np.argmax(audible)), latest)]
     return Envelope(time_s=time_s, amplitude=amplitude, frequency_hz=frequency_hz)
+
+
+def n_points_of(end_s: float, step_s: float) -> int:
+    """Return how many points an envelope has that ends at ``end_s``."""
+    return max(int(np.ceil(end_s / step_s - 1e-9)), 1) + 1
+
+
+def strength_of(stimulus: Stimulus, step_s: float) -> Stimulus:
+    """Return the amplitudes of the envelopes of all channels, at the rate of their points."""
+    rate_hz = stimulus.sample_rate_hz
+    rows = [envelope_of(row, rate_hz, step_s).amplitude for row in stimulus.samples]
+    return stimulus.with_samples(np.clip(rows, 0.0, 1.0), sample_rate_hz=1.0 / step_s)
 
 
 _FIFO_HZ = 8000
@@ -91,6 +106,7 @@ class Drv2605l(StimulusFormat):
     hint = "Amplitudes for the chip that drives an LRA at its own resonance"
     rate_hz = _FIFO_HZ
     fixed_rate = True
+    plays_waveform = False
     choices: ClassVar = {
         _UPDATES: ChoiceSpec(
             label="Updates",
@@ -101,17 +117,11 @@ class Drv2605l(StimulusFormat):
 
     def write(self, file: StimulusFile, path: Path) -> Facts:
         """Write the file."""
-        step_hz, stimulus = int(file.choices[_UPDATES]), file.stimulus
-        envelopes = (
-            envelope_of(row, stimulus.sample_rate_hz, 1.0 / step_hz) for row in stimulus.samples
-        )
-        amplitudes = np.stack([envelope.amplitude for envelope in envelopes])
-        # The last value holds until another comes.
-        amplitudes[:, -1] = 0.0
+        step_hz = int(file.choices[_UPDATES])
         header = write_header(
             path,
             file,
-            quantised(np.clip(amplitudes, 0.0, 1.0), "int8").values,
+            quantised(file.sent.samples, "int8").values,
             "int8_t",
             (
                 "DRV2605L, real-time playback: write 0x05 to register 0x01, clear bit 3 of 0x1D "
@@ -132,16 +142,21 @@ class Drv2605l(StimulusFormat):
         about = {"device_rate_hz": str(step_hz), "samples": "int8", "updates_hz": step_hz}
         return {**header, **about}
 
+    def sent(self, stimulus: Stimulus, choices: Choices) -> Stimulus:
+        """Return the amplitudes at their own rate."""
+        sent = strength_of(stimulus, 1.0 / int(choices[_UPDATES]))
+        amplitudes = np.array(sent.samples)
+        # The last value holds until another comes.
+        amplitudes[:, -1] = 0.0
+        return sent.with_samples(amplitudes)
+
     def n_bytes(self, n_channels: int, n_times: int, choices: Choices) -> int:
-        """Return about how many bytes it takes."""
-        return n_channels * (n_times * int(choices[_UPDATES]) // _FIFO_HZ + 2)
+        """Return how many bytes it takes."""
+        return n_channels * n_points_of(n_times / _FIFO_HZ, 1.0 / int(choices[_UPDATES]))
 
     def loses(self, choices: Choices) -> str:
         """Return a sentence on what is not in the file."""
-        return (
-            "The waveform: only how strong it is, in 128 steps, reaches the actuator; "
-            "frequency and phase are the chip's."
-        )
+        return "Only the amplitude is sent, in 128 steps; frequency and phase are the chip's."
 
 
 class _Fifo(StimulusFormat):
@@ -160,6 +175,7 @@ class _Fifo(StimulusFormat):
     suffix = ".h"
     rate_hz = _FIFO_HZ
     fixed_rate = True
+    actuators = (Piezo, MeasuredResponse)
     integers: str
     kind: str
     comment: tuple[str, ...]

@@ -7,10 +7,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
 
+from skinsource.actuators.actuator import Actuator
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
-from skinsource.base.quoting import quoted
+from skinsource.base.quoting import lowered, quoted
 from skinsource.design.design import Design
 from skinsource.engine.stimulus import Channel, Stimulus
 from skinsource.signals.quantising import Quantised, quantised
@@ -60,8 +61,10 @@ class StimulusFile:
         Name of the file, without its folder.
     stimulus
         Samples in parts of full scale, (n_channels, n_times).
+    sent
+        What a device makes of them, see `StimulusFormat.sent`.
     channels
-        Overviews of its channels.
+        Overviews of what is sent.
     full_scale
         Drive that a sample of 1 stands for, in the unit of the stimulus.
     design
@@ -81,6 +84,7 @@ class StimulusFile:
     mark: str
     name: str
     stimulus: Stimulus
+    sent: Stimulus
     channels: tuple[ChannelOverview, ...]
     full_scale: float
     design: Design
@@ -177,6 +181,11 @@ class StimulusFormat(ABC):
         Whether it is a folder.
     to_device
         Whether full scale is the limit of a device, so that larger samples would be cut off.
+    plays_waveform
+        Whether the device plays the samples, not only how strong they are.
+    actuators
+        Kinds of actuators that it drives, so that an equaliser must be made for one of them; None:
+        any.
     """
 
     name: str
@@ -190,6 +199,8 @@ class StimulusFormat(ABC):
     one_channel_each: bool = False
     folder: bool = False
     to_device: bool = True
+    plays_waveform: bool = True
+    actuators: tuple[type[Actuator], ...] | None = None
 
     @abstractmethod
     def write(self, file: StimulusFile, path: Path) -> Facts:
@@ -203,6 +214,25 @@ class StimulusFormat(ABC):
         """Return how many bytes the predicted response takes, where that is written too."""
         del design
         return 0
+
+    def sent(self, stimulus: Stimulus, choices: Choices) -> Stimulus:
+        """Return what the device is told: the samples, or amplitudes at their own rate."""
+        del choices
+        return stimulus
+
+    def check_equaliser(self, actuator: str, model: Actuator | None) -> None:
+        """Raise `InvalidInputError` where it does not drive what an equaliser is made for."""
+        chip = self.title.partition(",")[0]
+        if not self.plays_waveform:
+            raise InvalidInputError(
+                f"{chip} sends only the amplitude, which no equaliser can shape. Choose no "
+                "equaliser, or WAV."
+            )
+        if self.actuators is not None and not isinstance(model, self.actuators):
+            raise InvalidInputError(
+                f"{chip} drives a {lowered(self.actuators[0].title)}, and the equaliser is made "
+                f"for {quoted(actuator)}. Choose no equaliser, or WAV."
+            )
 
     def rounds(self, choices: Choices) -> bool:
         """Return whether whole numbers are written, so that dither is possible."""

@@ -17,7 +17,8 @@ from typing import Any
 import numpy as np
 
 from skinsource.base.arrays import Floats
-from skinsource.export.formats.chips import Envelope, envelope_of
+from skinsource.engine.stimulus import Stimulus
+from skinsource.export.formats.chips import Envelope, envelope_of, strength_of
 from skinsource.export.formats.format import Choices, Facts, StimulusFile, StimulusFormat
 from skinsource.version import __version__
 
@@ -42,6 +43,7 @@ class _Phone(StimulusFormat):
     rate_hz = _RATE_HZ
     fixed_rate = True
     one_channel_each = True
+    plays_waveform = False
     step_s = 0.01
     bytes_per_s: int
     band_hz: tuple[float, float] | None = None
@@ -61,6 +63,10 @@ class _Phone(StimulusFormat):
         facts: Facts = {} if self.band_hz is None else {"frequency_hz": list(self.band_hz)}
         return {"samples": "envelope", **facts}
 
+    def sent(self, stimulus: Stimulus, choices: Choices) -> Stimulus:
+        """Return the amplitudes of its points."""
+        return strength_of(stimulus, self.step_s)
+
     def n_bytes(self, n_channels: int, n_times: int, choices: Choices) -> int:
         """Return about how many bytes it takes."""
         return 600 + self.bytes_per_s * n_channels * n_times // _RATE_HZ
@@ -68,8 +74,8 @@ class _Phone(StimulusFormat):
     def loses(self, choices: Choices) -> str:
         """Return a sentence on what is not in the file."""
         return (
-            "The waveform: only how strong it is and roughly at which frequency, every 10 or "
-            "20 ms; what the device makes of both differs from model to model."
+            "Only the amplitude and roughly the frequency are sent, every 10 or 20 ms; what the "
+            "device makes of both differs from model to model."
         )
 
 

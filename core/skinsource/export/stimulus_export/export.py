@@ -43,6 +43,8 @@ class Exported:
         Samples that were cut off.
     objections
         Sentences that were confirmed.
+    summary
+        What was written, in a sentence.
     edges, loses, calibration, equalised
         Sentences as in the sidecars: on channels that begin or end hard, on the part of the drive
         that is not in the files, on whether m/s² follow from the samples, and on the equaliser.
@@ -53,6 +55,7 @@ class Exported:
     gain: float
     clip_count: int
     objections: tuple[str, ...]
+    summary: str
     edges: str
     loses: str
     calibration: str
@@ -184,6 +187,7 @@ def write_prepared(
         gain=ready.gain,
         clip_count=sum(channel.clipped for channel in ready.channels),
         objections=objections,
+        summary=ready.summary,
         edges=ready.edges,
         loses=ready.loses,
         calibration=ready.calibration,

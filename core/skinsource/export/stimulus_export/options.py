@@ -27,8 +27,9 @@ class StimulusOptions:
         Part of the time of the design; None: from its beginning, or to its end.
     fade_in_s, fade_out_s
         Fades at the ends of that part.
-    lead_in_s
-        Silence before it; where nothing is cut off or faded in, ringing before time 0 is kept.
+    lead_in_s, tail_s
+        Silence before and after it, in which it may ring where nothing is cut off or faded; None:
+        as long as an equaliser needs, 0.1 s, and none without.
     sync
         Whether a last channel marks time 0, or ``from_s``, with a pulse at full scale.
     channel_map
@@ -51,7 +52,8 @@ class StimulusOptions:
     to_s: float | None = None
     fade_in_s: float = 0.0
     fade_out_s: float = 0.0
-    lead_in_s: float = 0.0
+    lead_in_s: float | None = None
+    tail_s: float | None = None
     sync: bool = False
     channel_map: tuple[int, ...] = ()
     full_scale: float | None = None

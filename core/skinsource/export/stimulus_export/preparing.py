@@ -6,6 +6,7 @@ the same on the export page, in a terminal and in the sidecars.
 
 import hashlib
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal
@@ -13,12 +14,14 @@ from typing import Literal
 import numpy as np
 
 from skinsource.actuators.actuation import Actuation
+from skinsource.actuators.catalog import Model, load, names
 from skinsource.actuators.equalising import Equaliser
 from skinsource.actuators.rigs import Rig, calibration_words, rig_breaches
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.base.json_text import dumped
+from skinsource.base.quoting import lowered
 from skinsource.base.work import counted
 from skinsource.design.amplitudes import equaliser_of
 from skinsource.design.design import Design, audible_inputs
@@ -34,7 +37,7 @@ from skinsource.engine.stimulus import (
     scaled,
     stimuli_of,
     through_actuators,
-    with_lead_in,
+    with_silence,
     with_sync,
 )
 from skinsource.export.formats.format import ChannelOverview, StimulusFile, StimulusFormat
@@ -88,6 +91,8 @@ class PreparedStimulus:
         Sentences on limits that the drives pass.
     cut
         Ends at which a part of the design was cut out.
+    lead_in_s, tail_s
+        Silence before and after the stimulus.
     actuation, rig, equaliser
         Actuators and wiring that it is made for, and the filter that makes volts; None: not known.
     """
@@ -99,6 +104,8 @@ class PreparedStimulus:
     n_bytes: int
     limits_passed: tuple[str, ...] = ()
     cut: tuple[Ends, ...] = ()
+    lead_in_s: float = 0.0
+    tail_s: float = 0.0
     actuation: Actuation | None = None
     rig: Rig | None = None
     equaliser: Equaliser | None = None
@@ -118,7 +125,9 @@ class PreparedStimulus:
     @property
     def edges(self) -> str:
         """Sentences on channels whose first or last sample is above 1 % of their peak."""
-        sentences = []
+        sentences: list[str] = []
+        if not self.format.plays_waveform:
+            return ""
         first = self.files[0].stimulus
         resampled = first.sample_rate_hz != first.own_rate_hz
         if text := self._hard_channels(0, "begin"):
@@ -134,8 +143,13 @@ class PreparedStimulus:
                 text += ". A lead-in puts silence before it."
             sentences.append(text)
         if text := self._hard_channels(-1, "end"):
-            reason = ": what follows is cut off." if resampled or "end" in self.cut else "."
-            sentences.append(f"{text}{reason} A fade-out softens it.")
+            if "end" in self.cut:
+                text += ": what follows is cut off. A fade-out softens it."
+            elif resampled:
+                text += f": what follows is cut off. A tail of {RINGING_S:g} s keeps it."
+            else:
+                text += ". A fade-out softens it."
+            sentences.append(text)
         return " ".join(sentences)
 
     def _hard_channels(self, sample: int, verb: Ends) -> str:
@@ -195,12 +209,49 @@ class PreparedStimulus:
 
     @property
     def equalised(self) -> str:
-        """A sentence on the equaliser, and what the samples are equalised for."""
-        if self.equaliser is None:
-            return f"Not equalised ({_RAW.get(self.drives.unit, 'raw drives')})"
+        """A sentence on the equaliser, and on the actuators that the samples are made for."""
         through = self.actuation if self.rig is None else self.rig
-        title = through.title if through is not None and through.title else "the rig"
-        return f"Equalised for {title} ({self.equaliser.title.lower()})"
+        title = "" if through is None else through.title or "the rig"
+        if self.equaliser is not None:
+            return f"Equalised for {title} ({self.equaliser.title.lower()})"
+        raw = f"Not equalised ({_RAW.get(self.drives.unit, 'raw drives')})"
+        return f"{raw}, for {title}" if title else raw
+
+    @property
+    def rate_text(self) -> str:
+        """How many values a second are sent: "48 kHz"."""
+        rate_hz = self.files[0].sent.sample_rate_hz
+        if self.format.plays_waveform:
+            return f"{rate_hz / 1000.0:.10g} kHz"
+        return f"{rate_hz:g} amplitudes a second"
+
+    @property
+    def scale_text(self) -> str:
+        """The drive that full scale stands for: "full scale = 1.5 m/s²"."""
+        unit = self.files[0].stimulus.unit
+        return f"full scale = {self.files[0].full_scale:.3g}{'' if unit == '1' else f' {unit}'}"
+
+    @property
+    def summary(self) -> str:
+        """What is written, in a sentence: channels, rate, length, bytes, full scale, equaliser."""
+        duration_s = self.files[0].sent.duration_s
+        parts = [
+            counted(len(self.channels), "channel"),
+            "" if len(self.files) == 1 else counted(len(self.files), "file"),
+            self.rate_text,
+            f"{duration_s:.4g} s" if duration_s >= 1.0 else f"{1e3 * duration_s:.4g} ms",
+            f"about {size_text(self.n_bytes)}",
+            self.scale_text,
+            lowered(self.equalised),
+            *(
+                f"{name} {length_s:.3g} s"
+                for name, length_s in (("lead-in", self.lead_in_s), ("tail", self.tail_s))
+                if length_s
+            ),
+        ]
+        needed = self.equaliser is not None and self.lead_in_s == self.tail_s == RINGING_S
+        why = ", as the equaliser needs" if needed else ""
+        return f"{', '.join(filter(None, parts))}{why}"
 
     @property
     def calibration(self) -> str:
@@ -266,16 +317,24 @@ def prepare_stimulus(
     """
     choices = format.chosen(options.choices)
     rig, equaliser = _chosen(design, actuation, rig, equaliser)
-    cut, lead_in_s = _cut_ends(options), options.lead_in_s
-    # Ringing before time 0 is kept where nothing is cut off or faded in.
-    rings = not cut and options.fade_in_s == 0.0
+    cut = _cut_ends(options)
+    # Ringing before time 0, and after the end, is kept where nothing is cut off or faded.
+    rings_before = not cut and options.fade_in_s == 0.0
+    rings_after = options.to_s is None and options.fade_out_s == 0.0
+    needed_s = 0.0 if equaliser is None else RINGING_S
+    lead_in_s, tail_s = options.lead_in_s, options.tail_s
+    if lead_in_s is None:
+        lead_in_s = needed_s if rings_before else 0.0
+    if tail_s is None:
+        tail_s = needed_s if rings_after else 0.0
     own, drives = stimuli_of(
         design,
         format.file_rate_hz(rate_hz),
         per="input" if options.one_file_per_input else options.per,
         inputs=options.inputs,
         clips=options.clips,
-        lead_in_s=lead_in_s if rings else 0.0,
+        lead_in_s=lead_in_s if rings_before else 0.0,
+        tail_s=tail_s if rings_after else 0.0,
         progress=progress,
         stop=stop,
     )
@@ -288,12 +347,17 @@ def prepare_stimulus(
         drives = stage(drives)
     stop_if(stop)
     actuation = design.actuation if actuation is None else actuation
+    for channel in drives.channels if equaliser is not None else ():
+        if channel.place is not None:
+            format.check_equaliser(*actuator_at(channel.place, rig, actuation))
     drives = _for_rig(drives, rig, equaliser, options, actuation)
     if options.from_s is not None or options.to_s is not None:
         to_s = drives.duration_s if options.to_s is None else options.to_s
         drives = part_of_time(drives, options.from_s or 0.0, to_s)
     drives = faded(drives, options.fade_in_s, options.fade_out_s)
-    drives = with_lead_in(drives, 0.0 if rings else lead_in_s)
+    drives = with_silence(
+        drives, 0.0 if rings_before else lead_in_s, 0.0 if rings_after else tail_s
+    )
     if drives.sample_rate_hz != drives.own_rate_hz:
         drives = with_losses(drives, own, options, stop)
     if drives.unit == FULL_SCALE_UNIT:
@@ -306,13 +370,15 @@ def prepare_stimulus(
     files = []
     for mark, stimulus in _stimuli_of_files(drives, gain, format, options):
         _check_channels(stimulus, format)
+        sent = format.sent(stimulus, choices)
         places = [channel.place for channel in stimulus.channels if channel.place is not None]
         files.append(
             StimulusFile(
                 mark=mark,
                 name=format.marked(Path(f"stimulus{format.suffix}"), mark).name,
                 stimulus=stimulus,
-                channels=_overviews(stimulus, stop, to_device=format.to_device),
+                sent=sent,
+                channels=_overviews(stimulus, sent, stop, to_device=format.to_device),
                 full_scale=1.0 / gain,
                 design=_exported_design(design, stimulus, options),
                 digest=digest,
@@ -336,6 +402,8 @@ def prepare_stimulus(
             *(text for limit in limits for text in limit(drives)),
         ),
         cut=cut,
+        lead_in_s=lead_in_s,
+        tail_s=tail_s,
         actuation=actuation,
         rig=rig,
         equaliser=equaliser,
@@ -354,6 +422,26 @@ def _chosen(
     if equaliser is None:
         equaliser = equaliser_of(design)
     return None if rig == "none" else rig, None if equaliser == "none" else equaliser
+
+
+def actuator_at(
+    place: int, rig: Rig | None, actuation: Actuation | None
+) -> tuple[str, Model | None]:
+    """Return name and model of the actuator at a place, as a rig or else ``actuation`` says.
+
+    The name is "" where it is not known, the model None.
+    """
+    if rig is not None:
+        channel = rig.channel_of(place)
+        if channel is None:
+            return "", None
+        listed = load(channel.actuator) if channel.actuator in names() else None
+        return channel.actuator, channel.moves_as or listed
+    with suppress(InvalidInputError):
+        if actuation is not None:
+            actuator = actuation.at(place)
+            return actuator.actuator or actuator.model.title, actuator.model
+    return "", None
 
 
 def _cut_ends(options: StimulusOptions) -> tuple[Ends, ...]:
@@ -485,11 +573,15 @@ def _check_channels(stimulus: Stimulus, format: StimulusFormat) -> None:
 COLUMNS = 600
 
 
-def _overviews(stimulus: Stimulus, stop: Stop, *, to_device: bool) -> tuple[ChannelOverview, ...]:
+def _overviews(
+    stimulus: Stimulus, sent: Stimulus, stop: Stop, *, to_device: bool
+) -> tuple[ChannelOverview, ...]:
     overviews = []
-    n = stimulus.n_times
+    n = sent.n_times
     edges = np.arange(min(COLUMNS, n)) * n // min(COLUMNS, n)
-    for channel, row in zip(stimulus.channels, stimulus.samples, strict=True):
+    for channel, samples, row in zip(
+        stimulus.channels, stimulus.samples, sent.samples, strict=True
+    ):
         stop_if(stop)
         extremes = np.stack((np.minimum.reduceat(row, edges), np.maximum.reduceat(row, edges)))
         overviews.append(
@@ -498,7 +590,7 @@ def _overviews(stimulus: Stimulus, stop: Stop, *, to_device: bool) -> tuple[Chan
                 extremes=extremes,
                 peak=float(np.abs(extremes).max()),
                 rms=float(np.sqrt(np.mean(row**2))),
-                clipped=int(np.count_nonzero(abs(row) > 1.0)) if to_device else 0,
+                clipped=int(np.count_nonzero(abs(samples) > 1.0)) if to_device else 0,
             )
         )
     return tuple(overviews)
@@ -520,6 +612,14 @@ def _exported_design(design: Design, stimulus: Stimulus, options: StimulusOption
 def digest_of(design: Design) -> str:
     """Return the SHA-256 of a design in hexadecimal; recordings are represented by theirs."""
     return hashlib.sha256(dumped(without_samples(models.encode(design))[0])).hexdigest()
+
+
+def size_text(n_bytes: int) -> str:
+    """Return a number of bytes as text."""
+    for factor, unit in ((1e9, "GB"), (1e6, "MB"), (1e3, "kB")):
+        if n_bytes >= factor:
+            return f"{n_bytes / factor:.3g} {unit}"
+    return f"{n_bytes} bytes"
 
 
 def _passed_limits(drives: Stimulus, gain: float, rig: Rig | None) -> list[str]:

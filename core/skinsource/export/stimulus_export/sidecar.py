@@ -9,6 +9,7 @@ import numpy as np
 import scipy
 
 from skinsource.actuators.actuation import Actuation
+from skinsource.actuators.catalog import Model
 from skinsource.actuators.equalising import Equaliser
 from skinsource.base.decibels import decibels
 from skinsource.base.errors import SkinSourceError
@@ -18,7 +19,7 @@ from skinsource.design.view import View
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.stimulus import Stimulus, added_delays_s, channel_of
 from skinsource.export.formats.format import ChannelOverview, Facts
-from skinsource.export.stimulus_export.preparing import PreparedStimulus
+from skinsource.export.stimulus_export.preparing import PreparedStimulus, actuator_at
 from skinsource.limbs.own_limbs import drive_unit_known
 from skinsource.specs.models import specs_of
 from skinsource.version import __version__
@@ -75,19 +76,21 @@ def sidecar_of(
         "n_channels": len(stimulus.channels),
         "n_times": stimulus.n_times,
         "duration_s": stimulus.duration_s,
+        "lead_in_s": ready.lead_in_s,
+        "tail_s": ready.tail_s,
         "channels": [
             {**_about_channel(stimulus, channel, count), **_wiring(ready, stimulus, row)}
             for row, (channel, count) in enumerate(zip(file.channels, counts, strict=True))
         ],
         "rig": None if ready.rig is None else ready.rig.title,
         "actuator": _actuators(ready, stimulus),
-        "equaliser": _about_equaliser(ready.equaliser),
+        "equaliser": ready.equaliser and _about_model(ready.equaliser),
         "equalised": ready.equalised,
         "inputs": [_about_input(track) for track in design.inputs],
         "gain": ready.gain,
         "meaning": _MEANING,
         "scaling_means": _scaling_sentence(design),
-        "predicted_through": _about_prediction(design.actuated),
+        "predicted_through": _about_prediction(ready, design.actuated),
         **about_validity(design),
         "clip_count": int(sum(counts)),
         "confirmed": list(confirmed),
@@ -152,23 +155,26 @@ def _wiring(ready: PreparedStimulus, stimulus: Stimulus, row: int) -> dict[str, 
     }
 
 
-def _actuators(ready: PreparedStimulus, stimulus: Stimulus) -> list[str | None] | None:
-    """Return the actuator of each channel, where that is known."""
-    if ready.rig is not None:
-        rows = range(len(stimulus.channels))
-        return [_wiring(ready, stimulus, row).get("actuator") for row in rows]
-    if ready.equaliser is None or ready.actuation is None:
-        return None
-    places = [channel.place for channel in stimulus.channels]
-    return [None if place is None else ready.actuation.at(place).actuator for place in places]
+def _actuators(ready: PreparedStimulus, stimulus: Stimulus) -> list[dict[str, Any]] | None:
+    """Return the actuators that the channels are made for, with all parameters; None: not known."""
+    found: dict[tuple[str, Model | None], set[int]] = {}
+    for channel in stimulus.channels:
+        if channel.place is not None:
+            known = actuator_at(channel.place, ready.rig, ready.actuation)
+            found.setdefault(known, set()).add(channel.place)
+    found.pop(("", None), None)
+    return [
+        {"name": name, "places": sorted(places), **_about_model(model)}
+        for (name, model), places in found.items()
+    ] or None
 
 
-def _about_equaliser(equaliser: Equaliser | None) -> dict[str, Any] | None:
-    """Return kind and numbers of an equaliser."""
-    if equaliser is None:
-        return None
-    values = {name: getattr(equaliser, name) for name in specs_of(equaliser)}
-    return {"kind": type(equaliser).__name__, **values}
+def _about_model(model: Model | Equaliser | None) -> dict[str, Any]:
+    """Return kind and numbers of an actuator or equaliser; the kind is None where not known."""
+    if model is None:
+        return {"kind": None}
+    values = {name: getattr(model, name) for name in specs_of(model)}
+    return {"kind": type(model).__name__, **values}
 
 
 def _scaling_sentence(design: Design) -> str:
@@ -177,17 +183,24 @@ def _scaling_sentence(design: Design) -> str:
     return label_of(scalings_on(drive_unit_known=known), design.scaling).sentence
 
 
-def _about_prediction(actuated: Actuation | None) -> dict[str, Any] | None:
-    """Return the actuators and the equaliser that the design is predicted through."""
+def _about_prediction(ready: PreparedStimulus, actuated: Actuation | None) -> Any:
+    """Return what the design is predicted through, where that is not what is written for."""
     if actuated is None:
         return None
+    equaliser = actuated.equaliser
+    places = {channel.place for channel in ready.drives.channels if channel.place is not None}
+    if equaliser == ready.equaliser and all(
+        actuator_at(place, None, actuated)[1] == actuator_at(place, ready.rig, ready.actuation)[1]
+        for place in places
+    ):
+        return "the same"
     return {
         "rig": actuated.rig or None,
         "actuators": [
-            {"place": actuator.place, "actuator": actuator.actuator, "model": actuator.model.title}
-            for actuator in actuated.actuators
+            {"place": at.place, "actuator": at.actuator, **_about_model(at.model)}
+            for at in actuated.actuators
         ],
-        "equaliser": _about_equaliser(actuated.equaliser),
+        "equaliser": equaliser and _about_model(equaliser),
     }
 
 

@@ -1,0 +1,136 @@
+"""The wiring page: which channel goes to which place, for the wall beside the setup."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, Literal
+
+from skinsource.actuators.actuation import Actuation
+from skinsource.actuators.rigs import Rig
+from skinsource.base.arguments import checking
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.files import FilePath, write_bytes
+from skinsource.base.quoting import printable
+from skinsource.design.design import Design
+from skinsource.design.labels import limb_label
+from skinsource.engine.stimulus import Channel, in_order, stimulus_of, with_sync
+from skinsource.export import plot
+from skinsource.export.stimulus_export.options import StimulusOptions
+from skinsource.export.stimulus_export.preparing import actuator_at
+from skinsource.limbs.catalog import limb_of
+
+# A4 upright.
+_PAGE_MM = (210.0, 297.0)
+_COLUMNS = ("Channel", "Place", "Polarity", "Gain", "Actuator")
+_WIDTHS = (0.18, 0.3, 0.11, 0.15, 0.26)
+
+
+@checking
+def export_wiring(
+    design: Design,
+    path: FilePath,
+    *,
+    options: StimulusOptions | None = None,
+    rig: Rig | Literal["none"] | None = None,
+    actuation: Actuation | None = None,
+) -> None:
+    """Write a page that says where each channel of an exported stimulus goes.
+
+    A table has channel, place, polarity, gain and actuator; a hand shows the channels at their
+    places.  Needs the extra ``plot``.
+
+    Parameters
+    ----------
+    design, path
+        The design; the file, which ends in ``.pdf``, ``.svg`` or ``.png``.
+    options, rig, actuation
+        As of `skinsource.export_stimulus`.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(12)))
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     ss.export_wiring(design, Path(folder) / "wiring.svg")
+    ...     print([path.name for path in Path(folder).iterdir()])
+    ['wiring.svg']
+    """
+    kind = Path(path).suffix.lower()[1:]
+    if kind not in plot.METADATA:
+        raise InvalidInputError(
+            f"{printable(Path(path).name)} is no page that can be drawn. Call it *.pdf, *.svg or "
+            "*.png."
+        )
+    options = options or StimulusOptions()
+    per = "input" if options.one_file_per_input else options.per
+    # No rate and no equaliser changes the channels.
+    drives = stimulus_of(design, per=per, inputs=options.inputs, clips=options.clips)
+    if not drives.channels:
+        raise InvalidInputError("Nothing is heard: there is no channel to wire. Unmute an input.")
+    drives = with_sync(drives) if options.sync else drives
+    if options.channel_map:
+        drives = in_order(drives, options.channel_map)
+    wired = design.rig if rig is None and actuation is None else rig
+    wired = None if wired == "none" else wired
+    actuation = design.actuation if actuation is None else actuation
+    with plot.style():
+        figure = plot.new_figure(*_PAGE_MM)
+        title = design.title or Path(path).stem
+        figure.text(0.08, 0.96, f"Wiring of {title}", fontsize=12, parse_math=False)
+        _draw_table(figure.add_axes((0.08, 0.04, 0.84, 0.4)), drives.channels, wired, actuation)
+        _draw_hand(figure.add_axes((0.08, 0.46, 0.84, 0.46)), drives.channels, design.limb)
+    write_bytes(Path(path), plot.figure_content(figure, kind))
+
+
+def _draw_table(ax: Any, channels: Sequence[Channel], rig: Rig | None, actuation: Any) -> None:
+    rows = []
+    for channel in channels:
+        place, wired = channel.place, None
+        if place is None:
+            rows.append((f"{channel.number}", channel.title, "", "", ""))
+            continue
+        wired = None if rig is None else rig.channel_of(place)
+        polarity, gain, number = "normal", "not known", f"{channel.number}"
+        if wired is not None:
+            polarity, gain = wired.polarity, f"{wired.amplifier_gain:g}×"
+            number += f" ({wired.device} {wired.output})".replace("( ", "(output ")
+            if wired.full_scale_v is not None:
+                gain += f", {wired.full_scale_v * wired.amplifier_gain:.4g} V"
+        name = actuator_at(place, rig, actuation)[0] or "not known"
+        rows.append((number, f"{place}, {channel.title}", polarity, gain, name))
+    ax.set_axis_off()
+    table = ax.table(rows, colLabels=_COLUMNS, colWidths=_WIDTHS, cellLoc="left", loc="upper left")
+    table.auto_set_font_size(False)
+    table.set_fontsize(min(8.0, 160.0 / len(rows)))
+    for cell in table.get_celld().values():
+        cell.get_text().set_horizontalalignment("left")
+        cell.set_edgecolor(plot.DIM)
+        cell.set_linewidth(0.4)
+
+
+def _draw_hand(ax: Any, channels: Sequence[Channel], name: str) -> None:
+    """Draw the palm side with the number of each channel at its place."""
+    limb = limb_of(name)
+    outline, places = limb.map.outline, limb.map.input_positions
+    low, high = plot.bounds_of(limb, "hand")
+    scale = limb.hand_length_mm / limb.map.hand_length_px
+    # Seen from the palm, a hand is the mirror image of its back.
+    ax.fill(-outline[:, 0] * scale, outline[:, 1] * scale, fc="#f4e9e1", ec=plot.DIM, lw=0.8)
+    ax.plot(-places[:, 0] * scale, places[:, 1] * scale, "o", ms=3, mfc="white", mec=plot.DIM)
+    at: dict[int, list[str]] = {}
+    for channel in channels:
+        if channel.place is not None:
+            at.setdefault(channel.place, []).append(f"{channel.number}")
+    for place, numbers in at.items():
+        x, y = places[place - 1] * scale
+        text = ", ".join(numbers)
+        box = {"boxstyle": "round,pad=0.3", "fc": plot.COLOURS[0], "ec": "white"}
+        ax.text(-x, y, text, ha="center", va="center", color="white", fontsize=8, bbox=box)
+    ax.set_xlim(-high[0] - 8.0, -low[0] + 8.0)
+    ax.set_ylim(low[1], high[1] + 8.0)
+    ax.set_aspect("equal")
+    ax.set_axis_off()
+    ax.set_title(f"{limb_label(name).title}, palm side: channels at their places")

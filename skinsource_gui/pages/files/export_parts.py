@@ -1,0 +1,358 @@
+"""Parts of the export dialog: what is asked before an export, and a preview of what is written."""
+
+import zipfile
+from collections.abc import Callable, Iterable, Sequence
+from functools import partial
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import numpy as np
+from PySide6 import QtGui, QtWidgets
+from PySide6.QtCore import QRectF, QSize, Qt, Signal
+
+from skinsource.base.errors import SkinSourceError, Stopped
+from skinsource.base.extras import package_of_extra
+from skinsource.base.job import Stop, silent
+from skinsource.base.quoting import sentence
+from skinsource.design.design import Design
+from skinsource.design.view import View
+from skinsource.export.stimulus_export.preparing import size_text
+from skinsource.specs.spec import ChoiceSpec
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.pages.files.exports import FILM, WIRING, DrawerOf, ExportSpec
+from skinsource_gui.panels.skin.film import KINDS as FILM_KINDS
+from skinsource_gui.panels.skin.film import (
+    MOST_PX,
+    FilmOptions,
+    film_name,
+    film_options,
+    film_picture,
+    film_remark,
+)
+from skinsource_gui.plots.pictures import (
+    KINDS,
+    PER_INCH,
+    PictureForm,
+    PictureOptions,
+    caption_px,
+    drawn_image,
+    save_drawing,
+)
+from skinsource_gui.qt.buttons import page_label, scrolled
+from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.theme import UNIT_PX
+from skinsource_gui.state.worker import Worker, fault_text
+
+#: Width of the fields beside a preview, px.
+FIELDS_PX = 300
+# Larger files are not written for a preview, and no more of a table is shown.
+_MOST_BYTES, _HEAD_BYTES = 32_000_000, 10_000
+_PREVIEW = "preview"
+
+
+class ExportPart(QtWidgets.QWidget):
+    """Asks for the few choices of an entry of the dialog, and shows what will be written.
+
+    Attributes
+    ----------
+    ready
+        Whether it can be written.
+    draws
+        Whether it is drawn in the window's thread, not written as a job.
+    """
+
+    #: What it says has changed, or whether it can be written.
+    changed = Signal()
+
+    ready = False
+    draws = False
+
+    def __init__(self, name: str) -> None:
+        super().__init__()
+        self.setObjectName(f"{name}_part")
+        self._summary = page_label(f"{name}_summary")
+        self._problem = page_label(f"{name}_problem", tone="error")
+        for label in (self._summary, self._problem):
+            label.setTextFormat(Qt.TextFormat.PlainText)
+        self._problem.hide()
+
+    @property
+    def name(self) -> str:
+        """The entry of the table of exports that is shown."""
+        raise NotImplementedError
+
+    def suggestion(self) -> tuple[str, str, tuple[str, ...], str]:
+        """Return a name, the kinds for the dialog that asks, all endings, and the usual one."""
+        raise NotImplementedError
+
+    def files(self, path: Path) -> Iterable[tuple[Path, ...]]:
+        """Return the files that are written besides ``path``, each with what belongs to it."""
+        del path
+        return ()
+
+    def writer(self, path: Path) -> Callable[..., Any]:
+        """Return the function that writes what is shown to ``path``."""
+        raise NotImplementedError
+
+    def close_worker(self) -> None:
+        """Stop computing."""
+        raise NotImplementedError
+
+    def _say(self, summary: str, problem: str = "") -> None:
+        self._summary.setText(summary)
+        self._problem.setText(problem)
+        self._problem.setVisible(bool(problem))
+
+
+class PreviewImage(QtWidgets.QWidget):
+    """Shows a picture as large as there is room."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._image = QtGui.QImage()
+        self.setAccessibleName("Preview")
+        self.setSizePolicy(
+            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Expanding
+        )
+
+    @property
+    def image(self) -> QtGui.QImage:
+        """What is shown."""
+        return self._image
+
+    def sizeHint(self) -> QSize:
+        return QSize(360, 480)
+
+    def show_image(self, image: QtGui.QImage) -> None:
+        """Show another picture."""
+        self._image = image
+        self.update()
+
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        if self._image.isNull():
+            return
+        size = self._image.size().scaled(self.size(), Qt.AspectRatioMode.KeepAspectRatio)
+        area = QRectF((self.width() - size.width()) / 2, 0, size.width(), size.height())
+        painter = QtGui.QPainter(self)
+        painter.setRenderHint(QtGui.QPainter.RenderHint.SmoothPixmapTransform)
+        painter.drawImage(area, self._image)
+
+
+class FilePart(ExportPart):
+    """Pictures, films, tables, data and projects.
+
+    Parameters
+    ----------
+    specs
+        The exports that can be chosen in it.
+    picture_options
+        Options of the last pictures by the name of their export; new ones are added.
+    wired
+        Returns the channels, rig and actuators of the stimulus, for the wiring page.
+    """
+
+    def __init__(
+        self,
+        specs: Sequence[ExportSpec],
+        design: Design,
+        view: View,
+        drawer_of: DrawerOf,
+        picture_options: dict[str, PictureOptions],
+        wired: Callable[[], dict[str, Any]],
+    ) -> None:
+        super().__init__("file")
+        self._specs = {spec.name: spec for spec in specs}
+        self._spec = specs[0]
+        self._design, self._view = design, view
+        self._drawer_of, self._kept, self._wired = drawer_of, picture_options, wired
+        self._worker = Worker("skinsource-preview", self)
+        options = tuple((spec.name, spec.title) for spec in specs)
+        self._choice = ChoiceField(ChoiceSpec(label="What", options=options))
+        self._choice.setObjectName("export_what")
+        self._choice.edited.connect(self.show_export)
+        self._choice.setVisible(len(specs) > 1)
+        self._hint = page_label("export_hint", tone="dim")
+        self.form: PictureForm | None = None
+        self._room = in_column(self._choice, self._hint, None, margins=0, gap_px=UNIT_PX)
+        fields = QtWidgets.QWidget()
+        fields.setLayout(self._room)
+        left = scrolled(fields, "export_fields")
+        left.setFixedWidth(FIELDS_PX)
+        left.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.image, self.text = PreviewImage(), QtWidgets.QPlainTextEdit()
+        self.text.setReadOnly(True)
+        self.text.setAccessibleName("Preview")
+        self.text.setLineWrapMode(QtWidgets.QPlainTextEdit.LineWrapMode.NoWrap)
+        columns = in_row(left, (self.image, 1), (self.text, 1), gap_px=2 * UNIT_PX)
+        in_column((columns, 1), self._summary, self._problem, of=self, margins=0)
+
+    @property
+    def name(self) -> str:
+        return self._spec.name
+
+    @property
+    def draws(self) -> bool:  # type: ignore[override]
+        return bool(self._spec.panel)
+
+    def show_export(self, name: str) -> None:
+        """Show one of the exports."""
+        self._spec = spec = self._specs[name]
+        self._choice.set_value(name)
+        self._hint.setText(f"{spec.hint}.")
+        if self.form is not None:
+            self.form.deleteLater()
+        self._picture = self._drawer_of(spec.panel) if spec.panel else None
+        self.form = self._new_form()
+        if self.form is not None:
+            self._room.insertWidget(2, self.form)
+            self.form.changed.connect(self._show_preview)
+        drawn = self.form is not None or name == WIRING
+        self.image.setVisible(drawn)
+        self.text.setVisible(not drawn)
+        self._show_preview()
+
+    def suggestion(self) -> tuple[str, str, tuple[str, ...], str]:
+        spec, name = self._spec, self._spec.file_name
+        kinds: Sequence[tuple[str, str]] = KINDS
+        if self.form is None and spec.name != WIRING:
+            kinds = ((spec.group, Path(name).suffix),)
+        elif self.form is not None and isinstance(self.form.options, FilmOptions):
+            kinds, name = FILM_KINDS, film_name(self._design, self._view, self.form.options)
+        elif self.form is not None:
+            title = self._picture.title if self._picture is not None else ""
+            if spec.name == "panel_picture" and title:
+                name = f"{title.lower().replace(' ', '-')}.png"
+            name = str(Path(name).with_suffix(self.form.options.kind))
+        ending = Path(name).suffix
+        ordered = sorted(kinds, key=lambda kind: kind[1] != ending)
+        text = ";;".join(f"{title} (*{suffix})" for title, suffix in ordered)
+        return name, text, tuple(suffix for _, suffix in kinds), ""
+
+    def writer(self, path: Path) -> Callable[..., Any]:
+        if self._picture is not None and self.form is not None:
+            options = self.form.options
+            draw = partial(self._picture.draw, theme=options.theme)
+            return partial(
+                save_drawing, path, draw, options.width_px, options.height_px, dpi=options.dpi
+            )
+        return partial(self._write(), path, **self._more())
+
+    def close_worker(self) -> None:
+        self._worker.close()
+
+    def _write(self) -> Callable[..., Any]:
+        if self._spec.write is None:
+            raise TypeError(f"{self._spec.name} is no job")
+        return partial(self._spec.write, design=self._design, view=self._view)
+
+    def _more(self) -> dict[str, Any]:
+        """Return what a film and a project are written with besides design and view."""
+        if self._spec.name == FILM and self.form is not None:
+            return {"options": self.form.options, "seen": self._drawer_of("skin").visible}
+        if self._spec.name == WIRING:
+            return self._wired()
+        return {}
+
+    def _new_form(self) -> PictureForm | None:
+        spec, picture = self._spec, self._picture
+        shape = picture.size_px if picture is not None and picture.size_px else spec.size_px
+        usual = self._kept.get(spec.name, PictureOptions(width_px=shape[0], height_px=shape[1]))
+        if picture is not None:
+            return PictureForm(usual, shape=shape, below=partial(caption_px, picture.caption))
+        if spec.name == FILM:
+            options = film_options(self._design, self._view, usual)
+            remark = partial(film_remark, self._design, self._view)
+            return PictureForm(options, shape=shape, most_px=MOST_PX, remark=remark)
+        return None
+
+    def _show_preview(self) -> None:
+        spec, form = self._spec, self.form
+        self.ready, problem = True, ""
+        if spec.lacks is not None:
+            problem = spec.lacks(self._design, self._view)
+        if spec.name == FILM:
+            try:
+                package_of_extra("imageio_ffmpeg", "video")
+            except SkinSourceError as error:
+                problem = sentence(str(error))
+        summary = "Computing the preview…"
+        if form is not None:
+            self._kept[spec.name] = form.options
+            remark = form.remark
+            summary, problem = remark.text, problem or remark.text * remark.refuses
+        if problem:
+            self.ready = False
+            self._say("", problem)
+            self.image.show_image(QtGui.QImage())
+            self.text.clear()
+        elif self._picture is not None and form is not None:
+            self._say(f"{spec.title}, {form.options.kind[1:].upper()}, {summary}.")
+            self.image.show_image(self._small(form.options))
+        else:
+            self._say(summary)
+            work = partial(self._preview, form and form.options, self._more())
+            self._worker.run_newest(_PREVIEW, work, self._receive)
+        self.changed.emit()
+
+    def _small(self, options: PictureOptions) -> QtGui.QImage:
+        """Return the picture as it will be, in the pixels of the preview."""
+        width, height = options.width_px, options.height_px
+        draw = self._picture.draw  # type: ignore[union-attr]
+        shown = self.image.size().expandedTo(self.image.sizeHint())
+        scale = min(shown.width() / width, shown.height() / height, 1.0)
+        dpi = max(round(PER_INCH * scale * self.devicePixelRatio()), 1)
+        return drawn_image(partial(draw, theme=options.theme), width, height, dpi)
+
+    def _preview(self, options: Any, more: dict[str, Any]) -> QtGui.QImage | tuple[str, int]:
+        """Return the preview, in the thread of the worker."""
+        stop = partial(self._worker.is_outdated, _PREVIEW)
+        if self._spec.name == FILM:
+            return film_picture(self._design, self._view, stop=stop, **more)
+        name = "wiring.png" if self._spec.name == WIRING else self._spec.file_name
+        return preview_of(partial(self._write(), **more), name, stop)
+
+    def _receive(self, result: Any, error: Exception | None) -> None:
+        if isinstance(error, Stopped):
+            self._say(f"{sentence(self._spec.hint)} Too large for a preview.")
+        elif error is not None:
+            self.ready = False
+            self._say("", sentence(fault_text(error)))
+        elif isinstance(result, QtGui.QImage):
+            self.image.show_image(result)
+            if self.form is None:
+                self._say(f"{sentence(self._spec.hint)} PDF, SVG or PNG.")
+        else:
+            text, n_bytes = result
+            self.text.setPlainText(text)
+            self._say(f"{self._spec.file_name}, {size_text(n_bytes)}.")
+        self.changed.emit()
+
+
+def preview_of(write: Callable[..., Any], name: str, stop: Stop) -> QtGui.QImage | tuple[str, int]:
+    """Return a picture, or the begin of a file or what it holds, and its bytes; it is not kept."""
+    with TemporaryDirectory(prefix="skinsource-") as folder:
+        path = Path(folder) / name
+
+        def too_large() -> bool:
+            parts = Path(folder).rglob("*")
+            return stop() or sum(part.stat().st_size for part in parts) > _MOST_BYTES
+
+        write(path, progress=silent, stop=too_large, largest_error=np.inf)
+        n_bytes = path.stat().st_size
+        if path.suffix == ".png":
+            return QtGui.QImage(str(path))
+        if path.suffix == ".npz":
+            with np.load(path, allow_pickle=False) as arrays:
+                lines = [f"{key}: {array.dtype}, {array.shape}" for key, array in arrays.items()]
+        elif path.suffix == ".zip":
+            with zipfile.ZipFile(path) as archive:
+                lines = [
+                    f"{entry.filename}, {size_text(entry.file_size)}" for entry in archive.filelist
+                ]
+        else:
+            with path.open("rb") as file:
+                head = file.read(_HEAD_BYTES + 1)
+            lines = head[:_HEAD_BYTES].decode(errors="ignore").splitlines()
+            lines += ["…"] * (len(head) > _HEAD_BYTES)
+    return "\n".join(lines), n_bytes
