@@ -33,7 +33,7 @@ def export_wiring(
     *,
     options: StimulusOptions | None = None,
     rig: Rig | Literal["none"] | None = None,
-    actuation: Actuation | None = None,
+    actuation: Actuation | Literal["none"] | None = None,
 ) -> None:
     """Write a page that says where each channel of an exported stimulus goes.
 
@@ -76,6 +76,7 @@ def export_wiring(
     wired = design.rig if rig is None and actuation is None else rig
     wired = None if wired == "none" else wired
     actuation = design.actuation if actuation is None else actuation
+    actuation = None if actuation == "none" else actuation
     with plot.style():
         figure = plot.new_figure(*_PAGE_MM)
         title = design.title or Path(path).stem

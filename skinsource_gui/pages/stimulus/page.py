@@ -262,7 +262,11 @@ class StimulusPart(ExportPart):
         if order is None:
             return {}
         options = replace(order.options, choices={})
-        return {"options": options, "rig": order.rig or "none", "actuation": order.actuation}
+        return {
+            "options": options,
+            "rig": order.rig or "none",
+            "actuation": order.actuation or "none",
+        }
 
     @property
     def busy(self) -> bool:
@@ -326,7 +330,7 @@ class StimulusPart(ExportPart):
             order.format,
             order.rate_hz,
             order.options,
-            actuation=order.actuation,
+            actuation=order.actuation or "none",
             rig=order.rig or "none",
             equaliser=order.equaliser or "none",
             progress=lambda done, total, _: self._worker.tell(

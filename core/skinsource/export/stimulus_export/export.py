@@ -72,7 +72,7 @@ def export_stimulus(
     full_scale: float | None = None,
     options: StimulusOptions | None = None,
     confirmed: bool = False,
-    actuation: Actuation | None = None,
+    actuation: Actuation | Literal["none"] | None = None,
     rig: Rig | Literal["none"] | None = None,
     equaliser: Equaliser | Literal["none"] | None = None,
     stages: Sequence[Stage] = (),

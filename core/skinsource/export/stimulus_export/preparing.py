@@ -284,7 +284,7 @@ def prepare_stimulus(
     *,
     stages: Sequence[Stage] = (),
     limits: Sequence[Limit] = (),
-    actuation: Actuation | None = None,
+    actuation: Actuation | Literal["none"] | None = None,
     rig: Rig | Literal["none"] | None = None,
     equaliser: Equaliser | Literal["none"] | None = None,
     progress: Progress = silent,
@@ -299,7 +299,8 @@ def prepare_stimulus(
     rate_hz
         Rate of the files; None, or a format with a fixed rate: the usual one of the format.
     stages, actuation
-        Processing at that rate; the actuators where no rig names them, None: those of the design.
+        Processing at that rate; the actuators where no rig names them, None: those of the design,
+        ``"none"``: none.
     limits
         Limits of the drives.
     rig, equaliser
@@ -346,11 +347,12 @@ def prepare_stimulus(
         stop_if(stop)
         drives = stage(drives)
     stop_if(stop)
-    actuation = design.actuation if actuation is None else actuation
+    at_places = design.actuation if actuation is None else actuation
+    at_places = None if at_places == "none" else at_places
     for channel in drives.channels if equaliser is not None else ():
         if channel.place is not None:
-            format.check_equaliser(*actuator_at(channel.place, rig, actuation))
-    drives = _for_rig(drives, rig, equaliser, options, actuation)
+            format.check_equaliser(*actuator_at(channel.place, rig, at_places))
+    drives = _for_rig(drives, rig, equaliser, options, at_places)
     if options.from_s is not None or options.to_s is not None:
         to_s = drives.duration_s if options.to_s is None else options.to_s
         drives = part_of_time(drives, options.from_s or 0.0, to_s)
@@ -404,7 +406,7 @@ def prepare_stimulus(
         cut=cut,
         lead_in_s=lead_in_s,
         tail_s=tail_s,
-        actuation=actuation,
+        actuation=at_places,
         rig=rig,
         equaliser=equaliser,
     )
@@ -412,7 +414,7 @@ def prepare_stimulus(
 
 def _chosen(
     design: Design,
-    actuation: Actuation | None,
+    actuation: Actuation | Literal["none"] | None,
     rig: Rig | Literal["none"] | None,
     equaliser: Equaliser | Literal["none"] | None,
 ) -> tuple[Rig | None, Equaliser | None]:
