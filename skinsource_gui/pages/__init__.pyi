@@ -9,4 +9,5 @@ from .matching import MatchingPage as MatchingPage
 from .motion import MotionPage as MotionPage
 from .rig.page import RigPage as RigPage
 from .scenes import ScenesPage as ScenesPage
+from .show import ShowPage as ShowPage
 from .stimulus.page import StimulusPage as StimulusPage

@@ -225,6 +225,7 @@ class MainWindow(QtWidgets.QMainWindow):
             leaves_scene.connect(self.workspaces.leave_scene)
         self.files.opened.connect(self.workspaces.show_panels)
         self.scenes.opened.connect(self.presenter.note_scene)
+        self.files.show_wanted.connect(self.presenter.open_file)
         for begins_or_ends in (self.notice.pass_now, self.hints.put_away):
             self.presenter.presenting_changed.connect(begins_or_ends)
         saving = self.files, self.scenes, self.library, self.presenter

@@ -82,9 +82,6 @@ def played_unit(window):
 #: Panels that say it, which stand behind each other.
 IN_FRONT = {
     "inspector": lambda window: checked_unit(window.panel("inspector")._fields._amplitude.field),
-    "frequency_and_amplitude": lambda window: checked_unit(
-        window.panel("frequency_and_amplitude")._amplitude.field
-    ),
     "playback": played_unit,
 }
 
