@@ -9,7 +9,7 @@ from PySide6.QtCore import QPoint, QRect, QRectF, QSize, QSizeF, Qt, Signal
 from skinsource.design.labels import limb_label
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.spec import ChoiceSpec
-from skinsource.studies.scenes.catalog import all_scenes, open_scene, why_not_on
+from skinsource.studies.scenes.catalog import all_scenes, opened_plainly, why_not_on
 from skinsource.studies.scenes.opened_scene import Scene
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.page import ToolPage
@@ -191,7 +191,11 @@ class ScenesPage(ToolPage):
         scene, reason = self.scene, self._reasons[self.scene.name]
         self.buttons.button(QtWidgets.QDialogButtonBox.StandardButton.Open).setEnabled(not reason)
         self.picture.show_picture(picture_of(scene), scene.title)
-        lines = [f"<b>{escape(scene.heading)}</b>", escape(scene.sentence), _dim(_source_of(scene))]
+        lines = [
+            f"<b>{escape(scene.heading)}</b>",
+            escape(scene.notes.partition("\n")[0]),
+            _dim(_source_of(scene)),
+        ]
         lines.append(self._reason_text(reason) if reason else self._limbs_text(scene))
         self.text.setText("<br>".join(lines))
 
@@ -202,7 +206,7 @@ class ScenesPage(ToolPage):
     def _limbs_text(self, scene: Scene) -> str:
         """Return on which limbs a scene opens, and notes on them."""
         limb = self.played_on.value
-        opened = open_scene(scene.name, available=self._limbs, limb=limb)
+        opened = opened_plainly(scene.name, available=self._limbs, limb=limb)
         limbs = dict.fromkeys(each.design.limb for each in opened.conditions)
         titles = ", ".join(limb_label(limb).title for limb in limbs)
         note = f"Opens on {titles}. {opened.note} {too_large(limb) if limb else ''} {_PICTURES}"

@@ -77,6 +77,11 @@ CONTROL = ChoiceSpec(
     hint="The one number that is turned in front of people",
 )
 COMPARED = SwitchSpec(label="Compared", hint="Show what the Compare panel compares")
+PLOT = ChoiceSpec(
+    label="Beside the maps",
+    options=(("traces", "Traces"), ("spectra", "Spectra")),
+    hint="What is drawn of the selected outputs",
+)
 MOVES = SwitchSpec(label="In motion", hint="Show motion; else RMS levels")
 
 
@@ -92,11 +97,14 @@ class StageSettings(fields.CheckedModel):
         Whether what the Compare panel compares is shown, or the design alone.
     moves
         Whether it is shown in motion.
+    plot
+        ``"traces"`` or ``"spectra"`` of the selected outputs.
     """
 
     control: str = fields.choice(ALL, CONTROL)
     compared: bool = fields.switch(False, COMPARED)
     moves: bool = fields.switch(True, MOVES)
+    plot: str = fields.choice("traces", PLOT)
 
 
 def stage_settings(view: View) -> StageSettings:

@@ -7,6 +7,7 @@ import numpy as np
 import scipy
 
 from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.decibels import decibels
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, audible_inputs
 from skinsource.design.waveforms.tones import Tone
@@ -89,6 +90,13 @@ class Loop:
             turns = np.exp(2j * np.pi * times_s / self.duration_s)
             vectors = (self.phasors[rows, :, None] * turns).real
         return times_s, vectors[:, 0] if self.signed else np.linalg.norm(vectors, axis=1)
+
+    def spectra(self, outputs: tuple[int, ...]) -> tuple[Floats, Floats]:
+        """Return frequencies, (n_bins,), in Hz, and levels of outputs, (n_outputs, n_bins), dB."""
+        signals = self.moving.signals[np.array(outputs, dtype=int) - 1]
+        n_times = signals.shape[-1]
+        magnitude = np.linalg.norm(np.abs(scipy.fft.rfft(signals)), axis=1) / n_times
+        return scipy.fft.rfftfreq(n_times, 1.0 / self.moving.sample_rate_hz), decibels(magnitude)
 
 
 def loop_of(design: Design, moving: Moving) -> Loop:

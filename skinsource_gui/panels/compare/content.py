@@ -13,6 +13,7 @@ from skinsource.base.measurement_conditions import Axes
 from skinsource.base.quoting import printable
 from skinsource.design.comparing import (
     EDITED,
+    MOST_SIDE_BY_SIDE,
     Snapshot,
     difference_db,
     frequency_of,
@@ -667,6 +668,36 @@ class OfLimbs(Kind):
         return super().hindrance(compared, view)
 
 
+class OfWindows(Kind):
+    """The time windows of the present design, at most as many as are seen side by side."""
+
+    needs: ClassVar[frozenset[str]] = frozenset(
+        {
+            *("limb_map", "limb_data", "surface", "sample_rate_hz", "windows"),
+            *("levels_of_windows_db", "surface_of_windows_db", "extents_of_windows"),
+        }
+    )
+    own: ClassVar[bool] = True
+
+    def sides(self, design: Design, results: Mapping[str, Any]) -> Sequence[Compared]:
+        common = {name: results[name] for name in _COMMON}
+        snapshot, sides = Snapshot(design=design), []
+        bounds_s = results["windows"].bounds_s(results["sample_rate_hz"])
+        for k, (begin_s, end_s) in enumerate(bounds_s[:MOST_SIDE_BY_SIDE]):
+            values = {
+                "output_levels_db": results["levels_of_windows_db"][k],
+                "surface_levels_db": results["surface_of_windows_db"][k],
+            }
+            extent = results["extents_of_windows"][k]
+            reach = "" if extent is None else f" · {extent.mean_distance_mm:.0f} mm"
+            name = f"{1e3 * begin_s:.0f} to {1e3 * end_s:.0f} ms{reach}"
+            sides.append(Compared(snapshot=snapshot, values={**common, **values}, axes=name))
+        return sides
+
+    def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
+        return [(side.axes, side.axes.partition(" · ")[0]) for side in compared]
+
+
 class OfFrequencies(Kind):
     """The present design, and the same at other frequencies, from the lowest to the highest."""
 
@@ -779,6 +810,7 @@ KINDS: dict[str, Kind] = {
     "limbs": OfLimbs(),
     "axes": OfAxes(),
     "frequencies": OfFrequencies(),
+    "windows": OfWindows(),
 }
 
 

@@ -7,7 +7,6 @@ from PySide6.QtCore import QElapsedTimer, QObject, Qt, QTimer, Signal
 
 from skinsource.base.arrays import Floats
 from skinsource.engine.loops import PICTURES_PER_PERIOD, SHOWN_HZ, Loop, loop_of
-from skinsource_gui.fields.units import minus
 from skinsource_gui.panels.compare.content import Cell, Names, moving_name
 from skinsource_gui.plots.colour_maps import DIVERGING, VIRIDIS
 from skinsource_gui.plots.ranges import SteadyRange
@@ -17,6 +16,11 @@ from skinsource_gui.state.compared import Compared
 # Colours reach their ends at this share of the largest acceleration, which under the actuator is
 # far larger than elsewhere.
 _SHARE_OF_LARGEST = 0.1
+
+
+def rounded(value: float) -> str:
+    """Return a number as a person would write it: "0.76", "130"."""
+    return f"{float(f'{value:.2g}'):g}"
 
 
 class MovingMaps:
@@ -108,7 +112,7 @@ class MovingMaps:
             scale=scale,
             design=design,
             synthetic=bool(side.values["limb_data"].synthetic),
-            reaches=minus(f"up to {loop.largest * gain:.2g} m/s²"),
+            reaches=f"up to {rounded(loop.largest * gain)} m/s²",
         )
 
     def _frame(self, k: int) -> Cell:

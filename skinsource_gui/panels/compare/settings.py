@@ -16,9 +16,10 @@ OF = ChoiceSpec(
         ("limbs", "Limbs"),
         ("axes", "Axes"),
         ("frequencies", "Frequencies"),
+        ("windows", "Time windows"),
     ),
     hint="Snapshots and designs of files; or this design on several limbs, along each axis, or at "
-    "several frequencies",
+    "several frequencies, or in its time windows",
 )
 SHOWN = ChoiceSpec(
     label="Shown",
@@ -53,7 +54,7 @@ class CompareSettings:
     Attributes
     ----------
     of
-        ``"snapshots"``, ``"limbs"``, ``"axes"`` or ``"frequencies"``.
+        ``"snapshots"``, ``"limbs"``, ``"axes"``, ``"frequencies"`` or ``"windows"``.
     shown
         ``"levels"``, ``"difference"``, ``"mean"`` or `MOTION`; of axes always the levels.
     own_maximum

@@ -32,11 +32,13 @@ from skinsource.specs.spec import Spec
 from skinsource.studies import scenes
 from skinsource_gui.fields.editor import Burst
 from skinsource_gui.fields.number_field import NumberField
-from skinsource_gui.fields.units import axis_unit, minus, output_text
+from skinsource_gui.fields.units import axis_unit, output_text
 from skinsource_gui.panels.compare.content import KINDS, OfWindow
 from skinsource_gui.panels.compare.maps import MapsPanel
+from skinsource_gui.panels.compare.motion import rounded
 from skinsource_gui.panels.compare.settings import CompareSettings
-from skinsource_gui.qt.frames import CachedPicture
+from skinsource_gui.plots.small_map import Range
+from skinsource_gui.qt.frames import CachedPicture, Same
 from skinsource_gui.qt.labels import how_to_add
 from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, letter_scale, set_tone, tabular
@@ -46,53 +48,59 @@ _ALONE = OfWindow()
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Curve:
-    """A trace: its label, the rank of its colour, times in s, and values."""
+    """A trace or a spectrum: its label, the rank of its colour, and its points."""
 
     label: str
     rank: int
-    times_s: Floats
-    values: Floats
+    x: Floats
+    y: Floats
 
 
-class TraceStrip(QtWidgets.QWidget):
-    """Traces over one time axis, and where the motion is.
+class Strip(QtWidgets.QWidget):
+    """Traces or spectra over one axis, and where the motion is.
 
     Attributes
     ----------
-    curves, cursor_s
-        What is drawn.
+    curves, marked
+        What is drawn, and which x is marked; None: none is.
     """
 
     def __init__(self) -> None:
         super().__init__()
         self.curves: tuple[Curve, ...] = ()
-        self.cursor_s: float | None = None
-        self._end_s, self._about, self._picture = 1.0, "", CachedPicture()
+        self.marked: float | None = None
+        self._x: Range = (0.0, 1.0)
+        self._y: Range = (-1.0, 1.0)
+        self._words = ("", "", "")
+        self._picture = CachedPicture()
         self.setObjectName("stage_traces")
         self.setMinimumHeight(80)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
 
-    def show_curves(self, curves: tuple[Curve, ...], end_s: float, about: str = "") -> None:
-        """Draw curves from 0 to ``end_s``; ``about`` says where all of them were taken."""
-        self.curves, self._end_s, self._about = curves, end_s, about
-        self.setAccessibleName(f"Traces: {', '.join(curve.label for curve in curves)}")
+    def show_curves(
+        self, curves: tuple[Curve, ...], x: Range, y: Range, words: tuple[str, str, str]
+    ) -> None:
+        """Draw curves between ends of x and y; words say where, and what the ends are."""
+        self.curves, self._x, self._y, self._words = curves, x, y, words
+        self.setVisible(bool(curves))
+        self.setAccessibleName(", ".join(curve.label for curve in curves))
         self.update()
 
-    def show_cursor(self, time_s: float | None) -> None:
-        """Mark an instant; None: none is."""
-        self.cursor_s = None if time_s is None else time_s % self._end_s
+    def show_cursor(self, x: float | None) -> None:
+        """Mark an instant, which goes round; None: none is."""
+        self.marked = None if x is None else x % self._x[1]
         self.update()
 
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         painter, theme = QtGui.QPainter(self), current_theme()
         painter.setFont(tabular(self.font()))
         painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
-        key = (tuple(map(id, self.curves)), theme)
+        key = (Same(self.curves), theme)
         ground = QtGui.QColor(theme.base)
         self._picture.paint(painter, QRectF(self.rect()), key, self._paint, ground)
-        if self.cursor_s is not None and self.curves:
+        if self.marked is not None and self.curves:
             area = self._area()
-            x = area.left() + area.width() * self.cursor_s / self._end_s
+            x = area.left() + area.width() * self.marked / self._x[1]
             painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 2))
             painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()))
         painter.end()
@@ -103,27 +111,31 @@ class TraceStrip(QtWidgets.QWidget):
 
     def _paint(self, painter: QtGui.QPainter) -> None:
         theme, area, line = current_theme(), self._area(), painter.fontMetrics().height()
-        top = max((float(np.abs(curve.values).max()) for curve in self.curves), default=0.0) or 1.0
+        middle = area.center().y()
         painter.setPen(QtGui.QPen(QtGui.QColor(theme.grid), 1))
-        painter.drawLine(
-            QPointF(area.left(), area.center().y()), QPointF(area.right(), area.center().y())
-        )
-        left = area.left()
+        painter.drawLine(QPointF(area.left(), middle), QPointF(area.right(), middle))
+        left, (x_low, x_high), (y_low, y_high) = area.left(), self._x, self._y
         for curve in self.curves:
-            x = area.left() + area.width() * curve.times_s / self._end_s
-            y = area.center().y() - 0.5 * area.height() * curve.values / top
+            x = area.left() + area.width() * (curve.x - x_low) / (x_high - x_low)
+            y = area.bottom() - area.height() * (curve.y - y_low) / (y_high - y_low)
             painter.setPen(theme.output_pen(curve.rank, max(line / 9.0, 1.5)))
+            painter.save()
+            painter.setClipRect(area)
             painter.drawPolyline(QtGui.QPolygonF(list(map(QPointF, x.tolist(), y.tolist()))))
+            painter.restore()
             painter.drawText(QPointF(left, 0.9 * line), curve.label)
             left += painter.fontMetrics().horizontalAdvance(f"{curve.label}   ")
         painter.setPen(QtGui.QColor(theme.dim))
         above = QRectF(area.left(), 0.0, area.width(), line)
-        painter.drawText(above, Qt.AlignmentFlag.AlignRight, self._about)
-        unit, factor = axis_unit(self._end_s)
         below = QRectF(area.left(), area.bottom(), area.width(), 1.2 * line)
-        painter.drawText(below, Qt.AlignmentFlag.AlignLeft, minus(f"±{top:.2g} m/s²"))
-        text = f"{self._end_s * factor:.3g} {unit}"
-        painter.drawText(below, Qt.AlignmentFlag.AlignRight, text)
+        right = Qt.AlignmentFlag.AlignRight
+        for place, side, text in zip(
+            (above, below, below),
+            (right, Qt.AlignmentFlag.AlignLeft, right),
+            self._words,
+            strict=True,
+        ):
+            painter.drawText(place, side, text)
 
 
 # Steps of the whole turn, of an arrow key or a notch of the wheel.
@@ -182,8 +194,9 @@ class Knob(QtWidgets.QWidget):
 
 # Heights of letters, in that of the panel: title, sentence, other words.
 _LETTERS = (0.05, 0.034, 0.022)
-# Share of the width that one map alone takes.
-_ONE_MAP = 0.45
+# How many periods are drawn of a steady tone, and of what passes; height of spectra.
+_PERIODS = {False: 3.0, True: 1.0}
+_SPECTRUM_DB = 60.0
 
 
 class StagePanel(MapsPanel):
@@ -203,7 +216,7 @@ class StagePanel(MapsPanel):
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.heading, self.sentence = QtWidgets.QLabel(), QtWidgets.QLabel()
-        self.strip, self.knob = TraceStrip(), Knob()
+        self.strip, self.knob = Strip(), Knob()
         self._track: Input | None = None
         self._turned = ""
         for label, name in ((self.heading, "stage_title"), (self.sentence, "stage_sentence")):
@@ -325,35 +338,46 @@ class StagePanel(MapsPanel):
 
     def _show_traces(self) -> None:
         """Draw the outputs of one map, or the first one of several."""
-        known = [(k, loop) for k, loop in enumerate(self.moving.loops) if loop is not None]
+        known = [(k, *loop) for k, loop in enumerate(self.moving.loops) if loop is not None]
         alone = len(self.moving.loops) == 1
         outputs = self.view.outputs if alone else self.view.outputs[:1]
         if not (known and outputs):
-            self.strip.show_curves((), 1.0)
+            self.strip.show_curves((), (0.0, 1.0), (-1.0, 1.0), ("", "", ""))
             return
         names = self.kind.names(self.compared, self.view, difference=False)
         limb = self.compared[0].snapshot.design.limb
-        where = output_text(outputs[0], limb)
-        ends = (
-            (3.0 if loop.phasors is not None else 1.0) * self.moving.length_s(loop)
-            for _, (loop, _) in known
+        where = "" if alone else output_text(outputs[0], limb)
+        spectra = stage_settings(self.view).plot == "spectra"
+        end_s = max(
+            _PERIODS[loop.phasors is None] * self.moving.length_s(loop) for _, loop, _ in known
         )
-        end_s = max(ends)
         curves = []
-        for k, (loop, gain) in known:
+        for k, loop, gain in known:
             kept = tuple(number for number in outputs if number <= loop.moving.signals.shape[0])
-            times_s, values = loop.traces(kept, end_s)
+            x, values = loop.spectra(kept) if spectra else loop.traces(kept, end_s)
+            values = values + 20.0 * np.log10(gain) if spectra else gain * values
             for row, number in enumerate(kept):
                 label = output_text(number, limb) if alone else names[k][min(1, len(names[k]) - 1)]
-                rank, values_then = row if alone else k, gain * values[row]
-                curves.append(Curve(label=label, rank=rank, times_s=times_s, values=values_then))
-        self.strip.show_curves(tuple(curves), end_s, "" if alone else where)
+                curves.append(Curve(label=label, rank=row if alone else k, x=x, y=values[row]))
+        top = max((float(np.abs(curve.y).max()) for curve in curves), default=0.0) or 1.0
+        if spectra:
+            low_hz, high_hz = facts_of(limb).band_hz or (0.0, float(curves[0].x[-1]))
+            top = max(float(curve.y.max()) for curve in curves)
+            words = (where, f"{low_hz:g} Hz, {_SPECTRUM_DB:g} dB high", f"{high_hz:g} Hz")
+            self.strip.show_curves(
+                tuple(curves), (low_hz, high_hz), (top - _SPECTRUM_DB, top), words
+            )
+        else:
+            unit, factor = axis_unit(end_s)
+            words = (where, f"±{rounded(top)} m/s²", f"{end_s * factor:.3g} {unit}")
+            self.strip.show_curves(tuple(curves), (0.0, end_s), (-top, top), words)
         self._show_cursor()
 
     def _show_cursor(self) -> None:
         pairs = zip(self.moving.loops, self.moving.turns, strict=True)
         ran_s = (turns * self.moving.length_s(known[0]) for known, turns in pairs if known)
-        self.strip.show_cursor(next(ran_s, None) if self.moves else None)
+        marked = self.moves and stage_settings(self.view).plot == "traces"
+        self.strip.show_cursor(next(ran_s, None) if marked else None)
 
     def _turn(self, value: float, gesture: int | None) -> None:
         if self.design is not None and self._track is not None:

@@ -68,7 +68,7 @@ def test_the_gallery_lists_all_scenes_and_shows_the_selected_one(window):
     assert "Fig. 2F" in text
     assert "Opens on Synthetic 3 (185 mm)." in text
     assert "SYNTHETIC" in text
-    page.list.setCurrentRow(headings.index("2H · A sensation that contracts"))
+    page.list.setCurrentRow(headings.index("2H · A sensation that contracts or expands"))
     assert "Inferred: kind, frequencies" in page.text.text()
     page.reject()
 
@@ -103,6 +103,10 @@ def test_each_opens_with_the_panels_that_show_it_and_nothing_to_complain_of(wind
         assert window.windowTitle().startswith(f"Fig. {scene.name}: "), scene.name
         for panel in scene.panels:
             assert window.docks[panel].in_sight, (scene.name, panel)
+        stage = window.panel("stage")
+        assert scene.sentence in stage.sentence.text()
+        assert scene.to_try in stage.sentence.text()
+        assert stage.maps.content.cells, scene.name
         assert window.notice.text == "", scene.name
         assert messages[-1] == f"Opened {scene.heading}, on a SYNTHETIC limb"
 
