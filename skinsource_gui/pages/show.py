@@ -214,6 +214,7 @@ class ShowPage(ToolPage):
             self.say("")
         self.heading.setText(entry.title if known else "")
         self.sentence.setText(entry.sentence if known else "")
+        self.sentence.setCursorPosition(0)
         self.notes.setPlainText(entry.notes if known else "")
         if known:
             self.knob.set_value(entry.knob)
