@@ -4,7 +4,7 @@ from collections.abc import Collection
 from html import escape
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QPoint, QRect, QRectF, QSize, QSizeF, Qt, Signal
+from PySide6.QtCore import QPoint, QRect, QSize, QSizeF, Qt, Signal
 
 from skinsource.design.labels import limb_label
 from skinsource.limbs.own_limbs import facts_of
@@ -20,11 +20,12 @@ from skinsource_gui.qt.screen_fit import fit_by_guess
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 from skinsource_gui.state.engine import too_large
 
-_MARGIN_PX = 8.0
+_MARGIN_PX = 8
 _LEAST_PX = (360, 220)
+_KEEP = Qt.AspectRatioMode.KeepAspectRatio
 
 
-class ScenePicture(QtWidgets.QWidget):
+class ScenePicture(QtWidgets.QLabel):
     """Shows a picture on a white ground, as large as there is room."""
 
     def __init__(self) -> None:
@@ -32,38 +33,32 @@ class ScenePicture(QtWidgets.QWidget):
         self._picture = QtGui.QPixmap()
         self.setObjectName("scene_picture")
         self.setMinimumSize(*_LEAST_PX)
-
-    def sizeHint(self) -> QSize:
+        self.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.setMargin(_MARGIN_PX)
+        self.setStyleSheet("background: white;")
         # The picture fills its room, but the page does not scroll to show it larger.
-        return QSize(*_LEAST_PX)
+        ignored = QtWidgets.QSizePolicy.Policy.Ignored
+        self.setSizePolicy(ignored, ignored)
 
     def show_picture(self, picture: QtGui.QPixmap, text: str) -> None:
         """Show another picture; a screen reader reads ``text``."""
         self._picture = picture
         self.setAccessibleName(text)
-        self.update()
+        self._fit()
 
-    def area(self) -> QRectF:
-        """Return the rectangle in which the picture is drawn; empty without a picture."""
-        if self._picture.isNull():
-            return QRectF()
-        room = QRectF(self.rect()).adjusted(_MARGIN_PX, _MARGIN_PX, -_MARGIN_PX, -_MARGIN_PX)
-        size = QSizeF(self._picture.size()).scaled(room.size(), Qt.AspectRatioMode.KeepAspectRatio)
-        area = QRectF(room.topLeft(), size)
-        area.moveCenter(room.center())
-        return area
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit()
 
-    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
-        painter = QtGui.QPainter(self)
-        painter.setRenderHint(QtGui.QPainter.RenderHint.SmoothPixmapTransform)
-        ground = QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5)
-        painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().border), 1))
-        painter.setBrush(QtGui.QColor("white"))
-        painter.drawRect(ground)
-        area = self.area()
-        if not area.isEmpty():
-            painter.drawPixmap(area, self._picture, QRectF(self._picture.rect()))
-        painter.end()
+    def _fit(self) -> None:
+        ratio = self.devicePixelRatioF()
+        picture = self._picture.scaled(
+            (QSizeF(self.contentsRect().size()) * ratio).toSize(),
+            _KEEP,
+            Qt.TransformationMode.SmoothTransformation,
+        )
+        picture.setDevicePixelRatio(ratio)
+        self.setPixmap(picture)
 
 
 TITLE = "Scenes"
@@ -237,15 +232,11 @@ def _icon_of(scene: Scene) -> QtGui.QIcon:
     """Return its picture, small, on a white card that looks the same when it is selected."""
     card = QtGui.QPixmap(QSize(*_ICON_PX))
     card.fill(Qt.GlobalColor.white)
-    small = picture_of(scene).scaled(
-        card.size(),
-        Qt.AspectRatioMode.KeepAspectRatio,
-        Qt.TransformationMode.SmoothTransformation,
-    )
+    area = QRect(QPoint(), picture_of(scene).size().scaled(card.size(), _KEEP))
+    area.moveCenter(card.rect().center())
     painter = QtGui.QPainter(card)
-    painter.drawPixmap(
-        (card.width() - small.width()) // 2, (card.height() - small.height()) // 2, small
-    )
+    painter.setRenderHint(QtGui.QPainter.RenderHint.SmoothPixmapTransform)
+    painter.drawPixmap(area, picture_of(scene))
     painter.end()
     icon = QtGui.QIcon(card)
     icon.addPixmap(card, QtGui.QIcon.Mode.Selected)

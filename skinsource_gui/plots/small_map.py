@@ -452,12 +452,7 @@ def level_style(view: View) -> LevelStyle:
 
 def with_colours_of(view: View, other: View) -> View:
     """Return ``view`` with the colours of ``other``, unless it has colours of its own."""
-    return with_colours(view, level_style(other).colours)
-
-
-def with_colours(view: View, colours: str) -> View:
-    """Return ``view`` in these colours, unless it has colours of its own."""
-    look = level_style(view)
+    look, colours = level_style(view), level_style(other).colours
     if look.colours != USUAL_STYLE.colours or look.colours == colours:
         return view
     return with_settings(view, _PANEL, replace(look, colours=colours))

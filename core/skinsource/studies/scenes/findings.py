@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import scipy
@@ -49,8 +50,8 @@ def told(opened: OpenedScene) -> OpenedScene:
     )
 
 
-def _ends(opened: OpenedScene) -> tuple[tuple[int, int], Floats, float] | None:
-    """Return the first and the last shown output above the noise, their traces, and the rate."""
+def _at_the_ends(opened: OpenedScene, text: Callable[[Floats, float, int, int], str]) -> str:
+    """Return a text on the traces of the first and the last shown output above the noise."""
     results = evaluate(
         opened.design, "selected_traces", "above_noise_db", "sample_rate_hz", view=opened.view
     )
@@ -61,10 +62,10 @@ def _ends(opened: OpenedScene) -> tuple[tuple[int, int], Floats, float] | None:
         if above_db is None or above_db[k - 1] >= LEAST_ABOVE_NOISE_DB
     ]
     if len(heard) < 2:
-        return None
+        return ""
     rows = [heard[0], heard[-1]]
-    traces: Floats = results["selected_traces"][rows]
-    return (outputs[rows[0]], outputs[rows[1]]), traces, results["sample_rate_hz"]
+    near, far = (outputs[row] for row in rows)
+    return text(results["selected_traces"][rows], results["sample_rate_hz"], near, far)
 
 
 def _power(traces: Floats, rate_hz: float) -> tuple[Floats, Floats]:
@@ -72,22 +73,16 @@ def _power(traces: Floats, rate_hz: float) -> tuple[Floats, Floats]:
     return scipy.fft.rfftfreq(traces.shape[-1], 1.0 / rate_hz), power / power.sum(axis=1)[:, None]
 
 
-def _high_frequencies(opened: OpenedScene) -> str:
-    if (ends := _ends(opened)) is None:
-        return ""
-    (near, far), traces, rate_hz = ends
+def _high_frequencies(traces: Floats, rate_hz: float, near: int, far: int) -> str:
     frequency_hz, power = _power(traces, rate_hz)
-    at_near, at_far = power[:, frequency_hz > _HIGH_HZ].sum(axis=1)
+    at_near, at_far = 100.0 * power[:, frequency_hz > _HIGH_HZ].sum(axis=1)
     return (
-        f"Above {_HIGH_HZ:g} Hz lies {100 * at_near:.0f} % of the energy at output {near}, "
-        f"and {100 * at_far:.0f} % at output {far}."
+        f"Above {_HIGH_HZ:g} Hz lies {at_near:.0f} % of the energy at output {near}, and "
+        f"{at_far:.0f} % at output {far}."
     )
 
 
-def _later_and_weaker(opened: OpenedScene) -> str:
-    if (ends := _ends(opened)) is None:
-        return ""
-    (near, far), traces, rate_hz = ends
+def _later_and_weaker(traces: Floats, rate_hz: float, near: int, far: int) -> str:
     peaks = np.abs(scipy.signal.hilbert(traces))
     weaker_db = float(-np.diff(decibels(peaks.max(axis=1)))[0])
     later_ms = float(np.diff(peaks.argmax(axis=1))[0]) / rate_hz * 1e3
@@ -98,10 +93,7 @@ def _later_and_weaker(opened: OpenedScene) -> str:
     )
 
 
-def _mean_frequencies(opened: OpenedScene) -> str:
-    if (ends := _ends(opened)) is None:
-        return ""
-    (near, far), traces, rate_hz = ends
+def _mean_frequencies(traces: Floats, rate_hz: float, near: int, far: int) -> str:
     frequency_hz, power = _power(traces, rate_hz)
     at_near, at_far = power @ frequency_hz
     return (
@@ -128,8 +120,8 @@ def _interference(opened: OpenedScene) -> str:
 
 #: What is computed, by the name of the scene.
 FINDINGS: dict[str, Callable[[OpenedScene], str]] = {
-    "1D": _high_frequencies,
-    "2A": _later_and_weaker,
-    "2C": _mean_frequencies,
+    "1D": partial(_at_the_ends, text=_high_frequencies),
+    "2A": partial(_at_the_ends, text=_later_and_weaker),
+    "2C": partial(_at_the_ends, text=_mean_frequencies),
     "2F": _interference,
 }
