@@ -232,11 +232,12 @@ def _icon_of(scene: Scene) -> QtGui.QIcon:
     """Return its picture, small, on a white card that looks the same when it is selected."""
     card = QtGui.QPixmap(QSize(*_ICON_PX))
     card.fill(Qt.GlobalColor.white)
-    area = QRect(QPoint(), picture_of(scene).size().scaled(card.size(), _KEEP))
+    smooth = Qt.TransformationMode.SmoothTransformation
+    small = picture_of(scene).scaled(card.size(), _KEEP, smooth)
+    area = small.rect()
     area.moveCenter(card.rect().center())
     painter = QtGui.QPainter(card)
-    painter.setRenderHint(QtGui.QPainter.RenderHint.SmoothPixmapTransform)
-    painter.drawPixmap(area, picture_of(scene))
+    painter.drawPixmap(area, small)
     painter.end()
     icon = QtGui.QIcon(card)
     icon.addPixmap(card, QtGui.QIcon.Mode.Selected)
