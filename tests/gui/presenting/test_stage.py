@@ -82,6 +82,10 @@ def test_three_snapshots_move_and_a_louder_one_is_shown_larger(stage, qtbot):
     first, second, third = complete(stage, qtbot, 3)
     np.testing.assert_allclose(second.values_db, 2.0 * first.values_db)
     np.testing.assert_allclose(third.values_db, 3.0 * first.values_db)
+    window.do("match_levels")
+    qtbot.waitUntil(lambda: stage.compared[2].gain != 1.0 and not window.engine.busy)
+    first, _, third = stage.maps.content.cells
+    np.testing.assert_allclose(third.values_db, first.values_db, rtol=1e-6)
 
 
 def test_six_maps_cost_as_many_interpolations_a_frame_and_no_prediction(stage, qtbot):
