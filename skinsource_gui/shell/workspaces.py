@@ -242,18 +242,16 @@ class Workspaces(QObject):
             self.choose(self._before_scene)
 
     def begin_show(self) -> None:
-        """Show the workspace for an audience, without a title."""
+        """Show the workspace for an audience."""
         window = self._window
         self._before_show = _Before(
             window.saveGeometry(), window.size(), self._present.name, self._layout_of_user()
         )
         self.show_scene()
-        self._docks[STAGE].show_tabbed(True)
 
     def end_show(self) -> None:
         """Show what was there before the presentation."""
         before, self._before_show = self._before_show, None
-        self._docks[STAGE].show_tabbed(False)
         if before is not None:
             self._show(before.name)
             self.put(before.layout)
