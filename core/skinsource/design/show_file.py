@@ -161,7 +161,15 @@ def open_show(path: str | os.PathLike[str]) -> tuple[ShowEntry | UnreadEntry, ..
 
     Examples
     --------
-    See `save_show`.
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> import skinsource as ss
+    >>> entry = ss.ShowEntry(design=ss.Design(limb="synthetic-1"), title="Silence")
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder) / "lecture.skinshow"
+    ...     ss.save_show(path, [entry, entry])
+    ...     print([entry.title for entry in ss.open_show(path)])
+    ['Silence', 'Silence']
     """
     path = Path(path)
     name, content = path_text(Path(path.name)), read_bytes(path, most=image.MAX_IMAGE_BYTES)
