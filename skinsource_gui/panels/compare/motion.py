@@ -154,6 +154,7 @@ class Clock(QObject):
 
     def run(self, on: bool) -> None:
         """Begin or stop."""
+        self.held = self.held and on
         if on != self._timer.isActive():
             self._elapsed.start()
             (self._timer.start if on else self._timer.stop)()

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from math import log
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 from PySide6 import QtGui, QtWidgets
@@ -254,10 +254,6 @@ class StagePanel(MapsPanel):
         if not self.moves and self.compared:
             names = self.kind.names(self.compared, self.view, difference=False)
             self.moving.update(self.compared, names)
-        self._show_traces()
-
-    def show_results(self, results: Mapping[str, Any]) -> None:
-        super().show_results(results)
         self._show_traces()
 
     def hold(self) -> None:
