@@ -17,7 +17,7 @@ from skinsource.base.assets import data_folder
 from skinsource.base.files import write_bytes
 from skinsource.export.plot import module
 from skinsource.studies.figures.writing import draw_figure
-from skinsource.studies.scenes.catalog import all_scenes, open_scene
+from skinsource.studies.scenes.catalog import all_scenes, missing_panels, open_scene
 from skinsource.studies.scenes.opened_scene import OpenedScene, Scene
 
 #: Width of a picture, px.
@@ -91,13 +91,14 @@ def page_of(scenes: tuple[Scene, ...], pictures: str) -> str:
         paragraphs = [
             f"## {scene.heading}",
             f"![{scene.title}]({pictures}/{scene.name}.png)",
-            scene.sentence,
+            scene.notes.partition("\n")[0],
             f"Source: {scene.source}.",
         ]
         if scene.inferred:
             paragraphs.append(f"Inferred: {'; '.join(scene.inferred)}.")
         parts.append("\n\n".join(paragraphs) + "\n")
-    return "\n".join(parts)
+    missing = "\n".join(f"- **{name}**: {reason}" for name, reason in missing_panels())
+    return "\n".join((*parts, f"## Panels that are no scenes\n\n{missing}\n"))
 
 
 def write_gallery(folder: Path, page: Path) -> None:

@@ -78,7 +78,7 @@ def _parser() -> argparse.ArgumentParser:
         prog="skinsource-gui",
         description="Design vibrotactile stimuli and see how they travel across hand and arm.",
     )
-    parser.add_argument("design", nargs="?", type=Path, help="a .skinsource file to open")
+    parser.add_argument("design", nargs="?", type=Path, help="a design or a show to open")
     parser.add_argument(
         "--render",
         type=Path,

@@ -21,6 +21,10 @@ from .design.design import Input as Input
 from .design.design import track as track
 from .design.design_file import open_design as open_design
 from .design.design_file import save_design as save_design
+from .design.show_file import ShowEntry as ShowEntry
+from .design.show_file import UnreadEntry as UnreadEntry
+from .design.show_file import open_show as open_show
+from .design.show_file import save_show as save_show
 from .design.signal_path import actuation_of_rig as actuation_of_rig
 from .design.view import View as View
 from .engine.evaluation import evaluate as evaluate

@@ -10,3 +10,4 @@ from .matching import MatchingPage as MatchingPage
 from .motion import MotionPage as MotionPage
 from .rig.page import RigPage as RigPage
 from .scenes import ScenesPage as ScenesPage
+from .show import ShowPage as ShowPage

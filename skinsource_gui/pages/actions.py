@@ -27,6 +27,7 @@ from skinsource.design.edits.edit import (
 from skinsource.design.edits.inputs import free_location, usual_location
 from skinsource.design.labels import limb_label
 from skinsource.design.presets import presets
+from skinsource.design.show_file import SHOW_SUFFIX
 from skinsource.design.view import View
 from skinsource.design.waveforms.samples import Recording
 from skinsource.limbs.own_limbs import facts_of
@@ -149,13 +150,17 @@ def _placed_first(
     return edits.place_waveform(design, view, int(number), recording, start_s)
 
 
+# Dropped anywhere, they are opened.
+_OPENED = (SUFFIX, SHOW_SUFFIX)
+
+
 class FileDrops(QObject):
     """Accepts designs, presets and recordings that are dropped on ``window``.
 
     The panels show where a file would go, and return the place where it was dropped.
     """
 
-    #: A design, `Path`.
+    #: A design or a show, `Path`.
     design_dropped = Signal(object)
     #: A recording, `Path`, and its `DropPlace` or None.
     recording_dropped = Signal(object, object)
@@ -179,7 +184,7 @@ class FileDrops(QObject):
         event.accept()
         at = event.position().toPoint()
         for panel in self._panels:
-            placed = paths[0].suffix != SUFFIX and self._inside(panel, at)
+            placed = paths[0].suffix not in _OPENED and self._inside(panel, at)
             panel.show_drop(panel.mapFrom(self._window, at) if placed else None)
         return True
 
@@ -198,7 +203,7 @@ class FileDrops(QObject):
         # After a move, the program that offered the file would delete it.
         event.setDropAction(Qt.DropAction.CopyAction)
         event.accept()
-        if paths[0].suffix == SUFFIX:
+        if paths[0].suffix in _OPENED:
             self.design_dropped.emit(paths[0])
         else:
             kind = paths[0].suffix == presets.SUFFIX
@@ -387,8 +392,7 @@ class MatchingActions(QObject):
 class SceneActions(QObject):
     """Shows the gallery of scenes, and opens the scene that is chosen there.
 
-    ``arrange`` takes the name of a workspace and the names of the panels to be visible, and returns
-    what that is called where another one was shown.
+    ``arrange`` shows the stage.
     """
 
     failed = Signal(str)
@@ -401,7 +405,7 @@ class SceneActions(QObject):
         self,
         services: Services,
         files: FileActions,
-        arrange: Callable[[str, Sequence[str]], str],
+        arrange: Callable[[], None],
     ) -> None:
         super().__init__(services.window)
         self._document, self._files, self._limbs = services.document, files, services.limbs
@@ -434,13 +438,11 @@ class SceneActions(QObject):
         self._files.leave_file()
         self._files.suggested = self._preferences.folder / f"{opened.scene.name}{SUFFIX}"
         self._last, self._last_limb = opened.scene.name, limb
-        workspace = self._arrange(opened.scene.arrangement, opened.scene.panels)
+        self._arrange()
         self.opened.emit(name)
         text = f"Opened {opened.scene.heading}"
         if opened.synthetic:
             text += ", on a SYNTHETIC limb"
         elif limb:
             text += f", on {limb_label(limb).title}"
-        if workspace:
-            text += f", in the {workspace} workspace"
         self.done.emit(text)

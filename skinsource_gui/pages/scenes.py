@@ -5,12 +5,12 @@ from html import escape
 
 import numpy as np
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QPoint, QRect, QRectF, QSize, QSizeF, Qt, Signal
+from PySide6.QtCore import QPoint, QRect, QSize, QSizeF, Qt, Signal
 
 from skinsource.design.labels import limb_label
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.spec import ChoiceSpec
-from skinsource.studies.scenes.catalog import all_scenes, open_scene, why_not_on
+from skinsource.studies.scenes.catalog import all_scenes, opened_plainly, why_not_on
 from skinsource.studies.scenes.opened_scene import Scene
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.page import ToolPage
@@ -21,11 +21,12 @@ from skinsource_gui.qt.screen_fit import fit_by_guess
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 from skinsource_gui.state.engine import too_large
 
-_MARGIN_PX = 8.0
+_MARGIN_PX = 8
 _LEAST_PX = (360, 220)
+_KEEP = Qt.AspectRatioMode.KeepAspectRatio
 
 
-class ScenePicture(QtWidgets.QWidget):
+class ScenePicture(QtWidgets.QLabel):
     """Shows a picture on its ground, as large as there is room."""
 
     def __init__(self) -> None:
@@ -33,38 +34,33 @@ class ScenePicture(QtWidgets.QWidget):
         self._picture = QtGui.QPixmap()
         self.setObjectName("scene_picture")
         self.setMinimumSize(*_LEAST_PX)
-
-    def sizeHint(self) -> QSize:
+        self.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.setMargin(_MARGIN_PX)
+        self.setBackgroundRole(QtGui.QPalette.ColorRole.Base)
+        self.setAutoFillBackground(True)
         # The picture fills its room, but the page does not scroll to show it larger.
-        return QSize(*_LEAST_PX)
+        ignored = QtWidgets.QSizePolicy.Policy.Ignored
+        self.setSizePolicy(ignored, ignored)
 
     def show_picture(self, picture: QtGui.QPixmap, text: str) -> None:
         """Show another picture; a screen reader reads ``text``."""
         self._picture = picture
         self.setAccessibleName(text)
-        self.update()
+        self._fit()
 
-    def area(self) -> QRectF:
-        """Return the rectangle in which the picture is drawn; empty without a picture."""
-        if self._picture.isNull():
-            return QRectF()
-        room = QRectF(self.rect()).adjusted(_MARGIN_PX, _MARGIN_PX, -_MARGIN_PX, -_MARGIN_PX)
-        size = QSizeF(self._picture.size()).scaled(room.size(), Qt.AspectRatioMode.KeepAspectRatio)
-        area = QRectF(room.topLeft(), size)
-        area.moveCenter(room.center())
-        return area
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit()
 
-    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
-        painter = QtGui.QPainter(self)
-        painter.setRenderHint(QtGui.QPainter.RenderHint.SmoothPixmapTransform)
-        ground = QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5)
-        painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().border), 1))
-        painter.setBrush(QtGui.QColor(current_theme().base))
-        painter.drawRect(ground)
-        area = self.area()
-        if not area.isEmpty():
-            painter.drawPixmap(area, self._picture, QRectF(self._picture.rect()))
-        painter.end()
+    def _fit(self) -> None:
+        ratio = self.devicePixelRatioF()
+        picture = self._picture.scaled(
+            (QSizeF(self.contentsRect().size()) * ratio).toSize(),
+            _KEEP,
+            Qt.TransformationMode.SmoothTransformation,
+        )
+        picture.setDevicePixelRatio(ratio)
+        self.setPixmap(picture)
 
 
 TITLE = "Scenes"
@@ -192,7 +188,11 @@ class ScenesPage(ToolPage):
         scene, reason = self.scene, self._reasons[self.scene.name]
         self.buttons.button(QtWidgets.QDialogButtonBox.StandardButton.Open).setEnabled(not reason)
         self.picture.show_picture(picture_of(scene), scene.title)
-        lines = [f"<b>{escape(scene.heading)}</b>", escape(scene.sentence), _dim(_source_of(scene))]
+        lines = [
+            f"<b>{escape(scene.heading)}</b>",
+            escape(scene.notes.partition("\n")[0]),
+            _dim(_source_of(scene)),
+        ]
         lines.append(self._reason_text(reason) if reason else self._limbs_text(scene))
         self.text.setText("<br>".join(lines))
 
@@ -203,7 +203,7 @@ class ScenesPage(ToolPage):
     def _limbs_text(self, scene: Scene) -> str:
         """Return on which limbs a scene opens, and notes on them."""
         limb = self.played_on.value
-        opened = open_scene(scene.name, available=self._limbs, limb=limb)
+        opened = opened_plainly(scene.name, available=self._limbs, limb=limb)
         limbs = dict.fromkeys(each.design.limb for each in opened.conditions)
         titles = ", ".join(limb_label(limb).title for limb in limbs)
         note = f"Opens on {titles}. {opened.note} {too_large(limb) if limb else ''} {_PICTURES}"
@@ -256,15 +256,12 @@ def _icon_of(scene: Scene) -> QtGui.QIcon:
     """Return its picture, small, on a card that looks the same when it is selected."""
     card = QtGui.QPixmap(QSize(*_ICON_PX))
     card.fill(QtGui.QColor(current_theme().base))
-    small = picture_of(scene).scaled(
-        card.size(),
-        Qt.AspectRatioMode.KeepAspectRatio,
-        Qt.TransformationMode.SmoothTransformation,
-    )
+    smooth = Qt.TransformationMode.SmoothTransformation
+    small = picture_of(scene).scaled(card.size(), _KEEP, smooth)
+    area = small.rect()
+    area.moveCenter(card.rect().center())
     painter = QtGui.QPainter(card)
-    painter.drawPixmap(
-        (card.width() - small.width()) // 2, (card.height() - small.height()) // 2, small
-    )
+    painter.drawPixmap(area, small)
     painter.end()
     icon = QtGui.QIcon(card)
     icon.addPixmap(card, QtGui.QIcon.Mode.Selected)

@@ -209,6 +209,14 @@ class SmallMaps:
         return replace(plain, field=field, field_levels_db=levels)
 
 
+@lru_cache(maxsize=8)
+def _outline(limb_map: LimbMap) -> QtGui.QPainterPath:
+    path = QtGui.QPainterPath()
+    path.addPolygon(QtGui.QPolygonF([QPointF(x, y) for x, y in limb_map.outline]))
+    path.closeSubpath()
+    return path
+
+
 def paint_small_map(
     painter: QtGui.QPainter,
     area: QRectF,
@@ -235,11 +243,7 @@ def paint_small_map(
     """
     limb_map = shown.limb_map
     frame = small_frame(limb_map, area)
-    outline = QtGui.QPainterPath()
-    outline.addPolygon(
-        QtGui.QPolygonF([QPointF(x, y) for x, y in frame.to_screen(limb_map.outline)])
-    )
-    outline.closeSubpath()
+    outline = frame.transform().map(_outline(limb_map))
     painter.save()
     painter.setRenderHints(
         QtGui.QPainter.RenderHint.Antialiasing | QtGui.QPainter.RenderHint.SmoothPixmapTransform
@@ -431,12 +435,7 @@ def level_style(view: View) -> LevelStyle:
 
 def with_colours_of(view: View, other: View) -> View:
     """Return ``view`` with the colours of ``other``, unless it has colours of its own."""
-    return with_colours(view, level_style(other).colours)
-
-
-def with_colours(view: View, colours: str) -> View:
-    """Return ``view`` in these colours, unless it has colours of its own."""
-    look = level_style(view)
+    look, colours = level_style(view), level_style(other).colours
     if look.colours != USUAL_STYLE.colours or look.colours == colours:
         return view
     return with_settings(view, _PANEL, replace(look, colours=colours))
@@ -575,6 +574,8 @@ class ColourScale:
     reached_db
         The smallest and the largest value; those beyond the range have the colour of its end.
         None: all lie within.
+    unit
+        Unit of values beside which none is written.
     """
 
     range_db: Range
@@ -582,9 +583,14 @@ class ColourScale:
     colours: str = VIRIDIS
     signed: bool = False
     reached_db: Range | None = None
+    unit: str = "dB"
 
     def text(self, value_db: float) -> str:
         """Return ``"−12.3 dB"``; differences have a sign."""
+        if self.unit != "dB":
+            return minus(
+                f"{value_db:+.3g} {self.unit}" if self.signed else f"{value_db:.3g} {self.unit}"
+            )
         if not self.signed and value_db <= FLOOR_DB:
             return SILENT
         return minus(f"{value_db:+z.1f} dB" if self.signed else f"{value_db:z.1f} dB")

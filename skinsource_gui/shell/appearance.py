@@ -34,7 +34,6 @@ class Appearance(QObject):
     def __init__(self, preferences: Preferences, parent: QObject) -> None:
         super().__init__(parent)
         self._preferences = preferences
-        self._room_scale = 1.0
         QtGui.QGuiApplication.styleHints().colorSchemeChanged.connect(self._follow_desktop)
         # Some widgets that are made before the first time would keep their font.
         self.apply()
@@ -42,7 +41,7 @@ class Appearance(QObject):
     @property
     def text_scale(self) -> float:
         """Size of words, 1 as the desktop has it."""
-        return min(self._preferences.text_scale * self._room_scale, LARGEST_TEXT)
+        return min(self._preferences.text_scale, LARGEST_TEXT)
 
     def use_theme(self, name: str) -> None:
         """Take over ``"light"``, ``"dark"`` or ``"system"``."""
@@ -60,12 +59,6 @@ class Appearance(QObject):
     def reset_text(self) -> None:
         """Make words as large as the desktop has them."""
         self._scale_text(1.0)
-
-    def fit_room(self, scale: float) -> None:
-        """Enlarge words by ``scale`` beside the chosen size, so that a room can read them."""
-        if scale != self._room_scale:
-            self._room_scale = scale
-            self.apply()
 
     def apply(self) -> None:
         """Give the whole application theme and size of words."""

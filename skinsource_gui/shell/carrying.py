@@ -145,7 +145,8 @@ class ExportMetadata:
             limb_sources = None if limb == design.limb else on_limb(design, view, limb)
             if limb_sources is not None and not isinstance(limb_sources, str):
                 given = sources_of_levels(*limb_sources, match_gain=view.match_gain(design))
-                designs.append(_ShownDesign(label=short_limb_title(limb), given=given))
+                name = f"{limb:g} Hz" if isinstance(limb, float) else short_limb_title(limb)
+                designs.append(_ShownDesign(label=name, given=given))
         for snapshot in compared:
             if here is None or snapshot.number != here.number:
                 given = sources_of_levels(snapshot.design, view)

@@ -2,10 +2,10 @@
 
 from dataclasses import dataclass, fields
 
+from skinsource.design.panel_settings import StageSettings
 from skinsource.specs.models import specs_of
 from skinsource_gui.panels.analysis.settings import AnalysisSettings
 from skinsource_gui.panels.compare.settings import CompareSettings
-from skinsource_gui.panels.frequency_and_amplitude.settings import ControlSettings
 from skinsource_gui.panels.hand.settings import HandSettings
 from skinsource_gui.panels.output.settings import OutputSettings
 from skinsource_gui.panels.skin.settings import SkinSettings
@@ -52,8 +52,8 @@ PANELS: tuple[PanelSpec, ...] = (
     PanelSpec(panel=LazyPanel("timeline", "Timeline"), settings=TimelineSettings),
     PanelSpec(panel=LazyPanel("inspector", "Clip")),
     PanelSpec(
-        panel=LazyPanel("frequency_and_amplitude", "Frequency and amplitude"),
-        settings=ControlSettings,
+        panel=LazyPanel("stage", "Stage", folder="compare", module="stage"),
+        settings=StageSettings,
     ),
     PanelSpec(panel=LazyPanel("skin", "Skin"), settings=SkinSettings),
     PanelSpec(panel=LazyPanel("traces", "Traces"), settings=TracesSettings),

@@ -1,8 +1,10 @@
 """Presenting: the window without its bars, scenes by one key, maps that can be covered, notes."""
 
-from collections.abc import Callable, Mapping
+import re
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING, cast
 
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
@@ -11,10 +13,12 @@ from shiboken6 import isValid
 from skinsource.base.errors import SkinSourceError
 from skinsource.design.design import Design
 from skinsource.design.design_file import SUFFIX, open_design
-from skinsource.design.view import View
+from skinsource.design.panel_settings import STAGE
+from skinsource.design.show_file import ShowEntry, UnreadEntry, open_show
 from skinsource.studies import scenes
+from skinsource_gui import pages
 from skinsource_gui.pages.files.file_actions import FileActions
-from skinsource_gui.plots.small_map import level_style, with_colours
+from skinsource_gui.plots.small_map import with_colours_of
 from skinsource_gui.qt.keys import KEYS, key_text, meaning_of, shortcut_text
 from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import UNIT_PX
@@ -23,37 +27,9 @@ from skinsource_gui.shell.workspaces import Workspaces
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.services import Services
 
-
-class ChosenColours:
-    """Keeps the level colours that were chosen in the window through a show.
-
-    Parameters
-    ----------
-    view
-        What is open.
-    """
-
-    def __init__(self, view: View) -> None:
-        self._opened, self._chosen = level_style(view).colours, ""
-
-    def forget(self, view: View) -> None:
-        """Begin another show: something else was opened by hand."""
-        self._opened, self._chosen = level_style(view).colours, ""
-
-    def on(self, view: View, left: View, *, of_file: bool) -> View:
-        """The next view in the colours of this show, unless it has some itself.
-
-        ``left`` is what is left for it.  Scenes of the paper have none: they take those of
-        whatever was open.  ``of_file``: colours that another file brought go with that.
-        """
-        now = level_style(left).colours
-        if now != self._opened:
-            self._chosen = now
-        colours = self._chosen if of_file else now
-        shown = with_colours(view, colours) if colours else view
-        self._opened = level_style(shown).colours
-        return shown
-
+if TYPE_CHECKING:
+    from skinsource_gui.pages.show import ShowPage
+    from skinsource_gui.panels.compare.stage import StagePanel
 
 _LARGE = 1.6
 _SIZE = 560, 420
@@ -111,39 +87,27 @@ class NotesWindow(QtWidgets.QWidget):
 
 
 _OVERRIDE, _PRESSED = QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress
-# Widgets that have the keyboard by chance, after a mouse edit: the key of Play plays there.
-_PUSHED = (QtWidgets.QAbstractButton, QtWidgets.QComboBox, QtWidgets.QAbstractItemView)
-# These widgets decide whether Esc gives up what is typed.
+# These widgets decide whether Esc and Space are for what is typed.
 _TEXTS = (QtWidgets.QLineEdit, QtWidgets.QPlainTextEdit, QtWidgets.QTextEdit)
 
 
 class PresentingKeys(KeyboardFilter):
     """Takes keys from the widget that has the keyboard, until its end.
 
-    Clickers send Page Down and Page Up: plots go through time with them and numbers take large
-    steps; a shortcut of the window would come after those.  The key of Play plays, also on a list,
-    and Esc leaves, also on a map whose outputs it would unselect: here too shortcuts of the window
-    come after.  What is typed or dragged has both first.
+    Clickers send Page Down and Page Up, with which a dial takes large steps; and Space and Esc mean
+    something to lists, buttons and maps.  What is typed or dragged has Esc and Space first.
 
     Parameters
     ----------
     handlers
-        What is done by the keys of "next", "previous" and "leave".
-    play
-        What is done by its shortcut, where no shortcut of the window is asked.
+        What is done by the keys of their meanings.
     parent
         Its owner.
     """
 
-    def __init__(
-        self,
-        handlers: Mapping[str, Callable[[], None]],
-        play: QtGui.QAction,
-        parent: QObject,
-    ) -> None:
+    def __init__(self, handlers: Mapping[str, Callable[[], None]], parent: QObject) -> None:
         super().__init__(parent)
-        self._play = play
-        self._handlers = {**handlers, "play": play.trigger}
+        self._handlers = handlers
         self.follow(True)
 
     def end(self) -> None:
@@ -154,8 +118,7 @@ class PresentingKeys(KeyboardFilter):
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() not in (_OVERRIDE, _PRESSED) or not isinstance(event, QtGui.QKeyEvent):
             return super().eventFilter(watched, event)
-        plays = QtGui.QKeySequence(event.keyCombination()) in self._play.shortcuts()
-        meaning = "play" if plays else meaning_of("presenting", event)
+        meaning = meaning_of("presenting", event)
         do = self._handlers.get(meaning)
         elsewhere = (
             QtWidgets.QApplication.activeModalWidget() or QtWidgets.QApplication.activePopupWidget()
@@ -164,8 +127,8 @@ class PresentingKeys(KeyboardFilter):
             return super().eventFilter(watched, event)
         if event.type() == _PRESSED:
             do()
-        elif meaning in ("play", "leave"):
-            # `EscapeTwice` and a shortcut of the window get the event too.
+        elif meaning == "leave":
+            # `EscapeTwice` gets the event too.
             return super().eventFilter(watched, event)
         event.accept()
         return True
@@ -173,23 +136,30 @@ class PresentingKeys(KeyboardFilter):
 
 def _belongs_to_presenter(watched: QObject, meaning: str) -> bool:
     """Return whether a key is not for the widget with the keyboard."""
-    if meaning == "play":
-        return isinstance(watched, _PUSHED)
-    if meaning == "leave":
-        return not isinstance(watched, _TEXTS) and not QtWidgets.QApplication.mouseButtons()
-    return True
+    if meaning in ("next", "previous"):
+        return True
+    # A number counts as a text only while it is typed.
+    typing = isinstance(watched, _TEXTS) and getattr(watched, "editing", True)
+    return not typing and not QtWidgets.QApplication.mouseButtons()
 
 
-#: One scene of a list: the file of a design, or the name of a scene of the paper.
-Step = Path | str
+#: One scene of a list: the file of a design, an entry of a show, or the name of a scene of the
+#: paper.
+Step = Path | ShowEntry | UnreadEntry | str
 
 
 def steps_of_folder(folder: Path) -> tuple[Step, ...]:
-    """Return the designs of a folder in the order of their names."""
+    """Return the designs of a folder in the natural order of their names: 1, 2, 10."""
     try:
-        return tuple(sorted(path for path in folder.iterdir() if path.suffix == SUFFIX))
+        paths = [path for path in folder.iterdir() if path.suffix == SUFFIX]
     except OSError:
         return ()
+    return tuple(sorted(paths, key=_natural))
+
+
+def _natural(path: Path) -> list[tuple[int, str]]:
+    parts = re.split(r"(\d+)", path.stem.casefold())
+    return [(int(part), "") if part.isdecimal() else (-1, part) for part in parts]
 
 
 def steps_of_paper() -> tuple[Step, ...]:
@@ -198,7 +168,11 @@ def steps_of_paper() -> tuple[Step, ...]:
 
 
 def step_title(step: Step) -> str:
-    """Return what a scene of a list is called."""
+    """Return what a scene of a list is called before it is opened."""
+    if isinstance(step, UnreadEntry):
+        return "An entry that cannot be read"
+    if isinstance(step, ShowEntry):
+        return step.title
     return step.stem if isinstance(step, Path) else scenes.scene(step).heading
 
 
@@ -274,19 +248,18 @@ class Presenter(QObject):
         super().__init__(window)
         self._window, self._document = window, document
         self._files, self._actions = files, actions
-        self._workspaces = workspaces
+        self._workspaces, self._preferences = workspaces, services.preferences
+        self._show_path: Path | None = None
         self.presenting = self.covered = False
         self._made = panels
         panels.each(lambda panel: panel.show_covered(self.covered))
         self._focused: QtWidgets.QWidget | None = None
         self._steps: tuple[Step, ...] = ()
         self._at = -1
-        self._panels: tuple[str, ...] = ()
         # The scene that is open, as it was when it was presented: what is turned in it meanwhile is
         # not kept.  None: there is work in it that is asked about.
         self._unchanged: WholeScene | None = None
         self._opening = False
-        self._colours = ChosenColours(document.view)
         self._notes: NotesWindow | None = None
         self._keys: list[QtGui.QShortcut] = []
         self._presenting_keys: PresentingKeys | None = None
@@ -305,17 +278,17 @@ class Presenter(QObject):
         self._unchanged = WholeScene.of(self._document) if whole else None
         self._focused = window.focusWidget()
         self.presenting_changed.emit(True)
-        self._workspaces.begin_show(self._panels)
+        self._workspaces.begin_show()
         for bar in self._bars():
             bar.hide()
-        # Keys of menus that are away would be dead.
-        window.addActions(list(self._actions().values()))
+        # Keys of menus that are away would be dead; here Space moves no actuator.
+        window.addActions([each for name, each in self._actions().items() if name != "play"])
         window.setWindowState(window.windowState() | Qt.WindowState.WindowFullScreen)
         for keyboard in (window, self._notes):
             if keyboard is not None:
                 self._listen(keyboard)
-        handlers = {"next": self.next_scene, "previous": self.previous_scene, "leave": self.end}
-        self._presenting_keys = PresentingKeys(handlers, self._actions()["play"], self)
+        self._presenting_keys = PresentingKeys(self._handlers(), self)
+        self._made[STAGE].setFocus()
         following = KEYS["presenting"].gestures["next"].shown
         cover = key_text("presenting", "cover")
         leave = f"{shortcut_text('present')} or {key_text('presenting', 'leave')}"
@@ -340,7 +313,7 @@ class Presenter(QObject):
         for bar in self._bars():
             bar.show()
         self.presenting_changed.emit(False)
-        self._workspaces.end_show(self._panels)
+        self._workspaces.end_show()
         if self._focused is not None and isValid(self._focused):
             self._focused.setFocus()
         if self.covered:
@@ -354,6 +327,33 @@ class Presenter(QObject):
         for panel in self._made:
             panel.show_covered(self.covered)
 
+    def open_file(self, path: Path) -> None:
+        """Open a show: its first design on the stage, the others come after it."""
+        try:
+            entries = open_show(path)
+        except SkinSourceError as error:
+            self.failed.emit(str(error))
+            return
+        self._files.note_used(path)
+        self._show_path = path
+        self.open_show(entries)
+
+    def open_show(self, entries: Sequence[ShowEntry | UnreadEntry], at: int = 0) -> None:
+        """Put one of some designs on the stage; the others come before and after it."""
+        if entries and (self._unchanged is not None or self._files.may_lose_changes()):
+            self._steps = tuple(entries)
+            self._open(at)
+
+    def make_show(self) -> "ShowPage":
+        """Open the page on which the show that is open, or a new one, is changed."""
+        known = [step for step in self._steps if isinstance(step, (ShowEntry, UnreadEntry))]
+        path = self._show_path if known else None
+        page = pages.ShowPage(self._document, self._preferences, self._window, path, known)
+        page.presented.connect(self.open_show)
+        page.saved.connect(self._note_saved)
+        page.show()
+        return page
+
     def next_scene(self) -> None:
         """Go to the next scene."""
         self._go(1)
@@ -366,7 +366,6 @@ class Presenter(QObject):
         """A scene of the paper was opened elsewhere: the next one comes after it."""
         self._steps = steps_of_paper()
         self._at = [scene.name for scene in scenes.all_scenes()].index(name)
-        self._panels = scenes.scene(name).panels
 
     def show_notes(self) -> None:
         """Show what the speaker reads, on another screen where there is one."""
@@ -381,19 +380,23 @@ class Presenter(QObject):
     def _bars(self) -> list[QtWidgets.QWidget]:
         return [self._window.menuWidget(), self._window.statusBar()]
 
-    def _end_unless_dragging(self) -> None:
-        # During a drag Esc is meant for what is dragged.
-        if not QtWidgets.QApplication.mouseButtons():
-            self.end()
+    def _note_saved(self, path: Path) -> None:
+        self._show_path = path
+        self._files.note_used(path)
 
-    def _listen(self, widget: QtWidgets.QWidget) -> None:
-        doing: dict[str, Callable[[], None]] = {
+    def _handlers(self) -> dict[str, Callable[[], None]]:
+        stage = cast("StagePanel", self._made[STAGE])
+        return {
             "next": self.next_scene,
             "previous": self.previous_scene,
             "cover": self.cover,
-            "leave": self._end_unless_dragging,
+            "leave": self.end,
+            "hold": stage.hold,
+            "levels": stage.show_levels,
         }
-        for name, do in doing.items():
+
+    def _listen(self, widget: QtWidgets.QWidget) -> None:
+        for name, do in self._handlers().items():
             for text in KEYS["presenting"].gestures[name].keys:
                 key = QtGui.QShortcut(QtGui.QKeySequence(text), widget)
                 key.activated.connect(do)
@@ -416,38 +419,40 @@ class Presenter(QObject):
 
     def _open(self, number: int) -> None:
         step = self._steps[number]
-        title = step_title(step)
-        arrangement = ""
-        panels: tuple[str, ...] = ()
+        # One that does not open is passed by with the next key.
+        self._at = number
         try:
-            if isinstance(step, Path):
+            if isinstance(step, UnreadEntry):
+                self.failed.emit(f"Scene {number + 1}: {step.problem}")
+                return
+            if isinstance(step, ShowEntry):
+                design, view = step.presented
+            elif isinstance(step, Path):
                 content = open_design(step)
                 design, view = content.design, content.view
             else:
                 opened = scenes.open_scene(step)
-                design, view = opened.design, opened.view
-                arrangement, panels = opened.scene.arrangement, opened.scene.panels
+                # Colours chosen in front of an audience stay.
+                view = with_colours_of(opened.view, self._document.view)
+                design = opened.design
         except SkinSourceError as error:
             self.failed.emit(str(error))
             return
+        title = (scenes.title_of(design) if design.title else "") or step_title(step)
         left = "" if self._unchanged is None else self._unchanged.left(self._document)
-        self._at, self._opening = number, True
-        # Colours chosen in front of an audience stay, unless a file has others.
-        view = self._colours.on(view, self._document.view, of_file=isinstance(step, Path))
+        self._opening = True
         self._document.start_over(design, view, None, scene=title)
         self._files.leave_file()
-        self._opening, self._panels = False, panels
+        self._opening = False
         self._unchanged = WholeScene.of(self._document) if self.presenting else None
-        if arrangement:
-            self._workspaces.show_scene(arrangement, panels)
+        self._workspaces.show_scene()
         self.done.emit(f"Scene {number + 1} of {len(self._steps)}: {title}{left}")
         self._show_notes()
 
     def _look(self) -> None:
         # With another design the history is empty; with a step of it, it is not.
         if not self._opening and self._document.undo_stack.count() == 0:
-            self._unchanged, self._steps, self._at, self._panels = None, (), -1, ()
-            self._colours.forget(self._document.view)
+            self._unchanged, self._steps, self._at = None, (), -1
 
     def _show_notes(self) -> None:
         if self._notes is None:

@@ -232,6 +232,7 @@ class MainWindow(QtWidgets.QMainWindow):
         self.setup_bar.edited.connect(document.apply)
         self.files.started_over.connect(self.workspaces.leave_scene)
         self.scenes.opened.connect(self.presenter.note_scene)
+        self.files.show_wanted.connect(self.presenter.open_file)
         for begins_or_ends in (self.notice.pass_now, self.hints.put_away):
             self.presenter.presenting_changed.connect(begins_or_ends)
         saving = self.files, self.scenes, self.library, self.presenter

@@ -9,6 +9,7 @@ from itertools import pairwise
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QByteArray, QEvent, QObject, QSize, Qt, QTimer, Signal
 
+from skinsource.design.panel_settings import STAGE
 from skinsource_gui.qt.window_events import WindowEvents
 from skinsource_gui.shell.appearance import Appearance
 from skinsource_gui.shell.docks import Dock, KeyboardKeeper
@@ -62,8 +63,6 @@ class Workspace:
     folds
         Parts of ``split`` whose panels become tabs, one part after the other, where the window is
         too small.
-    text_scale
-        Size of letters, beside the size that is chosen otherwise.
     """
 
     name: str
@@ -75,7 +74,6 @@ class Workspace:
     hosts: Mapping[str, str] = field(default_factory=dict)
     beside: Mapping[str, str] = field(default_factory=dict)
     folds: tuple[Split, ...] = ()
-    text_scale: float = 1.0
 
 
 #: Panels that fold out of the lower edge of the window.
@@ -114,18 +112,10 @@ WORKSPACES: tuple[Workspace, ...] = (
     Workspace(
         name=PRESENTATION,
         text="Present",
-        hint="The skin, the hand, frequency and amplitude, in large letters",
+        hint="The skin in motion, traces and one knob, in large letters",
         key="Alt+3",
-        split=Split(
-            _ACROSS,
-            (
-                (Split(_DOWN, (("hand", 82), ("frequency_and_amplitude", 18))), 42),
-                ("skin", 58),
-            ),
-        ),
-        host="hand",
-        hosts={"analysis_2": "skin"},
-        text_scale=1.25,
+        split=Split(_ACROSS, ((STAGE, 1),)),
+        host=STAGE,
     ),
 )
 
@@ -257,56 +247,35 @@ class Workspaces(QObject):
         self._own.pop(self._present.name, None)
         self._show(self._present.name)
 
-    def show_scene(self, name: str, panels: Sequence[str]) -> str:
-        """Show the workspace that a scene needs, as it was left, and its panels.
-
-        In a presentation the workspace stays.
-
-        Parameters
-        ----------
-        name
-            That of the workspace.
-        panels
-            Names of panels; the last of several in one place comes to the front.
-
-        Returns
-        -------
-        str
-            What the workspace is called, if another one was shown before.
-        """
-        present = self._present
+    def show_scene(self) -> None:
+        """Show the stage as it was left; `leave_scene` leaves it."""
         if self._before_show is not None:
             self._show(PRESENTATION)
-        else:
-            before = self._before_scene or self._present.name
-            self.choose(name)
-            self._before_scene = before
-        for panel in panels:
-            self.bring(panel)
-        return "" if self._present is present else self._present.text
+            return
+        before = self._before_scene or self._present.name
+        self.choose(PRESENTATION)
+        self._before_scene = before
 
     def leave_scene(self) -> None:
         """Show the workspace that was there before the scene; in a presentation it stays."""
         if self._before_scene and self._before_show is None:
             self.choose(self._before_scene)
 
-    def begin_show(self, panels: Sequence[str]) -> None:
-        """Show the workspace for an audience, with the panels of a scene."""
+    def begin_show(self) -> None:
+        """Show the workspace for an audience."""
         window = self._window
         self._before_show = _Before(
             window.saveGeometry(), window.size(), self._present.name, self._layout_of_user()
         )
-        self.show_scene(PRESENTATION, panels)
+        self.show_scene()
 
-    def end_show(self, panels: Sequence[str]) -> None:
-        """Show what was there before the presentation, and the panels of a scene."""
+    def end_show(self) -> None:
+        """Show what was there before the presentation."""
         before, self._before_show = self._before_show, None
         if before is not None:
             self._show(before.name)
             self.put(before.layout)
             self._awaited = before
-            for panel in panels:
-                self.bring(panel)
 
     def bring(self, panel: str) -> None:
         """Bring a panel into sight without moving others."""
@@ -362,7 +331,6 @@ class Workspaces(QObject):
         # Letters of another size share no room before the docks stand.
         self._moved = True
         self._preferences.arrangement = workspace.name
-        self._appearance.fit_room(workspace.text_scale)
         self._folded = self._folds()
         in_sight = tuple(workspace.split.panels())
         with self._arranging():

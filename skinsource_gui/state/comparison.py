@@ -34,6 +34,7 @@ from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import (
     FIRST_SLOT,
     OF_OUTPUTS,
+    Beside,
     Engine,
     Outcome,
     Purpose,
@@ -49,7 +50,7 @@ from skinsource_gui.state.worker import fault_text
 
 
 class OnLimbs(QObject):
-    """Has the engine predict the design on each limb that visible panels need.
+    """Has the engine predict the design on each limb, or at each frequency, that panels need.
 
     For the limb of the window its own results are used, where they hold all that is needed.
     """
@@ -59,10 +60,10 @@ class OnLimbs(QObject):
         self._document, self._engine = document, engine
         self._panels = panels
         # What visible panels need, as of the last change: of each limb, and all of them together.
-        self._needs: dict[Panel, Mapping[str, frozenset[str]]] = {}
-        self._wanted: dict[str, frozenset[str]] = {}
-        self._requests: dict[str, Request] = {}
-        self._outcomes: dict[str, Outcome] = {}
+        self._needs: dict[Panel, Mapping[Beside, frozenset[str]]] = {}
+        self._wanted: dict[Beside, frozenset[str]] = {}
+        self._requests: dict[Beside, Request] = {}
+        self._outcomes: dict[Beside, Outcome] = {}
 
     def begin(self) -> None:
         """Follow the document, after the conductor of the window does."""
@@ -81,7 +82,7 @@ class OnLimbs(QObject):
         visible = [panel for panel in self._panels if panel.compares and panel.isVisible()]
         needed = {panel: panel.needs_on_limbs for panel in visible}
         self._needs = {panel: on_limbs for panel, on_limbs in needed.items() if on_limbs}
-        wanted: dict[str, frozenset[str]] = {}
+        wanted: dict[Beside, frozenset[str]] = {}
         for on_limbs in self._needs.values():
             for limb, needs in on_limbs.items():
                 wanted[limb] = wanted.get(limb, frozenset({UNPLAYABLE})) | needs
@@ -111,17 +112,17 @@ class OnLimbs(QObject):
                 self._requests[limb] = request
                 self._engine.request(request)
 
-    def _on_limb(self, limb: str) -> tuple[Design, View] | str:
+    def _on_limb(self, limb: Beside) -> tuple[Design, View] | str:
         """Return the design and the view on a limb, or why there are none."""
         asked = on_limb(self._document.design, self._document.view, limb)
-        return asked if isinstance(asked, str) else too_large(limb) or asked
+        return asked if isinstance(asked, str) else too_large(asked[0].limb) or asked
 
     def _sources(self, asked: tuple[Design, View]) -> dict[str, Any]:
         """Return the sources of evaluation, as loud as the design is shown in the window."""
         document = self._document
         return sources_of_levels(*asked, match_gain=document.shown_view.match_gain(document.design))
 
-    def _is_known(self, limb: str, needs: frozenset[str], sources: dict[str, Any]) -> bool:
+    def _is_known(self, limb: Beside, needs: frozenset[str], sources: dict[str, Any]) -> bool:
         outcome = self._outcomes.get(limb)
         if outcome is None or key_of_levels(outcome.request.given) != key_of_levels(sources):
             return False
@@ -129,7 +130,8 @@ class OnLimbs(QObject):
 
     def _note(self, outcome: Outcome) -> None:
         request = outcome.request
-        limb = request.given["limb"]
+        here: Beside = request.given["limb"]
+        limb = next((each for each in self._wanted if request.slot == _slot(each)), here)
         needs = self._wanted.get(limb)
         if needs is None:
             return
@@ -145,11 +147,11 @@ class OnLimbs(QObject):
         for panel, on_limbs in self._needs.items():
             panel.show_on_limbs([compared[limb] for limb in on_limbs])
 
-    def _compared(self, limb: str, needs: frozenset[str]) -> Compared:
+    def _compared(self, limb: Beside, needs: frozenset[str]) -> Compared:
         asked = self._on_limb(limb)
         if isinstance(asked, str):
             # With the name of the limb, to show which limb has the problem.
-            named = replace(self._document.design, limb=limb, limb_digest="")
+            named = replace(self._document.design, limb=str(limb), limb_digest="")
             return Compared(snapshot=Snapshot(design=named), problem=asked)
         snapshot = Snapshot(design=asked[0])
         outcome = self._outcomes.get(limb)
@@ -166,7 +168,7 @@ class OnLimbs(QObject):
         )
 
 
-def _slot(limb: str) -> Slot:
+def _slot(limb: Beside) -> Slot:
     return Slot(f"limb {limb}")
 
 

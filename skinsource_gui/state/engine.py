@@ -19,6 +19,7 @@ from PySide6.QtCore import QEvent, QObject, QTimer, Signal
 from skinsource.base.errors import Stopped
 from skinsource.base.work import Work, counted
 from skinsource.design import edits
+from skinsource.design.comparing import at_frequency
 from skinsource.design.design import Design
 from skinsource.design.edits.edit import Refusal
 from skinsource.design.view import View
@@ -277,6 +278,8 @@ class FirstPaintEngine(Engine):
             self.request(request)
 
 
+#: What a design is predicted with beside the others: the name of a limb, or a frequency, Hz.
+Beside = str | float
 #: The quantities that take long on a large limb, with all that depends on them.
 FROM_THE_LIMB = frozenset({"driven_limb", "surface"})
 #: Quantities of the selected outputs, of those that designs beside the one of the window need.
@@ -321,8 +324,13 @@ def sources_of_levels(
     return sources(design, levels_view, match_gain=match_gain, leave_out_unplayable=True)
 
 
-def on_limb(design: Design, view: View, limb: str) -> tuple[Design, View] | str:
-    """Return the design on a limb and the view there, or why there are none."""
+def on_limb(design: Design, view: View, limb: Beside) -> tuple[Design, View] | str:
+    """Return the design on a limb and the view there, or why there are none.
+
+    In place of a limb there may be a frequency, Hz: then it is the design at that frequency.
+    """
+    if isinstance(limb, float):
+        return at_frequency(design, limb), view
     if limb == design.limb:
         return design, view
     edit = edits.change_limb(design, view, limb)

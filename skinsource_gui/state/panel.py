@@ -133,8 +133,8 @@ class Panel(ShowsStaleness):
         return frozenset()
 
     @property
-    def needs_on_limbs(self) -> Mapping[str, frozenset[str]]:
-        """Names of the quantities that `show_on_limbs` draws, by limb; empty: none."""
+    def needs_on_limbs(self) -> Mapping[Any, frozenset[str]]:
+        """Names of quantities that `show_on_limbs` draws, by limb or frequency; empty: none."""
         return {}
 
     def snapshots_drawn(self, snapshots: Sequence[Snapshot]) -> Sequence[Snapshot]:
@@ -275,17 +275,18 @@ class LazyPanel:
     """Name and title of a panel that is imported when it is first made.
 
     A call makes the panel: its class is called by its name, with "Panel" behind, and stands in the
-    module ``panel`` of its folder, which has the same name unless another one is given.
+    module ``panel`` of its folder, unless other names are given.
     """
 
     name: str
     title: str
     folder: str = ""
+    module: str = "panel"
 
     @property
     def type(self) -> type[Panel]:
         """The class of the panel, which is imported now if it was not before."""
-        module = import_module(f"skinsource_gui.panels.{self.folder or self.name}.panel")
+        module = import_module(f"skinsource_gui.panels.{self.folder or self.name}.{self.module}")
         words = (word.capitalize() for word in self.name.split("_"))
         panel_type: type[Panel] = getattr(module, f"{''.join(words)}Panel")
         if (panel_type.name, panel_type.title) != (self.name, self.title):

@@ -138,7 +138,6 @@ def _arrange(window: MainWindow) -> None:
     words = window.appearance.text_scale, preferences.theme_name
     preferences.settings.clear()
     if words != (1.0, "system"):
-        window.appearance.fit_room(1.0)
         window.appearance.reset_text()
     if moved:
         window.setUpdatesEnabled(False)

@@ -56,7 +56,6 @@ def test_a_notice_while_presenting_is_one_line_high_in_the_largest_letters(windo
         assert card.geometry().bottom() <= min(y for y in tops if y > 0)
     finally:
         window.appearance.reset_text()
-        window.appearance.fit_room(1.0)
 
 
 def test_a_notice_goes_away_with_the_next_edit_but_not_with_a_look(window):

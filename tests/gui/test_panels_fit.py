@@ -21,7 +21,7 @@ from tests.gui.analysis.analysis_bench import analysis
 WIDTHS = (300, 420, 680)
 OUTPUTS = (29, 30, 33, 35, 38, 52)
 ANALYSIS = tuple(view.name for view in VIEWS)
-PANELS = (*ANALYSIS, "output", "frequency_and_amplitude")
+PANELS = (*ANALYSIS, "output")
 
 
 def room_of(combo):

@@ -48,16 +48,12 @@ def test_the_studio_is_small_enough_for_1080p_at_scale_2(window, settle, arrange
     assert window.statusBar().geometry().bottom() < room.height()
 
 
-def test_a_window_that_was_presenting_starts_with_large_words(preferences, qapp):
-    size = qapp.font().pointSizeF()
+def test_a_window_that_was_on_the_stage_starts_there(preferences):
     preferences.arrangement = "presentation"
     window = MainWindow(
         start_design("synthetic-1"), preferences=preferences, available_limbs=("synthetic-1",)
     )
-    assert qapp.font().pointSizeF() > size
-    assert window.docks["frequency_and_amplitude"].isHidden() is False
-    window.do("arrange_design")
-    assert qapp.font().pointSizeF() == size
+    assert window.docks["stage"].isHidden() is False
     window.close_unasked()
 
 

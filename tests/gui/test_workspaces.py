@@ -26,7 +26,6 @@ def window(open_window):
     window = open_window()
     yield window
     window.appearance.reset_text()
-    window.appearance.fit_room(1.0)
 
 
 @pytest.fixture
@@ -329,14 +328,14 @@ def test_panels_that_a_user_moved_stay_where_they_are(window, settle, qtbot):
     assert in_sight(window) == {"skin", "inspector", "traces", "spectra", "timeline"}
 
 
-@pytest.mark.parametrize("name", [ANALYSE, PRESENT])
-def test_another_workspace_leaves_the_keyboard_with_the_panels(window, qtbot, settle, name):
+@pytest.mark.parametrize(("name", "panel"), [(ANALYSE, "skin"), (PRESENT, "stage")])
+def test_another_workspace_leaves_the_keyboard_with_the_panels(window, qtbot, settle, name, panel):
     window.activateWindow()
     qtbot.waitUntil(window.isActiveWindow)
     window.panel("skin").setFocus()
     window.do(name)
     settle()
-    assert window.panel("skin").isAncestorOf(QApplication.focusWidget())
+    assert window.panel(panel).isAncestorOf(QApplication.focusWidget())
     window.do(COMPOSE)
     window.panel("hand" if name == ANALYSE else "timeline").setFocus()
     window.do(name)

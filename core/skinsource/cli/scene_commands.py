@@ -7,7 +7,7 @@ from typing import Any
 
 from skinsource.base.files import make_folder
 from skinsource.design.design_file import save_design
-from skinsource.studies.scenes.catalog import all_scenes, open_scene, why_not_on
+from skinsource.studies.scenes.catalog import all_scenes, missing_panels, open_scene, why_not_on
 
 
 def add_to(subparsers: Any) -> None:
@@ -15,8 +15,8 @@ def add_to(subparsers: Any) -> None:
     parser = subparsers.add_parser(
         "scenes",
         help="list the scenes of the paper, or write one as a design file",
-        description="Lists the panels of the paper's figures that can be computed; those that "
-        "show a setup, or what was measured or perceived, are not among them. With a name and "
+        description="Lists the panels of the paper's figures that can be computed, and why the "
+        "others cannot. With a name and "
         "--out, writes that scene as a design file for show, render, export and the studio.",
     )
     parser.add_argument("name", nargs="?", metavar="NAME", help="of a scene, such as 2F")
@@ -40,6 +40,8 @@ def _scenes(arguments: argparse.Namespace) -> int:
             reason = why_not_on(scene.name, arguments.limb) if arguments.limb else ""
             if reason:
                 sys.stdout.write(f"      Not on {arguments.limb}: {reason}\n")
+        for name, reason in missing_panels():
+            sys.stdout.write(f"{name:4}  – {reason}\n")
         return 0
     opened = open_scene(arguments.name, limb=arguments.limb)
     sys.stdout.write(f"{opened.scene.heading}\n{opened.scene.notes}\n")

@@ -7,6 +7,7 @@ last is the last of them.  Levels of two designs are matched by their loudest ou
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,6 +17,7 @@ from skinsource.base.arrays import Floats
 from skinsource.base.decibels import FLOOR_DB, decibels
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import N_OUTPUTS
+from skinsource.design.clips import Clip
 from skinsource.design.design import Design
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.locations import DIGITS, OUTPUTS
@@ -120,11 +122,11 @@ def scale_end_db(*differences_db: ArrayLike) -> float:
 
 
 #: Most limbs or designs side by side; with more each would be too small to see.
-MOST_SIDE_BY_SIDE = 4
+MOST_SIDE_BY_SIDE = 6
 
 
 def related_limbs(limb: str) -> tuple[str, ...]:
-    """Return the names of limbs to compare with ``limb``, at most four with itself.
+    """Return the names of limbs to compare with ``limb``, at most six with itself.
 
     For a published or synthetic limb these are the four of its kind, for an own limb the other own
     limbs with the same outputs.
@@ -288,6 +290,25 @@ def louder(design: Design, gain: float) -> Design:
         return design
     inputs = tuple(replace(track, amplitude=track.amplitude * gain) for track in design.inputs)
     return replace(design, inputs=inputs)
+
+
+def at_frequency(design: Design, frequency_hz: float) -> Design:
+    """Return ``design`` with all that has a frequency of its own, such as tones, at another one."""
+
+    def changed(clip: Clip) -> Clip:
+        waveform: Any = clip.waveform
+        if not hasattr(waveform, "frequency_hz"):
+            return clip
+        return replace(clip, waveform=replace(waveform, frequency_hz=frequency_hz))
+
+    inputs = (replace(track, clips=tuple(map(changed, track.clips))) for track in design.inputs)
+    return replace(design, inputs=tuple(inputs))
+
+
+def frequency_of(design: Design) -> float | None:
+    """Return the frequency of the first clip that has one of its own, Hz."""
+    known = (getattr(clip.waveform, "frequency_hz", None) for clip in design.clips)
+    return next((frequency_hz for frequency_hz in known if frequency_hz is not None), None)
 
 
 def same_but_rounding(design: Design, other: Design) -> bool:

@@ -14,6 +14,7 @@ import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from skinsource.base.arguments import checking
 from skinsource.base.errors import DesignFileError, FileFormatError, InvalidInputError
@@ -126,18 +127,26 @@ def read_design(path: Path) -> tuple[bytes, DesignFile]:
     name = path_text(Path(path.name))
     try:
         stored = read_bytes(path, most=image.MAX_IMAGE_BYTES)
-        return stored, _content(stored)
+        content: DesignFile = decoded(stored, DesignFile)
     except FileFormatError as error:
         problem = str(error).removeprefix(f"{name}: ")
         raise DesignFileError(f"{name}: {sentence(problem)}") from error
     except InvalidInputError as error:
         raise DesignFileError(f"{name}: {sentence(str(error))} Nothing was opened.") from error
+    return stored, content
 
 
-def _content(stored: bytes) -> DesignFile:
+def decoded(stored: bytes, kind: type) -> Any:
+    """Return the model of a kind in the bytes of a file.
+
+    Raises
+    ------
+    FileFormatError, InvalidInputError
+        They are damaged, hold something else, or were written in another version.
+    """
     version = image.version_of(stored)
     check_version(version, *UPGRADES, VERSION)
     tree = image.from_image(stored, version)
     for older in range(version, VERSION):
         tree = UPGRADES[older](tree)
-    return models.decode(tree, (DesignFile,), Address())
+    return models.decode(tree, (kind,), Address())

@@ -12,7 +12,7 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.design.view import Plain, View
 from skinsource.specs import fields
 from skinsource.specs.numbers import NumberSpec
-from skinsource.specs.spec import ChoiceSpec
+from skinsource.specs.spec import ChoiceSpec, SwitchSpec
 
 Settings = TypeVar("Settings")
 
@@ -61,6 +61,58 @@ def _with_field(settings: Settings, name: str, value: Plain) -> Settings:
         return replace(settings, **{name: value})  # type: ignore[type-var]
     except InvalidInputError:
         return settings
+
+
+#: Name of the panel that is presented, and what it was called in files before.
+STAGE, _BEFORE = "stage", "frequency_and_amplitude"
+ALL, FREQUENCY, AMPLITUDE, ONSET = "all", "frequency", "amplitude", "onset"
+CONTROL = ChoiceSpec(
+    label="Knob",
+    options=(
+        (ALL, "First that applies"),
+        (FREQUENCY, "Frequency"),
+        (AMPLITUDE, "Amplitude"),
+        (ONSET, "Onset"),
+    ),
+    hint="The one number that is turned in front of people",
+)
+COMPARED = SwitchSpec(label="Compared", hint="Show what the Compare panel compares")
+PLOT = ChoiceSpec(
+    label="Beside the maps",
+    options=(("traces", "Traces"), ("spectra", "Spectra")),
+    hint="What is drawn of the selected outputs",
+)
+MOVES = SwitchSpec(label="In motion", hint="Show motion; else RMS levels")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StageSettings(fields.CheckedModel):
+    """What is presented of a design.
+
+    Attributes
+    ----------
+    control
+        The number that is turned; `ALL`: the frequency where there is one, else the amplitude.
+    compared
+        Whether what the Compare panel compares is shown, or the design alone.
+    moves
+        Whether it is shown in motion.
+    plot
+        ``"traces"`` or ``"spectra"`` of the selected outputs.
+    """
+
+    control: str = fields.choice(ALL, CONTROL)
+    compared: bool = fields.switch(False, COMPARED)
+    moves: bool = fields.switch(True, MOVES)
+    plot: str = fields.choice("traces", PLOT)
+
+
+def stage_settings(view: View) -> StageSettings:
+    """Return what is presented of the design of a view."""
+    settings = settings_of(view, STAGE, StageSettings)
+    if settings.control != ALL:
+        return settings
+    return replace(settings, control=settings_of(view, _BEFORE, StageSettings).control)
 
 
 WINDOW = ChoiceSpec(

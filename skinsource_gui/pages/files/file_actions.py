@@ -26,6 +26,7 @@ from skinsource.design.design_file import (
     save_design,
 )
 from skinsource.design.edits.edit import Refusal
+from skinsource.design.show_file import SHOW_SUFFIX
 from skinsource.limbs.catalog import available_limbs, default_limb
 from skinsource.specs.image import MAX_IMAGE_BYTES
 from skinsource_gui.qt.questions import ask_to_replace, ask_to_save, ask_yes
@@ -151,6 +152,7 @@ class RecentFiles:
 #: Longest title of a design that is named after its file.
 _LONGEST = 60
 _FILTER = f"SkinSource designs (*{SUFFIX})"
+_SHOWS = f"Designs and shows (*{SUFFIX} *{SHOW_SUFFIX});;{_FILTER}"
 _READ_ONLY = "It is read-only here: saving asks for another name."
 _MAYBE_ENDED = "Nobody can say here whether that has ended. Replace the file, and have it here?"
 _CHANGED = "was changed by another program, or in another window, since it was opened here"
@@ -164,6 +166,8 @@ class FileActions(QObject):
     done = Signal(str)
     #: A file was opened; the bytes are the window's arrangement that it holds.
     opened = Signal(bytes)
+    #: The `Path` of a show that is to be opened.
+    show_wanted = Signal(object)
     #: A new design was started.
     started_over = Signal()
     recent_changed = Signal()
@@ -206,13 +210,13 @@ class FileActions(QObject):
 
     def ask_and_open(self) -> None:
         """Ask for a file and open it."""
-        path = self._ask_which("Open a design")
+        path = self._ask_which("Open a design or a show", _SHOWS)
         if path is not None:
             self.open(path)
 
-    def _ask_which(self, title: str) -> Path | None:
+    def _ask_which(self, title: str, kinds: str = _FILTER) -> Path | None:
         folder = self._document.path.parent if self._document.path else self._preferences.folder
-        name, _ = QtWidgets.QFileDialog.getOpenFileName(self._window, title, str(folder), _FILTER)
+        name, _ = QtWidgets.QFileDialog.getOpenFileName(self._window, title, str(folder), kinds)
         return Path(name) if name else None
 
     def take_snapshot(self) -> None:
@@ -235,6 +239,9 @@ class FileActions(QObject):
 
     def open(self, path: Path) -> None:
         """Open ``path``; on a failure report it, and keep what is open."""
+        if path.suffix == SHOW_SUFFIX:
+            self.show_wanted.emit(path)
+            return
         self.risk_ahead.emit()
         on_disk = FileOnDisk()
         try:
@@ -251,9 +258,7 @@ class FileActions(QObject):
         self.held.keep_only(path)
         self._document.start_over(content.design, content.view, path, read_only=other is not None)
         self._on_disk, self._reported, self.suggested = on_disk, "same", None
-        self.recent.remember(path)
-        self._note_folder(path)
-        self.recent_changed.emit()
+        self.note_used(path)
         self.opened.emit(content.layout)
         if other is None:
             self.done.emit(f"Opened {path.name}")
@@ -307,6 +312,12 @@ class FileActions(QObject):
         """Remember the folder of a file that was written, and report the file and ``note``."""
         self._note_folder(path)
         self.done.emit("; ".join(part for part in (f"Saved {path_text(path)}", note) if part))
+
+    def note_used(self, path: Path) -> None:
+        """Remember a file that was opened or saved elsewhere."""
+        self.recent.remember(path)
+        self._note_folder(path)
+        self.recent_changed.emit()
 
     def _note_folder(self, path: Path) -> None:
         self._preferences.folder = path.absolute().parent

@@ -3,7 +3,7 @@
 from functools import partial
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEvent, QPoint, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QSize, Qt, Signal
 
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.base.quoting import printable
@@ -12,7 +12,7 @@ from skinsource.studies import scenes
 from skinsource_gui.fields.units import minus
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of, shortcut_text
-from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
+from skinsource_gui.qt.theme import UNIT_PX, tabular
 from skinsource_gui.state.compared import Compared, gain_db
 
 
@@ -55,10 +55,9 @@ def card_text(compared: Compared, *, present: bool) -> str:
 
 
 _PLACE = "snapshot"
-_RADIUS_PX, _FRAME_PX = 4, 2
 
 
-class Card(QtWidgets.QAbstractButton):
+class Card(QtWidgets.QToolButton):
     """A snapshot as a card: a click shows it in the window, an empty card stores.
 
     Parameters
@@ -85,11 +84,13 @@ class Card(QtWidgets.QAbstractButton):
         self.compared: Compared | None = None
         self.present = False
         self.setObjectName(f"snapshot_card_{number}")
+        self.setCheckable(True)
+        self.setFont(tabular(self.font()))
+        self.setStyleSheet("padding: 2px;")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.customContextMenuRequested.connect(self._open_menu)
         self.clicked.connect(self._act)
-        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Maximum, QtWidgets.QSizePolicy.Policy.Fixed)
         self.show_snapshot(None, present=False)
 
     def show_snapshot(self, compared: Compared | None, *, present: bool) -> None:
@@ -102,15 +103,20 @@ class Card(QtWidgets.QAbstractButton):
         )
         self.setAccessibleName(text)
         self.setToolTip(text)
-        self.update()
+        self.setChecked(present)
+        if compared is None:
+            self.setText(f"{self.number}\n{self._store_key}")
+        else:
+            warned = "⚠ " if compared.left_out else ""
+            self.setText(f"{warned}{compared.name}\n{card_level_text(compared)}")
 
     def sizeHint(self) -> QSize:
-        line = self.fontMetrics().height()
-        widest = self.fontMetrics().horizontalAdvance("−88.8 dB")
-        return QSize(widest + UNIT_PX + 2, 2 * line + UNIT_PX)
+        # Levels that change move nothing.
+        widest = self.fontMetrics().horizontalAdvance("−88.8 dB") + UNIT_PX
+        return super().sizeHint().expandedTo(QSize(widest, 0))
 
-    def minimumSizeHint(self) -> QSize:
-        return self.sizeHint() - QSize(UNIT_PX, 0)
+    def nextCheckState(self) -> None:
+        """Leave it checked while it is in the window, whatever is clicked."""
 
     def event(self, event: QEvent) -> bool:
         return claims_shortcut(event, partial(meaning_of, _PLACE)) or super().event(event)
@@ -123,51 +129,6 @@ class Card(QtWidgets.QAbstractButton):
             self._act()
         else:
             super().keyPressEvent(event)
-
-    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
-        painter, theme = QtGui.QPainter(self), current_theme()
-        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
-        frame = QRectF(self.rect()).adjusted(1, 1, -1, -1)
-        focused = self.hasFocus()
-        line = QtGui.QPen(
-            QtGui.QColor(theme.accent if focused else theme.border), _FRAME_PX if focused else 1
-        )
-        if self.compared is None:
-            line.setStyle(Qt.PenStyle.DashLine)
-        painter.setPen(line)
-        painter.setBrush(QtGui.QColor(theme.base))
-        painter.drawRoundedRect(frame, _RADIUS_PX, _RADIUS_PX)
-        inside = frame.adjusted(4, 4, -4, -3)
-        if self.present:
-            head = QRectF(inside.left(), inside.top(), inside.width(), self.fontMetrics().height())
-            painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(QtGui.QColor(theme.accent))
-            painter.drawRoundedRect(head, _RADIUS_PX / 2, _RADIUS_PX / 2)
-        self._paint_inside(painter, inside)
-        painter.end()
-
-    def _paint_inside(self, painter: QtGui.QPainter, area: QRectF) -> None:
-        theme, compared = current_theme(), self.compared
-        line = self.fontMetrics().height()
-        centre = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignVCenter
-        heading = QtGui.QFont(self.font())
-        heading.setBold(True)
-        painter.setFont(heading)
-        heading_colour = theme.on_accent if self.present else theme.text
-        painter.setPen(QtGui.QColor(heading_colour if compared else theme.dim))
-        name = compared.name if compared else str(self.number)
-        head = QRectF(area.left(), area.top(), area.width(), line)
-        painter.drawText(head, centre, name)
-        painter.setFont(tabular(self.font()))
-        below = head.translated(0, line)
-        if compared is None:
-            painter.drawText(below, centre, self._store_key)
-            return
-        painter.setPen(QtGui.QColor(theme.error if compared.left_out else theme.text))
-        level = card_level_text(compared)
-        if painter.fontMetrics().horizontalAdvance(level) > area.width():
-            level = level.removesuffix(" dB")
-        painter.drawText(below, centre, level)
 
     def _act(self) -> None:
         self.requested.emit(self.number, "show" if self.compared else "store")

@@ -13,8 +13,10 @@ from skinsource.base.measurement_conditions import Axes
 from skinsource.base.quoting import printable
 from skinsource.design.comparing import (
     EDITED,
+    MOST_SIDE_BY_SIDE,
     Snapshot,
     difference_db,
+    frequency_of,
     louder,
     mean_and_spread_over,
     same_but_rounding,
@@ -33,8 +35,9 @@ from skinsource.design.labels import (
     span_label,
 )
 from skinsource.design.view import View
+from skinsource.engine.time_rules import Moving
 from skinsource.limbs.limb import PUBLISHED
-from skinsource.limbs.own_limbs import axes_on
+from skinsource.limbs.own_limbs import axes_on, facts_of
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.studies import scenes
 from skinsource_gui.fields.units import output_text
@@ -67,6 +70,7 @@ from skinsource_gui.state.compared import (
     matched_text,
 )
 from skinsource_gui.state.compared import SILENT as COMPARED_SILENT
+from skinsource_gui.state.engine import Beside
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -93,6 +97,8 @@ class Cell:
         Whether the map belongs to the design before.
     synthetic
         Whether responses are computed, not measured.
+    reaches
+        The text on the largest value of a motion; empty: it follows from the values.
     """
 
     headings: tuple[str, ...]
@@ -104,6 +110,7 @@ class Cell:
     text: str = ""
     stale: bool = False
     synthetic: bool = False
+    reaches: str = ""
 
     @property
     def heading(self) -> str:
@@ -124,6 +131,8 @@ class Cell:
         values = self.values_db
         if values is None or self.scale is None:
             return ("",)
+        if output is None and self.reaches:
+            return (self.reaches,)
         if output is not None and output > values.size:
             return ("no such output", "none")
         if output is not None:
@@ -459,6 +468,14 @@ LEVELS = frozenset(
 )
 
 
+def moving_name(limb: str) -> str:
+    """Return the quantity that moves on a limb: along z, or all axes where z was not measured."""
+    return "moving_z" if "z" in facts_of(limb).axes else _ALL_AXES
+
+
+_ALL_AXES = "moving_vector"
+
+
 class Kind:
     """One choice of "Of": where the sides come from, and what they are called. It has no state.
 
@@ -466,21 +483,27 @@ class Kind:
     ----------
     fields
         Names of the choices above the maps that apply, beside "Of" itself.
-    needs, needs_of_snapshots
+    needs
         As of a panel.
+    of_snapshots
+        Whether the sides are snapshots.
     own
         Whether the sides come from the results of the design in the window.
     """
 
     fields: ClassVar[frozenset[str]] = frozenset()
     needs: ClassVar[frozenset[str]] = LEVELS
-    needs_of_snapshots: ClassVar[frozenset[str]] = frozenset()
+    of_snapshots: ClassVar[bool] = False
     own: ClassVar[bool] = False
 
-    def needs_on_limbs(self, settings: CompareSettings, limb: str) -> Mapping[str, frozenset[str]]:
-        """Return what a panel needs of other limbs while the design is on ``limb``."""
-        del settings, limb
-        return {}
+    def moving(self, limb: str) -> str:
+        """Return the quantity that moves."""
+        return moving_name(limb)
+
+    def beside(self, settings: CompareSettings, design: Design) -> tuple[Beside, ...]:
+        """Return the limbs or frequencies at which the design is predicted."""
+        del settings, design
+        return ()
 
     def sides(self, design: Design, results: Mapping[str, Any]) -> Sequence[Compared]:
         """Return the sides from results of the design in the window, which hold its ``needs``."""
@@ -572,15 +595,23 @@ class OfAxes(Kind):
 
     def sides(self, design: Design, results: Mapping[str, Any]) -> Sequence[Compared]:
         common = {name: results[name] for name in _COMMON}
+        moving: Moving | None = results.get(_ALL_AXES)
+
+        def values(k: int) -> dict[str, Any]:
+            own = {name: results[quantity][k] for quantity, name in _PER_AXIS.items()}
+            if moving is not None:
+                along = replace(moving, signals=moving.signals[:, [k]])
+                own[moving_name(design.limb)] = along
+            return {**common, **own}
+
+        axes = results["limb_data"].axes
         snapshot = Snapshot(design=design)
         return [
-            Compared(
-                snapshot=snapshot,
-                values={**common, **{name: results[own][k] for own, name in _PER_AXIS.items()}},
-                axes=axis,
-            )
-            for k, axis in enumerate(results["limb_data"].axes)
+            Compared(snapshot=snapshot, values=values(k), axes=axis) for k, axis in enumerate(axes)
         ]
+
+    def moving(self, limb: str) -> str:
+        return _ALL_AXES
 
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
         return [(f"Along {side.axes}", side.axes) for side in compared]
@@ -590,6 +621,19 @@ class OfAxes(Kind):
         return " · ".join(part for part in (text, display_gain_text(design, view)) if part)
 
 
+class OfWindow(Kind):
+    """The present design alone."""
+
+    own: ClassVar[bool] = True
+
+    def sides(self, design: Design, results: Mapping[str, Any]) -> Sequence[Compared]:
+        return [Compared(snapshot=Snapshot(design=design), values=results)]
+
+    def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
+        return [(limb_label(_limb(side)).title,) for side in compared]
+
+
+NO_FREQUENCY = "Nothing here has one frequency. Add a tone."
 ALONE = "There is no other limb with these outputs. Choose some under Limbs."
 
 
@@ -598,8 +642,8 @@ class OfLimbs(Kind):
 
     fields: ClassVar[frozenset[str]] = frozenset({"shown", "limbs"})
 
-    def needs_on_limbs(self, settings: CompareSettings, limb: str) -> Mapping[str, frozenset[str]]:
-        return dict.fromkeys(settings.chosen(limb), LEVELS)
+    def beside(self, settings: CompareSettings, design: Design) -> tuple[Beside, ...]:
+        return settings.chosen(design.limb)
 
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
         """Return the names of the limbs, with their axes where these are not those of the view."""
@@ -624,11 +668,67 @@ class OfLimbs(Kind):
         return super().hindrance(compared, view)
 
 
+class OfWindows(Kind):
+    """The time windows of the present design, at most as many as are seen side by side."""
+
+    needs: ClassVar[frozenset[str]] = frozenset(
+        {
+            *("limb_map", "limb_data", "surface", "sample_rate_hz", "windows"),
+            *("levels_of_windows_db", "surface_of_windows_db", "extents_of_windows"),
+        }
+    )
+    own: ClassVar[bool] = True
+
+    def sides(self, design: Design, results: Mapping[str, Any]) -> Sequence[Compared]:
+        common = {name: results[name] for name in _COMMON}
+        snapshot, sides = Snapshot(design=design), []
+        bounds_s = results["windows"].bounds_s(results["sample_rate_hz"])
+        for k, (begin_s, end_s) in enumerate(bounds_s[:MOST_SIDE_BY_SIDE]):
+            values = {
+                "output_levels_db": results["levels_of_windows_db"][k],
+                "surface_levels_db": results["surface_of_windows_db"][k],
+            }
+            extent = results["extents_of_windows"][k]
+            reach = "" if extent is None else f" · {extent.mean_distance_mm:.0f} mm"
+            name = f"{1e3 * begin_s:.0f} to {1e3 * end_s:.0f} ms{reach}"
+            sides.append(Compared(snapshot=snapshot, values={**common, **values}, axes=name))
+        return sides
+
+    def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
+        return [(side.axes, side.axes.partition(" · ")[0]) for side in compared]
+
+
+class OfFrequencies(Kind):
+    """The present design, and the same at other frequencies, from the lowest to the highest."""
+
+    fields: ClassVar[frozenset[str]] = frozenset({"shown", "frequencies_hz"})
+
+    def beside(self, settings: CompareSettings, design: Design) -> tuple[Beside, ...]:
+        own_hz = frequency_of(design)
+        if own_hz is None:
+            return ()
+        others = (hz for hz in settings.frequencies_hz if hz != own_hz)
+        in_order = sorted((own_hz, *others))
+        return tuple(design.limb if hz == own_hz else hz for hz in in_order)
+
+    def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
+        known = [frequency_of(side.snapshot.design) or 0.0 for side in compared]
+        return [(f"{hz:.4g} Hz",) for hz in known]
+
+    def reference(self, compared: Sequence[Compared], design: Design, view: View) -> int:
+        own_hz = frequency_of(design)
+        matches = [frequency_of(side.snapshot.design) == own_hz for side in compared]
+        return matches.index(True) if True in matches else 0
+
+    def hindrance(self, compared: Sequence[Compared], view: View) -> str:
+        return super().hindrance(compared, view) if compared else NO_FREQUENCY
+
+
 class OfSnapshots(Kind):
     """Snapshots of the present design, and designs of files; their levels can be matched."""
 
     fields: ClassVar[frozenset[str]] = frozenset({"shown", "snapshots"})
-    needs_of_snapshots: ClassVar[frozenset[str]] = LEVELS
+    of_snapshots: ClassVar[bool] = True
 
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
         return snapshot_names(compared, view.axes, with_limbs=difference)
@@ -702,6 +802,16 @@ def _own_parts(titles: Sequence[str]) -> dict[str, str]:
     ):
         n_common += 1
     return {title: " · ".join(each[n_common:]) for title, each in zip(titles, parts, strict=True)}
+
+
+#: The kinds by their names in the settings.
+KINDS: dict[str, Kind] = {
+    "snapshots": OfSnapshots(),
+    "limbs": OfLimbs(),
+    "axes": OfAxes(),
+    "frequencies": OfFrequencies(),
+    "windows": OfWindows(),
+}
 
 
 def tab_separated(content: CompareContent) -> str:

@@ -1,6 +1,6 @@
 """The Compare panel: choices, cards of snapshots, and the maps below them."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Any, ClassVar
@@ -22,20 +22,19 @@ from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
 from skinsource.limbs.catalog import available_limbs
 from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.fields.list_editors import NumbersEditor
 from skinsource_gui.panels.compare.card import Card
-from skinsource_gui.panels.compare.content import (
-    LEAST_COMPARED,
-    Cell,
-    Cells,
-    CompareContent,
-    Kind,
-    OfAxes,
-    OfLimbs,
-    OfSnapshots,
-    tab_separated,
+from skinsource_gui.panels.compare.content import KINDS, LEAST_COMPARED, tab_separated
+from skinsource_gui.panels.compare.maps import MapsPanel
+from skinsource_gui.panels.compare.settings import (
+    FREQUENCIES,
+    MOTION,
+    OF,
+    OWN_MAXIMUM,
+    SHOWN,
+    CompareSettings,
 )
-from skinsource_gui.panels.compare.settings import OF, OWN_MAXIMUM, SHOWN, CompareSettings
-from skinsource_gui.panels.compare.view import MapsView, paint_page
+from skinsource_gui.panels.compare.view import paint_page
 from skinsource_gui.plots.figure import NoteLabel
 from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.fitting import ButtonRow, FoldingRow, VisibleHeight, shrinking_fonts
@@ -43,13 +42,10 @@ from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, on_paper, tabular
 from skinsource_gui.state.compared import Compared
-from skinsource_gui.state.panel import Panel
-
-KINDS: dict[str, Kind] = {"snapshots": OfSnapshots(), "limbs": OfLimbs(), "axes": OfAxes()}
 
 
 class LimbsButton(QtWidgets.QToolButton):
-    """Opens a list of all limbs, of which two to four are ticked.
+    """Opens a list of all limbs, of which two to six are ticked.
 
     Attributes
     ----------
@@ -68,7 +64,7 @@ class LimbsButton(QtWidgets.QToolButton):
         self.setText("Limbs…")
         # The dots in the text show that a menu opens.
         self.setStyleSheet("QToolButton::menu-indicator { image: none; }")
-        self.setToolTip("Which limbs are shown, two to four")
+        self.setToolTip("Which limbs are shown, two to six")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
         self.menu_of_limbs = QtWidgets.QMenu(self)
@@ -120,7 +116,7 @@ class ChoicesBar(QtWidgets.QWidget):
         Whether there is room for more than the maps need.
     settings
         Settings of the present view.
-    of, shown, own_maximum, limbs, match, toggle, file
+    of, shown, own_maximum, limbs, frequencies, match, toggle, file
         The choices; all but the first are shown only where they apply.
     """
 
@@ -147,6 +143,9 @@ class ChoicesBar(QtWidgets.QWidget):
         self.own_maximum.clicked.connect(lambda on: self._change(own_maximum=on))
         self.limbs = LimbsButton(self)
         self.limbs.limbs_chosen.connect(lambda limbs: self._change(limbs=" ".join(limbs)))
+        self.frequencies = NumbersEditor(FREQUENCIES, self)
+        self.frequencies.setObjectName("compare_frequencies")
+        self.frequencies.edited.connect(lambda numbers, _: self._change(frequencies_hz=numbers))
         hint = "Show snapshots as loud as each other at their loudest output"
         self.match = tool_button(self, "compare_match", "Match levels", hint, checkable=True)
         self.match.clicked.connect(partial(self._request, "match_levels"))
@@ -156,7 +155,7 @@ class ChoicesBar(QtWidgets.QWidget):
         hint = "Keep the design of a file as a snapshot, and show it here"
         self.file = tool_button(self, "compare_file", "From file…", hint)
         self.file.clicked.connect(partial(self._request, "take_snapshot"))
-        self._parts = self.of, self.shown, self.own_maximum, self.limbs
+        self._parts = self.of, self.shown, self.own_maximum, self.limbs, self.frequencies
         self._of_snapshots = ButtonRow((self.match, self.toggle, self.file))
         self._row = FoldingRow(self._parts, UNIT_PX // 2)
         self._in_sight = VisibleHeight(parent)
@@ -177,6 +176,8 @@ class ChoicesBar(QtWidgets.QWidget):
         self.own_maximum.setVisible(kind.shown(settings) == "levels")
         self.shown.setVisible("shown" in fields)
         self.limbs.setVisible("limbs" in fields)
+        self.frequencies.setVisible("frequencies_hz" in fields)
+        self.frequencies.set_value(settings.frequencies_hz)
         self.match.setChecked(view.levels_matched)
         self.toggle.setEnabled(other_snapshot(view.snapshots, design) is not None)
         if "limbs" in fields:
@@ -228,32 +229,21 @@ class ChoicesBar(QtWidgets.QWidget):
 _LEAST = QSize(240, 230)
 
 
-class ComparePanel(Panel):
-    """Maps of snapshots, of two to four limbs or of axes, with one pointer and one selection.
+class ComparePanel(MapsPanel):
+    """Maps of snapshots, of limbs, axes or frequencies, with one pointer and one selection.
 
     Attributes
     ----------
-    kind
-        What is compared.
     cards
         A card for each snapshot; in sight while snapshots are compared.
     """
 
     title: ClassVar[str] = "Compare"
     name: ClassVar[str] = "compare"
-    compares: ClassVar[bool] = True
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self._design: Design | None = None
-        self._view = View()
-        self._compared: Sequence[Compared] = ()
-        # Of the design in the window: results, whether they are older than it, why there are none.
-        self._results: Mapping[str, Any] = {}
-        self._stale, self._problem = False, ""
-        self._cells = Cells()
         self.bar = ChoicesBar(self.name, self)
-        self.kind = KINDS[self.bar.settings.of]
         self.bar.view_changed.connect(self.view_changed)
         self.bar.action_requested.connect(self.action_requested)
         self.bar.room_changed.connect(self._show_cards)
@@ -261,7 +251,6 @@ class ComparePanel(Panel):
         for card in self.cards:
             card.requested.connect(self._act)
         self._row = FoldingRow(self.cards, UNIT_PX // 4, left=True, parent=self)
-        self.maps = MapsView(self)
         self.maps.outputs_chosen.connect(self._choose_outputs)
         self.maps.pointed_at.connect(self._read)
         self._staleness.changed.connect(self.maps.show_stale)
@@ -274,20 +263,6 @@ class ComparePanel(Panel):
         self.guessed = self._row, self.maps, self.text_label
         self._show_cards()
 
-    @property
-    def needs(self) -> frozenset[str]:
-        return self.kind.needs
-
-    @property
-    def needs_of_snapshots(self) -> frozenset[str]:
-        return self.kind.needs_of_snapshots
-
-    @property
-    def needs_on_limbs(self) -> Mapping[str, frozenset[str]]:
-        if self._design is None:
-            return {}
-        return self.kind.needs_on_limbs(self.bar.settings, self._design.limb)
-
     def sizeHint(self) -> QSize:
         return QSize(560, 520)
 
@@ -295,40 +270,25 @@ class ComparePanel(Panel):
         return super().minimumSizeHint().expandedTo(_LEAST)
 
     def show_state(self, design: Design, view: View) -> None:
-        self._design, self._view = design, view
         self.bar.show_state(design, view)
-        before, self.kind = self.kind, KINDS[self.bar.settings.of]
-        if self.kind is not before:
-            # The engine sends the results for the new kind.
-            self._compared = ()
+        settings = self.bar.settings
+        before, kind = self.kind, KINDS[settings.of]
+        moves = kind.shown(settings) == MOTION
+        self.take_state(design, view, kind, settings, moves=moves)
+        if kind is not before:
             self._show_cards()
-        if self.kind.own:
-            self._show_own()
-
-    def show_results(self, results: Mapping[str, Any]) -> None:
-        self._results, self._problem = results, ""
-        if self.kind.own:
-            self._compared = ()
-            self._show_own()
-
-    def show_stale(self, stale: bool) -> None:
-        self._stale = stale
-        if self.kind.own:
-            super().show_stale(stale)
-
-    def show_problem(self, reason: str) -> None:
-        self._problem = reason
-        if self.kind.own:
-            self._show_own()
 
     def show_snapshots(self, compared: Sequence[Compared]) -> None:
-        self._compared = compared
+        super().show_snapshots(compared)
         self._show_cards()
-        self._show()
 
-    def show_on_limbs(self, compared: Sequence[Compared]) -> None:
-        self._compared = compared
-        self._show()
+    def show_maps(self) -> None:
+        super().show_maps()
+        # A table would lack the columns that are still computed.
+        cells = self.maps.content.cells
+        drawn = [cell.small is not None for cell in cells]
+        computing = any(not (cell.small or cell.text) for cell in cells)
+        self.copy.offer(any(drawn) and not computing and not self.moves)
 
     def draw_picture(
         self, painter: QtGui.QPainter, width: int, height: int, theme: Theme = LIGHT
@@ -348,12 +308,12 @@ class ComparePanel(Panel):
 
     def _show_cards(self) -> None:
         """Show a card for each snapshot, and for what is edited where it is none of them."""
-        self._row.setVisible(self.bar.has_room and bool(self.kind.needs_of_snapshots))
+        self._row.setVisible(self.bar.has_room and self.kind.of_snapshots)
         present = None
-        if self._design is not None:
-            present = shown_snapshot(self._view.snapshots, self._design)
+        if self.design is not None:
+            present = shown_snapshot(self.view.snapshots, self.design)
         in_window = EDITED if present is None else present.number
-        sides = {side.snapshot.number: side for side in self._compared}
+        sides = {side.snapshot.number: side for side in self.compared}
         for card in self.cards:
             side = sides.get(card.number)
             card.setVisible(card.number != EDITED or side is not None)
@@ -365,40 +325,13 @@ class ComparePanel(Panel):
             self.action_requested.emit(f"store_snapshot_{number}")
         elif what == "show":
             self.snapshot_requested.emit(number)
-        elif self._design is not None:
-            self.edited.emit(edits.forget_snapshot(self._design, self._view, number), None)
-
-    def _show_own(self) -> None:
-        """Draw what is known of the design in the window."""
-        if self._design is not None and not self._compared and self.needs <= self._results.keys():
-            self._compared = self.kind.sides(self._design, self._results)
-        self._show()
-
-    def _show(self) -> None:
-        """Draw what is known of the designs."""
-        kind, compared, design, view = self.kind, self._compared, self._design, self._view
-        problem = self._problem if kind.own else ""
-        message = problem or kind.hindrance(compared, view)
-        cells: tuple[Cell, ...] = ()
-        if compared and design is not None and not message:
-            cells = kind.drawn(self._cells, compared, design, view, self.bar.settings)
-        content = CompareContent(
-            cells=cells,
-            outputs=view.outputs,
-            message=message,
-            about=kind.about(compared, design, view),
-        )
-        super().show_stale(self._stale if kind.own else content.stale)
-        # A table would lack the columns that are still computed.
-        drawn = [cell.small is not None for cell in content.cells]
-        computing = any(not (cell.small or cell.text) for cell in content.cells)
-        self.copy.offer(any(drawn) and not computing)
-        self.maps.show_content(content)
+        elif self.design is not None:
+            self.edited.emit(edits.forget_snapshot(self.design, self.view, number), None)
 
     def _read(self, output: int | None) -> None:
         # Maps that move under the pointer cannot be pointed at.
         self.text_label.say(self.maps.content.readout(output), holding=True)
 
     def _choose_outputs(self, outputs: tuple[int, ...]) -> None:
-        if self._design is not None:
-            self.edited.emit(edits.select_outputs(self._design, self._view, outputs), None)
+        if self.design is not None:
+            self.edited.emit(edits.select_outputs(self.design, self.view, outputs), None)

@@ -4,13 +4,22 @@ from dataclasses import dataclass
 
 from skinsource.design.comparing import MOST_SIDE_BY_SIDE, related_limbs
 from skinsource.specs import fields
+from skinsource.specs.numbers import ListSpec, NumberSpec
 from skinsource.specs.spec import ChoiceSpec, SwitchSpec, TextSpec
 
+#: Shown in slow motion.
+MOTION = "motion"
 OF = ChoiceSpec(
     label="Of",
-    options=(("snapshots", "Snapshots"), ("limbs", "Limbs"), ("axes", "Axes")),
-    hint="Snapshots of this design, and designs of files; the present design on several limbs; or "
-    "the present design along each axis of the sensors",
+    options=(
+        ("snapshots", "Snapshots"),
+        ("limbs", "Limbs"),
+        ("axes", "Axes"),
+        ("frequencies", "Frequencies"),
+        ("windows", "Time windows"),
+    ),
+    hint="Snapshots and designs of files; or this design on several limbs, along each axis, or at "
+    "several frequencies, or in its time windows",
 )
 SHOWN = ChoiceSpec(
     label="Shown",
@@ -18,9 +27,10 @@ SHOWN = ChoiceSpec(
         ("levels", "Levels"),
         ("difference", "Difference"),
         ("mean", "Mean, spread"),
+        (MOTION, "Motion"),
     ),
-    hint="The levels of each, in the same colours; how much louder each of the others is than the "
-    "one in the window; or the mean of all and their standard deviation",
+    hint="The levels of each; how much louder each is than the one in the window; mean and "
+    "standard deviation; or all in slow motion",
 )
 OWN_MAXIMUM = SwitchSpec(
     label="Each to its maximum",
@@ -28,6 +38,13 @@ OWN_MAXIMUM = SwitchSpec(
     "seen where the others are louder",
 )
 LIMBS = TextSpec(label="Limbs", longest=200, one_line=True)
+FREQUENCIES = ListSpec(
+    label="Frequencies",
+    of=NumberSpec(label="Frequency", unit="Hz", minimum=1.0, maximum=1e5),
+    most=MOST_SIDE_BY_SIDE - 1,
+    different=True,
+    hint="Frequencies beside that of the design",
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -37,20 +54,23 @@ class CompareSettings:
     Attributes
     ----------
     of
-        ``"snapshots"``, ``"limbs"`` or ``"axes"``.
+        ``"snapshots"``, ``"limbs"``, ``"axes"``, ``"frequencies"`` or ``"windows"``.
     shown
-        ``"levels"``, ``"difference"`` or ``"mean"``; of axes always the levels.
+        ``"levels"``, ``"difference"``, ``"mean"`` or `MOTION`; of axes always the levels.
     own_maximum
         Whether the levels of each are drawn relative to its own loudest output.
     limbs
         Names of the chosen limbs with spaces between; empty: those that are related to the one of
         the design, see `skinsource.design.comparing.related_limbs`.
+    frequencies_hz
+        At which frequencies a design is shown beside its own one.
     """
 
     of: str = fields.choice("snapshots", OF)
     shown: str = fields.choice("levels", SHOWN)
     own_maximum: bool = fields.switch(False, OWN_MAXIMUM)
     limbs: str = fields.text("", LIMBS)
+    frequencies_hz: tuple[float, ...] = fields.field(FREQUENCIES, (50.0, 100.0, 200.0, 400.0))
 
     def __post_init__(self) -> None:
         fields.check(self)

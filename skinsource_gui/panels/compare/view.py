@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import ceil
 
 import numpy as np
@@ -283,6 +283,7 @@ class MapsView(QtWidgets.QWidget):
     def __init__(self, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
         self._stale = False
+        self._places: Places | None = None
         # Of which map the mouse was last.
         self._at = 0
         self.content = CompareContent()
@@ -305,7 +306,9 @@ class MapsView(QtWidgets.QWidget):
     @property
     def places(self) -> Places:
         """Where the maps are."""
-        return places_for(QRectF(self.rect()), self.content, tabular(self.font()))
+        if self._places is None:
+            self._places = places_for(QRectF(self.rect()), self.content, tabular(self.font()))
+        return self._places
 
     def points_of(self, index: int) -> Floats:
         """Return the places of the outputs in one of the maps, (n_outputs, 2); NaN: not drawn."""
@@ -324,8 +327,25 @@ class MapsView(QtWidgets.QWidget):
     def show_content(self, content: CompareContent) -> None:
         """Draw ``content``."""
         self.content, self.picker.selected = content, content.outputs
+        self._places = None
         self.setAccessibleName(content.message or content.about or "Compared maps")
         self._emit_pointed_at()
+
+    def show_frame(self, cells: tuple[Cell, ...]) -> None:
+        """Draw the same maps a moment later."""
+        self.content = replace(self.content, cells=cells)
+        if self.output is not None:
+            self.pointed_at.emit(self.output)
+        for place in self.places.cells:
+            self.update(place.map.toAlignedRect())
+
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._places = None
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        self._places = None
 
     def show_stale(self, stale: bool) -> None:
         """Show whether the maps belong to an older design."""

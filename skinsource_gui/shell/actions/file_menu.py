@@ -28,6 +28,13 @@ FILE: tuple[ActionSpec, ...] = (
         keywords="paper figure gallery example examples demo template interference wavelet",
     ),
     action(
+        "make_show",
+        "Show…",
+        "Order designs for a lecture, each with its title, sentence and knob",
+        command="presenter.make_show",
+        keywords="present lecture slides talk skinshow order list",
+    ),
+    action(
         "show_left_over",
         "Unsaved work of earlier sessions…",
         "What a studio kept that was ended before its work was saved",

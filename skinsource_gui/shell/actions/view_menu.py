@@ -8,7 +8,7 @@ from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.view import View
 from skinsource_gui.panels.skin.settings import has_colours, use_colours
 from skinsource_gui.plots.small_map import COLOURS
-from skinsource_gui.qt.keys import KEYS, key_text
+from skinsource_gui.qt.keys import KEYS
 from skinsource_gui.qt.theme import theme_label
 from skinsource_gui.shell.actions.spec import ActionSpec, action
 from skinsource_gui.shell.workspaces import WORKSPACES
@@ -172,9 +172,8 @@ VIEW: tuple[ActionSpec, ...] = (
     action(
         "present",
         "Present, or end it",
-        "The panels alone over the whole screen, in large words; "
-        f"{_presenting('previous')} and {_presenting('next')}, or a clicker, step through the "
-        f"scenes, and {key_text('presenting', 'cover')} covers the map",
+        f"The stage over the whole screen; {_presenting('next')}, or a clicker, steps through the "
+        "scenes",
         "F9",
         command="presenter.toggle",
         keywords="lecture slides show talk clicker beamer projector full screen scenes",

@@ -70,7 +70,7 @@ def test_figure_2h_draws_in_towards_the_finger(measured):
     np.testing.assert_allclose(distances_mm, [31.9, 27.9, 23.4, 18.8, 17.0], atol=0.5)
 
 
-@pytest.mark.parametrize(("name", "limb"), [("5A", "measured-1"), ("5B", "measured-2")])
+@pytest.mark.parametrize(("name", "limb"), [("5B", "measured-1"), ("5B-2", "measured-2")])
 def test_the_five_strengths_reach_their_velocities(measured, name, limb):
     opened = ss.scenes.open_scene(name)
     for speed_mm_per_s, condition in zip((5, 10, 20, 40, 80), opened.conditions, strict=True):

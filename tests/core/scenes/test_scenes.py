@@ -1,5 +1,7 @@
 """The shipped scenes: their texts and designs, opened on the limbs that there are."""
 
+import re
+
 import pytest
 
 import skinsource as ss
@@ -8,6 +10,7 @@ from skinsource.base.measurement_conditions import LIMB_NAMES
 from skinsource.cli.command_line import main
 from skinsource.design.comparing import shown_snapshot
 from skinsource.design.design_file import open_design
+from skinsource.design.panel_settings import stage_settings
 from skinsource.studies.scenes.catalog import path_of
 
 MEASURED = tuple(name for name in LIMB_NAMES if name.startswith("measured"))
@@ -27,8 +30,9 @@ def test_each_says_what_it_is_where_it_is_from_and_what_is_inferred(name):
     assert known.sentence.endswith(".")
     assert len(known.title) <= 40
     assert content.design.notes == known.notes
-    (turned,) = dict(dict(content.view.panels)["frequency_and_amplitude"]).values()
-    assert turned in {"frequency", "amplitude", "onset"}
+    turned = stage_settings(content.view).control
+    assert turned in {"frequency", "amplitude"}
+    assert known.to_try.startswith("Try: ")
     if turned == "frequency":
         (selected,) = content.view.selected_inputs
         assert hasattr(content.design.input(selected).clips[0].waveform, "frequency_hz")
@@ -112,3 +116,51 @@ def test_the_command_lists_scenes_and_writes_one_as_a_design(tmp_path, capsys):
     assert "SYNTHETIC" in printed
     opened, written = ss.scenes.open_scene("2B"), open_design(path)
     assert (written.design, written.view) == (opened.design, opened.view)
+
+
+def test_the_missing_panels_of_the_paper_are_listed_with_the_reason():
+    missing = dict(ss.scenes.missing_panels())
+    assert {"1A", "1B", "2G", "3", "4C", "4D", "4E", "5A", "5C"} == missing.keys()
+    assert all(reason.endswith(".") for reason in missing.values())
+    assert not missing.keys() & set(NAMES)
+
+
+def test_the_strengths_cite_the_panel_that_shows_them_and_what_was_measured():
+    for name in ("5B", "5B-2"):
+        known = ss.scenes.scene(name)
+        assert known.source.endswith("Fig. 5B")
+        assert "80 mm/s" in known.measured
+    measured = {name: ss.scenes.scene(name).measured for name in ("5D", "5E", "5F")}
+    assert "0.99" in measured["5D"]
+    assert "-40 dB" in measured["5E"]
+    assert "above 0.99" in measured["5F"]
+
+
+def test_the_numbers_of_a_sentence_are_those_of_the_limb_that_is_open():
+    opened = ss.scenes.open_scene("2F", available=("synthetic-3",))
+    levels = [
+        ss.evaluate(each.design, "output_levels_db", view=opened.view)["output_levels_db"][18]
+        for each in opened.conditions
+    ]
+    gain_db = levels[2] - max(levels[:2])
+    words = f"{abs(gain_db):.0f} dB {'louder' if gain_db > 0 else 'softer'} at output 19"
+    assert words in opened.design.notes
+    assert opened.design in [each.design for each in opened.conditions]
+    other = ss.scenes.open_scene("2F", limb="synthetic-1")
+    assert other.scene.sentence != opened.scene.sentence
+
+
+@pytest.mark.parametrize("name", ["1D", "2A", "2C"])
+def test_sentences_name_outputs_of_the_view_that_are_above_the_noise(name):
+    opened = ss.scenes.open_scene(name, available=("synthetic-1",))
+    before = ss.scenes.scene(name).sentence
+    found = opened.scene.sentence.removeprefix(before)
+    numbers = {int(number) for number in re.findall(r"output (\d+)", found)}
+    assert len(numbers) == 2
+    assert numbers <= set(opened.view.outputs)
+
+
+def test_the_train_of_the_other_order_expands():
+    contracts, expands = (each.design for each in ss.scenes.open_scene("2H").conditions)
+    rising, falling = (each.clips[0].waveform.frequencies_hz for each in (contracts, expands))
+    assert falling == rising[::-1]

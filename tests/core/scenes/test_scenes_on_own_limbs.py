@@ -65,7 +65,7 @@ def test_places_that_it_lacks_are_others_and_outputs_go_from_near_to_far(user_da
     assert "played at its place 7;" in there.note
     # It answers 50 ms earlier than the published ones.
     assert there.view.time_range_s == pytest.approx((0.0, 0.13))
-    assert ss.scenes.open_scene("5B", limb="lab-1").scene.title == "Five strengths of three tones"
+    assert ss.scenes.open_scene("5B-2", limb="lab-1").scene.title == "Five strengths of three tones"
 
 
 def test_what_a_limb_lacks_is_said(user_data):

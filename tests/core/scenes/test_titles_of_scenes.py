@@ -66,7 +66,7 @@ def test_no_title_tells_a_strength_in_a_unit_that_the_drive_of_another_limb_does
     back = replace(lab, limb="synthetic-1").with_input(0, location=elsewhere[0])
     edited = "Fig. 5D: Output against input · edited"
     assert title_of(moved) == title_of(back) == edited
-    velocities = opened("5A", limb="synthetic-1").conditions[0].design
+    velocities = opened("5B", limb="synthetic-1").conditions[0].design
     assert title_of(velocities).endswith(" mm/s")
     assert title_of(replace(velocities, limb="lab-1")).endswith(" · edited")
 

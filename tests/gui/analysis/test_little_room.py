@@ -30,7 +30,6 @@ def large(window, settle):
     settle()
     yield window
     window.appearance.reset_text()
-    window.appearance.fit_room(1.0)
 
 
 def assert_apart(places, line):

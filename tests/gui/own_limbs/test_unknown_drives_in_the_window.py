@@ -16,7 +16,6 @@ from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource.limbs.own_limbs import remove_limb
 from skinsource_gui.fields.choice_field import ChoiceField
-from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.plots.pictures import caption_of
 from tests.core.own_limbs.lab_bench import installed
 from tests.core.playing.synthetic_sound import SyntheticSoundLibrary, use
@@ -80,12 +79,7 @@ def played_unit(window):
 
 #: Panels that say it, which stand behind each other.
 IN_FRONT = {
-    "timeline": lambda window: checked_unit(
-        window.panel("timeline").findChild(NumberField, "amplitude_field")
-    ),
-    "frequency_and_amplitude": lambda window: checked_unit(
-        window.panel("frequency_and_amplitude")._amplitude.field
-    ),
+    "inspector": lambda window: checked_unit(window.panel("inspector")._fields._amplitude.field),
     "output": played_unit,
 }
 

@@ -1,17 +1,12 @@
 """Scenes that follow one another, and the notes beside them."""
 
-from dataclasses import replace
-
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDialogButtonBox, QMessageBox
+from PySide6.QtWidgets import QApplication, QMessageBox
 
-from skinsource.design.panel_settings import with_settings
-from skinsource.studies.scenes.catalog import all_scenes, open_scene
-from skinsource_gui.panels.frequency_and_amplitude.settings import ControlSettings
-from skinsource_gui.plots.small_map import level_style
-from skinsource_gui.shell.presenting import NotesWindow
+from skinsource.studies.scenes.catalog import all_scenes
+from skinsource_gui.shell.presenting import NotesWindow, steps_of_folder
 
 
 def title(window):
@@ -28,25 +23,20 @@ def test_scenes_are_the_designs_of_the_folder_in_their_order(studio):
     assert studio.document.path is None
 
 
-def test_a_scene_that_is_open_is_presented_with_the_panels_that_show_it(open_window, design):
-    window = open_window(design)
-    names = [scene.name for scene in all_scenes()]
-    page = window.scenes.show()
-    page.list.setCurrentRow(names.index("2H"))
-    page.buttons.button(QDialogButtonBox.StandardButton.Open).click()
-    assert "2H" in title(window)
-    window.do("present")
-    assert "analysis" in in_front(window)
-    window.do("present")
-    window.do("new_design")
-    window.do("present")
-    assert "analysis" not in in_front(window)
+def test_files_of_a_folder_come_in_natural_order(tmp_path):
+    for name in ("10 sweep", "2 two", "1 tap"):
+        (tmp_path / f"{name}.skinsource").touch()
+    assert [path.stem for path in steps_of_folder(tmp_path)] == ["1 tap", "2 two", "10 sweep"]
 
 
-def in_front(window):
-    """Panels that can be seen."""
-    QApplication.processEvents()
-    return {panel.name for panel in window.panels if panel.isVisible()}
+def test_a_file_that_does_not_open_is_passed_by(studio, folder):
+    (folder / "3 both.skinsource").write_text("damaged")
+    (folder / "4 tap.skinsource").write_bytes((folder / "1 tap.skinsource").read_bytes())
+    studio.do("present")
+    for _ in range(2):
+        studio.do("next_scene")
+    # It is called by its title.
+    assert studio.notice.text == "Scene 4 of 4: 1 tap"
 
 
 @pytest.fixture
@@ -86,12 +76,12 @@ def test_of_a_scene_that_was_turned_it_is_said_that_it_is_left_as_it_was(open_wi
     window = open_window(design)
     window.do("next_scene")
     window.do("present")
-    name, first = all_scenes()[0].name, window.document.design
+    first = window.document.design
     louder(window, 2.0)
     window.do("next_scene")
-    assert window.notice.text.endswith(f"; changes to {name} are not kept")
+    assert window.notice.text.endswith(f"; changes to {first.title} are not kept")
     window.do("previous_scene")
-    assert window.notice.text == f"Scene 1 of {len(all_scenes())}: {all_scenes()[0].heading}"
+    assert window.notice.text == f"Scene 1 of {len(all_scenes())}: {first.title}"
     assert window.document.design == first
     # What was turned back is nothing that could be kept.
     louder(window, 2.0)
@@ -154,45 +144,3 @@ def test_keys_of_presenting_work_on_the_notes_too_whichever_came_first(studio, q
     QTest.keyClick(notes.notes, leave)
     assert not studio.presenter.presenting
     assert not notes.isVisible()
-
-
-def colours(window):
-    return level_style(window.document.view).colours
-
-
-def test_levels_stay_in_the_colours_that_were_chosen_from_scene_to_scene(open_window, design):
-    window = open_window(design)
-    window.do("present")
-    window.do("next_scene")
-    assert colours(window) == "viridis"
-    window.do("use_magma_colours")
-    for step in ("next_scene", "next_scene", "previous_scene", "previous_scene"):
-        window.do(step)
-        assert colours(window) == "magma", step
-        assert window.document.undo_stack.count() == 0
-        assert not window.document.modified
-    # What else a scene looks at is its own.
-    plain = open_scene(all_scenes()[0].name, available=window.limbs.names).view
-    assert replace(window.document.view, panels=()) == replace(plain, panels=())
-    window.do("use_viridis_colours")
-    window.do("next_scene")
-    assert colours(window) == "viridis"
-
-
-def test_a_scene_says_what_is_turned(open_window, design):
-    window = open_window(design)
-    window.do("arrange_presentation")
-    view, panel = window.document.view, window.panel("frequency_and_amplitude")
-    for control, shown in {
-        "onset": {"onset_s"},
-        "all": {"frequency_hz", "amplitude"},
-        "frequency": {"frequency_hz"},
-        "amplitude": {"amplitude"},
-    }.items():
-        window.document.look(
-            with_settings(view, "frequency_and_amplitude", ControlSettings(control=control))
-        )
-        cells = {"amplitude": panel._amplitude, "onset_s": panel._onset}
-        if panel._frequency is not None:
-            cells["frequency_hz"] = panel._frequency
-        assert {name for name, cell in cells.items() if cell.isVisible()} == shown, control

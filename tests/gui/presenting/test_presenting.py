@@ -1,13 +1,9 @@
 """Presenting: bars away, words over the window, a map that can be covered."""
 
-from dataclasses import replace
-
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
 
-from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.qt.overlays import COVERED, Cover
 from tests.gui.analysis.analysis_bench import analysis
 
@@ -29,9 +25,7 @@ def test_presenting_takes_the_bars_away_and_gives_them_back(open_window, design)
     window.do("present")
     assert not any(bar.isVisible() for bar in bars(window))
     assert window.isFullScreen()
-    assert window.panel("skin").isVisible()
-    assert window.panel("hand").isVisible()
-    assert not window.panel("inspector").isVisible()
+    assert {panel.name for panel in window.panels if panel.isVisible()} == {"stage"}
     window.do("present")
     assert all(bar.isVisible() for bar in bars(window))
     assert not window.isFullScreen()
@@ -42,19 +36,24 @@ def test_presenting_takes_the_bars_away_and_gives_them_back(open_window, design)
 def test_keys_work_while_the_menus_are_away(studio, qtbot):
     studio.do("present")
     studio.activateWindow()
-    skin = studio.panel("skin")
-    skin.setFocus()
-    QTest.keyClick(skin.map, Qt.Key.Key_PageDown)
+    stage = studio.panel("stage")
+    dial = stage.knob.dial
+    assert studio.focusWidget() is dial
+    QTest.keyClick(dial, Qt.Key.Key_PageDown)
     qtbot.waitUntil(lambda: title(studio) == "3 both")
     QTest.keyClick(studio.focusWidget() or studio, Qt.Key.Key_PageUp)
     qtbot.waitUntil(lambda: title(studio) == "2 tone")
     QTest.keyClick(studio.focusWidget() or studio, Qt.Key.Key_B)
-    qtbot.waitUntil(lambda: skin.map.content.message == COVERED)
+    assert stage.findChildren(Cover)
+    QTest.keyClick(dial, Qt.Key.Key_Space)
+    assert stage.clock.held
+    QTest.keyClick(dial, Qt.Key.Key_L)
+    assert not stage.moves
     QTest.keyClick(studio.focusWidget() or studio, Qt.Key.Key_F9)
     qtbot.waitUntil(lambda: studio.menuBar().isVisible())
     # Out of presenting nothing stays covered, and the keys mean what they did.
-    assert skin.map.content.message != COVERED
-    QTest.keyClick(skin.map, Qt.Key.Key_PageDown)
+    assert not any(cover.isVisible() for cover in stage.findChildren(Cover))
+    QTest.keyClick(dial, Qt.Key.Key_PageDown)
     assert title(studio) == "2 tone"
 
 
@@ -123,69 +122,14 @@ def test_all_that_draws_maps_is_covered_together_and_revealed(plain_studio, qtbo
     assert not any(cover.isVisible() for cover in panel.findChildren(Cover))
 
 
-@pytest.fixture
-def presented(make_window, design, qtbot):
-    window = make_window(design)
-    window.document.look(replace(window.document.view, outputs=(29, 30)))
-    window.activateWindow()
-    qtbot.waitUntil(window.isActiveWindow)
-    window.do("present")
-    return window
-
-
-@pytest.fixture
-def played(presented):
-    """How often playing was asked for."""
-    asked = []
-    action = presented.actions_by_name["play"]
-    action.triggered.disconnect()
-    action.triggered.connect(lambda: asked.append(True))
-    return asked
-
-
-def turn_list(window):
-    return window.panel("frequency_and_amplitude").findChild(ChoiceField, "control_field")
-
-
-def press(window, key):
-    QTest.keyClick(window.focusWidget() or window, key)
-
-
-def test_space_plays_where_the_keyboard_came_to_a_list_by_chance(presented, played):
-    field = turn_list(presented)
-    field.setFocus(Qt.FocusReason.OtherFocusReason)
-    assert presented.focusWidget() is field
-    press(presented, Qt.Key.Key_Space)
-    assert played == [True]
-    assert QApplication.activePopupWidget() is None
-    # Out of presenting, Space on a list opens it.
-    presented.do("present")
-    presented.docks["frequency_and_amplitude"].bring_forward()
-    field.setFocus(Qt.FocusReason.TabFocusReason)
-    press(presented, Qt.Key.Key_Space)
-    assert played == [True]
-    field.hidePopup()
-
-
-def test_escape_gives_up_what_is_typed_or_dragged_and_then_leaves(presented):
-    number = presented.panel("frequency_and_amplitude")._amplitude.field
+def test_escape_gives_up_what_is_typed_and_then_leaves(studio):
+    studio.do("present")
+    studio.activateWindow()
+    number = studio.panel("stage").knob.field
     number.setFocus()
-    press(presented, Qt.Key.Key_5)
-    assert number.editing
-    press(presented, Qt.Key.Key_Escape)
+    for key in (Qt.Key.Key_5, Qt.Key.Key_Escape):
+        QTest.keyClick(number, key)
     assert not number.editing
-    skin = presented.panel("skin").map
-    skin.setFocus()
-    at = skin.rect().center()
-    QTest.mousePress(skin, Qt.MouseButton.LeftButton, pos=at)
-    QTest.mouseMove(skin, at + at / 8)
-    press(presented, Qt.Key.Key_Escape)
-    QTest.mouseRelease(skin, Qt.MouseButton.LeftButton, pos=at + at / 8)
-    assert presented.presenter.presenting
-    press(presented, Qt.Key.Key_Escape)
-    assert not presented.presenter.presenting
-    assert presented.document.view.outputs == (29, 30)
-    # Back among the bars the key is that of the map.
-    skin.setFocus()
-    press(presented, Qt.Key.Key_Escape)
-    assert presented.document.view.outputs == ()
+    assert studio.presenter.presenting
+    QTest.keyClick(number, Qt.Key.Key_Escape)
+    assert not studio.presenter.presenting

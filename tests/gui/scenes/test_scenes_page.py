@@ -71,7 +71,7 @@ def test_the_gallery_lists_all_scenes_and_shows_the_selected_one(window):
     assert "Fig. 2F" in text
     assert "Opens on Synthetic 3 (185 mm)." in text
     assert "SYNTHETIC" in text
-    page.list.setCurrentRow(headings.index("2H · A sensation that contracts"))
+    page.list.setCurrentRow(headings.index("2H · A sensation that contracts or expands"))
     assert "Inferred: kind, frequencies" in page.text.text()
     page.reject()
 
@@ -88,8 +88,8 @@ def test_a_scene_is_opened_with_the_keyboard(window, qtbot, settle):
     opened = ss.scenes.open_scene("2B")
     assert window.document.design == opened.design
     assert window.document.view == opened.view
-    assert window.docks["compare"].in_sight
-    maps = window.panel("compare").maps
+    assert window.docks["stage"].in_sight
+    maps = window.panel("stage").maps
     qtbot.waitUntil(lambda: sum(cell.small is not None for cell in maps.content.cells) == 4)
     called = [cell.headings[1] for cell in maps.content.cells]
     assert called == [f"Snapshot {k} · {hz} Hz" for k, hz in enumerate((50, 100, 200, 400), 1)]
@@ -106,6 +106,10 @@ def test_each_opens_with_the_panels_that_show_it_and_nothing_to_complain_of(wind
         assert window.windowTitle().startswith(f"Fig. {scene.name}: "), scene.name
         for panel in scene.panels:
             assert window.docks[panel].in_sight, (scene.name, panel)
+        stage = window.panel("stage")
+        assert scene.sentence in stage.sentence.text()
+        assert scene.to_try in stage.sentence.text()
+        assert stage.maps.content.cells, scene.name
         assert window.notice.text == "", scene.name
         assert messages[-1].startswith(f"Opened {scene.heading}, on a SYNTHETIC limb")
 

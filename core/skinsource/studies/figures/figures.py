@@ -20,19 +20,20 @@ from skinsource.design.waveforms.tones import Chirp
 from skinsource.engine.evaluation import evaluate
 from skinsource.export.plot import (
     COLOURS,
+    DIM,
     HATCHED,
     INK,
     Bar,
     Levels,
     PlotRow,
     Range,
+    WindowedLevels,
     annotate_scale,
     common_range,
     common_size,
     draw_extent,
     draw_map,
     draw_rows,
-    draw_strip,
     levels_of,
     style,
     windowed_levels,
@@ -55,10 +56,12 @@ from skinsource.studies.figures.sheet import (
     magnitudes_at,
     normal_of,
 )
-from skinsource.studies.scenes.opened_scene import OpenedScene
+from skinsource.studies.scenes.opened_scene import Condition, OpenedScene
 from skinsource.studies.validation import pearson, straight_lines
 
 _SHOWN_BANDS_HZ = (50.0, 100.0, 200.0, 400.0)
+#: Mean of the adjusted R² that the paper measured.
+MEASURED_R2 = 0.99
 # An error of 0 is drawn here.
 _SMALLEST = 1e-17
 _CYCLES_SHOWN = 4.0
@@ -230,8 +233,11 @@ def straightness(opened: OpenedScene) -> Drawn:
             ("median of all outputs", np.median(fits.adjusted_r2, axis=0), COLOURS[0], 0.8),
         ):
             ax.plot(fits.frequency_hz, values, color=colour, lw=width, label=label)
-        ax.set_xlim(*swept_hz(opened))
-        ax.set_ylim(min(0.99, 1.0 - 1.2 * deviation), 1.001)
+        low_hz, high_hz = swept_hz(opened)
+        ax.axhline(MEASURED_R2, color=DIM, lw=0.8, ls="--")
+        ax.text(low_hz, MEASURED_R2, f" {MEASURED_R2}: mean of the paper", va="bottom", color=DIM)
+        ax.set_xlim(low_hz, high_hz)
+        ax.set_ylim(min(0.985, 1.0 - 1.2 * deviation), 1.001)
         ax.set_xlabel("Frequency (Hz)")
         ax.set_ylabel("Adjusted R²")
         ax.legend(loc="lower right", ncols=2)
@@ -260,7 +266,14 @@ def superposition(opened: OpenedScene) -> Drawn:
         ax.semilogy(numbers, np.maximum(1.0 - worst, _SMALLEST), "o", ms=2.5, color=COLOURS[0])
         ax.set_ylim(_SMALLEST, 1.0)
         ax.axhline(0.01, color=COLOURS[1], lw=0.8)
-        ax.text(1.0, 0.013, "r = 0.99", color=COLOURS[1], fontsize=6, va="bottom")
+        ax.text(
+            1.0,
+            0.013,
+            "r = 0.99; the paper measured more",
+            color=COLOURS[1],
+            fontsize=6,
+            va="bottom",
+        )
         ax.set_xlabel("Output")
         ax.set_ylabel("1 − Pearson r, worst axis")
         ax.set_title("0 is drawn at the foot", fontsize=6)
@@ -392,35 +405,66 @@ def tone_frames(opened: OpenedScene) -> Drawn:
     return Drawn(sheet=sheet, tables={"": columns})
 
 
+# Of each design: its train, maps of its windows, and their extents.
+_BLOCK_MM = 108.0
+
+
 def train_windows(opened: OpenedScene) -> Drawn:
-    """Draw the train, a map for each of its windows in one scale, and the extent of each."""
-    window_s = opened.view.window_s
-    windowed = windowed_levels(opened.design, opened.view, count=None, window_s=window_s)
-    n = windowed.windows.count
-    sheet = Sheet(
-        opened, 132.0, f"{HATCHED}." if any(windowed.noisy_outputs_of_windows) else "", maps=True
-    )
-    left_mm, width_mm = 22.0, WIDTH_MM - 44.0
+    """Draw each train, maps of its windows re the loudest output of each, and their extents."""
+    window_s, designs = opened.view.window_s, [each.design for each in opened.conditions]
+    shown = [
+        windowed_levels(design, opened.view, count=None, window_s=window_s) for design in designs
+    ]
+    noisy = any(any(windowed.noisy_outputs_of_windows) for windowed in shown)
+    note = f"{HATCHED}." if noisy else ""
+    sheet = Sheet(opened, _BLOCK_MM * len(shown), note, maps=True)
+    left_mm, width_mm = 22.0, WIDTH_MM - 48.0
+    tables: dict[str, dict[str, Floats]] = {}
     with style():
-        train = sheet.axes(left_mm, 113.0, width_mm, 16.0)
-        _draw_stimulus(train, opened, n * window_s)
-        draw_strip(
-            sheet.figure, sheet.row_of_axes(n, left_mm, 30.0, width_mm, 74.0), windowed, None
+        for k, (condition, windowed) in enumerate(zip(opened.conditions, shown, strict=True)):
+            n, bottom_mm = windowed.windows.count, _BLOCK_MM * (len(shown) - 1 - k)
+            train = sheet.axes(left_mm, bottom_mm + 94.0, width_mm, 12.0)
+            _draw_stimulus(train, condition, n * window_s)
+            places = sheet.row_of_axes(n, left_mm, bottom_mm + 28.0, width_mm, 62.0)
+            image = _draw_windows(places, windowed)
+            bar = left_mm + width_mm + 2.0, bottom_mm + 36.0, 44.0
+            sheet.colour_bar(image, *bar, "dB re the loudest output of each")
+            draw_extent(sheet.axes(left_mm, bottom_mm + 5.0, width_mm, 16.0), windowed, n)
+            bounds_s = windowed.windows.bounds_s(windowed.sample_rate_hz)
+            header, rows = windows_table(
+                bounds_s, windowed.extents_of_windows, windowed.rms_of_windows
+            )
+            suffix = f"-{condition.label.lower()}" if k else ""
+            tables[suffix] = dict(zip(header, np.transpose(rows), strict=True))
+    return Drawn(sheet=sheet, tables=tables)
+
+
+def _draw_windows(places: Sequence[Any], windowed: WindowedLevels) -> Any:
+    levels_db = decibels(windowed.rms_of_windows)
+    for k, (ax, bounds_s) in enumerate(
+        zip(places, windowed.windows.bounds_s(windowed.sample_rate_hz), strict=True)
+    ):
+        levels = Levels(
+            limb=windowed.limb_data,
+            surface=windowed.surface,
+            values=levels_db[k] - levels_db[k].max(),
+            places=windowed.places,
+            noisy=windowed.noisy_outputs_of_windows[k],
         )
-        draw_extent(sheet.axes(left_mm, 6.0, width_mm, 20.0), windowed, n)
-    bounds_s = windowed.windows.bounds_s(windowed.sample_rate_hz)
-    header, rows = windows_table(bounds_s, windowed.extents_of_windows, windowed.rms_of_windows)
-    return Drawn(sheet=sheet, tables={"": dict(zip(header, np.transpose(rows), strict=True))})
+        title = f"{1e3 * bounds_s[0]:.0f} to {1e3 * bounds_s[1]:.0f} ms"
+        bar: Bar = "drawn" if k == len(places) - 1 else "room"
+        image = draw_map(ax, levels, _RELATIVE_RANGE_DB, title=title, bar=bar)
+    return image
 
 
-def _draw_stimulus(ax: Any, opened: OpenedScene, until_s: float) -> None:
-    results = evaluate(opened.design, "input_waveforms", "sample_rate_hz")
+def _draw_stimulus(ax: Any, condition: Condition, until_s: float) -> None:
+    results = evaluate(condition.design, "input_waveforms", "sample_rate_hz")
     (waveform,) = results["input_waveforms"]
     ax.plot(np.arange(waveform.size) / results["sample_rate_hz"], waveform, color=INK, lw=0.7)
     ax.set_xlim(0.0, until_s)
     ax.set_axis_off()
     ax.annotate(
-        "Input",
+        condition.label or "Input",
         (0.0, 0.5),
         xycoords="axes fraction",
         xytext=(-8, 0),
@@ -597,8 +641,8 @@ FIGURES: dict[str, Callable[[OpenedScene], Drawn]] = {
     "2H": train_windows,
     "4A": tone_frames,
     "4B": _OWN_TRACES,
-    "5A": strengths,
     "5B": strengths,
+    "5B-2": strengths,
     "5D": output_over_input,
     "5E": straightness,
     "5F": superposition,

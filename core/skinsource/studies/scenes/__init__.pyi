@@ -1,4 +1,5 @@
 from .catalog import all_scenes as all_scenes
+from .catalog import missing_panels as missing_panels
 from .catalog import names as names
 from .catalog import open_scene as open_scene
 from .catalog import scene as scene

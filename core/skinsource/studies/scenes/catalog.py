@@ -18,6 +18,7 @@ from skinsource.design.design import Design
 from skinsource.design.design_file import SUFFIX, DesignFile, open_design
 from skinsource.limbs.catalog import available_limbs
 from skinsource.limbs.limb import PUBLISHED
+from skinsource.studies.scenes.findings import told
 from skinsource.studies.scenes.opened_scene import (
     PROBE_UNITS,
     Condition,
@@ -51,7 +52,7 @@ def all_scenes() -> tuple[Scene, ...]:
     >>> print(ss.scenes.all_scenes()[0].name)
     1C
     """
-    return _scenes_in(scenes_folder() / DESCRIPTIONS)
+    return _scenes_in(scenes_folder())
 
 
 def names() -> tuple[str, ...]:
@@ -143,6 +144,13 @@ def open_scene(
     >>> opened = ss.scenes.open_scene("2F")
     >>> figure = ss.plot.map(opened.design)
     """
+    return told(opened_plainly(name, available=available, limb=limb))
+
+
+def opened_plainly(
+    name: str, *, available: Collection[str] | None = None, limb: str = ""
+) -> OpenedScene:
+    """Return a scene as `open_scene`, without what is computed on its limb."""
     known = scene(name)
     content = open_design(path_of(known.name))
     if limb:
@@ -184,7 +192,7 @@ def _on_limbs(design: Design, limbs: frozenset[str]) -> Design:
     return replace(design, limb=f"synthetic-{number}")
 
 
-_SCENE_TITLE = re.compile(r"Fig\. (\w+): ")
+_SCENE_TITLE = re.compile(r"Fig\. ([\w-]+): ")
 _LIMB = re.compile(r", limb \d+$")
 _EDITED = "edited"
 
@@ -270,10 +278,28 @@ def _designs_of(path: Path) -> tuple[Design, ...]:
     return compared(open_design(path))
 
 
+def missing_panels() -> tuple[tuple[str, str], ...]:
+    """Return the panels of the paper that are no scenes, each with the reason.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(ss.scenes.missing_panels()[-1][0])
+    5C
+    """
+    return tuple((entry["name"], entry["reason"]) for entry in _read(scenes_folder())["missing"])
+
+
 @lru_cache(maxsize=1)
-def _scenes_in(path: Path) -> tuple[Scene, ...]:
+def _read(folder: Path) -> dict[str, Any]:
+    content: dict[str, Any] = tomllib.loads((folder / DESCRIPTIONS).read_text(encoding="utf-8"))
+    return content
+
+
+@lru_cache(maxsize=1)
+def _scenes_in(folder: Path) -> tuple[Scene, ...]:
     scenes = []
-    for entry in tomllib.loads(path.read_text(encoding="utf-8"))["scene"]:
+    for entry in _read(folder)["scene"]:
         fields: dict[str, Any] = {
             name: tuple(value) if isinstance(value, list) else value
             for name, value in entry.items()

@@ -34,7 +34,7 @@ class Scene:
     Attributes
     ----------
     name
-        Name of the panel: ``"2F"``.
+        Name of the panel: ``"2F"``; of several of one panel with a number: ``"5B-2"``.
     title
         Title of a few words.
     sentence
@@ -45,7 +45,11 @@ class Scene:
     labels
         Labels of the designs that it compares, in their order; one where it compares nothing.
     arrangement, panels
-        Arrangement of the window, and the panels that are brought to the front there.
+        The workspace in which it opens, and the panels that show it there.
+    measured
+        What the paper measured, beside which the prediction is to be seen; may be empty.
+    to_try
+        What to try with it.
     """
 
     name: str
@@ -53,13 +57,15 @@ class Scene:
     sentence: str
     inferred: tuple[str, ...] = ()
     labels: tuple[str, ...] = ("",)
-    arrangement: str = "analysis"
-    panels: tuple[str, ...] = ("skin",)
+    arrangement: str = "presentation"
+    panels: tuple[str, ...] = ("stage",)
+    measured: str = ""
+    to_try: str = ""
 
     @property
     def source(self) -> str:
         """Paper and figure."""
-        return f"{PAPER}, Fig. {self.name}"
+        return f"{PAPER}, Fig. {self.name.partition('-')[0]}"
 
     @property
     def heading(self) -> str:
@@ -68,8 +74,9 @@ class Scene:
 
     @property
     def notes(self) -> str:
-        """Sentence, source and inferred parts, as the notes of a design."""
-        lines = [self.sentence, f"Source: {self.source}."]
+        """Words beside it, source and inferred parts, as the notes of a design."""
+        words = " ".join(filter(None, (self.sentence, self.measured, self.to_try)))
+        lines = [words, f"Source: {self.source}."]
         if self.inferred:
             lines.append(sentence(f"Inferred: {'; '.join(self.inferred)}"))
         return "\n".join(lines)

@@ -1,0 +1,74 @@
+"""What a frame of the stage costs, of one map and of several that move together.
+
+    python benchmarks/stage.py
+
+Prints processor time a frame at 1920x1080, and how many times that of one map it is; four people,
+four frequencies and six maps should stay below 4.
+"""
+
+import os
+import tempfile
+import time
+from pathlib import Path
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+from PySide6.QtCore import QEventLoop
+
+import skinsource as ss
+from skinsource.design.panel_settings import StageSettings, with_settings
+from skinsource_gui.app.app import make_application
+from skinsource_gui.panels.compare.settings import CompareSettings
+from skinsource_gui.shell.window import MainWindow
+from skinsource_gui.state.preferences import Preferences
+
+FRAMES, FRAME_S = 60, 1 / 24
+OTHERS_HZ = (50.0, 150.0, 200.0, 300.0, 400.0)
+CASES = {
+    "one map": None,
+    "four people": CompareSettings(of="limbs"),
+    "four frequencies": CompareSettings(of="frequencies"),
+    "six maps": CompareSettings(
+        of="frequencies", frequencies_hz=(50.0, 150.0, 200.0, 300.0, 400.0)
+    ),
+}
+
+
+def main() -> None:
+    """Measure each case."""
+    application = make_application()
+    tone = ss.track(7, ss.waveforms.Tone(frequency_hz=100.0))
+    design = ss.Design(limb="synthetic-1", inputs=(tone,), title="A tone")
+    with tempfile.TemporaryDirectory() as folder:
+        window = MainWindow(
+            design,
+            preferences=Preferences(Path(folder) / "studio.ini"),
+            available_limbs=("synthetic-1",),
+        )
+        window.show()
+        window.do("present")
+        window.showNormal()
+        window.resize(1920, 1080)
+        stage, one_s = window.panel("stage"), 0.0
+        for name, compared in CASES.items():
+            view = with_settings(
+                window.document.view, "stage", StageSettings(compared=compared is not None)
+            )
+            window.document.look(with_settings(view, "compare", compared or CompareSettings()))
+            end_s = time.monotonic() + 1.0
+            while time.monotonic() < end_s or window.engine.busy:
+                application.processEvents(QEventLoop.ProcessEventsFlag.AllEvents, 20)
+            stage.clock.run(False)
+            began_s = time.process_time()
+            for _ in range(FRAMES):
+                stage.clock.ticked.emit(FRAME_S)
+                application.processEvents()
+            frame_s = (time.process_time() - began_s) / FRAMES
+            one_s = one_s or frame_s
+            maps = len(stage.maps.content.cells)
+            print(f"{name:18} {maps} maps {1e3 * frame_s:6.1f} ms {frame_s / one_s:5.2f} x")
+        window.close_unasked()
+
+
+if __name__ == "__main__":
+    main()

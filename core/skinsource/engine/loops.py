@@ -1,0 +1,169 @@
+"""Loops: which part of a motion is shown again and again, without a seam, and how slowly."""
+
+from dataclasses import dataclass, replace
+from math import ceil
+
+import numpy as np
+import scipy
+
+from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.decibels import decibels
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, audible_inputs
+from skinsource.design.waveforms.tones import Tone
+from skinsource.engine.time_rules import Moving
+from skinsource.signals.resampling import finer
+
+#: The fastest strong component is shown at this frequency at most, in so many pictures a period.
+SHOWN_HZ, PICTURES_PER_PERIOD = 2.0, 12
+# Components of at least this share of the power of the strongest one are strong.
+_STRONG = 0.1
+# A motion that passes ends where it stays below this share of its largest acceleration.
+_REST = 0.01
+# It begins so long before the stimulus: the filter of the measurement rings before it.
+_BEFORE_S = 0.005
+_POINTS_PER_PERIOD = 48
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Loop:
+    """A motion of all outputs that is shown again and again.
+
+    Attributes
+    ----------
+    moving
+        The response.
+    begin_s, duration_s
+        The part of it that is shown; of a steady tone, which has no beginning, one period.
+    fastest_hz
+        Its fastest strong component.
+    phasors : (n_outputs, n_axes) or None
+        Complex amplitudes of a steady tone, m/s²; None: the motion passes.
+    """
+
+    moving: Moving
+    begin_s: float
+    duration_s: float
+    fastest_hz: float
+    phasors: Complexes | None = None
+
+    @property
+    def slow_motion(self) -> float:
+        """How many times slower than it happens its fastest strong component can be followed."""
+        return max(self.fastest_hz / SHOWN_HZ, 1.0)
+
+    @property
+    def signed(self) -> bool:
+        """Whether values are along one axis; else they are lengths of vectors."""
+        return self.moving.signals.shape[1] == 1
+
+    @property
+    def largest(self) -> float:
+        """The largest acceleration at any output and time, m/s²."""
+        if self.phasors is None:
+            return self.moving.largest
+        return float(np.linalg.norm(self.phasors, axis=1).max())
+
+    def values(self, share: float) -> Floats:
+        """Return the acceleration of all outputs at a ``share`` of the loop, (n_outputs,), m/s²."""
+        if self.phasors is None:
+            vectors = self.moving.acceleration(self.begin_s + share * self.duration_s)
+        else:
+            vectors = (self.phasors * np.exp(2j * np.pi * share)).real
+        return vectors[:, 0] if self.signed else np.linalg.norm(vectors, axis=1)
+
+    def traces(self, outputs: tuple[int, ...], length_s: float) -> tuple[Floats, Floats]:
+        """Return times from the beginning on, (n_times,), and outputs then, (n_outputs, n_times).
+
+        They end after ``length_s``, or with the response.
+        """
+        rows = np.array(outputs, dtype=int) - 1
+        if self.phasors is None:
+            rate_hz, held = self.moving.sample_rate_hz, self.moving.signals.shape[-1]
+            times_s = (self.moving.first + np.arange(held)) / rate_hz - self.begin_s
+            first, end = np.searchsorted(times_s, (0.0, length_s))
+            signals = self.moving.signals[rows]
+            times_s, vectors = finer(times_s, signals, int(first), int(end))
+        else:
+            n_times = ceil(_POINTS_PER_PERIOD * length_s / self.duration_s) + 1
+            times_s = np.linspace(0.0, length_s, n_times)
+            turns = np.exp(2j * np.pi * times_s / self.duration_s)
+            vectors = (self.phasors[rows, :, None] * turns).real
+        return times_s, vectors[:, 0] if self.signed else np.linalg.norm(vectors, axis=1)
+
+    def spectra(self, outputs: tuple[int, ...]) -> tuple[Floats, Floats]:
+        """Return frequencies, (n_bins,), in Hz, and levels of outputs, (n_outputs, n_bins), dB."""
+        signals = self.moving.signals[np.array(outputs, dtype=int) - 1]
+        n_times = signals.shape[-1]
+        magnitude = np.linalg.norm(np.abs(scipy.fft.rfft(signals)), axis=1) / n_times
+        return scipy.fft.rfftfreq(n_times, 1.0 / self.moving.sample_rate_hz), decibels(magnitude)
+
+
+def loop_of(design: Design, moving: Moving) -> Loop:
+    """Return what is shown of the response to a design: one period of a tone, else what moves.
+
+    A design whose inputs all play the same tone at the same time is taken for steady: its loop is
+    the response to tones without beginning and end.
+    """
+    tone = _only_tone(design)
+    whole = moving.first == 0 and moving.end == moving.response_samples
+    if tone is not None and whole and moving.largest > 0.0:
+        hz = tone[1].frequency_hz
+        return Loop(
+            moving=moving,
+            begin_s=0.0,
+            duration_s=1.0 / hz,
+            fastest_hz=hz if moving.signals.shape[1] == 1 else 2.0 * hz,
+            phasors=_steady(*tone, moving),
+        )
+    rate_hz = moving.sample_rate_hz
+    size = np.abs(moving.signals).max(axis=(0, 1), initial=0.0)
+    moves = np.flatnonzero(size > _REST * moving.largest)
+    onset_s = min((part.onset_s for part in _played(design)), default=0.0)
+    begin_s = max(onset_s + moving.delay_s - _BEFORE_S, moving.first / rate_hz)
+    end_s = (moving.first + (int(moves[-1]) if moves.size else 0)) / rate_hz
+    return Loop(
+        moving=moving,
+        begin_s=begin_s,
+        duration_s=max(end_s - begin_s, _BEFORE_S),
+        fastest_hz=_fastest_hz(moving),
+    )
+
+
+def _played(design: Design) -> list[Clip]:
+    tracks = audible_inputs(design.inputs)
+    return [clip for track in tracks for clip in track.clips if not clip.muted]
+
+
+def _only_tone(design: Design) -> tuple[Clip, Tone] | None:
+    """Return the tone that all audible inputs play, in any phase, and a clip of it; or None."""
+    clips = _played(design)
+    curved = any(track.gain_curve for track in audible_inputs(design.inputs))
+    tones = [
+        (clip, clip.waveform)
+        for clip in clips
+        if isinstance(clip.waveform, Tone) and not clip.effects
+    ]
+    alike = {(clip.onset_s, replace(tone, phase_rad=0.0)) for clip, tone in tones}
+    return tones[0] if len(tones) == len(clips) and len(alike) == 1 and not curved else None
+
+
+def _steady(clip: Clip, tone: Tone, moving: Moving) -> Complexes:
+    """Return the response to an endless tone, from that to the ``clip``, at its frequency."""
+    rate_hz, hz = moving.sample_rate_hz, tone.frequency_hz
+    first, samples = clip.sampled(rate_hz)
+    played = samples @ np.exp(-2j * np.pi * hz * (first + np.arange(samples.size)) / rate_hz)
+    # sin(ωt + φ) is the real part of -i e^iφ e^iωt.
+    endless = -1j * np.exp(1j * (tone.phase_rad - 2 * np.pi * hz * clip.onset_s))
+    turns = np.exp(-2j * np.pi * hz * np.arange(moving.signals.shape[-1]) / rate_hz)
+    phasors: Complexes = (moving.signals @ turns) * (endless / played)
+    return phasors
+
+
+def _fastest_hz(moving: Moving) -> float:
+    power = np.square(np.abs(scipy.fft.rfft(moving.signals))).sum(axis=(0, 1))
+    strong = np.flatnonzero(power >= _STRONG * power.max())
+    n_times = moving.signals.shape[-1]
+    hz = float(strong[-1]) * moving.sample_rate_hz / n_times if strong.size else SHOWN_HZ
+    # The length of a vector moves twice as fast.
+    return hz if moving.signals.shape[1] == 1 else 2.0 * hz

@@ -1,0 +1,235 @@
+"""The page on which a show is made: its designs in their order, and what is said of each."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+
+from PySide6 import QtWidgets
+from PySide6.QtCore import Qt, Signal
+
+from skinsource.base.errors import SkinSourceError
+from skinsource.design.design_file import SUFFIX, open_design
+from skinsource.design.panel_settings import CONTROL
+from skinsource.design.show_file import (
+    SENTENCE,
+    SHOW_SUFFIX,
+    ShowEntry,
+    UnreadEntry,
+    save_show,
+)
+from skinsource.studies import scenes
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.pages.page import ToolPage
+from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.questions import ask_to_save
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.preferences import Preferences
+
+TITLE = "Show"
+_SIZE_PX = 960, 560
+_SHOWS, _DESIGNS = f"Shows (*{SHOW_SUFFIX})", f"SkinSource designs (*{SUFFIX})"
+_ENTRY = Qt.ItemDataRole.UserRole
+
+Entry = ShowEntry | UnreadEntry
+
+
+class ShowPage(ToolPage):
+    """Lists the designs of a show; what is said of the selected one stands beside the list.
+
+    Parameters
+    ----------
+    document
+        Its design can be added.
+    preferences
+        The folder of the files.
+    path
+        File of the show; None: it has none yet.
+    entries
+        Designs that it holds at first.
+    """
+
+    #: Entries of a show, and which of them is to be presented first.
+    presented = Signal(object, int)
+    #: The `Path` of a show that was saved.
+    saved = Signal(object)
+
+    def __init__(
+        self,
+        document: Document,
+        preferences: Preferences,
+        parent: QtWidgets.QWidget,
+        path: Path | None = None,
+        entries: Sequence[Entry] = (),
+    ) -> None:
+        super().__init__(parent, "show_page", TITLE, _SIZE_PX)
+        self._document, self._preferences = document, preferences
+        self._path = path
+        self.list = QtWidgets.QListWidget()
+        self.list.setObjectName("show_list")
+        self.list.setAccessibleName("Designs in their order")
+        self.list.setDragDropMode(QtWidgets.QAbstractItemView.DragDropMode.InternalMove)
+        self.heading, self.sentence = QtWidgets.QLineEdit(), QtWidgets.QLineEdit()
+        self.sentence.setMaxLength(int(SENTENCE.longest))
+        self.knob, self.notes = ChoiceField(CONTROL), QtWidgets.QPlainTextEdit()
+        self.notes.setTabChangesFocus(True)
+        self._lay_out()
+        self._add(entries)
+        self.list.currentRowChanged.connect(self._show)
+        self.list.model().rowsMoved.connect(lambda *_: self._show(self.list.currentRow()))
+        self.heading.textEdited.connect(lambda text: self._change(title=text.strip()))
+        self.sentence.textEdited.connect(lambda text: self._change(sentence=text.strip()))
+        self.knob.edited.connect(lambda knob, _: self._change(knob=knob))
+        self.notes.textChanged.connect(self._change_notes)
+        self._saved = self.entries
+        self.list.setCurrentRow(0)
+        self._show(self.list.currentRow())
+
+    @property
+    def entries(self) -> tuple[Entry, ...]:
+        """What the show holds now."""
+        items = (self.list.item(row) for row in range(self.list.count()))
+        return tuple(item.data(_ENTRY) for item in items)
+
+    def add_open_design(self) -> None:
+        """Add the design in the window, as it is now."""
+        document = self._document
+        name = document.scene or (document.path.stem if document.path else "Untitled")
+        self._add([ShowEntry.of(document.design, document.view, document.design.title or name)])
+
+    def add_files(self) -> None:
+        """Ask for design files, and add them in the order of the dialog."""
+        folder = str(self._preferences.folder)
+        names, _ = QtWidgets.QFileDialog.getOpenFileNames(self, "Add designs", folder, _DESIGNS)
+        self.say("")
+        for path in map(Path, names):
+            try:
+                content = open_design(path)
+            except SkinSourceError as error:
+                self.complain(str(error))
+                continue
+            title = content.design.title or path.stem
+            self._add([ShowEntry.of(content.design, content.view, title)])
+
+    def add_scene(self, name: str) -> None:
+        """Add a scene of the paper, on the limbs that there are."""
+        opened = scenes.open_scene(name)
+        self._add([ShowEntry.of(opened.design, opened.view, opened.scene.title)])
+
+    def shift(self, by: int) -> None:
+        """Move the selected design up or down."""
+        row = self.list.currentRow()
+        if row >= 0 and 0 <= row + by < self.list.count():
+            self.list.insertItem(row + by, self.list.takeItem(row))
+            self.list.setCurrentRow(row + by)
+
+    def remove(self) -> None:
+        """Remove the selected design from the show."""
+        self.list.takeItem(self.list.currentRow())
+        self._show(self.list.currentRow())
+
+    def save(self) -> bool:
+        """Save where it was saved before, or ask; return whether it is saved now."""
+        path = self._path or self.ask_save(
+            "Save the show", _SHOWS, self._preferences.folder / f"lecture{SHOW_SUFFIX}"
+        )
+        if path is None:
+            return False
+        path = path if path.suffix == SHOW_SUFFIX else path.with_name(f"{path.name}{SHOW_SUFFIX}")
+        try:
+            save_show(path, self.entries)
+        except SkinSourceError as error:
+            self.complain(str(error))
+            return False
+        self._path, self._saved = path, self.entries
+        self.say(f"Saved {path.name}")
+        self.saved.emit(path)
+        return True
+
+    def reject(self) -> None:
+        question = "The show has changes that are not saved. Save them?"
+        if self.entries == self._saved or ask_to_save(self, "Unsaved show", question, self.save):
+            super().reject()
+
+    def _lay_out(self) -> None:
+        self.add = QtWidgets.QPushButton("Add")
+        menu = QtWidgets.QMenu(self.add)
+        menu.addAction("Open design", self.add_open_design)
+        menu.addAction("Designs of files…", self.add_files)
+        of_paper = menu.addMenu("Scene of the paper")
+        for scene in scenes.all_scenes():
+            of_paper.addAction(scene.heading, partial(self.add_scene, scene.name))
+        self.add.setMenu(menu)
+        up = self.add_button("show_up", "Move up", "Show it earlier", partial(self.shift, -1))
+        down = self.add_button("show_down", "Move down", "Show it later", partial(self.shift, 1))
+        remove = self.add_button("show_remove", "Remove", "Remove it from the show", self.remove)
+        self._of_entry = up, down, remove
+        form = QtWidgets.QFormLayout()
+        for label, field in (
+            ("Title", self.heading),
+            ("Sentence", self.sentence),
+            ("Knob", self.knob),
+            ("Notes", self.notes),
+        ):
+            field.setAccessibleName(label)
+            field.setObjectName(f"show_{label.lower()}")
+            form.addRow(label, field)
+        left = in_column((self.list, 1), in_row(self.add, up, down, remove, None))
+        present = self.add_button(
+            "show_present", "Present", "Show it from the selected design", self._present
+        )
+        save = self.add_button("show_save", "Save", "Write the show to its file", self.save)
+        close = self.add_button("show_close", "Close", "", self.reject)
+        foot = in_row((self.message, 1), present, save, close)
+        in_column((in_row((left, 1), (form, 1)), 1), foot, of=self)
+        self._present_button = present
+
+    def _add(self, entries: Sequence[Entry]) -> None:
+        row = self.list.currentRow() + 1
+        for k, entry in enumerate(entries):
+            item = QtWidgets.QListWidgetItem()
+            item.setData(_ENTRY, entry)
+            self._name(item)
+            self.list.insertItem(row + k, item)
+        self.list.setCurrentRow(row + len(entries) - 1)
+
+    def _name(self, item: QtWidgets.QListWidgetItem) -> None:
+        entry = item.data(_ENTRY)
+        unread = isinstance(entry, UnreadEntry)
+        item.setText("Cannot be read" if unread else entry.title or "Untitled")
+        item.setToolTip(entry.problem if unread else entry.sentence)
+
+    def _show(self, row: int) -> None:
+        """Show what is said of the selected design."""
+        item = self.list.item(row)
+        entry = None if item is None else item.data(_ENTRY)
+        known = isinstance(entry, ShowEntry)
+        for part in (self.heading, self.sentence, self.knob, self.notes, self._present_button):
+            part.setEnabled(known)
+        for part in self._of_entry:
+            part.setEnabled(item is not None)
+        if isinstance(entry, UnreadEntry):
+            self.complain(entry.problem)
+        elif self.message.property("tone") == "error":
+            self.say("")
+        self.heading.setText(entry.title if known else "")
+        self.sentence.setText(entry.sentence if known else "")
+        self.sentence.setCursorPosition(0)
+        self.notes.setPlainText(entry.notes if known else "")
+        if known:
+            self.knob.set_value(entry.knob)
+
+    def _change(self, **changes: str) -> None:
+        item = self.list.currentItem()
+        if item is not None:
+            item.setData(_ENTRY, replace(item.data(_ENTRY), **changes))
+            self._name(item)
+
+    def _change_notes(self) -> None:
+        item, notes = self.list.currentItem(), self.notes.toPlainText()
+        entry = None if item is None else item.data(_ENTRY)
+        if isinstance(entry, ShowEntry) and entry.notes != notes:
+            self._change(notes=notes)
+
+    def _present(self) -> None:
+        self.presented.emit(self.entries, self.list.currentRow())

@@ -1,0 +1,157 @@
+"""The base of panels that show maps side by side, still or in motion."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any, ClassVar
+
+from PySide6 import QtGui, QtWidgets
+
+from skinsource.design.design import Design
+from skinsource.design.view import View
+from skinsource_gui.panels.compare.content import (
+    KINDS,
+    Cell,
+    Cells,
+    CompareContent,
+    Kind,
+)
+from skinsource_gui.panels.compare.motion import Clock, MovingMaps
+from skinsource_gui.panels.compare.settings import CompareSettings
+from skinsource_gui.panels.compare.view import MapsView
+from skinsource_gui.state.compared import Compared
+from skinsource_gui.state.engine import Beside
+from skinsource_gui.state.panel import Panel
+
+
+class MapsPanel(Panel):
+    """Maps of what is compared, all in one scale.
+
+    Attributes
+    ----------
+    maps
+        The maps; a panel lays them out.
+    moving
+        Makes them while they move.
+    clock
+        Runs while they move in sight.
+    design, view, settings
+        Those of the window, and what is compared.
+    kind, moves
+        Where the designs come from, and whether they are shown in motion.
+    compared
+        The designs, and what is known of them.
+    """
+
+    compares: ClassVar[bool] = True
+
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.design: Design | None = None
+        self.view, self.settings = View(), CompareSettings()
+        self.kind: Kind = KINDS[self.settings.of]
+        self.moves = False
+        self.compared: Sequence[Compared] = ()
+        # Of the design in the window: results, whether they are older than it, why there are none.
+        self._results: Mapping[str, Any] = {}
+        self._stale, self._problem = False, ""
+        self._cells, self.moving, self.clock = Cells(), MovingMaps(), Clock(self)
+        self.clock.ticked.connect(self.move_on)
+        self.maps = MapsView(self)
+
+    @property
+    def needs(self) -> frozenset[str]:
+        if not self.moves or self.design is None:
+            return self.kind.needs
+        return self.kind.needs | {self.kind.moving(self.design.limb)}
+
+    @property
+    def needs_of_snapshots(self) -> frozenset[str]:
+        return self.needs if self.kind.of_snapshots else frozenset()
+
+    @property
+    def needs_on_limbs(self) -> Mapping[Beside, frozenset[str]]:
+        if self.design is None:
+            return {}
+        return dict.fromkeys(self.kind.beside(self.settings, self.design), self.needs)
+
+    def take_state(
+        self, design: Design, view: View, kind: Kind, settings: CompareSettings, *, moves: bool
+    ) -> None:
+        """Take over what is compared, and whether it moves."""
+        self.design, self.view, self.settings, self.moves = design, view, settings, moves
+        before, self.kind = self.kind, kind
+        if kind is not before:
+            # The engine sends the results for the new kind.
+            self.compared = ()
+            self.moving.update((), ())
+        if kind.own:
+            self._show_own()
+
+    def show_results(self, results: Mapping[str, Any]) -> None:
+        self._results, self._problem = results, ""
+        if self.kind.own:
+            self.compared = ()
+            self._show_own()
+
+    def show_stale(self, stale: bool) -> None:
+        self._stale = stale
+        if self.kind.own:
+            super().show_stale(stale)
+
+    def show_problem(self, reason: str) -> None:
+        self._problem = reason
+        if self.kind.own:
+            self._show_own()
+
+    def show_snapshots(self, compared: Sequence[Compared]) -> None:
+        self.compared = compared
+        self.show_maps()
+
+    def show_on_limbs(self, compared: Sequence[Compared]) -> None:
+        self.compared = compared
+        self.show_maps()
+
+    def show_maps(self) -> None:
+        """Draw what is known of the designs."""
+        kind, compared, design, view = self.kind, self.compared, self.design, self.view
+        problem = self._problem if kind.own else ""
+        message = problem or kind.hindrance(compared, view)
+        cells: tuple[Cell, ...] = ()
+        if compared and design is not None and not message:
+            if self.moves:
+                self.moving.update(compared, kind.names(compared, view, difference=False))
+                cells = self.moving.cells()
+            else:
+                cells = kind.drawn(self._cells, compared, design, view, self.settings)
+        content = CompareContent(
+            cells=cells,
+            outputs=view.outputs,
+            message=message,
+            about=kind.about(compared, design, view) if not self.moves else "",
+        )
+        super().show_stale(self._stale if kind.own else content.stale)
+        self.maps.show_content(content)
+        self.run_clock()
+
+    def run_clock(self) -> None:
+        """Let the maps move, if they do and can be seen."""
+        content = self.maps.content
+        self.clock.run(self.moves and self.isVisible() and bool(content.cells))
+
+    def showEvent(self, event: QtGui.QShowEvent) -> None:
+        super().showEvent(event)
+        self.run_clock()
+
+    def hideEvent(self, event: QtGui.QHideEvent) -> None:
+        super().hideEvent(event)
+        self.run_clock()
+
+    def _show_own(self) -> None:
+        """Draw what is known of the design in the window."""
+        if self.design is not None and not self.compared and self.needs <= self._results.keys():
+            self.compared = self.kind.sides(self.design, self._results)
+        self.show_maps()
+
+    def move_on(self, seconds: float) -> None:
+        """Show the maps a moment later."""
+        self.moving.advance(seconds)
+        self.maps.show_frame(self.moving.cells())

@@ -1,0 +1,165 @@
+"""Maps that move together: loops of several designs, in one scale and equally slow."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from PySide6.QtCore import QElapsedTimer, QObject, Qt, QTimer, Signal
+
+from skinsource.base.arrays import Floats
+from skinsource.engine.loops import PICTURES_PER_PERIOD, SHOWN_HZ, Loop, loop_of
+from skinsource_gui.panels.compare.content import Cell, Names, moving_name
+from skinsource_gui.plots.colour_maps import DIVERGING, VIRIDIS
+from skinsource_gui.plots.ranges import SteadyRange
+from skinsource_gui.plots.small_map import ColourScale, SmallMaps
+from skinsource_gui.state.compared import Compared
+
+# Colours reach their ends at this share of the largest acceleration, which under the actuator is
+# far larger than elsewhere.
+_SHARE_OF_LARGEST = 0.1
+
+
+def rounded(value: float) -> str:
+    """Return a number as a person would write it: "0.76", "130"."""
+    return f"{float(f'{value:.2g}'):g}"
+
+
+class MovingMaps:
+    """Makes the maps of a motion; where designs change, it goes on from where it is.
+
+    Attributes
+    ----------
+    loops
+        What moves, with the factor with which it is shown; None where nothing is known.
+    turns
+        How often each went through its loop, with the part of it in which it is.
+    slow_motion
+        How many times slower than it happens all of them are shown.
+    made
+        Number of maps that were interpolated.
+    """
+
+    def __init__(self) -> None:
+        self.loops: list[tuple[Loop, float] | None] = []
+        self.turns: list[float] = []
+        self.slow_motion, self.made = 1.0, 0
+        self._cells: tuple[Cell, ...] = ()
+        self._surfaces: list[SmallMaps] = []
+        self._compared: Sequence[Compared] = ()
+        self._range = SteadyRange()
+
+    def update(self, compared: Sequence[Compared], names: Sequence[Names]) -> None:
+        """Take over designs and how they are called."""
+        before, self._compared = [known is None for known in self.loops], compared
+        self.loops = [_loop(side) for side in compared]
+        if [known is None for known in self.loops] != before:
+            # Those that are known at last begin together with the others.
+            self.turns = [0.0] * len(compared)
+            self._surfaces = [SmallMaps() for _ in compared]
+        loops = [known for known in self.loops if known is not None]
+        self.slow_motion = max((loop.slow_motion for loop, _ in loops), default=1.0)
+        end = _SHARE_OF_LARGEST * max((loop.largest * gain for loop, gain in loops), default=0.0)
+        signed = all(loop.signed for loop, _ in loops)
+        what = "m/s² normal to the skin" if signed else "m/s²"
+        scale = ColourScale(
+            range_db=self._range.follow(-end if signed else 0.0, end, "amplitude"),
+            text_below=f"{what}, in slow motion 1/{self.slow_motion:.3g}",
+            colours=DIVERGING if signed else VIRIDIS,
+            signed=signed,
+            unit="m/s²",
+        )
+        self._cells = tuple(
+            self._cell(k, side, name, scale)
+            for k, (side, name) in enumerate(zip(compared, names, strict=True))
+        )
+
+    def advance(self, seconds: float) -> None:
+        """Go on by this time of the person who looks."""
+        for k, known in enumerate(self.loops):
+            if known is not None:
+                loop, _ = known
+                self.turns[k] += seconds / (self.slow_motion * self.length_s(loop))
+
+    def cells(self) -> tuple[Cell, ...]:
+        """Return the maps as they are now."""
+        return tuple(self._frame(k) for k in range(len(self._cells)))
+
+    def values(self, k: int) -> Floats | None:
+        """Return the acceleration of all outputs of a map now, (n_outputs,), m/s²."""
+        known = self.loops[k]
+        if known is None:
+            return None
+        loop, gain = known
+        # Motions that pass begin together, and shorter ones rest until the longest is over.
+        share = self.turns[k] % 1.0 * self.length_s(loop) / loop.duration_s
+        return gain * loop.values(min(share, 1.0))
+
+    def length_s(self, loop: Loop) -> float:
+        """Return after which time of the skin a loop begins again."""
+        if loop.phasors is not None:
+            return loop.duration_s
+        passing = [known[0] for known in self.loops if known and known[0].phasors is None]
+        return max(other.duration_s for other in passing)
+
+    def _cell(self, k: int, side: Compared, names: Names, scale: ColourScale) -> Cell:
+        design, known = side.snapshot.design, self.loops[k]
+        cell = Cell(headings=names, limb=design.limb, text=side.problem, stale=side.is_stale)
+        if known is None or side.values is None:
+            return cell
+        loop, gain = known
+        return replace(
+            cell,
+            small=self._surfaces[k].map_of(side.values),
+            scale=scale,
+            design=design,
+            synthetic=bool(side.values["limb_data"].synthetic),
+            reaches=f"up to {rounded(loop.largest * gain)} m/s²",
+        )
+
+    def _frame(self, k: int) -> Cell:
+        cell, values, side = self._cells[k], self.values(k), self._compared[k].values
+        if cell.small is None or values is None or side is None:
+            return cell
+        self.made += 1
+        field = side["surface"].interpolate(values) if cell.small.field is not None else None
+        small = replace(cell.small, levels_db=values, field_levels_db=field)
+        return replace(cell, small=small)
+
+
+def _loop(side: Compared) -> tuple[Loop, float] | None:
+    name = moving_name(side.snapshot.design.limb)
+    if side.values is None or name not in side.values:
+        return None
+    return loop_of(side.snapshot.design, side.values[name]), side.gain
+
+
+class Clock(QObject):
+    """Ticks once for each picture of a motion while it runs.
+
+    Attributes
+    ----------
+    held
+        Whether the motion stands still.
+    """
+
+    #: How long the last picture was shown, s.
+    ticked = Signal(float)
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        per_s = SHOWN_HZ * PICTURES_PER_PERIOD
+        self._timer = QTimer(self, interval=round(1e3 / per_s), timerType=Qt.TimerType.PreciseTimer)
+        self._timer.timeout.connect(self._tick)
+        self._elapsed = QElapsedTimer()
+        self.held = False
+
+    def run(self, on: bool) -> None:
+        """Begin or stop."""
+        self.held = self.held and on
+        if on != self._timer.isActive():
+            self._elapsed.start()
+            (self._timer.start if on else self._timer.stop)()
+
+    def _tick(self) -> None:
+        seconds = self._elapsed.restart() / 1e3
+        if not self.held:
+            self.ticked.emit(seconds)

@@ -1,0 +1,394 @@
+"""The stage: title and sentence, maps in motion, traces and one knob, for people further off."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from math import log
+from typing import ClassVar
+
+import numpy as np
+from PySide6 import QtGui, QtWidgets
+from PySide6.QtCore import QPointF, QRectF, QSignalBlocker, QSize, Qt, Signal
+
+from skinsource.base.arrays import Floats
+from skinsource.design import edits
+from skinsource.design.amplitudes import is_gain
+from skinsource.design.clips import ONSET as ONSET_SPEC
+from skinsource.design.design import AMPLITUDE_GAIN, Design, Input, amplitude_spec
+from skinsource.design.edits.edit import clip_of, leading_input
+from skinsource.design.panel_settings import (
+    AMPLITUDE,
+    ONSET,
+    STAGE,
+    StageSettings,
+    settings_of,
+    stage_settings,
+    with_settings,
+)
+from skinsource.design.view import View
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.specs.models import specs_of
+from skinsource.specs.numbers import NumberSpec
+from skinsource.specs.spec import Spec
+from skinsource.studies import scenes
+from skinsource_gui.fields.editor import Burst
+from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.fields.units import axis_unit, output_text
+from skinsource_gui.panels.compare.content import KINDS, OfWindow
+from skinsource_gui.panels.compare.maps import MapsPanel
+from skinsource_gui.panels.compare.motion import rounded
+from skinsource_gui.panels.compare.settings import CompareSettings
+from skinsource_gui.plots.small_map import Range
+from skinsource_gui.qt.frames import CachedPicture, Same
+from skinsource_gui.qt.labels import how_to_add
+from skinsource_gui.qt.layouts import in_column
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, letter_scale, set_tone, tabular
+
+_ALONE = OfWindow()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Curve:
+    """A trace or a spectrum: its label, the rank of its colour, and its points."""
+
+    label: str
+    rank: int
+    x: Floats
+    y: Floats
+
+
+class Strip(QtWidgets.QWidget):
+    """Traces or spectra over one axis, and where the motion is.
+
+    Attributes
+    ----------
+    curves, marked
+        What is drawn, and which x is marked; None: none is.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.curves: tuple[Curve, ...] = ()
+        self.marked: float | None = None
+        self._x: Range = (0.0, 1.0)
+        self._y: Range = (-1.0, 1.0)
+        self._words = ("", "", "")
+        self._picture = CachedPicture()
+        self.setObjectName("stage_traces")
+        self.setMinimumHeight(80)
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+
+    def show_curves(
+        self, curves: tuple[Curve, ...], x: Range, y: Range, words: tuple[str, str, str]
+    ) -> None:
+        """Draw curves between ends of x and y; words say where, and what the ends are."""
+        self.curves, self._x, self._y, self._words = curves, x, y, words
+        self.setVisible(bool(curves))
+        self.setAccessibleName(", ".join(curve.label for curve in curves))
+        self.update()
+
+    def show_cursor(self, x: float | None) -> None:
+        """Mark an instant, which goes round; None: none is."""
+        self.marked = None if x is None else x % self._x[1]
+        self.update()
+
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        painter, theme = QtGui.QPainter(self), current_theme()
+        painter.setFont(tabular(self.font()))
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
+        key = (Same(self.curves), theme)
+        ground = QtGui.QColor(theme.base)
+        self._picture.paint(painter, QRectF(self.rect()), key, self._paint, ground)
+        if self.marked is not None and self.curves:
+            area = self._area()
+            x = area.left() + area.width() * self.marked / self._x[1]
+            painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 2))
+            painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()))
+        painter.end()
+
+    def _area(self) -> QRectF:
+        line = 1.2 * self.fontMetrics().height()
+        return QRectF(self.rect()).adjusted(UNIT_PX, line, -UNIT_PX, -line)
+
+    def _paint(self, painter: QtGui.QPainter) -> None:
+        theme, area, line = current_theme(), self._area(), painter.fontMetrics().height()
+        middle = area.center().y()
+        painter.setPen(QtGui.QPen(QtGui.QColor(theme.grid), 1))
+        painter.drawLine(QPointF(area.left(), middle), QPointF(area.right(), middle))
+        left, (x_low, x_high), (y_low, y_high) = area.left(), self._x, self._y
+        for curve in self.curves:
+            x = area.left() + area.width() * (curve.x - x_low) / (x_high - x_low)
+            y = area.bottom() - area.height() * (curve.y - y_low) / (y_high - y_low)
+            painter.setPen(theme.output_pen(curve.rank, max(line / 9.0, 1.5)))
+            painter.save()
+            painter.setClipRect(area)
+            painter.drawPolyline(QtGui.QPolygonF(list(map(QPointF, x.tolist(), y.tolist()))))
+            painter.restore()
+            painter.drawText(QPointF(left, 0.9 * line), curve.label)
+            left += painter.fontMetrics().horizontalAdvance(f"{curve.label}   ")
+        painter.setPen(QtGui.QColor(theme.dim))
+        above = QRectF(area.left(), 0.0, area.width(), line)
+        below = QRectF(area.left(), area.bottom(), area.width(), 1.2 * line)
+        right = Qt.AlignmentFlag.AlignRight
+        for place, side, text in zip(
+            (above, below, below),
+            (right, Qt.AlignmentFlag.AlignLeft, right),
+            self._words,
+            strict=True,
+        ):
+            painter.drawText(place, side, text)
+
+
+# Steps of the whole turn, of an arrow key or a notch of the wheel.
+_STEPS, _STEP = 1000, 5
+# Ends of the turn, where those of the number are too far apart.
+_ENDS = {"amplitude": (0.01, 100.0), "onset_s": (0.0, 0.2)}
+
+
+class Knob(QtWidgets.QWidget):
+    """A large dial for one number, which stands below it and can be typed."""
+
+    #: The new value, and the number of its gesture.
+    edited = Signal(float, object)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.label, self.dial = QtWidgets.QLabel(), QtWidgets.QDial()
+        self.field = NumberField(ONSET_SPEC)
+        self._ends, self._logarithmic, self._burst = (0.0, 1.0), False, Burst(self)
+        self.dial.setObjectName("stage_dial")
+        self.dial.setRange(0, _STEPS)
+        self.dial.setSingleStep(_STEP)
+        self.dial.setPageStep(10 * _STEP)
+        self.dial.valueChanged.connect(self._turn)
+        self.field.edited.connect(self.edited)
+        self.field.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.label.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        set_tone(self.label, "dim")
+        in_column(self.label, (self.dial, 1), self.field, of=self, margins=0, gap_px=UNIT_PX // 2)
+        self.setFocusProxy(self.dial)
+
+    def show_number(self, name: str, spec: NumberSpec, value: float) -> None:
+        """Show a number of this name."""
+        low, high = _ENDS.get(name) or spec.measured_band_hz or (spec.minimum, spec.maximum)
+        self._ends, self._logarithmic = (low, high), low > 0.0
+        self.label.setText(spec.label)
+        for part in (self.dial, self.field):
+            part.setAccessibleName(spec.label)
+        self.field.set_spec(spec)
+        self.field.set_value(value)
+        with QSignalBlocker(self.dial):
+            self.dial.setValue(round(_STEPS * self._share(value)))
+
+    def _share(self, value: float) -> float:
+        low, high = self._ends
+        if not self._logarithmic:
+            return min(max((value - low) / (high - low), 0.0), 1.0)
+        return log(min(max(value, low), high) / low) / log(high / low)
+
+    def _turn(self, step: int) -> None:
+        low, high = self._ends
+        share = step / _STEPS
+        value = low * (high / low) ** share if self._logarithmic else low + share * (high - low)
+        self.edited.emit(float(f"{value:.3g}"), self._burst.gesture())
+
+
+# Heights of letters, in that of the panel: title, sentence, other words.
+_LETTERS = (0.05, 0.034, 0.022)
+# How many periods are drawn of a steady tone, and of what passes; height of spectra.
+_PERIODS = {False: 3.0, True: 1.0}
+_SPECTRUM_DB = 60.0
+
+
+class StagePanel(MapsPanel):
+    """What is presented of a design; nothing else can be edited there but one number.
+
+    Attributes
+    ----------
+    heading, sentence
+        Title of the design, and the first line of its notes.
+    strip, knob
+        Traces, and the number that is turned.
+    """
+
+    title: ClassVar[str] = "Stage"
+    name: ClassVar[str] = STAGE
+
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.heading, self.sentence = QtWidgets.QLabel(), QtWidgets.QLabel()
+        self.strip, self.knob = Strip(), Knob()
+        self._track: Input | None = None
+        self._turned = ""
+        for label, name in ((self.heading, "stage_title"), (self.sentence, "stage_sentence")):
+            label.setObjectName(name)
+            label.setWordWrap(True)
+            label.setTextFormat(Qt.TextFormat.PlainText)
+        self.maps.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.maps.outputs_chosen.connect(self._choose_outputs)
+        self.knob.edited.connect(self._turn)
+        self.guessed = self.maps, self.strip
+        self.setFocusProxy(self.knob)
+        self._grid = QtWidgets.QGridLayout(self)
+        self._several: bool | None = None
+        self._lay_out(several=False)
+
+    @property
+    def needs(self) -> frozenset[str]:
+        # The strip shows motion beside levels too.
+        moving = frozenset() if self.design is None else {self.kind.moving(self.design.limb)}
+        return super().needs | moving
+
+    def sizeHint(self) -> QSize:
+        return QSize(1200, 700)
+
+    def show_state(self, design: Design, view: View) -> None:
+        stage, compare = stage_settings(view), settings_of(view, "compare", CompareSettings)
+        kind = KINDS[compare.of] if stage.compared else _ALONE
+        self._show_knob(design, view, stage.control)
+        self._show_words(design)
+        self.take_state(design, view, kind, compare, moves=stage.moves)
+
+    def show_maps(self) -> None:
+        super().show_maps()
+        self._lay_out(several=len(self.maps.content.cells) > 1)
+        if not self.moves and self.compared:
+            names = self.kind.names(self.compared, self.view, difference=False)
+            self.moving.update(self.compared, names)
+        self._show_traces()
+
+    def hold(self) -> None:
+        """Let the motion stop where it is, or go on."""
+        self.clock.held = not self.clock.held
+
+    def show_levels(self) -> None:
+        """Show RMS levels in place of motion, or motion again."""
+        stage = settings_of(self.view, STAGE, StageSettings)
+        changed = replace(stage, moves=not stage.moves)
+        self.view_changed.emit(with_settings(self.view, STAGE, changed))
+
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit_letters()
+
+    def move_on(self, seconds: float) -> None:
+        super().move_on(seconds)
+        self._show_cursor()
+
+    def _lay_out(self, *, several: bool) -> None:
+        """Put one map beside the words, and several below them."""
+        if several == self._several:
+            return
+        self._several, grid = several, self._grid
+        places = (
+            ((0, 0, 1, 2), (1, 0, 1, 2), (2, 0, 1, 2), (3, 0, 1, 1), (3, 1, 1, 1))
+            if several
+            else ((0, 1, 1, 1), (1, 1, 1, 1), (0, 0, 4, 1), (2, 1, 1, 1), (3, 1, 1, 1))
+        )
+        parts = (self.heading, self.sentence, self.maps, self.strip, self.knob)
+        for part, place in zip(parts, places, strict=True):
+            grid.addWidget(part, *place)
+        for row, share in enumerate((0, 0, 75, 25) if several else (0, 0, 60, 40)):
+            grid.setRowStretch(row, share)
+        for column, share in enumerate((85, 15) if several else (45, 55)):
+            grid.setColumnStretch(column, share)
+
+    def _fit_letters(self) -> None:
+        margin = self.height() // 40
+        self._grid.setContentsMargins(margin, margin, margin, margin)
+        self._grid.setSpacing(margin)
+        size_px = self.height() * letter_scale(self.font())
+        rooms = ((self.heading,), (self.sentence,), (self.maps, self.strip, self.knob.label))
+        for share, parts in zip(_LETTERS, rooms, strict=True):
+            for part in parts:
+                font = QtGui.QFont(part.font())
+                font.setPixelSize(max(round(share * size_px), 12))
+                font.setBold(share == _LETTERS[0])
+                part.setFont(font)
+        self.knob.field.setFont(tabular(self.sentence.font()))
+
+    def _show_words(self, design: Design) -> None:
+        track = self._track
+        plain = how_to_add() if track is None else f"Place {track.location}"
+        self.heading.setText(scenes.title_of(design) if design.title else plain)
+        self.sentence.setText(design.notes.partition("\n")[0])
+        self.sentence.setVisible(bool(self.sentence.text()))
+
+    def _show_knob(self, design: Design, view: View, control: str) -> None:
+        self._track = track = leading_input(design, view) or next(iter(design.inputs), None)
+        clip = None if track is None else clip_of(track, view)
+        self.knob.setVisible(track is not None)
+        if track is None:
+            return
+        frequencies = {} if clip is None else _frequencies(specs_of(clip.waveform))
+        if clip is not None and control == ONSET:
+            self._turned, spec, value = "onset_s", ONSET_SPEC, clip.onset_s
+        elif clip is not None and frequencies and control != AMPLITUDE:
+            self._turned, spec = next(iter(frequencies.items()))
+            facts = facts_of(design.limb)
+            spec = spec.at_rate(facts.sample_rate_hz, facts.band_hz)
+            value = getattr(clip.waveform, self._turned)
+        else:
+            spec = AMPLITUDE_GAIN if is_gain(design, track) else amplitude_spec(design)
+            self._turned, value = "amplitude", track.amplitude
+        self.knob.show_number(self._turned, spec, value)
+
+    def _show_traces(self) -> None:
+        """Draw the outputs of one map, or the first one of several."""
+        known = [(k, *loop) for k, loop in enumerate(self.moving.loops) if loop is not None]
+        alone = len(self.moving.loops) == 1
+        outputs = self.view.outputs if alone else self.view.outputs[:1]
+        if not (known and outputs):
+            self.strip.show_curves((), (0.0, 1.0), (-1.0, 1.0), ("", "", ""))
+            return
+        names = self.kind.names(self.compared, self.view, difference=False)
+        limb = self.compared[0].snapshot.design.limb
+        where = "" if alone else output_text(outputs[0], limb)
+        spectra = stage_settings(self.view).plot == "spectra"
+        end_s = max(
+            _PERIODS[loop.phasors is None] * self.moving.length_s(loop) for _, loop, _ in known
+        )
+        curves = []
+        for k, loop, gain in known:
+            kept = tuple(number for number in outputs if number <= loop.moving.signals.shape[0])
+            x, values = loop.spectra(kept) if spectra else loop.traces(kept, end_s)
+            values = values + 20.0 * np.log10(gain) if spectra else gain * values
+            for row, number in enumerate(kept):
+                label = output_text(number, limb) if alone else names[k][min(1, len(names[k]) - 1)]
+                curves.append(Curve(label=label, rank=row if alone else k, x=x, y=values[row]))
+        top = max((float(np.abs(curve.y).max()) for curve in curves), default=0.0) or 1.0
+        if spectra:
+            low_hz, high_hz = facts_of(limb).band_hz or (0.0, float(curves[0].x[-1]))
+            top = max(float(curve.y.max()) for curve in curves)
+            words = (where, f"{low_hz:g} Hz, {_SPECTRUM_DB:g} dB high", f"{high_hz:g} Hz")
+            self.strip.show_curves(
+                tuple(curves), (low_hz, high_hz), (top - _SPECTRUM_DB, top), words
+            )
+        else:
+            unit, factor = axis_unit(end_s)
+            words = (where, f"±{rounded(top)} m/s²", f"{end_s * factor:.3g} {unit}")
+            self.strip.show_curves(tuple(curves), (0.0, end_s), (-top, top), words)
+        self._show_cursor()
+
+    def _show_cursor(self) -> None:
+        pairs = zip(self.moving.loops, self.moving.turns, strict=True)
+        ran_s = (turns * self.moving.length_s(known[0]) for known, turns in pairs if known)
+        marked = self.moves and stage_settings(self.view).plot == "traces"
+        self.strip.show_cursor(next(ran_s, None) if marked else None)
+
+    def _turn(self, value: float, gesture: int | None) -> None:
+        if self.design is not None and self._track is not None:
+            ids = self.view.selected_inputs or (self._track.id,)
+            outcome = edits.change_field(self.design, self.view, ids, self._turned, value)
+            self.edited.emit(outcome, gesture)
+
+    def _choose_outputs(self, outputs: tuple[int, ...]) -> None:
+        if self.design is not None:
+            self.edited.emit(edits.select_outputs(self.design, self.view, outputs), None)
+
+
+def _frequencies(specs: Mapping[str, Spec]) -> dict[str, NumberSpec]:
+    return {
+        name: spec
+        for name, spec in specs.items()
+        if isinstance(spec, NumberSpec) and spec.measured_band_hz is not None
+    }

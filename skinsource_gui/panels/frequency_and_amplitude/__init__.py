@@ -1,1 +1,0 @@
-"""Frequency and amplitude of the selected input, large: for presenting."""

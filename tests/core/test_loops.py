@@ -1,0 +1,84 @@
+"""Loops: one period of a steady tone, what moves of all else, at a speed that can be followed."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource.engine.loops import loop_of
+
+HZ = 130.0
+
+
+def moving(design, quantity="moving_z"):
+    return ss.evaluate(design, quantity)[quantity]
+
+
+def tones(duration_s, **changes):
+    first = ss.waveforms.Tone(frequency_hz=HZ, duration_s=duration_s, phase_rad=0.7)
+    second = replace(first, phase_rad=2.7, **changes)
+    inputs = (ss.track(7, first), ss.track(12, second, amplitude=2.0))
+    return ss.Design(limb="synthetic-1", inputs=inputs)
+
+
+@pytest.mark.parametrize("duration_s", [0.06, 0.3])
+def test_short_tones_loop_as_endless_ones_do(duration_s):
+    long = moving(tones(3.0))
+    at_s = 2.0 + np.arange(12) / (12 * HZ)
+    endless = np.stack([long.acceleration(time_s)[:, 0] for time_s in at_s])
+    design = tones(duration_s)
+    loop = loop_of(design, moving(design))
+    assert loop.duration_s == pytest.approx(1.0 / HZ)
+    shares = at_s * HZ
+    np.testing.assert_allclose(
+        [loop.values(share) for share in shares], endless, atol=0.01 * np.abs(endless).max()
+    )
+    assert loop.largest == pytest.approx(np.abs(loop.phasors).max())
+    np.testing.assert_allclose(loop.values(0.3), loop.values(5.3), atol=1e-12)
+
+
+@pytest.mark.parametrize("changes", [{"frequency_hz": 200.0}, {"window": "none"}])
+def test_tones_that_differ_pass(changes):
+    design = tones(0.2, **changes)
+    assert loop_of(design, moving(design)).phasors is None
+
+
+def test_what_passes_begins_before_the_stimulus_and_ends_where_it_rests():
+    tap = ss.track(7, ss.waveforms.Tap(), onset_s=0.3)
+    design = ss.Design(limb="synthetic-1", inputs=(tap,))
+    signals = moving(design)
+    loop = loop_of(design, signals)
+    assert loop.begin_s == pytest.approx(0.295 + signals.delay_s)
+    after = round((loop.begin_s + loop.duration_s) * signals.sample_rate_hz) + 1
+    assert np.abs(signals.signals[..., after:]).max() <= 0.01 * signals.largest
+    assert np.abs(loop.values(0.0)).max() < 0.02 * signals.largest
+    times_s, traces = loop.traces((29,), loop.duration_s)
+    assert 0.0 <= times_s[0] < times_s[-1] <= loop.duration_s
+    peak = np.abs(signals.signals[28]).max()
+    assert np.abs(traces).max() == pytest.approx(peak, rel=0.1)
+
+
+@pytest.mark.parametrize("frequency_hz", [50.0, 400.0])
+def test_the_fastest_strong_component_is_shown_at_two_hertz(frequency_hz):
+    tone = ss.waveforms.Tone(frequency_hz=frequency_hz, duration_s=0.2)
+    design = ss.Design(limb="synthetic-1", inputs=(ss.track(7, tone),))
+    assert loop_of(design, moving(design)).slow_motion == pytest.approx(frequency_hz / 2.0)
+    noisy = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Tap()),))
+    loop = loop_of(noisy, moving(noisy))
+    assert 1.0 < loop.fastest_hz / loop.slow_motion <= 2.0
+
+
+def test_lengths_of_vectors_are_not_negative_and_move_twice_as_fast():
+    design = tones(0.2)
+    along, length = (loop_of(design, moving(design, f"moving_{name}")) for name in ("z", "vector"))
+    assert length.slow_motion == pytest.approx(2.0 * along.slow_motion)
+    assert length.values(0.25).min() >= 0.0
+    assert not length.signed
+
+
+def test_spectra_have_the_tone_on_top():
+    design = tones(0.5)
+    frequency_hz, levels_db = loop_of(design, moving(design)).spectra((29, 30))
+    assert levels_db.shape == (2, frequency_hz.size)
+    np.testing.assert_allclose(frequency_hz[levels_db.argmax(axis=1)], HZ, atol=3.0)

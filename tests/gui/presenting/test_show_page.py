@@ -1,0 +1,113 @@
+"""A show is made in the window: designs, files and scenes in an order, with words and a knob."""
+
+import pytest
+from PySide6.QtWidgets import QFileDialog, QMessageBox
+
+import skinsource as ss
+from skinsource.design.show_file import ShowEntry
+
+
+def titles(page):
+    return [page.list.item(row).text() for row in range(page.list.count())]
+
+
+@pytest.fixture
+def page(studio):
+    return studio.presenter.make_show()
+
+
+@pytest.fixture
+def path(tmp_path, monkeypatch):
+    path = tmp_path / "lecture.skinshow"
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
+    return path
+
+
+@pytest.fixture
+def made(page, folder, monkeypatch):
+    """A page with the open design, two files and a scene."""
+    names = [str(folder / f"{name}.skinsource") for name in ("1 tap", "3 both")]
+    monkeypatch.setattr(QFileDialog, "getOpenFileNames", lambda *_: (names, ""))
+    page.add_open_design()
+    page.add_files()
+    page.add_scene("2F")
+    return page
+
+
+def test_designs_files_and_scenes_are_put_into_an_order_and_saved(studio, made, path):
+    assert titles(made) == ["2 tone", "1 tap", "3 both", "Two inputs interfere"]
+    made.shift(-1)
+    made.list.setCurrentRow(0)
+    made.remove()
+    assert titles(made) == ["1 tap", "Two inputs interfere", "3 both"]
+    made.list.setCurrentRow(2)
+    made.heading.setText("Both")
+    made.heading.textEdited.emit("Both")
+    made.sentence.textEdited.emit("Two inputs at once.")
+    made.notes.setPlainText("Ask first.")
+    made.knob.choose("amplitude")
+    assert made.save()
+    read = ss.open_show(path)
+    assert [entry.title for entry in read] == titles(made)
+    last = read[-1]
+    assert (last.sentence, last.notes, last.knob) == (
+        "Two inputs at once.",
+        "Ask first.",
+        "amplitude",
+    )
+    # What was saved is not asked about.
+    made.reject()
+    assert not made.isVisible()
+
+
+def test_changes_that_are_not_saved_are_asked_about(made, monkeypatch):
+    answers = [QMessageBox.StandardButton.Cancel, QMessageBox.StandardButton.Discard]
+    monkeypatch.setattr(QMessageBox, "question", lambda *_: answers.pop(0))
+    made.reject()
+    assert made.isVisible()
+    made.reject()
+    assert not made.isVisible()
+
+
+def test_a_show_is_presented_in_its_order_and_changed_again(studio, made, path):
+    made.save()
+    made.done(0)
+    studio.files.open(path)
+    assert studio.document.design.title == "2 tone"
+    assert studio.panel("stage").isVisible()
+    studio.do("present")
+    shown = []
+    for _ in range(3):
+        studio.do("next_scene")
+        shown.append(studio.document.design.title)
+    assert shown == ["1 tap", "3 both", "Two inputs interfere"]
+    studio.do("present")
+    again = studio.presenter.make_show()
+    assert titles(again) == ["2 tone", "1 tap", "3 both", "Two inputs interfere"]
+    again.done(0)
+
+
+def test_an_entry_that_cannot_be_read_is_named_passed_by_and_kept(studio, made, path):
+    made.save()
+    made.done(0)
+    content = bytearray(path.read_bytes())
+    content[len(content) // 8] ^= 0x10
+    path.write_bytes(content)
+    before = studio.document.design
+    studio.files.open(path)
+    assert "Scene 1" in studio.notice.text
+    assert studio.document.design == before
+    studio.do("next_scene")
+    assert studio.document.design.title == "1 tap"
+    again = studio.presenter.make_show()
+    assert titles(again)[0] == "Cannot be read"
+    again.list.setCurrentRow(0)
+    assert not again.heading.isEnabled()
+    again.save()
+    again.done(0)
+    assert [isinstance(entry, ShowEntry) for entry in ss.open_show(path)] == [
+        False,
+        True,
+        True,
+        True,
+    ]

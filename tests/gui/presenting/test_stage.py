@@ -1,0 +1,201 @@
+"""The stage: words, maps in motion in one scale, traces and a knob, on screens of any size."""
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QRect
+
+import skinsource as ss
+from skinsource.design.panel_settings import StageSettings, settings_of, with_settings
+from skinsource_gui.panels.compare.settings import CompareSettings
+
+SENTENCE = "Waves run towards the wrist. Try: turn the frequency to 50 Hz."
+
+
+@pytest.fixture
+def design():
+    tone = ss.waveforms.Tone(frequency_hz=100.0)
+    return ss.Design(
+        limb="synthetic-1",
+        inputs=(ss.track(7, tone),),
+        title="A tone",
+        notes=f"{SENTENCE}\nSource: nobody.",
+    )
+
+
+def show(window, stage=None, **compare):
+    view = with_settings(window.document.view, "stage", stage or StageSettings())
+    window.document.look(with_settings(view, "compare", CompareSettings(**compare)))
+
+
+@pytest.fixture
+def stage(open_window, design, qtbot):
+    window = open_window(design)
+    window.do("present")
+    qtbot.waitUntil(lambda: not window.engine.busy and window.workspaces.settled)
+    panel = window.panel("stage")
+    # Tests move it by themselves.
+    panel.clock.held = True
+    yield panel
+    panel.clock.held = False
+    if window.presenter.presenting:
+        window.do("present")
+
+
+def tick(panel, seconds=0.05):
+    panel.clock.ticked.emit(seconds)
+
+
+def complete(panel, qtbot, n):
+    """The maps, once there are ``n`` of the present design."""
+
+    def drawn():
+        cells = panel.maps.content.cells
+        return len(cells) == n and all(cell.small for cell in cells)
+
+    qtbot.waitUntil(drawn, timeout=15_000)
+    return panel.maps.content.cells
+
+
+COMPARED = {"frequencies": 4, "limbs": 4, "axes": 3}
+
+
+@pytest.mark.parametrize("of", COMPARED)
+def test_maps_side_by_side_move_together_in_one_scale(stage, qtbot, of):
+    window = stage.window()
+    show(window, StageSettings(compared=True), of=of)
+    before = complete(stage, qtbot, COMPARED[of])
+    assert stage.maps.content.common_scale is not None
+    tick(stage)
+    after = stage.maps.content.cells
+    for one, other in zip(before, after, strict=True):
+        assert not np.array_equal(one.values_db, other.values_db)
+
+
+def test_three_snapshots_move_and_a_louder_one_is_shown_larger(stage, qtbot):
+    window = stage.window()
+    for number in (1, 2, 3):
+        window.document.edit(
+            "Louder", window.document.design.with_input(0, amplitude=float(number))
+        )
+        window.do(f"store_snapshot_{number}")
+    show(window, StageSettings(compared=True), of="snapshots")
+    first, second, third = complete(stage, qtbot, 3)
+    np.testing.assert_allclose(second.values_db, 2.0 * first.values_db)
+    np.testing.assert_allclose(third.values_db, 3.0 * first.values_db)
+    window.do("match_levels")
+    qtbot.waitUntil(lambda: stage.compared[2].gain != 1.0 and not window.engine.busy)
+    first, _, third = stage.maps.content.cells
+    np.testing.assert_allclose(third.values_db, first.values_db, rtol=1e-6)
+
+
+def test_six_maps_cost_as_many_interpolations_a_frame_and_no_prediction(stage, qtbot):
+    window = stage.window()
+    others = (50.0, 150.0, 200.0, 300.0, 400.0)
+    show(window, StageSettings(compared=True), of="frequencies", frequencies_hz=others)
+    complete(stage, qtbot, 6)
+    qtbot.waitUntil(lambda: not window.engine.busy)
+    requests = []
+    window.engine.finished.connect(requests.append)
+    made = stage.moving.made
+    places = stage.maps.places
+    for _ in range(5):
+        tick(stage)
+    assert stage.moving.made - made == 5 * 6
+    # Nothing is laid out again either.
+    assert stage.maps.places is places
+    assert not requests
+    assert not window.engine.busy
+
+
+def test_a_tone_loops_without_a_seam(stage, qtbot):
+    complete(stage, qtbot, 1)
+    (loop, _), *_ = stage.moving.loops
+    begin = stage.maps.content.cells[0].values_db
+    tick(stage, loop.duration_s * stage.moving.slow_motion)
+    np.testing.assert_allclose(stage.maps.content.cells[0].values_db, begin, atol=1e-9)
+
+
+def test_the_knob_turns_the_frequency_while_the_maps_go_on(stage, qtbot):
+    window = stage.window()
+    complete(stage, qtbot, 1)
+    tick(stage)
+    turns = list(stage.moving.turns)
+    stage.knob.dial.setValue(0)
+    assert window.document.design.clips[0].waveform.frequency_hz == 25.0
+    qtbot.waitUntil(lambda: not window.engine.busy and not stage.is_stale)
+    assert stage.moving.turns == turns
+    assert stage.moving.loops[0][0].duration_s == pytest.approx(0.04)
+    stage.knob.dial.setValue(1000)
+    assert window.document.design.clips[0].waveform.frequency_hz == 600.0
+    # One turn is one step of undo.
+    window.do("undo")
+    assert window.document.design.clips[0].waveform.frequency_hz == 100.0
+
+
+@pytest.mark.parametrize(
+    ("control", "turned"),
+    [("all", "frequency_hz"), ("amplitude", "amplitude"), ("onset", "onset_s")],
+)
+def test_a_design_says_what_is_turned_also_one_of_before(stage, control, turned):
+    window = stage.window()
+    view = with_settings(window.document.view, "stage", StageSettings())
+    before = with_settings(view, "frequency_and_amplitude", StageSettings(control=control))
+    window.document.look(before)
+    stage.knob.dial.setValue(700)
+    after = window.document.design
+    values = {
+        "frequency_hz": after.clips[0].waveform.frequency_hz != 100.0,
+        "amplitude": after.inputs[0].amplitude != 1.0,
+        "onset_s": after.clips[0].onset_s != 0.0,
+    }
+    assert [name for name, changed in values.items() if changed] == [turned]
+
+
+def test_levels_come_in_place_of_motion_and_stand_still(stage, qtbot):
+    stage.show_levels()
+    assert settings_of(stage.window().document.view, "stage", StageSettings).moves is False
+    (cell,) = complete(stage, qtbot, 1)
+    assert cell.scale.unit == "dB"
+    assert not stage.clock._timer.isActive()
+
+
+def test_the_clock_runs_only_while_something_moves_in_sight(stage, qtbot):
+    complete(stage, qtbot, 1)
+    assert stage.clock._timer.isActive()
+    stage.window().do("present")
+    assert not stage.clock._timer.isActive()
+
+
+def test_the_strip_shows_the_outputs_of_one_map_or_one_output_of_several(stage, qtbot):
+    window = stage.window()
+    complete(stage, qtbot, 1)
+    assert len(stage.strip.curves) == len(window.document.view.outputs)
+    show(window, StageSettings(compared=True), of="frequencies")
+    complete(stage, qtbot, 4)
+    assert [curve.label for curve in stage.strip.curves] == ["50 Hz", "100 Hz", "200 Hz", "400 Hz"]
+
+
+@pytest.mark.parametrize("screen", [(1280, 720), (1366, 768), (1920, 1080)])
+@pytest.mark.parametrize("compared", [False, True])
+def test_all_of_it_is_in_sight_with_large_words(stage, qtbot, screen, compared):
+    window = stage.window()
+    window.showNormal()
+    window.resize(*screen)
+    show(window, StageSettings(compared=compared), of="limbs")
+    complete(stage, qtbot, 4 if compared else 1)
+    qtbot.waitUntil(lambda: window.workspaces.settled and stage.width() > 0.9 * screen[0])
+    assert stage.heading.text() == "A tone"
+    assert stage.sentence.text() == SENTENCE
+    assert stage.heading.fontMetrics().height() > 0.05 * screen[1]
+    parts = (stage.heading, stage.sentence, stage.maps, stage.strip, stage.knob)
+    areas = [QRect(part.mapTo(window, part.rect().topLeft()), part.size()) for part in parts]
+    for area in areas:
+        assert window.rect().contains(area)
+    assert not any(one.intersects(other) for one in areas for other in areas if one is not other)
+    assert min(place.map.height() for place in stage.maps.places.cells) > 0.35 * screen[1]
+    hidden = [part for part in (stage.heading, stage.sentence) if _cut(part)]
+    assert not hidden
+
+
+def _cut(label):
+    return label.heightForWidth(label.width()) > label.height()
