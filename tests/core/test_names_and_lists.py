@@ -61,33 +61,3 @@ def test_a_variable_of_one_design_among_several_can_be_varied():
     tap = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Tap()),))
     table = ss.sweep([DESIGN, tap], {"frequency_hz": [50.0]})
     assert list(table.failed) == [2]
-
-
-def test_listed_quantities_have_the_shapes_that_are_told():
-    listed = {quantity.name: quantity for quantity in ss.quantities()}
-    view = ss.View(outputs=(19, 30))
-    values = ss.evaluate(DESIGN, *listed, view=view)
-    lengths = {"n_outputs": 72, "n_axes": 3, "n_selected": 2, "n_times": 781, "n_windows": 5}
-    for name, quantity in listed.items():
-        value = values[name]
-        if name.endswith("_spectra"):
-            frequency_hz, value = value
-            assert frequency_hz.shape == value.shape[-1:]
-        if value is not None:  # synthetic limbs have no noise
-            shape = np.shape(value)
-            told = [lengths.get(each, n) for each, n in zip(quantity.shape, shape, strict=True)]
-            assert list(shape) == told, name
-        assert quantity.about, name
-        assert quantity.unit or name.endswith("_samples"), name
-
-
-def test_an_unknown_quantity_is_refused_with_where_to_look():
-    with pytest.raises(InvalidInputError, match=r"'output_levels_db' is meant\. See skinsource\.q"):
-        ss.evaluate(DESIGN, "output_level_db")
-
-
-def test_places_are_public():
-    assert [place.number for place in ss.locations.INPUTS] == list(range(1, 21))
-    assert ss.locations.OUTPUTS[72 - 1].region == "elbow"
-    with pytest.raises(InvalidInputError, match=r"See skinsource\.locations"):
-        ss.predict(LIMB, [[1.0]], [0])
