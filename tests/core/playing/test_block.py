@@ -26,18 +26,6 @@ def test_what_is_sent_is_what_was_to_be_played_to_the_last_bit():
     assert not output[:, FADE + 500 :].any()
 
 
-@pytest.mark.parametrize("sizes", [[1] * 600, [7, 93, 500], [600], [299, 301]])
-def test_it_does_not_matter_how_long_the_blocks_are(sizes):
-    row = tone(500)
-
-    def samples_of(lengths):
-        queue = playing(mix(row, loop=(100, 420)))
-        queue.set_gain(-6.0)
-        return blocks(queue, lengths)
-
-    assert np.array_equal(samples_of(sizes), samples_of([64] * 9 + [24]))
-
-
 def test_blocks_longer_than_any_device_asks_for_are_whole():
     row = np.random.default_rng(3).uniform(-1, 1, 9000)
     output = block(playing(mix(row)), 9000 + FADE)

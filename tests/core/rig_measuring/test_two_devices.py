@@ -5,7 +5,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.actuators.measuring import clock_ratio, exponential_sweep
 from skinsource.actuators.rigs import Rig, RigChannel
 from skinsource.base.errors import PlaybackError, Stopped
 from skinsource.lab.playing.devices import Output
@@ -22,7 +21,7 @@ from tests.core.rig_measuring.bench_top import (
     sensed,
     use,
 )
-from tests.core.rig_measuring.two_cards import BEGUN_LATER, In, Out, TwoCards, by_another_clock
+from tests.core.rig_measuring.two_cards import BEGUN_LATER, In, Out, TwoCards
 
 RIG = Rig(channels=(RigChannel(place=7, output=3, full_scale_v=VOLTS),))
 
@@ -101,23 +100,3 @@ def test_a_stop_is_heard_too_while_what_was_played_last_is_on_its_way_in(cards):
     with pytest.raises(Stopped):
         measured(stop=lambda: cards.began and not cards.streams[-1].active)
     assert all(stream.closed.is_set() for stream in cards.streams)
-
-
-def test_a_sweep_by_another_clock_is_the_same_sweep():
-    sweep = exponential_sweep((20.0, 1500.0), 1.5, RATE_HZ)
-    there = exponential_sweep((20.0, 1500.0), 1.5, RATE_HZ, 1.0 + 700e-6)
-    exact = by_another_clock(sweep, 1.0 + 700e-6, 0.0)
-    n = min(there.size, exact.size)
-    assert there[:n] == pytest.approx(exact[:n], abs=2e-4)
-    assert abs(there.size - exact.size) <= 1
-
-
-@pytest.mark.parametrize("ppm", [-1800.0, 0.0, 37.0])
-def test_clocks_are_compared_within_noise(ppm):
-    period, ratio = 12_000, 1.0 + 1e-6 * ppm
-    sweep = np.zeros(period)
-    part = exponential_sweep((20.0, 1500.0), 1.0, RATE_HZ)
-    sweep[: part.size] = part
-    recorded = by_another_clock(np.tile(sweep, 6), ratio, 40.0)
-    recorded += 0.1 * np.random.default_rng(1).standard_normal(recorded.size)
-    assert 1e6 * (clock_ratio(recorded, 0, period, 5) - ratio) == pytest.approx(0.0, abs=0.3)
