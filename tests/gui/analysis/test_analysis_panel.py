@@ -8,7 +8,6 @@ from PySide6.QtWidgets import QApplication
 from skinsource.design.panel_settings import settings_of
 from skinsource_gui.panels.analysis.settings import VIEWS, AnalysisSettings
 from skinsource_gui.plots.pictures import save_drawing
-from skinsource_gui.state.engine import FIRST_SLOT
 from tests.gui.analysis.analysis_bench import analysis
 
 
@@ -27,15 +26,6 @@ def settle_on(qtbot):
         QApplication.processEvents()
 
     return settle
-
-
-def wanted(window, monkeypatch):
-    requested = []
-    ask = window.engine.request
-    monkeypatch.setattr(
-        window.engine, "request", lambda request: (requested.append(request), ask(request))
-    )
-    return requested
 
 
 def test_what_is_chosen_is_shown_with_what_it_answers_and_saved(window, settle_on):
@@ -67,19 +57,6 @@ def test_what_is_chosen_is_shown_with_what_it_answers_and_saved(window, settle_o
     assert panel.view._covers
     panel.show_covered(False)
     assert not panel.view._covers
-
-
-def test_nothing_is_computed_for_views_that_are_not_chosen(window, settle_on, monkeypatch):
-    for name in ("spectrogram", "regions", "main_axis"):
-        analysis(window, name)
-        settle_on(window)
-    requested = wanted(window, monkeypatch)
-    window.document.edit("Louder", window.document.design.with_input(0, amplitude=2.0))
-    settle_on(window)
-    names = frozenset().union(*(request.wanted for request in requested))
-    assert "output_main_axes" in names
-    assert not names & {"output_spectrogram", "output_statistics", "line_wave", "transfer"}
-    assert {request.slot for request in requested} == {FIRST_SLOT}
 
 
 def test_a_second_one_beside_the_first_shows_another_view_or_the_same(window, settle_on):

@@ -74,6 +74,8 @@ def test_a_hidden_panel_computes_nothing(window, show, settle):
         louder(window, 2.5 + k)
         settle()
         assert runs[rule] == shown, name
+    # Nor while others were in sight.
+    assert {runs[rule] for rule in RULES_OF.values()} == {1}
 
 
 def test_without_outputs_it_says_how_to_select_some_and_then_shows_them(show, window, settle):

@@ -86,14 +86,3 @@ def test_the_picture_says_which_output_has_which_colour(show, tmp_path):
     drawing = path.read_text("utf-8").lower()
     for rank in range(len(OUTPUTS)):
         assert LIGHT.output_colour(rank).name() in drawing
-
-
-def test_it_says_which_part_is_drawn_over_time_and_how_to_see_another(show):
-    window, panel = show(STRENGTHS)
-    first, last = panel.picture.diagrams[0].x.shown
-    sentence = f"over time the loudest part, {1e3 * first:.0f} to {1e3 * last:.0f} ms: zoom Traces"
-    assert sentence in panel.about.text
-    del window
-    _, panel = show(STRENGTHS, time_range_s=(0.05, 0.1))
-    assert "loudest part" not in panel.about.text
-    assert panel.picture.diagrams[0].x.shown == pytest.approx((0.05, 0.1), abs=2e-3)

@@ -166,14 +166,3 @@ def test_one_output_above_the_noise_has_neither_speed_nor_attenuation():
     counted = np.array([True, False, False, False])
     text = wave_text(replace(the_wave(), counted=counted, timed=counted))
     assert text == "fewer than two outputs are more than noise"
-
-
-def test_a_line_through_two_outputs_is_said_to_have_no_uncertainty():
-    assert "three outputs or more" not in wave_text(the_wave())
-    two = replace(
-        the_wave(),
-        timed=np.array([True, True, False, False]),
-        speed_deviation_m_per_s=float("nan"),
-    )
-    assert wave_text(two).startswith("Speed 10.0 m/s ")
-    assert wave_text(two).endswith("Choose three outputs or more to estimate the uncertainty")

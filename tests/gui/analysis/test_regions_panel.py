@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtWidgets import QTableWidget, QTableWidgetItem
 
 from skinsource.base.decibels import decibels
 from skinsource.design.comparing import Snapshot, region_levels_db
@@ -12,7 +11,6 @@ from skinsource.design.design import Design, track
 from skinsource.design.edits.edit import Edit
 from skinsource.engine.evaluation import evaluate
 from skinsource_gui.panels.analysis.regions import columns_of_people, tab_separated
-from skinsource_gui.qt.labels import fit_name_column, set_table_look
 from skinsource_gui.state.compared import Compared
 from skinsource_gui.state.engine import Slot
 from tests.gui.analysis.analysis_bench import analysis, copied
@@ -136,31 +134,3 @@ def test_what_is_copied_says_whether_limbs_were_measured_and_what_is_a_deviation
         "Mean over 3 people",
         "Standard deviation over 3 people, dB",
     ]
-
-
-@pytest.fixture
-def figures(qtbot):
-    """A table of names and of one number each, as wide as it is made."""
-    table = QTableWidget(2, 2)
-    qtbot.addWidget(table)
-    set_table_look(table)
-    fit_name_column(table)
-    for row, name in enumerate(("8  hand V", "12  IV middle ulnar")):
-        table.setItem(row, 0, QTableWidgetItem(name))
-        table.setItem(row, 1, QTableWidgetItem("0.123"))
-    table.resize(900, 200)
-    table.show()
-    qtbot.waitExposed(table)
-    return table
-
-
-def test_where_there_is_little_room_names_take_what_numbers_leave(figures, qtbot):
-    header = figures.horizontalHeader()
-    figures.resize(160, 200)
-    qtbot.waitUntil(lambda: header.length() == figures.viewport().width())
-    assert header.sectionSize(0) == figures.viewport().width() - header.sectionSize(1)
-    # What is filled anew, as often as one likes, is so too.
-    for _ in range(3):
-        fit_name_column(figures)
-    figures.resize(900, 200)
-    qtbot.waitUntil(lambda: header.length() < 400)

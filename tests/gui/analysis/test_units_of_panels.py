@@ -78,23 +78,3 @@ def test_a_number_of_the_statistics_has_three_digits_whatever_they_are():
     row = StatisticsRow(number=1, name="", values=(0.12, 0.03456, 3.0, 100.0, 0.05), noisy=False)
     assert row.texts[1:] == ("0.120", "0.0346", "3.00", "100.0", "50.0")
     assert StatisticsRow(number=1, name="", values=(123.4,) * 5, noisy=False).texts[1] == "123"
-
-
-def test_what_is_dotted_is_said_where_something_is_dotted(show, settle, window):
-    panel = show("transfer")
-    panel.show_results({**panel._results, "limb_data": _Measured(), "transfer": _noisy(panel)})
-    assert panel.place.text.endswith("dotted: noise")
-    shown = dict(panel._results)
-    panel.coherence.click()
-    settle()
-    panel.show_results(shown)
-    assert "dotted" not in panel.place.text
-
-
-class _Measured:
-    name, synthetic, per_unit_drive = "synthetic-1", False, False
-
-
-def _noisy(panel):
-    transfer = panel._results["transfer"]
-    return replace(transfer, noise=np.ones_like(transfer.magnitude))

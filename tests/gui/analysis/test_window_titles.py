@@ -97,18 +97,3 @@ def test_how_long_windows_are_is_said_where_only_their_begins_are(studio, tmp_pa
     assert content.levels_db is levels_db
     assert "52 ms" not in panel.strip.head_text
     assert not any("traces" in begin_phrase for begin_phrase in content.begin_phrases)
-
-
-def test_with_several_places_distances_are_from_the_nearest_input(studio, tmp_path):
-    panel = studio(5)
-    content = panel.strip.content
-    assert "Mean distance from the input" in content.extent_text(0)
-    design = replace(TRAIN, inputs=(*TRAIN.inputs, track(12, WaveletTrain())))
-    several = replace(content, design=design)
-    assert "Mean distance from the nearest input" in several.extent_text(0)
-    twice = tuple(replace(TRAIN.inputs[0], id=id, clips=()) for id in (1, 2))
-    again = replace(content, design=replace(TRAIN, inputs=twice))
-    assert "Mean distance from the input" in again.extent_text(0)
-    panel.strip.content = several
-    save_drawing(tmp_path / "a.svg", panel.draw_picture, 1400, 900)
-    assert "mm from the nearest input" in (tmp_path / "a.svg").read_text("utf-8")

@@ -91,14 +91,6 @@ def test_any_shown_number_is_read_back_to_the_value_it_shows():
         assert parse_number(number_text(value, "s"), DURATION, value) == value
 
 
-def test_enter_commits_what_was_typed_as_a_step_of_its_own(make_bench):
-    bench = make_bench(DURATION, 0.1)
-    bench.type("0,2 s")
-    assert bench.edits == [(0.2, None)]
-    assert bench.field.text() == "200"
-    assert not bench.field.editing
-
-
 def test_a_double_click_types_over_the_number(make_bench):
     bench = make_bench(FREQUENCY, 100.0)
     QTest.mouseClick(bench.field, Qt.MouseButton.LeftButton)
