@@ -20,9 +20,11 @@ from skinsource.engine.gains import ExactVoice, exact_gains, peaks_of, trace_err
 from skinsource.engine.quantities import graphs_that_share, new_graph, sources
 from skinsource.engine.spectra import ResponseSpectrum
 from skinsource.engine.transforms import BLOCK_FFT, Blocks, forward, inverse, transform_length
+from skinsource.limbs.extent import extent
 from skinsource.limbs.limb import Limb, LimbMap
 from skinsource.limbs.locations import input_name, output_name
 from skinsource.limbs.scaling import SCALINGS, per_probe_acceleration
+from skinsource.limbs.surface.surface import surface_operator
 from skinsource.limbs.synthetic import load_synthetic_limb
 from skinsource.signals.projection import METHODS, project_axes
 from skinsource.signals.spectra import magnitude_spectrum, peak_hold_spectrum, rms
@@ -58,9 +60,11 @@ QUANTITIES = (
 )
 
 
-def limb_of_taps(n_taps: int, axes: str) -> Limb:
-    """A limb of another shape and rate than the published ones."""
+def limb_of_taps(n_taps: int, axes: str, **more) -> Limb:
+    """A limb of another shape and rate than the published ones; output 5 is not on its map."""
     rng = np.random.default_rng(4)
+    outputs = rng.uniform(-30, 30, (N_OUTPUTS, 2))
+    outputs[4] = np.nan
     around = np.linspace(0, 2 * np.pi, 24, endpoint=False)
     return Limb(
         name="made-up",
@@ -68,7 +72,7 @@ def limb_of_taps(n_taps: int, axes: str) -> Limb:
         synthetic=True,
         map=LimbMap(
             outline=50.0 * np.column_stack((np.cos(around), np.sin(around))),
-            output_positions=rng.uniform(-30, 30, (N_OUTPUTS, 2)),
+            output_positions=outputs,
             input_positions=rng.uniform(-30, 30, (N_INPUTS, 2)),
             hand_length_px=100.0,
         ),
@@ -78,6 +82,7 @@ def limb_of_taps(n_taps: int, axes: str) -> Limb:
         sample_rate_hz=RATE_HZ,
         axes=axes,
         shape=(N_INPUTS, N_OUTPUTS, len(axes), n_taps),
+        **more,
     )
 
 
@@ -325,6 +330,50 @@ def test_what_a_limb_does_not_have_is_refused_by_name(limb_of_designs):
     limb.n_taps = 199
     with pytest.raises(InvalidInputError, match=r"shape \(10, 3, 200\), expected \(10, 3, 199\)"):
         limb.response_to(1)
+
+
+@pytest.mark.parametrize(("measured", "axes"), [("xz", "y"), ("xz", "xy"), ("z", "x")])
+def test_an_axis_that_was_not_measured_is_refused_by_name(limb_of_designs, measured, axes):
+    limb_of_designs(axes=measured)
+    message = f"measures along {' and '.join(measured)} only. Choose '{measured}'"
+    with pytest.raises(InvalidInputError, match=message):
+        new_graph().evaluate({"output_rms"}, sources(drawn(4), View(axes=axes, outputs=OUTPUTS)))
+    with pytest.raises(InvalidInputError, match=message):
+        project_axes(np.zeros((2, len(measured), 9)), axes, "mag", measured)
+
+
+@pytest.mark.parametrize("axes", ["", "zx", "xx", "q", "xyz", None])
+def test_a_limb_whose_axes_are_not_those_of_its_responses_is_refused(axes):
+    limb = limb_of_taps(9, "xz")
+    with pytest.raises(InvalidInputError, match="expected 2 of x, y and z"):
+        Limb(
+            name="odd",
+            hand_length_mm=100.0,
+            synthetic=True,
+            map=limb.map,
+            read_response=limb.response_to,
+            axes=axes,
+            shape=(N_INPUTS, N_OUTPUTS, 2, 9),
+        )
+
+
+def test_probe_scaling_divides_by_the_pulse_only_where_a_pulse_was_played():
+    limb, drive = limb_of_taps(200, "xz", per_unit_drive=True), Tone().samples(RATE_HZ)
+    by_probe, relative = (ss.predict(limb, drive, 3, scaling=way) for way in ("probe", "relative"))
+    np.testing.assert_array_equal(by_probe, relative)
+
+
+def test_the_map_shows_the_outputs_that_have_a_place(limb_of_designs):
+    limb = limb_of_designs(axes="xz")
+    operator = surface_operator(limb)
+    assert operator.weights.shape[1] == N_OUTPUTS
+    assert not operator.weights[:, [4]].nnz
+    values = new_graph().evaluate({"output_rms"}, sources(drawn(4), View(axes="xz", outputs=())))
+    shown, placed = operator.interpolate(values["output_rms"]), np.delete(values["output_rms"], 4)
+    inside = shown[np.isfinite(shown)]
+    assert inside.size
+    assert placed.min() * (1 - 1e-9) <= inside.min() <= inside.max() <= placed.max() * (1 + 1e-9)
+    assert 0.0 < extent(values["output_rms"], limb, (7,)).mean_distance_mm < 100.0
 
 
 def test_a_limb_that_is_not_here_is_refused_and_its_places_are_called_by_their_number():
