@@ -88,14 +88,6 @@ def test_a_device_that_is_not_there_is_named_with_those_that_are(library):
         devices.device_of(Output(device="Nine"), devices.devices())
 
 
-def test_too_few_outputs_are_said_with_the_place_that_has_none(library):
-    library()
-    small = devices.devices()[1]
-    devices.check_outputs(small, {7: 1, 3: 2})
-    with pytest.raises(PlaybackError, match="has 2 outputs, and place 9 is to play on output 5"):
-        devices.check_outputs(small, {7: 1, 9: 5, 3: 2})
-
-
 def test_rates_are_those_that_the_device_takes(library):
     library(rates=(8_000, 48_000, 12_345))
     assert devices.rates_of(devices.devices()[0]) == (8_000, 48_000)

@@ -7,7 +7,6 @@ import pytest
 import skinsource as ss
 from skinsource.base.errors import NothingToPlayOnError, PlaybackError, Stopped
 from skinsource.lab.playing.devices import Output
-from skinsource.lab.playing.session import Session
 from tests.core.playing.synthetic_sound import SyntheticSoundLibrary, use
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.5)
@@ -19,20 +18,6 @@ def wait_for(condition):
     """Until it holds; the thread of the device runs meanwhile."""
     pause = threading.Event()
     assert any(condition() or pause.wait(0.005) for _ in range(4000))
-
-
-@pytest.fixture
-def sound(monkeypatch):
-    return use(monkeypatch, SyntheticSoundLibrary(Two=2, Eight=8))
-
-
-@pytest.fixture
-def session():
-    over = threading.Event()
-    new = Session(lambda stream: over.set())
-    new.over = over
-    yield new
-    new.close()
 
 
 def play(session, design=ONE, output=None, **changes):
@@ -67,13 +52,6 @@ def test_what_is_stopped_while_it_is_prepared_opens_no_device(sound, session):
     with pytest.raises(Stopped):
         play(session, stop=lambda: True)
     assert sound.streams == []
-
-
-def test_an_edit_goes_over_on_the_same_stream(sound, session):
-    playing = play(session, loops=True)
-    changed = session.change(playing, ONE.with_input(0, amplitude=0.5), Output(), loops=True)
-    assert changed is playing
-    assert len(sound.streams) == 1
 
 
 def test_an_edit_that_needs_more_outputs_opens_the_device_anew(sound, session):
@@ -130,11 +108,6 @@ def test_without_a_device_it_runs_in_silence_and_says_why(monkeypatch, session):
     assert not playing.over
     with pytest.raises(NothingToPlayOnError):
         session.tone(1, Output(), 0.0)
-
-
-def test_a_chosen_device_that_is_away_is_an_error_and_no_silence(sound, session):
-    with pytest.raises(PlaybackError, match="'Nine' is not there"):
-        play(session, output=Output(device="Nine"))
 
 
 def test_a_device_that_does_not_begin_is_let_go(sound, session):

@@ -1,6 +1,5 @@
 """Playing for a rig: its wiring, volts, polarity, delays and limits."""
 
-import threading
 from dataclasses import replace
 
 import numpy as np
@@ -13,7 +12,6 @@ from skinsource.actuators.rigs import Rig, RigChannel, highest_gain, rig_breache
 from skinsource.base.errors import InvalidInputError, PlaybackError
 from skinsource.lab.playing.devices import Output
 from skinsource.lab.playing.session import Session
-from tests.core.playing.synthetic_sound import SyntheticSoundLibrary, use
 
 RATE_HZ = 48_000
 FADE = 240
@@ -27,20 +25,6 @@ def rig_of(**changes):
     first = RigChannel(place=7, output=3, full_scale_v=2.0, measured=FLAT)
     second = RigChannel(place=12, output=1, full_scale_v=1.0, measured=FLAT)
     return Rig(title="bench", channels=(replace(first, **changes), second))
-
-
-@pytest.fixture
-def sound(monkeypatch):
-    return use(monkeypatch, SyntheticSoundLibrary(Two=2, Eight=8))
-
-
-@pytest.fixture
-def session():
-    over = threading.Event()
-    new = Session(lambda stream: over.set())
-    new.over = over
-    yield new
-    new.close()
 
 
 def play(session, design=ONE, **changes):
