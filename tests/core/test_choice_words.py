@@ -1,13 +1,11 @@
 """The same words for the same things, in the window, on the command line and in files."""
 
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from skinsource.base.measurement_conditions import AXES, LIMB_NAMES
 from skinsource.design import labels
-from skinsource.limbs import own_limbs
 from skinsource.limbs.scaling import SCALINGS
 from skinsource.signals.loudest_window import SPANS
 from skinsource.signals.projection import METHODS
@@ -28,13 +26,6 @@ def test_the_page_of_words_shows_them_as_they_are():
     assert table() in PAGE.read_text("utf-8")
 
 
-def test_where_there_is_little_room_only_a_published_limb_is_called_less(monkeypatch):
-    assert labels.short_limb_title("synthetic-1") == "Synthetic 1"
-    own = replace(own_limbs.facts_of("synthetic-1"), title="Foot (left)")
-    monkeypatch.setattr(labels, "facts_of", lambda name: own)
-    assert labels.short_limb_title("foot") == "Foot (left)"
-
-
 @pytest.mark.parametrize(
     ("options", "names"),
     [
@@ -49,10 +40,3 @@ def test_every_value_of_a_choice_has_a_title_and_a_sentence(options, names):
     assert tuple(word.name for word in options) == names
     assert len({word.title for word in options}) == len(names)
     assert all(word.sentence.endswith(".") for word in options)
-
-
-def test_words_of_something_unknown_are_its_name():
-    assert labels.label_of(labels.METHODS, "new").both == "new"
-    assert labels.label_of(labels.METHODS, "pca").both == "Principal axis (pca)"
-    assert labels.signal_label("y", "rms") == "y"
-    assert labels.level_label("loudest") == "RMS over the loudest 100 ms"

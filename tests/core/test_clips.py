@@ -200,13 +200,6 @@ def test_an_edit_of_clips_draws_and_transforms_what_it_changed_and_nothing_else(
     np.testing.assert_array_equal(after["output_rms"], before["output_rms"])
 
 
-def test_the_same_waveform_is_drawn_once_however_often_it_stands():
-    clips = tuple(Clip(waveform=Noise(seed=3), onset_s=k / 130) for k in range(50))
-    graph = new_graph()
-    graph.evaluate(HEARD, sources(with_clips(clips).without_input(1), View()))
-    assert graph.work.samples_drawn == 260
-
-
 def test_what_clips_play_is_told_for_each_muted_or_not_and_anew_only_where_it_changed():
     graph = new_graph()
     muted = DESIGN.with_clip(4, muted=True).with_clip(5, gain=9.0)

@@ -10,12 +10,10 @@ from skinsource.design.comparing import Snapshot
 from skinsource.design.design import (
     Design,
     Input,
-    amplitude_spec,
     audible_inputs,
     track,
 )
 from skinsource.design.waveforms.pulses import Tap
-from skinsource.limbs.scaling import SCALINGS
 
 THREE = Design(limb="synthetic-1", inputs=tuple(track(location=k, colour=k) for k in (1, 2, 3)))
 
@@ -73,15 +71,6 @@ def test_an_input_is_found_by_its_id_wherever_it_stands():
     assert [turned.index_of(id_) for id_ in THREE.ids] == [2, 1, 0]
     with pytest.raises(InvalidInputError, match="no input has the id 7; there are 1, 2, 3"):
         THREE.input(7)
-
-
-def test_a_new_design_is_in_probe_scaling_and_says_what_amplitudes_mean():
-    assert Design(limb="synthetic-1").scaling == "probe"
-    designs = [Design(limb="synthetic-1", scaling=scaling) for scaling in SCALINGS]
-    specs = [amplitude_spec(design) for design in designs]
-    assert [spec.unit for spec in specs] == ["m/s²", "×", "m/s²"]
-    assert "within about 3 dB" in specs[SCALINGS.index("probe")].hint
-    assert len({spec.hint for spec in specs}) == 3
 
 
 def test_a_snapshot_that_could_not_be_shown_is_none():

@@ -10,7 +10,7 @@ from skinsource.base.errors import Stopped
 from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, track
-from skinsource.design.edits.edit import Edit, Refusal
+from skinsource.design.edits.edit import Refusal
 from skinsource.design.effects.time import Reverse
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
@@ -87,15 +87,6 @@ def test_effects_and_the_gain_curve_of_the_track_count():
     turned = Input(location=7, clips=(Clip(waveform=TRAIN, effects=(Reverse(),)),))
     levels_db = wavelet_levels_db(replace(design_of(TRAIN), inputs=(turned,)), 1)
     assert levels_db == pytest.approx(plain, abs=0.5)
-
-
-def test_it_says_what_was_measured_and_the_label_of_the_clip_stays():
-    design = design_of(TRAIN).with_clip(1, label="outwards")
-    edit = edits.equalise_on_skin(design, View(), 1, wavelet_levels_db(design, 1), MEASURE)
-    assert isinstance(edit, Edit)
-    assert edit.design.clip(1).label == "outwards"
-    assert MEASURE in edit.said
-    assert "7 (II pad)" in edit.said
 
 
 @pytest.mark.parametrize("scaling", ["probe", "relative", "upstream"])

@@ -82,13 +82,6 @@ def test_only_what_is_chosen_takes_part():
     )
 
 
-@pytest.mark.parametrize(
-    ("scaling", "unit"), [("probe", "m/s²"), ("relative", "measuring pulse"), ("upstream", "1")]
-)
-def test_drives_under_upstream_scaling_are_no_accelerations(scaling, unit):
-    assert stimulus_of(design(track(3), scaling=scaling)).unit == unit
-
-
 def test_the_band_is_that_of_the_lower_rate():
     assert stimulus_of(design(track(3)), 48_000).band_hz == (25.0, 600.0)
     assert stimulus_of(design(track(3)), 650).band_hz == (25.0, 300.0)

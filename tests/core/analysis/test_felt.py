@@ -98,14 +98,6 @@ def test_small_contacts_raise_the_threshold_of_p_only():
     assert small.by_channel["NP I"] == pytest.approx(usual.by_channel["NP I"])
 
 
-def test_the_arm_is_governed_by_np_and_silence_is_not_felt():
-    sensation = sensation_of(tone(100.0))
-    assert (sensation.by_channel["P"][42:60] == SILENT_DB).all()
-    silent = sensation_of()
-    assert (silent.level_db == SILENT_DB).all()
-    assert (silent.strength == 0.0).all()
-
-
 def test_own_thresholds_come_from_a_table_in_either_unit(tmp_path):
     path = tmp_path / "own.csv"
     path.write_text("# mine\nfrequency_hz,threshold_m_per_s2\n500,2\n50,0.2\n")

@@ -237,11 +237,3 @@ def test_short_words_hold_the_number_of_the_sentence():
         assert (
             re.findall(r"\d[\d.]*%?", sentence)[0] == re.findall(r"\d[\d.]*%?", finding.sentence)[0]
         )
-
-
-def test_what_lies_between_outputs_is_told_of_maps_alone():
-    map_alone = Finding(name="spacing", state="left", sentence="", in_short="G.", of_maps=True)
-    judged = Judged(label="A", findings=(FAST, map_alone))
-    assert in_short([judged]) == ("Fast.", "G.")
-    assert in_short([judged.without_maps()]) == ("Fast.",)
-    assert Judged(label="A").without_maps() == Judged(label="A")

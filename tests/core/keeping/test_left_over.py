@@ -2,8 +2,6 @@
 
 import os
 
-import pytest
-
 from skinsource.base.files import temporary_path
 from skinsource.base.lock import to_bytes
 from skinsource.design import recovery
@@ -105,16 +103,3 @@ def test_what_killed_writers_left_anywhere_is_cleared_away(tmp_path, left_by_a_k
     assert list(tmp_path.rglob("*.part")) == []
     assert not empty.exists()
     assert begun.exists()  # its studio runs, and is about to write
-
-
-@pytest.mark.parametrize(
-    ("seconds", "text"),
-    [
-        (-5.0, "less than a minute ago"),
-        (60.0, "1 minute ago"),
-        (3599.0, "59 minutes ago"),
-        (200_000.0, "2 days ago"),
-    ],
-)
-def test_ages_are_told_in_whole_units(seconds, text):
-    assert recovery.age_text(seconds) == text

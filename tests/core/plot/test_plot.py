@@ -175,13 +175,6 @@ def test_what_is_mostly_noise_is_hatched_within_the_outline_on_axes_that_are_dra
     np.testing.assert_allclose(hatched.get_path().get_extents().get_points().mean(axis=0), place)
 
 
-def test_spectra_say_of_how_many_bins_they_are_the_mean():
-    texts = [text.get_text() for text in ss.plot.spectra(DESIGN, outputs=(30,)).axes[0].texts]
-    assert not any("bins" in text for text in texts)
-    figure = ss.plot.spectra(DESIGN, outputs=(30,), mean_of_bins=10)
-    assert any("mean of 10 bins" in text.get_text() for text in figure.axes[0].texts)
-
-
 # A quarter of the rate of 1300 Hz: where the phase is 45°, all samples miss its peaks by 3 dB.
 HZ = 325.0
 # Outputs where the phase is such.
