@@ -7,7 +7,6 @@ import pytest
 from PySide6.QtCore import QPointF
 
 from skinsource.engine.evaluation import evaluate
-from skinsource_gui.panels.analysis.statistics import StatisticsRow
 from tests.gui.analysis.analysis_bench import analysis, copied
 
 LINE = (29, 31, 33, 35)
@@ -72,9 +71,3 @@ def test_a_spectrogram_is_in_seconds_from_where_traces_are(show):
         assert picture.axes.x.title == title
         text = picture.read(picture.axes.frame.center())
         assert title.endswith(f"({text.split()[1]})")
-
-
-def test_a_number_of_the_statistics_has_three_digits_whatever_they_are():
-    row = StatisticsRow(number=1, name="", values=(0.12, 0.03456, 3.0, 100.0, 0.05), noisy=False)
-    assert row.texts[1:] == ("0.120", "0.0346", "3.00", "100.0", "50.0")
-    assert StatisticsRow(number=1, name="", values=(123.4,) * 5, noisy=False).texts[1] == "123"

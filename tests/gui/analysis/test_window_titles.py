@@ -28,16 +28,10 @@ def cells(count, width, columns=None):
     return [QRectF(width * (k % columns), 90.0 * (k // columns), width, 90.0) for k in range(count)]
 
 
-def test_where_there_is_room_begin_and_end_stand_above_each_map():
-    titles = window_titles(bounds_s(3), cells(3, 100.0), width_of)
-    assert titles.texts == ("0–50 ms", "50–100 ms", "100–150 ms")
-    assert not titles.by_begin
-
-
-def test_where_there_is_less_room_begins_stand_there():
-    titles = window_titles(bounds_s(3), cells(3, 40.0), width_of)
-    assert titles.texts == ("0", "50", "100")
-    assert titles.by_begin
+def test_begin_and_end_stand_above_each_map_or_begins_where_there_is_less_room():
+    roomy, narrow = (window_titles(bounds_s(3), cells(3, px), width_of) for px in (100.0, 40.0))
+    assert (roomy.texts, roomy.by_begin) == (("0–50 ms", "50–100 ms", "100–150 ms"), False)
+    assert (narrow.texts, narrow.by_begin) == (("0", "50", "100"), True)
 
 
 def test_where_begins_have_no_room_either_each_second_or_third_of_a_row_has_one():

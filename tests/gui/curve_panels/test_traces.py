@@ -39,12 +39,6 @@ def test_curves_are_named_after_the_outputs_they_belong_to(show):
     assert panel.findChild(SignalView).legend.text.names == names
 
 
-@pytest.mark.parametrize(("method", "low"), [("pca", -0.32), ("mag", 0.0)])
-def test_magnitudes_start_at_zero_and_components_are_symmetric(show, method, low):
-    panel = show(replace(SIGNED, method=method))
-    assert plot_of(panel).value_scale.values == pytest.approx((low, 0.32))
-
-
 def show_pre_trigger(panel):
     choose(panel.findChild(SignalView), "Show pre-trigger")
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
@@ -79,14 +73,6 @@ def test_what_an_equaliser_of_linear_phase_rings_before_0_is_not_shown_and_said(
     panel.show_results(results)
     assert plot.x_window.shown[0] == time_s[0]
     assert "not shown" not in plot.stack.x_axis.titles[0]
-
-
-def test_without_the_pre_trigger_the_same_piece_of_the_curves_stays_in_sight(show):
-    panel = show(replace(SIGNED, time_range_s=(0.1, 0.2)))
-    click(panel, "pre-trigger")
-    assert panel.views[-1].time_range_s == pytest.approx((0.048, 0.148))
-    show_pre_trigger(panel)
-    assert panel.views[-1].time_range_s == pytest.approx((0.1, 0.2))
 
 
 def test_stacked_and_overlaid_are_chosen_by_mouse_and_by_arrow_keys(show, qtbot):
