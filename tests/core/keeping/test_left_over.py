@@ -103,3 +103,8 @@ def test_what_killed_writers_left_anywhere_is_cleared_away(tmp_path, left_by_a_k
     assert list(tmp_path.rglob("*.part")) == []
     assert not empty.exists()
     assert begun.exists()  # its studio runs, and is about to write
+
+
+def test_ages_are_told_in_whole_units():
+    ages = [recovery.age_text(seconds) for seconds in (-5.0, 60.0, 3599.0, 200_000.0)]
+    assert ages == ["less than a minute ago", "1 minute ago", "59 minutes ago", "2 days ago"]

@@ -71,10 +71,6 @@ def test_the_map_shows_levels_above_threshold_with_their_limits(window, settle, 
     settle()
     assert skin.content.values is not level
     assert (skin.content.field_values is None) == (style == "sensors")
-    skin.note.resize(4000, 20)
-    assert skin.note.text().startswith("Thresholds are of glabrous skin")
-    skin.note.resize(400, 20)
-    assert skin.note.text().startswith("Thresholds of glabrous skin: compare designs")
     assert "people differ" in skin.note.toolTip()
     assert "threshold" in skin.content.quantity.unit
     skin.picture(300, 500)
