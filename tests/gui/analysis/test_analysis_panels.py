@@ -119,7 +119,7 @@ def test_the_table_is_copied_with_numbers_that_read_back(show, window):
     hints = [model.data(model.index(0, k), Qt.ItemDataRole.ToolTipRole) for k in (0, 1)]
     noisy = panel.rows[0].noisy
     assert hints[0].startswith("20  III nail rad.")
-    assert (hints[1] is not None) is noisy
+    assert bool(hints[1]) is noisy
     header, *below = copied(window).splitlines()
     lines = [line for line in below if not line.startswith("# ")]
     columns = header.split("\t")

@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtWidgets import QTableWidget, QTableWidgetItem
 
 from skinsource.base.decibels import decibels
 from skinsource.design.comparing import Snapshot, region_levels_db
@@ -12,7 +11,7 @@ from skinsource.design.design import Design, track
 from skinsource.design.edits.edit import Edit
 from skinsource.engine.evaluation import evaluate
 from skinsource_gui.panels.analysis.regions import columns_of_people, tab_separated
-from skinsource_gui.qt.labels import fit_name_column, set_table_look
+from skinsource_gui.panels.analysis.table import OutputTable, TableRow
 from skinsource_gui.state.compared import Compared
 from skinsource_gui.state.engine import Slot
 from tests.gui.analysis.analysis_bench import analysis, copied
@@ -141,13 +140,13 @@ def test_what_is_copied_says_whether_limbs_were_measured_and_what_is_a_deviation
 @pytest.fixture
 def figures(qtbot):
     """A table of names and of one number each, as wide as it is made."""
-    table = QTableWidget(2, 2)
+    table = OutputTable("figures", "Figures")
     qtbot.addWidget(table)
-    set_table_look(table)
-    fit_name_column(table)
-    for row, name in enumerate(("8  hand V", "12  IV middle ulnar")):
-        table.setItem(row, 0, QTableWidgetItem(name))
-        table.setItem(row, 1, QTableWidgetItem("0.123"))
+    rows = [
+        TableRow(output=number, texts=(f"{number}  {name}", "0.123"), short=str(number))
+        for number, name in ((8, "hand V"), (12, "IV middle ulnar"))
+    ]
+    table.show_rows((("Output", ""), ("RMS", "")), rows)
     table.resize(900, 200)
     table.show()
     qtbot.waitExposed(table)
@@ -156,11 +155,9 @@ def figures(qtbot):
 
 def test_where_there_is_little_room_names_take_what_numbers_leave(figures, qtbot):
     header = figures.horizontalHeader()
-    figures.resize(160, 200)
+    assert header.length() < 400
+    figures.resize(120, 200)
     qtbot.waitUntil(lambda: header.length() == figures.viewport().width())
     assert header.sectionSize(0) == figures.viewport().width() - header.sectionSize(1)
-    # What is filled anew, as often as one likes, is so too.
-    for _ in range(3):
-        fit_name_column(figures)
     figures.resize(900, 200)
     qtbot.waitUntil(lambda: header.length() < 400)
