@@ -71,11 +71,11 @@ class OutputTable(QtWidgets.QTableWidget):
                 item.setForeground(QtGui.QColor(theme.dim if row.hint else theme.text))
                 item.setTextAlignment(_RIGHT if column else _LEFT)
                 item.setToolTip(row.hint)
+                if column == 0:
+                    item.setForeground(theme.output_colour(rank))
+                    item.setData(SHORT_NAME, row.short)
+                    item.setToolTip(row.hint or text)
                 self.setItem(rank, column, item)
-            name = self.item(rank, 0)
-            name.setForeground(theme.output_colour(rank))
-            name.setData(SHORT_NAME, row.short)
-            name.setToolTip(row.hint or row.texts[0])
         self._fit_names()
 
     def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
