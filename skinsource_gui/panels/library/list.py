@@ -27,6 +27,7 @@ from skinsource.base.quoting import sentence
 from skinsource.design.presets.presets import Entry, Preset, mixed
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
+from skinsource_gui.fields.kinds import SHARPEST, drawn_path
 from skinsource_gui.plots.preview import ClipStrip, SpectrumPreview, strip_lanes
 from skinsource_gui.qt.buttons import scrolled
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
@@ -82,8 +83,6 @@ class PresetsModel(QtGui.QStandardItemModel):
 
 
 SIZE_PX = QSize(44, 26)
-#: Largest number of screen pixels for each px.
-_SHARPEST = 3
 _LINE_PX = 1.0
 # So small a picture looks the same at the sample rate of any limb.
 _RATE_HZ = 2000.0
@@ -92,23 +91,15 @@ _RATE_HZ = 2000.0
 @lru_cache(maxsize=256)
 def thumbnail(preset: Preset, colour: str, ratio: float) -> QtGui.QPixmap:
     """Return a picture of what a preset plays, at full height; empty where it cannot be played."""
-    per_px = min(max(round(ratio), 1), _SHARPEST)
-    picture = QtGui.QPixmap(SIZE_PX * per_px)
-    picture.setDevicePixelRatio(per_px)
-    picture.fill(Qt.GlobalColor.transparent)
     try:
         samples = mixed(preset.fragment, _RATE_HZ)
     except SkinSourceError:
-        return picture
-    if not samples.size:
-        return picture
-    samples = samples / max(float(np.abs(samples).max()), np.finfo(np.float64).tiny)
-    painter = QtGui.QPainter(picture)
-    painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
-    painter.setPen(QtGui.QPen(QtGui.QColor(colour), _LINE_PX))
-    painter.drawPath(_curve(samples, SIZE_PX.width() * per_px))
-    painter.end()
-    return picture
+        samples = np.zeros(0)
+    per_px, path = min(max(round(ratio), 1), SHARPEST), QtGui.QPainterPath()
+    if samples.size:
+        samples = samples / max(float(np.abs(samples).max()), np.finfo(np.float64).tiny)
+        path = _curve(samples, SIZE_PX.width() * per_px)
+    return drawn_path(path, SIZE_PX, colour, _LINE_PX, per_px)
 
 
 def _curve(samples: Floats, columns: int) -> QtGui.QPainterPath:
