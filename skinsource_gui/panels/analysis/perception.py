@@ -26,7 +26,7 @@ from skinsource.perception.thresholds import (
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.analysis.table import OutputTableView, TableRow
 from skinsource_gui.qt.buttons import page_label, tool_button
-from skinsource_gui.qt.fitting import FoldingGroups, LetterWidth
+from skinsource_gui.qt.fitting import FoldingRow, LetterWidth, grouped
 from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.questions import copied_level
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
@@ -245,8 +245,10 @@ class PerceptionView(OutputTableView):
         self._change(message, table=settings_table(table), source=path.name[:200])
 
     def _lay_out(self) -> None:
-        thresholds = (self.own, self.model, None)
-        bar = FoldingGroups((self.area_label, self.area, None), thresholds, spacing_px=UNIT_PX // 2)
+        gap_px = UNIT_PX // 2
+        area = grouped(self.area_label, self.area, None, gap_px=gap_px)
+        thresholds = grouped(self.own, self.model, None, gap_px=gap_px)
+        bar = FoldingRow((area, thresholds), gap_px)
         parts = (bar, (self.stack, 1), self.contact, self.limits)
         margins = (UNIT_PX // 2, 1, UNIT_PX // 2, UNIT_PX // 2)
         in_column(*parts, of=self, margins=margins, gap_px=UNIT_PX // 2)

@@ -32,7 +32,7 @@ from skinsource_gui.panels.analysis.view import FigureView
 from skinsource_gui.plots.colour_maps import colour_indices, colour_table
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
 from skinsource_gui.plots.ranges import Range, SteadyRange
-from skinsource_gui.qt.fitting import FoldingGroups, LetterWidth
+from skinsource_gui.qt.fitting import FoldingRow, LetterWidth, grouped
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 from skinsource_gui.state.compared import SILENT
 
@@ -256,11 +256,11 @@ class SpectrogramView(FigureView):
         )
         for field in (self.floor, self.ceiling):
             LetterWidth(field, _MOST_NUMBER_PX, at_most=True)
-        what, band = (
-            (self.output, self.window_length),
-            (self.floor, QtWidgets.QLabel("–"), self.ceiling, None),
-        )
-        self.choices.addWidget(FoldingGroups(what, band, spacing_px=UNIT_PX // 2))
+        gap_px = UNIT_PX // 2
+        what = grouped(self.output, self.window_length, gap_px=gap_px)
+        dash = QtWidgets.QLabel("–")
+        band = grouped(self.floor, dash, self.ceiling, None, gap_px=gap_px)
+        self.choices.addWidget(FoldingRow((what, band), gap_px))
         self.output.edited.connect(lambda number, _: self.change_settings(output=float(number)))
         self.window_length.edited.connect(
             lambda window_ms, _: self.change_settings(window_ms=window_ms)

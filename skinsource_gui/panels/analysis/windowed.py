@@ -24,7 +24,7 @@ from skinsource_gui.panels.analysis.window_strip import (
     windows_heading,
 )
 from skinsource_gui.plots.small_map import SmallMaps, level_style
-from skinsource_gui.qt.fitting import FoldingGroups
+from skinsource_gui.qt.fitting import FoldingRow, grouped
 from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, on_paper
 from skinsource_gui.state.compared import SILENT
@@ -53,8 +53,15 @@ class WindowedView(AnalysisView):
         }
         cut, *others = self.cells.values()
         fields = [part for cell in others for part in (cell.label, cell)]
-        row = FoldingGroups((cut.label, cut, None), (*fields, None), spacing_px=UNIT_PX // 2)
-        in_column(row, (self.strip, 1), of=self, margins=UNIT_PX // 2, gap_px=UNIT_PX // 2)
+        gap_px = UNIT_PX // 2
+        groups = grouped(cut.label, cut, gap_px=gap_px), grouped(*fields, None, gap_px=gap_px)
+        in_column(
+            FoldingRow(groups, gap_px),
+            (self.strip, 1),
+            of=self,
+            margins=UNIT_PX // 2,
+            gap_px=UNIT_PX // 2,
+        )
         self.setFocusProxy(self.strip)
         self.guessed = (self.strip,)
         self.strip.time_chosen.connect(self.playhead_requested)
