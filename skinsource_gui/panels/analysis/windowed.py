@@ -152,7 +152,7 @@ class WindowedView(AnalysisView):
         room = QRectF(0.0, 4.0 * line, width, height - 4.5 * line)
         layout = strip_layout(room, content.windows.count, line)
         width_of = painter.fontMetrics().horizontalAdvance
-        times = windows_heading(content, layout.cells, width_of, heading.width())
+        times = windows_heading(content, width_of, heading.width())
         painter.drawText(heading, 0, self._heading(times))
         with on_paper():
             paint_strip(painter, content, layout, theme)
