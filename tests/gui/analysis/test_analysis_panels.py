@@ -216,7 +216,8 @@ def test_the_wave_says_speed_and_attenuation_along_the_selection(show, window, s
     wave = evaluate(document.design, "line_wave", view=document.view)["line_wave"].wave
     assert f"attenuation {wave.attenuation_db_per_cm:.2f}" in panel.note_label.text
     panel.grab()
-    places = panel.picture._diagrams[1][1]
+    origin, axes = panel.picture.placed[1]
+    places = axes.to_screen(wave.distance_m, wave.level_db) + origin.toTuple()
     panel.picture.move_cursor(QPointF(*places[2]))
     assert panel.note_label.text.startswith("33: ")
     assert panel.table_text().splitlines()[3].startswith("33\t")

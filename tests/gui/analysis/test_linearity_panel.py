@@ -77,8 +77,8 @@ def test_strengths_of_one_stimulus_lie_on_each_other_once_divided(show):
     assert "synthetic" in panel.about.text
     panel.grab()
     # Below the pointer are numbers.
-    frame = panel.picture._placed[1][1].frame
-    at = panel.picture._placed[1][0] + frame.center()
+    frame = panel.picture.placed[1][1].frame
+    at = panel.picture.placed[1][0] + frame.center()
     assert "Strength (m/s²): 2.1" in panel.picture.read(at)
     assert panel.picture.read(QPointF(-5.0, -5.0)) == ""
 
@@ -262,7 +262,7 @@ def test_outputs_are_drawn_band_by_band_over_logarithmic_axes(show, qtbot):
         assert dots.y == pytest.approx(line.y, rel=1e-6)
         assert dots.y / dots.x == pytest.approx(dots.y[0] / dots.x[0], rel=1e-6)
     panel.grab()
-    origin, axes = panel.picture._placed[1]
+    origin, axes = panel.picture.placed[1]
     assert "In the band (m/s²)" in panel.picture.read(origin + axes.frame.center())
 
 
