@@ -15,7 +15,7 @@ from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms import COMMON, kinds
 from skinsource.design.waveforms.periodic import PulseTrain, Saw, Square, Triangle
 from skinsource.design.waveforms.pulses import DampedSine, Noise
-from skinsource.design.waveforms.samples import Drawn, Formula, Layers, Recording
+from skinsource.design.waveforms.samples import Drawn, Formula, Recording
 from skinsource.design.waveforms.tones import (
     AmplitudeModulated,
     Chirp,
@@ -93,8 +93,7 @@ def _samples_of(kind: type[Waveform]) -> Floats:
 
 @lru_cache(maxsize=64)
 def _path_of(kind: type[Waveform]) -> QtGui.QPainterPath:
-    # The wave of many layers would be a blob.
-    return _sheets() if kind is Layers else _wave(_samples_of(kind))
+    return _wave(_samples_of(kind))
 
 
 def _wave(samples: Floats) -> QtGui.QPainterPath:
@@ -114,24 +113,6 @@ def _wave(samples: Floats) -> QtGui.QPainterPath:
         x = np.linspace(_MARGIN_PX, width - _MARGIN_PX, samples.size)
         y = middle - reach * samples / max(np.abs(samples).max(), 1e-300)
         path = arrayToQPath(x, y, finiteCheck=False)
-    return path
-
-
-def _sheets() -> QtGui.QPainterPath:
-    """Return a sheet, and the front edges of two sheets below it."""
-    middle, wide, high, first, step = PICTURE_PX.width() / 2, 11.0, 3.4, 5.7, 3.9
-    path = QtGui.QPainterPath()
-    left, right = middle - wide, middle + wide
-    path.addPolygon(
-        QtGui.QPolygonF(
-            [QPointF(left, first), QPointF(middle, first - high), QPointF(right, first)]
-        )
-    )
-    for sheet in range(3):
-        y = first + sheet * step
-        path.moveTo(left, y)
-        path.lineTo(middle, y + high)
-        path.lineTo(right, y)
     return path
 
 

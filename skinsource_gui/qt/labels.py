@@ -1,4 +1,4 @@
-"""Labels, names in tables, a line for names, a level meter, and the hints of empty panels."""
+"""Labels, names in tables, a level meter, and the hints of empty panels."""
 
 from collections.abc import Sequence
 
@@ -116,28 +116,6 @@ def set_table_look(table: QtWidgets.QTableView) -> None:
     sections.setSectionResizeMode(QtWidgets.QHeaderView.ResizeMode.ResizeToContents)
     sections.setHighlightSections(False)
     table.setItemDelegateForColumn(0, NameDelegate(table))
-
-
-class NameLine(QtWidgets.QLineEdit):
-    """A line for a name, which a first click selects, as the Tab key does in Qt.
-
-    Typing then replaces the name; a further click sets the cursor.
-    """
-
-    def __init__(self) -> None:
-        super().__init__()
-        self._entered = False
-
-    def focusInEvent(self, event: QtGui.QFocusEvent) -> None:
-        super().focusInEvent(event)
-        self._entered = event.reason() == Qt.FocusReason.MouseFocusReason
-
-    def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:
-        super().mouseReleaseEvent(event)
-        # Only now, because the press sets the cursor.
-        if self._entered and not self.hasSelectedText():
-            self.selectAll()
-        self._entered = False
 
 
 #: The left end of the bar, dB of full scale; the right end is full scale.

@@ -23,7 +23,6 @@ from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.pages.limbs import photograph
 from skinsource_gui.qt.buttons import page_button
-from skinsource_gui.qt.labels import NameLine
 from skinsource_gui.qt.layouts import in_row
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
 from skinsource_gui.qt.tooltips import tooltip
@@ -378,8 +377,7 @@ class LimbForm(QObject):
         self._rows = QtWidgets.QFormLayout(self.widget)
         self._rows.setContentsMargins(0, 0, 0, 0)
         self._chosen: dict[str, QtWidgets.QLabel] = {}
-        lines: list[QtWidgets.QLineEdit] = [NameLine() for _ in range(4)]
-        self.name, self.title, self.note, self.order = lines
+        self.name, self.title, self.note, self.order = (QtWidgets.QLineEdit() for _ in range(4))
         self.axes = ChoiceField(_AXES)
         self.axes.set_value(_STARTING_AXES)
         self.numbers = {name: NumberField(spec) for name, spec in _NUMBERS.items()}
