@@ -136,8 +136,6 @@ class Axis:
         Title with the unit.
     factor
         Factor from values to labels.
-    short
-        Title where there is little room; "": there is none.
     log
         Whether it is logarithmic; then both ends are above 0.
     """
@@ -145,7 +143,6 @@ class Axis:
     shown: Range
     title: str
     factor: float = 1.0
-    short: str = ""
     log: bool = False
 
     def part(self, values: Floats) -> Floats:
@@ -160,11 +157,6 @@ class Axis:
         """Return the value at a part of the axis."""
         low, high = self.shown
         return float(low * (high / low) ** part) if self.log else low + part * (high - low)
-
-    def title_in(self, metrics: QtGui.QFontMetricsF, room_px: float) -> str:
-        """Return the title, or the short one where the long one does not fit."""
-        fits = metrics.horizontalAdvance(self.title) <= room_px
-        return self.title if fits or not self.short else self.short
 
     def ticks(self, length_px: float, each_px: float) -> tuple[Tick, ...]:
         """Return ticks on round numbers, about ``each_px`` apart."""
@@ -207,8 +199,7 @@ class Axes:
         """Return the area of the title of x: below the frame, and left of it if that is narrow."""
         frame, line = self.frame, metrics.height()
         room = frame.right() + 2.0 * _GAP_PX
-        title = self.x.title_in(metrics, room)
-        width = min(metrics.horizontalAdvance(title) + 1.0, room)
+        width = min(metrics.horizontalAdvance(self.x.title) + 1.0, room)
         left = min(frame.center().x() - width / 2, room - width)
         return QRectF(left, frame.bottom() + line + 2, width, line)
 
@@ -248,19 +239,16 @@ class Axes:
     def _paint_titles(self, painter: QtGui.QPainter, line: float) -> None:
         """Write titles in the middle of their axes; where these are short, beside labels too."""
         frame, metrics = self.frame, QtGui.QFontMetricsF(painter.font())
-        below = self.title_place(metrics)
-        title = self.x.title_in(metrics, below.width())
         painter.save()
-        _paint_title(painter, below, title)
+        _paint_title(painter, self.title_place(metrics), self.x.title)
         painter.restore()
         painter.save()
         side = QRectF(-frame.bottom(), 1.0, frame.height(), line)
-        title = self.y.title_in(metrics, side.width())
-        if metrics.horizontalAdvance(title) > side.width():
+        if metrics.horizontalAdvance(self.y.title) > side.width():
             side.setLeft(-frame.bottom() - line)
             side.setRight(-_GAP_PX)
         painter.rotate(-90.0)
-        _paint_title(painter, side, title)
+        _paint_title(painter, side, self.y.title)
         painter.restore()
 
 

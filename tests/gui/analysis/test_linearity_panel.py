@@ -241,7 +241,7 @@ def test_strengths_are_velocities_of_the_probe_where_these_are_known(show, qtbot
     settings = settings_of(window.document.view, "linearity", LinearitySettings)
     assert settings.velocity
     over, growth, _ = panel.picture.diagrams
-    assert (over.y.title, over.y.short) == ("Divided (m/s² per mm/s)", "m/s² per mm/s")
+    assert over.y.title == "Divided (m/s² per mm/s)"
     assert growth.x.title == "Probe velocity (mm/s)"
     assert growth.curves[0].x == pytest.approx(1e3 * np.array(fastest))
     assert over.curves[0].y * 1e3 * fastest[0] == pytest.approx(divided)
