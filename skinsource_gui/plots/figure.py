@@ -12,7 +12,6 @@ from skinsource_gui.plots.ranges import Range, Tick, log_ticks, readable_ticks
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.frames import paint_focus_frame
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
-from skinsource_gui.qt.overlays import PALE, paint_updating
 from skinsource_gui.qt.theme import UNIT_PX, Theme, current_theme, on_paper, scaled, tabular
 
 # Letters become no smaller than this part of those around them.
@@ -319,7 +318,6 @@ class Figure(QtWidgets.QWidget):
         super().__init__(parent)
         self.cursor_at: QPointF | None = None
         self.message = ""
-        self._stale = False
         self.setObjectName(name)
         self.setAccessibleName(accessible_name)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -341,11 +339,6 @@ class Figure(QtWidgets.QWidget):
     def keys_area(self) -> QRectF:
         """Return the area in which keys move the cursor; empty: they do not."""
         return QRectF()
-
-    def show_staleness(self, stale: bool) -> None:
-        """Say whether the picture belongs to an older design."""
-        self._stale = stale
-        self.update()
 
     def say(self, message: str) -> None:
         """Show ``message`` instead of the picture; "" shows the picture."""
@@ -375,12 +368,7 @@ class Figure(QtWidgets.QWidget):
             painter.drawText(inner, flags, self.message)
             return
         painter.setFont(scaled(tabular(self.font()), _TEXT))
-        painter.setOpacity(PALE if self._stale else 1.0)
         self.draw(painter, room)
-        painter.setOpacity(1.0)
-        if self._stale:
-            theme = current_theme()
-            paint_updating(painter, room, QtGui.QColor(theme.base), QtGui.QColor(theme.text))
 
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         painter = QtGui.QPainter(self)

@@ -381,7 +381,7 @@ class StripView(QtWidgets.QWidget):
     def __init__(self, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
         self.content: WindowedContent | None = None
-        self.message, self.outdated = "", False
+        self.message = ""
         self.chosen: int | None = None
         self.setObjectName("window_strip")
         self.setAccessibleName("Windows")
@@ -412,11 +412,6 @@ class StripView(QtWidgets.QWidget):
             self.chosen = chosen
             self.update()
 
-    def show_outdated(self, outdated: bool) -> None:
-        """Show whether the content belongs to an older design."""
-        self.outdated = outdated
-        self.update()
-
     def window_under(self, point: QPointF) -> int | None:
         """Return the window under a point."""
         cells = enumerate(self.places.cells)
@@ -427,8 +422,6 @@ class StripView(QtWidgets.QWidget):
         """The text above the strip: what its times are, as long as fits."""
         if self.content is None or self.message:
             return ""
-        if self.outdated:
-            return "Computing…"
         metrics = QtGui.QFontMetrics(tabular(self.font()))
         room = self.places.head.width() - metrics.height()
         if self.content.synthetic:
@@ -452,10 +445,7 @@ class StripView(QtWidgets.QWidget):
         painter.drawText(places.head, right, text)
         painter.setPen(QtGui.QColor(theme.dim))
         painter.drawText(places.head, Qt.AlignmentFlag.AlignVCenter, self.head_text)
-        if self.outdated:
-            painter.setOpacity(0.5)
         paint_strip(painter, self.content, places, theme, self.chosen)
-        painter.setOpacity(1.0)
         if self.hasFocus():
             paint_focus_frame(painter, QRectF(self.rect()), theme)
         painter.end()

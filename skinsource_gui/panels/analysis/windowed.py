@@ -63,7 +63,7 @@ class WindowedView(AnalysisView):
             gap_px=UNIT_PX // 2,
         )
         self.setFocusProxy(self.strip)
-        self.guessed = (self.strip,)
+        self.guessed = self.computed = (self.strip,)
         self.strip.time_chosen.connect(self.playhead_requested)
         self._show_view()
 
@@ -84,6 +84,10 @@ class WindowedView(AnalysisView):
                 "match_gain",
             }
         )
+
+    @property
+    def message(self) -> str:
+        return self.strip.message
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
@@ -126,9 +130,6 @@ class WindowedView(AnalysisView):
             message = SILENT
         self.strip.show_content(content, message)
         self.strip.show_time(self._view.playhead_s)
-
-    def show_staleness(self, stale: bool) -> None:
-        self.strip.show_outdated(stale)
 
     def say_instead(self, message: str) -> None:
         self.strip.show_content(None, message)
