@@ -143,8 +143,6 @@ class SteadyArea(QtWidgets.QScrollArea):
 # Scales to which letters may shrink; and large letters, if they keep at least so many px.
 _SCALES = (1.0, 0.9, 0.8, 0.7, 0.6)
 _SCALES_OF_LARGE, _LEAST_PX = (0.55, 0.5, 0.45, 0.4), 12
-# Letters of texts that may be cut shrink no further than this.
-_WORTH_READING = 0.7
 # Smaller letters are hard to read: a second row is better, if it is possible.
 _READABLE = 0.8
 
@@ -179,20 +177,6 @@ def _text_px(button: QtWidgets.QAbstractButton, metrics: QtGui.QFontMetrics) -> 
     if isinstance(button, QtWidgets.QToolButton):
         text_px += 2 * metrics.horizontalAdvance(" ")
     return text_px
-
-
-def readable_in(text: str, font: QtGui.QFont, room_px: float) -> QtGui.QFont:
-    """Return the largest readable font in which a text fits, or the smallest readable one.
-
-    For texts that may be cut.
-    """
-    fonts = [scaled(font, scale) for scale in _SCALES if scale >= _WORTH_READING]
-    fit = (
-        smaller
-        for smaller in fonts
-        if QtGui.QFontMetrics(smaller).horizontalAdvance(text) <= room_px
-    )
-    return next(fit, fonts[-1])
 
 
 def smallest_font(font: QtGui.QFont) -> QtGui.QFont:

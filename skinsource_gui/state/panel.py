@@ -3,7 +3,6 @@
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, replace
-from functools import partial
 from importlib import import_module
 from pathlib import Path
 from typing import Any, ClassVar
@@ -327,14 +326,6 @@ class PanelRegistry:
         self._in_order: tuple[Panel, ...] = ()
         self._callbacks: list[Meet] = []
 
-    @classmethod
-    def of(cls, *panels: Panel) -> "PanelRegistry":
-        """Return a registry of panels that are made already."""
-        made = cls({panel.name: partial(_same, panel) for panel in panels})
-        for panel in panels:
-            made[panel.name]
-        return made
-
     def __iter__(self) -> Iterator[Panel]:
         # A panel that is made meanwhile is not part of the iteration.
         return iter(self._in_order)
@@ -358,7 +349,3 @@ class PanelRegistry:
         self._callbacks.append(meet)
         for panel in self._in_order:
             meet(panel)
-
-
-def _same(panel: Panel) -> Panel:
-    return panel

@@ -25,7 +25,9 @@ class Bench:
         self.document = Document(Design(limb="synthetic-1", inputs=(track(location=7),)))
         self.panel = HistoryPanel()
         qtbot.addWidget(self.panel)
-        self.historian = Historian(self.document, PanelRegistry.of(self.panel))
+        panels = PanelRegistry({"history": lambda: self.panel})
+        panels["history"]
+        self.historian = Historian(self.document, panels)
         self.panel.resize(300, 400)
         self.panel.show()
 
