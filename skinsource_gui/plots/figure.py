@@ -307,6 +307,8 @@ class Figure(QtWidgets.QWidget):
     ----------
     cursor_at
         Place of the cursor, set by the pointer or the keys; None: there is no cursor.
+    axes
+        The axes in which keys move the cursor; None: they do not, or nothing is drawn yet.
     """
 
     #: What the cursor reads; "" without a cursor.
@@ -317,6 +319,7 @@ class Figure(QtWidgets.QWidget):
     ) -> None:
         super().__init__(parent)
         self.cursor_at: QPointF | None = None
+        self.axes: Axes | None = None
         self.message = ""
         self.setObjectName(name)
         self.setAccessibleName(accessible_name)
@@ -338,7 +341,7 @@ class Figure(QtWidgets.QWidget):
 
     def keys_area(self) -> QRectF:
         """Return the area in which keys move the cursor; empty: they do not."""
-        return QRectF()
+        return QRectF() if self.axes is None or self.message else self.axes.frame
 
     def say(self, message: str) -> None:
         """Show ``message`` instead of the picture; "" shows the picture."""

@@ -268,6 +268,9 @@ class OutputsPanel(Panel):
         if settings != self.settings:
             self.view_changed.emit(with_settings(self._view, self.name, settings))
 
+    def show_state(self, design: Design, view: View) -> None:
+        self.show_selection(view)
+
     def show_problem(self, reason: str) -> None:
         self.say_instead(reason)
 

@@ -28,7 +28,7 @@ from skinsource_gui.panels.analysis.table import OutputTableView, TableRow
 from skinsource_gui.qt.buttons import page_label, tool_button
 from skinsource_gui.qt.fitting import FoldingRow, LetterWidth, grouped
 from skinsource_gui.qt.layouts import in_column
-from skinsource_gui.qt.questions import copied_level
+from skinsource_gui.qt.questions import copied_level, tab_separated
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 
 #: Weighted RMS of each place in use, m/s²; None: drives are no accelerations of the probe.
@@ -112,16 +112,20 @@ def rows(sensation: Sensation, outputs: tuple[int, ...], limb: str = "") -> list
     ]
 
 
-def tab_separated(sensation: Sensation, outputs: tuple[int, ...], limb: str = "") -> str:
+def table_text(sensation: Sensation, outputs: tuple[int, ...], limb: str = "") -> str:
     """Return the table for a spreadsheet; a cell is empty where the panel shows a dash."""
     names = ["output", "place", "above_threshold_db"]
     names += [f"{name.replace(' ', '_').lower()}_db" for name in sensation.by_channel]
     names += ["strength"] if sensation.strength is not None else []
-    lines = ["\t".join(names)]
-    for output in outputs:
-        numbers = (copied_level(level) for level in _numbers(sensation, output))
-        lines.append("\t".join((str(output), output_name(output, limb).short_name, *numbers)))
-    return "\n".join(lines) + "\n"
+    lines = (
+        (
+            str(output),
+            output_name(output, limb).short_name,
+            *map(copied_level, _numbers(sensation, output)),
+        )
+        for output in outputs
+    )
+    return tab_separated((names, *lines))
 
 
 def _numbers(sensation: Sensation, output: int) -> list[float]:
@@ -274,7 +278,7 @@ class PerceptionView(OutputTableView):
     def table_text(self) -> str:
         if self._sensation is None:
             return ""
-        levels = tab_separated(self._sensation, self._outputs, self._limb)
+        levels = table_text(self._sensation, self._outputs, self._limb)
         return levels + contact_table(self._weighted)
 
     def _change(self, message: str = "", **changes: Any) -> None:

@@ -26,7 +26,7 @@ from skinsource_gui.panels.analysis.view import AnalysisView
 from skinsource_gui.plots.figure import NoteLabel
 from skinsource_gui.qt.labels import set_table_look
 from skinsource_gui.qt.layouts import in_column, in_row
-from skinsource_gui.qt.questions import copied_level
+from skinsource_gui.qt.questions import copied_level, tab_separated
 from skinsource_gui.qt.theme import UNIT_PX, scaled, tabular
 from skinsource_gui.state.compared import (
     LEVELS_MATCHED,
@@ -171,15 +171,14 @@ def _column(title: str, head: str, compared: Compared) -> Column:
     return column(hint=f"{title}: dB re 1 m/s², {limb}", numbers=tuple(levels.values()))
 
 
-def tab_separated(columns: Sequence[Column]) -> str:
+def table_text(columns: Sequence[Column]) -> str:
     """Return the table for a spreadsheet; a cell is empty where the panel shows a dash."""
     titles = (column.full_title or column.title for column in columns)
-    lines = ["\t".join(("region_db_re_1_m_per_s2", *titles))]
-    for row, region in enumerate(REGION_OUTPUTS):
-        lines.append(
-            "\t".join((region, *(copied_level(column.numbers[row]) for column in columns)))
-        )
-    return "\n".join(lines) + "\n"
+    lines = (
+        (region, *(copied_level(column.numbers[row]) for column in columns))
+        for row, region in enumerate(REGION_OUTPUTS)
+    )
+    return tab_separated((("region_db_re_1_m_per_s2", *titles), *lines))
 
 
 #: Relative size of the text, with which six columns fit beside the names of regions.
@@ -302,7 +301,7 @@ class RegionsView(AnalysisView):
         self._show_columns()
 
     def table_text(self) -> str:
-        return tab_separated(self.columns)
+        return table_text(self.columns)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)

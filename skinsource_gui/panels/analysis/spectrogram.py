@@ -70,7 +70,6 @@ class SpectrogramPicture(Figure):
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__("spectrogram_picture", "Spectrogram", parent)
         self.content: SpectrogramContent | None = None
-        self.axes: Axes | None = None
         self.range_db: Range = (-SPAN_DB, 0.0)
         self._playhead_s: float | None = None
         self._steady_range = SteadyRange()
@@ -137,9 +136,6 @@ class SpectrogramPicture(Figure):
         long = axes.x.factor == 1.0
         when = f"{time_s:.4f} s" if long else f"{time_s * 1e3:.1f} ms"
         return minus(f"{when} · {frequency_hz:.1f} Hz · {level:z.1f} dB re 1 m/s²")
-
-    def keys_area(self) -> QRectF:
-        return QRectF() if self.axes is None or self.message else self.axes.frame
 
     def _image_place(self, axes: Axes, content: SpectrogramContent) -> QRectF:
         """Return where the image lies: its columns and rows are the middles of their cells."""

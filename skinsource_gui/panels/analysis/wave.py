@@ -19,7 +19,7 @@ from skinsource_gui.panels.analysis.linearity_content import Curve, Diagram
 from skinsource_gui.panels.analysis.linearity_diagram import DiagramsPicture
 from skinsource_gui.panels.analysis.view import FigureView
 from skinsource_gui.plots.figure import Axis
-from skinsource_gui.qt.questions import copied_level, copied_number
+from skinsource_gui.qt.questions import copied_level, tab_separated
 from skinsource_gui.state.compared import SILENT
 
 _REACH_PX = 14.0
@@ -157,19 +157,18 @@ class WaveView(FigureView):
             return ""
         wave = content.wave
         header = ("output", "way_mm", "delay_ms", f"level_{content.axis}_db", "alike")
-        lines = ["\t".join((*header, "counted", "timed"))]
-        distances = wave.distance_m * 1e3, wave.delay_s * 1e3
-        for k, output in enumerate(content.outputs):
-            distance, delay = (copied_number(values[k]) for values in distances)
-            numbers = (
-                distance,
-                delay,
+        lines = (
+            (
+                str(output),
+                1e3 * wave.distance_m[k],
+                1e3 * wave.delay_s[k],
                 copied_level(wave.level_db[k]),
-                copied_number(wave.similarity[k]),
+                wave.similarity[k],
+                *("yes" if flags[k] else "no" for flags in (wave.counted, wave.timed)),
             )
-            used = ("yes" if flags[k] else "no" for flags in (wave.counted, wave.timed))
-            lines.append("\t".join((str(output), *numbers, *used)))
-        return "\n".join(lines) + "\n"
+            for k, output in enumerate(content.outputs)
+        )
+        return tab_separated(((*header, "counted", "timed"), *lines))
 
     @property
     def no_outputs(self) -> str:

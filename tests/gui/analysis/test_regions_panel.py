@@ -10,7 +10,7 @@ from skinsource.design.comparing import Snapshot, region_levels_db
 from skinsource.design.design import Design, track
 from skinsource.design.edits.edit import Edit
 from skinsource.engine.evaluation import evaluate
-from skinsource_gui.panels.analysis.regions import columns_of_people, tab_separated
+from skinsource_gui.panels.analysis.regions import columns_of_people, table_text
 from skinsource_gui.panels.analysis.table import OutputTable, TableRow
 from skinsource_gui.state.compared import Compared
 from skinsource_gui.state.engine import Slot
@@ -111,7 +111,7 @@ def test_silence_has_no_spread():
     quiet, loud = np.zeros(72), np.ones(72)
     *_, mean, spread = columns_of_people([person(1, quiet), person(2, quiet)])
     assert set(mean.texts()) == set(spread.texts()) == {"–"}
-    copied = tab_separated([mean, spread]).splitlines()[1:]
+    copied = table_text([mean, spread]).splitlines()[1:]
     assert {tuple(line.split("\t")[1:]) for line in copied} == {("", "")}
     *_, mean, spread = columns_of_people([person(1, loud), person(2, loud)])
     assert set(mean.texts()) == set(spread.texts()) == {"0.0"}
@@ -123,7 +123,7 @@ def test_what_is_copied_says_whether_limbs_were_measured_and_what_is_a_deviation
         return Compared(snapshot=snapshot, values={"output_levels_db": np.zeros(72)})
 
     people = [person(limb) for limb in ("measured-1", "measured-2", "synthetic-1")]
-    head = tab_separated(columns_of_people(people)).splitlines()[0]
+    head = table_text(columns_of_people(people)).splitlines()[0]
     assert head.split("\t") == [
         "region_db_re_1_m_per_s2",
         "Limb 1, measured",
