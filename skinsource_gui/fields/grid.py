@@ -186,12 +186,17 @@ class FieldGrid(QtWidgets.QWidget):
     """Cells with their labels beside them, in one column or in two where there is room.
 
     In a narrow grid labels stand above their fields.
+
+    Attributes
+    ----------
+    pairs
+        Number of fields side by side.
     """
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._cells: tuple[LabelledCell, ...] = ()
-        self._pairs, self._above = 1, False
+        self.pairs, self._above = 1, False
         self._grid = QtWidgets.QGridLayout(self)
         self._grid.setContentsMargins(0, 0, 0, 0)
         self._grid.setHorizontalSpacing(UNIT_PX)
@@ -201,11 +206,6 @@ class FieldGrid(QtWidgets.QWidget):
     def set_margins(self, left: int, top: int, right: int, bottom: int) -> None:
         """Set the margins around the cells, px."""
         self._grid.setContentsMargins(left, top, right, bottom)
-
-    @property
-    def pairs(self) -> int:
-        """Number of fields side by side."""
-        return self._pairs
 
     def show_cells(self, cells: Sequence[LabelledCell]) -> None:
         """Show these cells, in reading order; others are removed but not deleted."""
@@ -236,8 +236,8 @@ class FieldGrid(QtWidgets.QWidget):
         wide_px = WIDE_PX * letter_scale(self.font())
         pairs = _MOST_PAIRS if self.width() >= wide_px else 1
         above = self.width() < self._paired_px
-        if (pairs, above) != (self._pairs, self._above):
-            self._pairs, self._above = pairs, above
+        if (pairs, above) != (self.pairs, self._above):
+            self.pairs, self._above = pairs, above
             self._arrange()
 
     @property
@@ -258,7 +258,7 @@ class FieldGrid(QtWidgets.QWidget):
         for cell in self._cells:
             if cell.across:
                 row += pair > 0
-                self._grid.addWidget(cell, row, 0, 1, 2 * self._pairs)
+                self._grid.addWidget(cell, row, 0, 1, 2 * self.pairs)
                 row, pair = row + 1, 0
                 continue
             if self._above:
@@ -268,6 +268,6 @@ class FieldGrid(QtWidgets.QWidget):
                 continue
             self._grid.addWidget(cell.label, row, 2 * pair, Qt.AlignmentFlag.AlignTop)
             self._grid.addWidget(cell, row, 2 * pair + 1, Qt.AlignmentFlag.AlignTop)
-            row, pair = (row, pair + 1) if pair + 1 < self._pairs else (row + 1, 0)
+            row, pair = (row, pair + 1) if pair + 1 < self.pairs else (row + 1, 0)
         for pair in range(_MOST_PAIRS):
-            self._grid.setColumnStretch(2 * pair + 1, 1 if pair < self._pairs else 0)
+            self._grid.setColumnStretch(2 * pair + 1, 1 if pair < self.pairs else 0)

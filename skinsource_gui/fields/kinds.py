@@ -71,7 +71,7 @@ _EXAMPLES: tuple[Waveform, ...] = (
 @lru_cache(maxsize=128)
 def waveform_icon(kind: type[Waveform], theme: Theme) -> QtGui.QIcon:
     """Return the icon of a kind of waveform in the colours of a theme."""
-    icon, path = QtGui.QIcon(), _path_of(kind)
+    icon, path = QtGui.QIcon(), _wave(_samples_of(kind))
     for mode, colour in (
         (QtGui.QIcon.Mode.Normal, theme.text),
         (QtGui.QIcon.Mode.Active, theme.on_accent),
@@ -89,11 +89,6 @@ def _samples_of(kind: type[Waveform]) -> Floats:
         return shown.samples(_RATE_HZ)
     except InvalidInputError:
         return np.zeros(2)
-
-
-@lru_cache(maxsize=64)
-def _path_of(kind: type[Waveform]) -> QtGui.QPainterPath:
-    return _wave(_samples_of(kind))
 
 
 def _wave(samples: Floats) -> QtGui.QPainterPath:

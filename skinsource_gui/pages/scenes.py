@@ -165,7 +165,7 @@ class ScenesPage(ToolPage):
     def _fill(self, selected: str) -> None:
         for scene in self._scenes:
             item = QtWidgets.QListWidgetItem(scene.heading)
-            item.setIcon(_icon_of(scene))
+            item.setIcon(QtGui.QIcon(picture_of(scene)))
             self.list.addItem(item)
         names = [scene.name for scene in self._scenes]
         self.list.setCurrentRow(names.index(selected) if selected in names else 0)
@@ -227,25 +227,6 @@ def _scrolled(inside: QtWidgets.QWidget) -> QtWidgets.QScrollArea:
 def picture_of(scene: Scene) -> QtGui.QPixmap:
     """Return the picture of a scene."""
     return QtGui.QPixmap(str(resource_folder() / "scenes" / f"{scene.name}.png"))
-
-
-def _icon_of(scene: Scene) -> QtGui.QIcon:
-    """Return its picture, small, on a white card that looks the same when it is selected."""
-    card = QtGui.QPixmap(QSize(*_ICON_PX))
-    card.fill(Qt.GlobalColor.white)
-    small = picture_of(scene).scaled(
-        card.size(),
-        Qt.AspectRatioMode.KeepAspectRatio,
-        Qt.TransformationMode.SmoothTransformation,
-    )
-    painter = QtGui.QPainter(card)
-    painter.drawPixmap(
-        (card.width() - small.width()) // 2, (card.height() - small.height()) // 2, small
-    )
-    painter.end()
-    icon = QtGui.QIcon(card)
-    icon.addPixmap(card, QtGui.QIcon.Mode.Selected)
-    return icon
 
 
 def _source_of(scene: Scene) -> str:

@@ -13,7 +13,6 @@ from PySide6.QtCore import (
     QModelIndex,
     QObject,
     QPersistentModelIndex,
-    QPoint,
     QRect,
     QSize,
     Qt,
@@ -74,6 +73,9 @@ class PresetsModel(QtGui.QStandardItemModel):
         # The list follows from the files, so that nothing is changed here.
         self.rename_requested.emit(entry, str(value))
         return False
+
+    def supportedDragActions(self) -> Qt.DropAction:
+        return Qt.DropAction.CopyAction
 
     def mimeData(self, indexes: Any) -> QMimeData:
         """Return the files: the window accepts them, and so do other programs."""
@@ -167,8 +169,6 @@ class PresetDelegate(QtWidgets.QStyledItemDelegate):
 
 
 _PLACE = "library"
-# Distance of a dragged preset from the pointer, and largest width of its name.
-_ASIDE_PX, _WIDEST_TAG_PX = 14, 180
 
 
 class PresetList(QtWidgets.QListView):
@@ -222,28 +222,6 @@ class PresetList(QtWidgets.QListView):
         """Let the user type another name, where the preset is the user's own."""
         if self.current_is_own:
             self.edit(self.currentIndex())
-
-    def startDrag(self, actions: Qt.DropAction) -> None:
-        chosen = self.selectedIndexes()
-        if chosen:
-            drag = QtGui.QDrag(self)
-            drag.setMimeData(self.model().mimeData(chosen))
-            drag.setPixmap(self._tag(str(chosen[0].data())))
-            # It lies beside the pointer, so that the target below stays visible.
-            drag.setHotSpot(QPoint(-_ASIDE_PX, -_ASIDE_PX))
-            drag.exec(Qt.DropAction.CopyAction)
-
-    def _tag(self, name: str) -> QtGui.QPixmap:
-        """Return a small label with a name on it."""
-        text = self.fontMetrics().elidedText(name, Qt.TextElideMode.ElideRight, _WIDEST_TAG_PX)
-        tag, theme = QtWidgets.QLabel(text, self), current_theme()
-        tag.setStyleSheet(
-            f"background: {theme.accent}; color: {theme.on_accent}; padding: {UNIT_PX // 2}px"
-        )
-        tag.adjustSize()
-        picture = tag.grab()
-        tag.deleteLater()
-        return picture
 
     def currentChanged(self, current: _Index, previous: _Index) -> None:
         super().currentChanged(current, previous)
