@@ -179,7 +179,7 @@ _TEXTS = {
     "frequencies": ("Frequencies (Hz)", "50, 100, 200, 300", "Of the tests, with commas between"),
     "places": ("Places", "7, 12, 17", "Of the tests: input places, with commas between"),
 }
-_HZ = NumberSpec(label="Frequencies", unit="Hz", minimum=1.0, maximum=600.0)
+_HZ = NumberSpec(label="Frequencies", unit="Hz", minimum=1.0, maximum=1000.0)
 _PLACE = NumberSpec(label="Places", minimum=1, maximum=MOST_LOCATIONS, whole=True)
 _LISTS = {
     "frequencies": ListSpec(label=_HZ.label, of=_HZ, most=200),

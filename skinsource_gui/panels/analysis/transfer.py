@@ -180,7 +180,7 @@ class TransferView(FigureView):
         self._has_inputs = True
         hint = "Draw the share of the power that is not noise, in place of the magnitude"
         self.coherence = tool_button(None, "transfer_coherence", "Coherence", hint, checkable=True)
-        self.coherence.clicked.connect(self._show_coherence)
+        self.coherence.clicked.connect(lambda on: self.change_settings(coherence=on))
         self.place = self.add_above("transfer_place")
         self.choices.addWidget(self.coherence)
         self.choices.addStretch(1)
@@ -257,9 +257,6 @@ class TransferView(FigureView):
             note = "" if self.settings.coherence else " · dotted: noise"
         self.place.say(f"From place {place}, {input_name(place, limb.name).name}{note}")
         self.show_result(_usable_text(transfer, outputs))
-
-    def _show_coherence(self, coherence: bool) -> None:
-        self.change_settings(coherence=coherence)
 
 
 def _usable_text(transfer: Transfer, outputs: tuple[int, ...]) -> str:

@@ -481,14 +481,6 @@ class StripView(QtWidgets.QWidget):
             start = (-1 if step > 0 else n) if self.chosen is None else self.chosen
             self._choose(min(max(start + step, 0), n - 1))
 
-    def focusInEvent(self, event: QtGui.QFocusEvent) -> None:
-        super().focusInEvent(event)
-        self.update()
-
-    def focusOutEvent(self, event: QtGui.QFocusEvent) -> None:
-        super().focusOutEvent(event)
-        self.update()
-
     def _choose(self, window: int) -> None:
         if self.content is not None and not self.message:
             self.time_chosen.emit(self.content.bounds_s[window][0])

@@ -222,12 +222,6 @@ def switch(window, panel, qtbot, name):
     qtbot.waitUntil(lambda: settled(window, panel))
 
 
-def test_a_divided_response_has_the_unit_of_response_and_strength(show):
-    _, panel = show([replace(design, scaling="relative") for design in STRENGTHS])
-    assert panel.picture.diagrams[0].y.title == "Divided (m/s²)"
-    assert not panel.velocity.isVisible()
-
-
 def test_strengths_are_velocities_of_the_probe_where_these_are_known(show, qtbot):
     window, panel = show(STRENGTHS)
     divided = panel.picture.diagrams[0].curves[0].y
