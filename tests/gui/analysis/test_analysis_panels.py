@@ -216,6 +216,10 @@ def test_the_wave_says_speed_and_attenuation_along_the_selection(show, window, s
     wave = evaluate(document.design, "line_wave", view=document.view)["line_wave"].wave
     assert f"attenuation {wave.attenuation_db_per_cm:.2f}" in panel.note_label.text
     panel.grab()
+    line, *dots = panel.picture.diagrams[1].curves
+    slope = np.diff(line.y) / np.diff(line.x)
+    assert slope == pytest.approx(-100.0 * wave.attenuation_db_per_cm)
+    assert [dot.rank for dot in dots] == [0, 1, 2, 3]
     origin, axes = panel.picture.placed[1]
     places = axes.to_screen(wave.distance_m, wave.level_db) + origin.toTuple()
     panel.picture.move_cursor(QPointF(*places[2]))
