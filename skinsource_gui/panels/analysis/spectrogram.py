@@ -111,9 +111,8 @@ class SpectrogramPicture(Figure):
         widest = max(map(metrics.horizontalAdvance, widest_texts))
         scale_px = widest + _SCALE_PX + 2 * UNIT_PX
         inner = room.adjusted(0, 0, -scale_px, 0)
-        self.axes = axes = fitted_axes(
-            inner, _time_axis(content), _frequency_axis(content), metrics
-        )
+        frequency = Axis(shown=content.band_hz, title="Frequency (Hz)")
+        self.axes = axes = fitted_axes(inner, _time_axis(content), frequency, metrics)
         painter.setRenderHint(QtGui.QPainter.RenderHint.SmoothPixmapTransform)
         painter.save()
         painter.setClipRect(axes.frame)
@@ -139,8 +138,9 @@ class SpectrogramPicture(Figure):
 
     def _image_place(self, axes: Axes, content: SpectrogramContent) -> QRectF:
         """Return where the image lies: its columns and rows are the middles of their cells."""
-        time_s, frequency_hz = content.spectrogram.time_s, _rows_frequency(content)
-        x, y = _edges(time_s + content.first_s), _edges(frequency_hz)
+        spectrogram = content.spectrogram
+        x = _edges(spectrogram.time_s + content.first_s)
+        y = _edges(spectrogram.frequency_hz[_rows_within(content)])
         corners = axes.to_screen(np.array(x), np.array(y))
         return QRectF(QPointF(*corners[0]), QPointF(*corners[1])).normalized()
 
@@ -201,10 +201,6 @@ def _rows_within(content: SpectrogramContent) -> slice:
     return slice(max(first - 1, 0), min(max(end, first + 1) + 1, frequency_hz.size))
 
 
-def _rows_frequency(content: SpectrogramContent) -> Floats:
-    return content.spectrogram.frequency_hz[_rows_within(content)]
-
-
 def _edges(middles: Floats) -> Range:
     half = 0.5 * float(middles[1] - middles[0]) if middles.size > 1 else 0.5e-3
     return float(middles[0]) - half, float(middles[-1]) + half
@@ -216,10 +212,6 @@ def _time_axis(content: SpectrogramContent) -> Axis:
     last = last if last > first else first + 1e-3
     unit, factor = axis_unit(last)
     return Axis(shown=(first, last), title=f"Time ({unit})", factor=factor)
-
-
-def _frequency_axis(content: SpectrogramContent) -> Axis:
-    return Axis(shown=content.band_hz, title="Frequency (Hz)")
 
 
 _NARROWEST_HZ, _MOST_NUMBER_PX = 5.0, 84
