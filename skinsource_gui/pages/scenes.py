@@ -183,7 +183,7 @@ class ScenesPage(ToolPage):
     def _fill(self, selected: str) -> None:
         for scene in self._scenes:
             item = QtWidgets.QListWidgetItem(scene.heading)
-            item.setIcon(_icon_of(scene))
+            item.setIcon(QtGui.QIcon(picture_of(scene)))
             self.list.addItem(item)
         names = [scene.name for scene in self._scenes]
         self.list.setCurrentRow(names.index(selected) if selected in names else 0)
@@ -271,22 +271,6 @@ def _recoloured(image: QtGui.QImage, base: QtGui.QColor, text: QtGui.QColor) -> 
     greys = black + (white - black) * high
     pixels[..., :3] = np.round(255.0 * (coloured * bgr + (1.0 - coloured) * greys))
     return image
-
-
-def _icon_of(scene: Scene) -> QtGui.QIcon:
-    """Return its picture, small, on a card that looks the same when it is selected."""
-    card = QtGui.QPixmap(QSize(*_ICON_PX))
-    card.fill(QtGui.QColor(current_theme().base))
-    smooth = Qt.TransformationMode.SmoothTransformation
-    small = picture_of(scene).scaled(card.size(), _KEEP, smooth)
-    area = small.rect()
-    area.moveCenter(card.rect().center())
-    painter = QtGui.QPainter(card)
-    painter.drawPixmap(area, small)
-    painter.end()
-    icon = QtGui.QIcon(card)
-    icon.addPixmap(card, QtGui.QIcon.Mode.Selected)
-    return icon
 
 
 def _source_of(scene: Scene) -> str:
