@@ -9,9 +9,7 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from skinsource.base.arguments import finite_array, positive_number
 from skinsource.base.arrays import Floats
 from skinsource.base.measurement_conditions import BAND_HZ, LARGEST_VELOCITY_M_PER_S, Band
 from skinsource.base.quoting import sentence
@@ -180,7 +178,7 @@ def are_probe_accelerations(limb: Limb, scaling: Scaling, *, actuated: bool) -> 
 
 
 def probe_velocity(
-    acceleration: ArrayLike, sample_rate_hz: float, lowest_hz: float = BAND_HZ[0]
+    acceleration: Floats, sample_rate_hz: float, lowest_hz: float = BAND_HZ[0]
 ) -> float:
     """Return the largest velocity of a probe, m/s, from its acceleration.
 
@@ -196,15 +194,13 @@ def probe_velocity(
     lowest_hz
         Where the measured band begins.
     """
-    data = finite_array("acceleration", acceleration, "(n_times,)")
-    rate = positive_number("sample_rate_hz", sample_rate_hz)
-    if data.ndim != 1 or not data.any():
+    if not acceleration.any():
         return 0.0
-    return float(np.abs(integrated(data, rate, lowest_hz)).max())
+    return float(np.abs(integrated(acceleration, sample_rate_hz, lowest_hz)).max())
 
 
 def fastest_probe(
-    drives: Iterable[ArrayLike], sample_rate_hz: float, band_hz: Band | None = BAND_HZ
+    drives: Iterable[Floats], sample_rate_hz: float, band_hz: Band | None = BAND_HZ
 ) -> float:
     """Return the largest velocity of any of the probes that are driven so, m/s; 0: none is."""
     lowest_hz = lowest_hz_of(band_hz)
