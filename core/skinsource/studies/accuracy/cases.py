@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from skinsource.actuators.models import VoiceCoil
 from skinsource.base.arrays import Floats, Integers
 from skinsource.base.assets import data_folder
-from skinsource.base.errors import FileFormatError, InvalidInputError
+from skinsource.base.errors import FileFormatError
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.base.measurement_conditions import N_AXES, N_INPUTS, N_OUTPUTS, N_TAPS
 from skinsource.base.quoting import printable, quoted
@@ -308,11 +308,6 @@ def cases_of(
 def exact_samples(problem: Convolution, samples: Integers) -> Floats:
     """Return samples of the solution, (n_rows, n_samples), rounded once."""
     taps = np.stack([problem.solution(response) for response in problem.responses])
-    if not np.isfinite(taps).all():
-        raise InvalidInputError(
-            f"{quoted(problem.limb.name)}: a response is not finite, so there are no exact values. "
-            "Install or load the limb again."
-        )
     n_taps = taps.shape[-1]
     integer_taps, taps_exponent = _integers(taps[..., ::-1])
     padding = (0, 0), (n_taps - 1, n_taps - 1)
