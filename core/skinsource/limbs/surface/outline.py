@@ -35,23 +35,21 @@ def distinct_vertices(outline: Floats) -> Indices:
             "coordinates. Correct the outline of the limb's map."
         )
     keep = np.flatnonzero(np.any(outline != np.roll(outline, 1, axis=0), axis=1))
-    if not _span_a_plane(outline[keep]):
-        raise InvalidInputError(
-            f"the outline has {len(keep)} distinct vertices, which enclose no area; expected a "
-            "closed polygon of at least three. Correct the outline of the limb's map."
-        )
+    check_area(outline[keep])
     return keep
 
 
-def _span_a_plane(points: Floats) -> bool:
-    """Whether there are points, and not all on one line."""
-    if len(points) < 3:
-        return False
-    aside = points - points[0]
+def check_area(points: Floats) -> None:
+    """Raise where there are no points, or all of them lie on one line."""
+    aside = points - points[:1]
     distance = np.hypot(*aside.T)
-    along = aside[np.argmax(distance)]
+    along = aside[np.argmax(distance)] if len(points) else np.zeros(2)
     height = np.abs(aside[:, 0] * along[1] - aside[:, 1] * along[0])
-    return bool(height.max() > 1e-9 * distance.max() ** 2)
+    if not height.max(initial=0.0) > 1e-9 * distance.max(initial=0.0) ** 2:
+        raise InvalidInputError(
+            f"the outline has {len(points)} distinct vertices, which enclose no area; expected a "
+            "closed polygon of at least three. Correct the outline of the limb's map."
+        )
 
 
 def densified(outline: Floats, longest: float) -> Floats:
