@@ -191,6 +191,18 @@ def test_outside_a_square_the_nearest_place_on_it_counts(references, noted):
         noted("h outside", np.abs(interpolation.weights.toarray() - expected).max())
 
 
+@pytest.mark.parametrize("off", [1e-6, 1e-3])
+def test_hardly_off_a_line_linear_functions_are_kept(noted, off):
+    random = np.random.default_rng(SEED)
+    sites = np.column_stack([random.uniform(0, 1000, 40), 500 * off * random.uniform(-1, 1, 40)])
+    points = points_within(sites, 1000)
+    interpolation = natural_neighbour_weights(triangulate(sites), points)
+    missed = np.abs(interpolation.weights @ sites - points).max() / np.ptp(sites, axis=0).max()
+    noted("h nearly", missed)
+    astray = np.abs(interpolation.weights.sum(axis=1) - 1) > 1e-12
+    noted("h sound", astray.sum() + np.count_nonzero(~(interpolation.weights.data >= 0)))
+
+
 @pytest.mark.parametrize("off", [0.0, 1e-12, 1e-9, 1e-7, 1e-5, 1e-3, 1e-1])
 @pytest.mark.parametrize("count", [1, 2, 12])
 def test_outputs_on_a_line_are_interpolated_within_any_outline(noted, off, count):
