@@ -257,9 +257,9 @@ def _close_crossings(
 
 
 def nearest_visible(
-    region: SightRegion, vertices: Floats, outputs: Floats, count: int = 2
+    region: SightRegion, vertices: Floats, outputs: Floats
 ) -> tuple[Indices, Floats]:
-    """Find the nearest outputs that each vertex sees.
+    """Find the two nearest outputs that each vertex sees.
 
     Parameters
     ----------
@@ -270,18 +270,18 @@ def nearest_visible(
 
     Returns
     -------
-    index : (n_vertices, count) of int
+    index : (n_vertices, 2) of int
         Nearest first; equally near ones in their order; -1 where fewer are seen.
-    distance : (n_vertices, count)
+    distance : (n_vertices, 2)
         In units of the coordinates; infinite where fewer are seen.
     """
     distances = np.hypot(*np.moveaxis(vertices[:, None] - outputs, 2, 0))
     order = np.argsort(distances, axis=1, kind="stable")
-    index = np.full((len(vertices), count), -1)
-    distance = np.full((len(vertices), count), np.inf)
+    index = np.full((len(vertices), 2), -1)
+    distance = np.full((len(vertices), 2), np.inf)
     n_found = np.zeros(len(vertices), dtype=np.intp)
     for rank in range(order.shape[1]):
-        vertex = np.flatnonzero(n_found < count)
+        vertex = np.flatnonzero(n_found < 2)
         output = order[vertex, rank]
         visible = sees(region, vertices[vertex], outputs[output])
         vertex, output = vertex[visible], output[visible]
