@@ -6,6 +6,7 @@ Findings go with every result, as captions and as lines of files.
 import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
+from operator import mul
 from typing import Literal
 
 import numpy as np
@@ -231,14 +232,6 @@ _UNIT_NOT_KNOWN = Finding(
 )
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class _Drive:
-    """Samples that are played at one place, and their energy."""
-
-    samples: Floats
-    energy: float
-
-
 def drive_findings(
     drives: Sequence[tuple[int, Floats]],
     sample_rate_hz: float,
@@ -268,9 +261,7 @@ def drive_findings(
     spatial_limit_hz
         Up to which the outputs stand close enough; None: it is not known.
     """
-    played = [
-        _Drive(samples=samples, energy=float(np.vdot(samples, samples))) for _, samples in drives
-    ]
+    played = [samples for _, samples in drives]
     return (
         _band(played, sample_rate_hz, band_hz),
         _velocity(played, sample_rate_hz, scaling, band_hz, probe=probe)
@@ -371,16 +362,16 @@ def number_ranges(outputs: Sequence[int]) -> str:
     return parts[0] if len(parts) == 1 else f"{', '.join(parts[:-1])} and {parts[-1]}"
 
 
-def _share(played: Sequence[_Drive], rate: float, band: Band) -> float:
+def _share(played: Sequence[Floats], rate: float, band: Band) -> float:
     """Return the share of the energy of all drives outside a band; 0 in silence."""
-    energy = sum(drive.energy for drive in played)
-    if energy == 0.0:
+    energies = [float(np.vdot(drive, drive)) for drive in played]
+    if sum(energies) == 0.0:
         return 0.0
-    outside = sum(share_outside_band(drive.samples, rate, band) * drive.energy for drive in played)
-    return outside / energy
+    shares = [share_outside_band(drive, rate, band) for drive in played]
+    return sum(map(mul, shares, energies)) / sum(energies)
 
 
-def _band(played: Sequence[_Drive], rate: float, band_hz: Band | None) -> Finding:
+def _band(played: Sequence[Floats], rate: float, band_hz: Band | None) -> Finding:
     if band_hz is None:
         sentence = (
             "In which band this limb was measured is not known, so neither is whether what plays "
@@ -403,7 +394,7 @@ def _band(played: Sequence[_Drive], rate: float, band_hz: Band | None) -> Findin
 
 
 def _velocity(
-    played: Sequence[_Drive], rate: float, scaling: Scaling, band_hz: Band | None, *, probe: bool
+    played: Sequence[Floats], rate: float, scaling: Scaling, band_hz: Band | None, *, probe: bool
 ) -> Finding:
     if scaling != "probe":
         return Finding(
@@ -418,7 +409,7 @@ def _velocity(
     if not probe:
         sentence = "Drives go through actuators here: the actuator panel tells how fast these move."
         return Finding(name="drive", state="unknown", sentence=sentence)
-    fastest = fastest_probe((drive.samples for drive in played), rate, band_hz)
+    fastest = fastest_probe(played, rate, band_hz)
     lowest_hz = lowest_hz_of(band_hz)
     moves, speed = "The probe moves at up to {:.3g} mm/s", fastest * _MM_PER_M
     moved = f"{moves.format(speed)}, from {lowest_hz:g} Hz on"
@@ -437,7 +428,7 @@ def _velocity(
     )
 
 
-def _spacing(played: Sequence[_Drive], rate: float, limit_hz: float | None) -> Finding:
+def _spacing(played: Sequence[Floats], rate: float, limit_hz: float | None) -> Finding:
     if limit_hz is None:
         sentence = (
             "Up to which frequency the outputs of this limb stand close enough for waves is not "
