@@ -79,15 +79,3 @@ def test_listed_quantities_have_the_shapes_that_are_told():
             assert list(shape) == told, name
         assert quantity.about, name
         assert quantity.unit or name.endswith("_samples"), name
-
-
-def test_an_unknown_quantity_is_refused_with_where_to_look():
-    with pytest.raises(InvalidInputError, match=r"'output_levels_db' is meant\. See skinsource\.q"):
-        ss.evaluate(DESIGN, "output_level_db")
-
-
-def test_places_are_public():
-    assert [place.number for place in ss.locations.INPUTS] == list(range(1, 21))
-    assert ss.locations.OUTPUTS[72 - 1].region == "elbow"
-    with pytest.raises(InvalidInputError, match=r"See skinsource\.locations"):
-        ss.predict(LIMB, [[1.0]], [0])
