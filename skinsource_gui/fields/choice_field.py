@@ -8,7 +8,6 @@ from PySide6.QtCore import QPointF, Qt, Signal
 from skinsource.base.quoting import printable
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.editor import MIXED, Burst, Editor
-from skinsource_gui.qt.fitting import readable_in
 from skinsource_gui.qt.tooltips import tooltip
 
 # Between an icon and its text.
@@ -41,17 +40,6 @@ class DropDown(QtWidgets.QComboBox):
         self.view().setMinimumWidth(self.view().sizeHintForColumn(0) + 24)
         super().showPopup()
 
-    def fitted_text(self, room_px: int) -> tuple[QtGui.QFont, str]:
-        """Return the font and the text of the choice for this width.
-
-        Letters shrink before the text is cut, and it is not cut within a letter, as Qt would.
-        """
-        font = readable_in(self.shown_text, self.font(), room_px)
-        cut = QtGui.QFontMetrics(font).elidedText(
-            self.shown_text, Qt.TextElideMode.ElideRight, room_px
-        )
-        return font, cut
-
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         option = QtWidgets.QStyleOptionComboBox()
         self.initStyleOption(option)
@@ -64,8 +52,10 @@ class DropDown(QtWidgets.QComboBox):
             self,
         )
         picture_px = 0 if option.currentIcon.isNull() else option.iconSize.width() + _BESIDE_PX
-        font, option.currentText = self.fitted_text(room.width() - picture_px)
-        painter.setFont(font)
+        # Qt would cut it within a letter.
+        option.currentText = self.fontMetrics().elidedText(
+            self.shown_text, Qt.TextElideMode.ElideRight, room.width() - picture_px
+        )
         painter.drawControl(QtWidgets.QStyle.ControlElement.CE_ComboBoxLabel, option)
         # The theme's style sheet takes away the arrow of the style.
         painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)

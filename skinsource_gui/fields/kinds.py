@@ -2,12 +2,11 @@
 
 from collections.abc import Callable
 from functools import lru_cache
-from math import ceil
 
 import numpy as np
 from pyqtgraph.functions import arrayToQPath
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QPoint, QPointF, QRect, QSize, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, QSize, Qt
 
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
@@ -16,7 +15,7 @@ from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms import COMMON, kinds
 from skinsource.design.waveforms.periodic import PulseTrain, Saw, Square, Triangle
 from skinsource.design.waveforms.pulses import DampedSine, Noise
-from skinsource.design.waveforms.samples import Drawn, Formula, Layers, Recording
+from skinsource.design.waveforms.samples import Drawn, Formula, Recording
 from skinsource.design.waveforms.tones import (
     AmplitudeModulated,
     Chirp,
@@ -29,12 +28,12 @@ from skinsource.design.waveforms.wavelets import Chirplet, Gabor
 from skinsource.specs.samples import Samples
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
-from skinsource_gui.qt.theme import current_theme
+from skinsource_gui.qt.theme import Theme, current_theme
 
 #: Size of an icon, px.
 PICTURE_PX = QSize(30, 18)
 #: Largest number of device pixels per px.
-_SHARPEST = 3
+SHARPEST = 3
 _RATE_HZ = 20_000.0
 _MARGIN_PX = 2.0
 _LINE_PX = 1.2
@@ -70,52 +69,18 @@ _EXAMPLES: tuple[Waveform, ...] = (
 
 
 @lru_cache(maxsize=128)
-def waveform_icon(kind: type[Waveform]) -> QtGui.QIcon:
-    """Return the icon of a kind of waveform, which is drawn when it is first visible."""
-    return QtGui.QIcon(_WaveformEngine(kind))
-
-
-class _WaveformEngine(QtGui.QIconEngine):
-    """Draws an icon in the mode and resolution that Qt asks for; most are never needed."""
-
-    def __init__(self, kind: type[Waveform]) -> None:
-        super().__init__()
-        self._kind = kind
-
-    def scaledPixmap(
-        self, size: QSize, mode: QtGui.QIcon.Mode, state: QtGui.QIcon.State, scale: float
-    ) -> QtGui.QPixmap:
-        del size, state  # icons have one size, and look the same on and off
-        per_px = min(max(ceil(scale), 1), _SHARPEST)
-        return _drawn(_path_of(self._kind), _colour(mode), per_px)
-
-    def pixmap(
-        self, size: QSize, mode: QtGui.QIcon.Mode, state: QtGui.QIcon.State
-    ) -> QtGui.QPixmap:
-        return self.scaledPixmap(size, mode, state, 1.0)
-
-    def actualSize(self, size: QSize, mode: QtGui.QIcon.Mode, state: QtGui.QIcon.State) -> QSize:
-        del mode, state
-        return PICTURE_PX.boundedTo(size)
-
-    def paint(
-        self, painter: QtGui.QPainter, rect: QRect, mode: QtGui.QIcon.Mode, state: QtGui.QIcon.State
-    ) -> None:
-        sharp = painter.device().devicePixelRatioF()
-        picture = self.scaledPixmap(rect.size(), mode, state, sharp)
-        area = QRect(0, 0, PICTURE_PX.width(), PICTURE_PX.height())
-        area.moveCenter(rect.center())
-        painter.drawPixmap(area, picture)
-
-    def clone(self) -> QtGui.QIconEngine:
-        return _WaveformEngine(self._kind)
-
-
-def _colour(mode: QtGui.QIcon.Mode) -> QtGui.QColor:
-    theme = current_theme()
-    if mode == QtGui.QIcon.Mode.Disabled:
-        return QtGui.QColor(theme.dim)
-    return QtGui.QColor(theme.text if mode == QtGui.QIcon.Mode.Normal else theme.on_accent)
+def waveform_icon(kind: type[Waveform], theme: Theme) -> QtGui.QIcon:
+    """Return the icon of a kind of waveform in the colours of a theme."""
+    icon, path = QtGui.QIcon(), _wave(_samples_of(kind))
+    for mode, colour in (
+        (QtGui.QIcon.Mode.Normal, theme.text),
+        (QtGui.QIcon.Mode.Active, theme.on_accent),
+        (QtGui.QIcon.Mode.Selected, theme.on_accent),
+        (QtGui.QIcon.Mode.Disabled, theme.dim),
+    ):
+        for per_px in range(1, SHARPEST + 1):
+            icon.addPixmap(drawn_path(path, PICTURE_PX, colour, _LINE_PX, per_px), mode)
+    return icon
 
 
 def _samples_of(kind: type[Waveform]) -> Floats:
@@ -124,12 +89,6 @@ def _samples_of(kind: type[Waveform]) -> Floats:
         return shown.samples(_RATE_HZ)
     except InvalidInputError:
         return np.zeros(2)
-
-
-@lru_cache(maxsize=64)
-def _path_of(kind: type[Waveform]) -> QtGui.QPainterPath:
-    # The wave of many layers would be a blob.
-    return _sheets() if kind is Layers else _wave(_samples_of(kind))
 
 
 def _wave(samples: Floats) -> QtGui.QPainterPath:
@@ -152,31 +111,16 @@ def _wave(samples: Floats) -> QtGui.QPainterPath:
     return path
 
 
-def _sheets() -> QtGui.QPainterPath:
-    """Return a sheet, and the front edges of two sheets below it."""
-    middle, wide, high, first, step = PICTURE_PX.width() / 2, 11.0, 3.4, 5.7, 3.9
-    path = QtGui.QPainterPath()
-    left, right = middle - wide, middle + wide
-    path.addPolygon(
-        QtGui.QPolygonF(
-            [QPointF(left, first), QPointF(middle, first - high), QPointF(right, first)]
-        )
-    )
-    for sheet in range(3):
-        y = first + sheet * step
-        path.moveTo(left, y)
-        path.lineTo(middle, y + high)
-        path.lineTo(right, y)
-    return path
-
-
-def _drawn(path: QtGui.QPainterPath, colour: QtGui.QColor, per_px: int) -> QtGui.QPixmap:
-    picture = QtGui.QPixmap(PICTURE_PX * per_px)
+def drawn_path(
+    path: QtGui.QPainterPath, size: QSize, colour: str, line_px: float, per_px: int
+) -> QtGui.QPixmap:
+    """Return a picture of a path, with ``per_px`` pixels of the screen for each px."""
+    picture = QtGui.QPixmap(size * per_px)
     picture.setDevicePixelRatio(per_px)
     picture.fill(Qt.GlobalColor.transparent)
     painter = QtGui.QPainter(picture)
     painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
-    pen = QtGui.QPen(colour, _LINE_PX)
+    pen = QtGui.QPen(QtGui.QColor(colour), line_px)
     pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
     painter.strokePath(path, pen)
     painter.end()
@@ -219,7 +163,7 @@ def fill_kind_menu(
 def _add(
     menu: QtWidgets.QMenu, kind: type[Waveform], choose: Callable[[str], None], current: str
 ) -> None:
-    action = menu.addAction(waveform_icon(kind), kind.title)
+    action = menu.addAction(waveform_icon(kind, current_theme()), kind.title)
     action.setObjectName(f"kind_{kind.__name__}")
     action.triggered.connect(lambda: choose(kind.__name__))
     if kind.__name__ == current:
@@ -270,12 +214,18 @@ class KindField(ChoiceField):
             self._menu.close()
         super().hidePopup()
 
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self._picture()
+
     def _picture(self) -> None:
         # Only the icon of the present kind: those of noise and of samples need slow imports, which
         # would delay the start of the window.
         for kind in kinds():
             if kind.__name__ == self.currentData():
-                self.setItemIcon(self.currentIndex(), waveform_icon(kind))
+                icon = waveform_icon(kind, current_theme())
+                self.setItemIcon(self.currentIndex(), icon)
 
     def _forget(self) -> None:
         self._menu = None

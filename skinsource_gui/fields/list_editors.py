@@ -221,16 +221,15 @@ class NumbersEditor(ListEditor):
 class CurveText(ListEditor):
     """Edits the breakpoints of a curve, typed as pairs."""
 
-    def __init__(self, spec: CurveSpec, parent: QtWidgets.QWidget) -> None:
-        self._pairs = spec
+    def __init__(self, spec: CurveSpec | PointsSpec, parent: QtWidgets.QWidget) -> None:
         names = ", ".join(column_label(column) for column in spec.columns)
         super().__init__(spec, parent, f"{spec.hint}. Each point: {names}; semicolons between")
 
     def _read(self, text: str) -> tuple[tuple[float, ...], ...]:
-        return as_known(read_points(text, self._pairs), self._value)
+        return as_known(read_points(text, self._spec), self._value)
 
     def _text(self, value: tuple[Any, ...]) -> str:
-        return points_text(value, self._pairs)
+        return points_text(value, self._spec)
 
 
 _COLUMNS: tuple[Column, ...] = ("frequency", "amplitude")
@@ -268,12 +267,11 @@ class GlideCurve(CurveField):
             self.set_value(tuple((x, y, "straight") for x, y in curve))
 
 
-class PointsEditor(ListEditor):
+class PointsEditor(CurveText):
     """Edits points of time, frequency and amplitude, as a text and as two curves."""
 
     def __init__(self, spec: PointsSpec, parent: QtWidgets.QWidget) -> None:
-        names = ", ".join(column_label(column_spec) for column_spec in spec.columns)
-        super().__init__(spec, parent, f"{spec.hint}. Each point: {names}; semicolons between")
+        super().__init__(spec, parent)
         self.curves: dict[Column, GlideCurve] = {}
         for name, column_spec in zip(_COLUMNS, spec.columns[1:], strict=False):
             curve = GlideCurve(_spec_of(spec.columns[0], column_spec), self)
@@ -293,12 +291,6 @@ class PointsEditor(ListEditor):
         if points != self._value:
             self._value = points
             self.edited.emit(points, gesture)
-
-    def _read(self, text: str) -> tuple[tuple[float, ...], ...]:
-        return as_known(read_points(text, self._spec), self._value)
-
-    def _text(self, value: tuple[Any, ...]) -> str:
-        return points_text(value, self._spec)
 
 
 def _spec_of(time: NumberSpec, column: NumberSpec) -> BreakpointsSpec:

@@ -51,7 +51,6 @@ class AccuracyPlot(Figure):
         super().__init__("accuracy_plot", "Error against run time", parent)
         self._rows: Sequence[Row] = ()
         self._case = ""
-        self._axes: Axes | None = None
         self.say(_NOTHING)
 
     def show_rows(self, rows: Sequence[Row]) -> None:
@@ -71,9 +70,9 @@ class AccuracyPlot(Figure):
             shown=(0.5 * min(times_ms), 20.0 * max(times_ms)), title="Fastest run (ms)", log=True
         )
         y = Axis(shown=(_LEAST_POWER, _MOST_POWER), title="Error (power of ten)")
-        self._axes = fitted_axes(room, x, y, metrics)
-        self._axes.paint(painter, current_theme())
-        points = list(zip(self._rows, self._points(self._axes), strict=True))
+        self.axes = fitted_axes(room, x, y, metrics)
+        self.axes.paint(painter, current_theme())
+        points = list(zip(self._rows, self._points(self.axes), strict=True))
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(QtGui.QColor(current_theme().dim))
         for _, point in points:
@@ -83,16 +82,13 @@ class AccuracyPlot(Figure):
                 self._paint_named(painter, row.way, point)
 
     def read(self, at: QPointF) -> str:
-        points = [] if self._axes is None else self._points(self._axes)
+        points = [] if self.axes is None else self._points(self.axes)
         away = [(point - at).manhattanLength() for point in points]
         if not away or min(away) > _REACH_PX:
             return ""
         row = self._rows[int(np.argmin(away))]
         case, way, error, time_ms = cells_of(row)
         return f"{case}, {way}: error {error} in {time_ms} ms"
-
-    def keys_area(self) -> QRectF:
-        return QRectF() if self._axes is None or self.message else self._axes.frame
 
     def _points(self, axes: Axes) -> list[QPointF]:
         errors = np.array([row.error for row in self._rows])

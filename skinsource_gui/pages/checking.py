@@ -77,7 +77,6 @@ class BoxFigure(Figure):
         super().__init__(name, title, parent)
         self._title = title
         self.groups: Sequence[tuple[str, Floats]] = ()
-        self.axes: Axes | None = None
         self.say(_NOTHING)
 
     def show_groups(self, groups: Sequence[tuple[str, Floats]]) -> None:
@@ -109,9 +108,6 @@ class BoxFigure(Figure):
             f"{label} Hz: median {middle}, quartiles {low} to {high}, whiskers {first} to {last}, "
             f"{values.size} channels"
         )
-
-    def keys_area(self) -> QRectF:
-        return QRectF() if self.axes is None or self.message else self.axes.frame
 
     def _rank_at(self, at: QPointF) -> int | None:
         """Return the index of the group under a point."""

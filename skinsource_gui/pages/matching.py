@@ -15,7 +15,7 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from skinsource.actuators.rigs import Rig
 from skinsource.base.errors import InvalidInputError, SkinSourceError
 from skinsource.base.measurement_conditions import MOST_LOCATIONS
-from skinsource.base.quoting import quoted, sentence
+from skinsource.base.quoting import sentence
 from skinsource.design.amplitudes import amplitude_unit
 from skinsource.design.design import Design
 from skinsource.lab.matching import MOST_AMPLITUDE, STEP_DB, MatchingRun, Presenter, Procedure
@@ -24,8 +24,9 @@ from skinsource.lab.playing.mix import HIGHEST_DB, LOWEST_DB
 from skinsource.lab.playing.session import Playing
 from skinsource.lab.playing.stream import Stream
 from skinsource.limbs.locations import input_name
-from skinsource.specs.numbers import NumberSpec
+from skinsource.specs.numbers import ListSpec, NumberSpec
 from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.fields.units import read_numbers
 from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.qt.buttons import page_button, page_label
 from skinsource_gui.qt.fitting import LetterWidth
@@ -178,7 +179,12 @@ _TEXTS = {
     "frequencies": ("Frequencies (Hz)", "50, 100, 200, 300", "Of the tests, with commas between"),
     "places": ("Places", "7, 12, 17", "Of the tests: input places, with commas between"),
 }
-_MOST_VALUES = 200
+_HZ = NumberSpec(label="Frequencies", unit="Hz", minimum=1.0, maximum=1000.0)
+_PLACE = NumberSpec(label="Places", minimum=1, maximum=MOST_LOCATIONS, whole=True)
+_LISTS = {
+    "frequencies": ListSpec(label=_HZ.label, of=_HZ, most=200),
+    "places": ListSpec(label=_PLACE.label, of=_PLACE, most=200),
+}
 _NUMBER_PX = 140
 
 
@@ -259,8 +265,8 @@ class SetupForm(QtWidgets.QWidget):
         numbers = {name: field.value_si for name, field in self._numbers.items()}
         return Procedure(
             person=self._texts["person"].text().strip(),
-            frequencies_hz=tuple(self._numbers_in("frequencies")),
-            places=tuple(_integer(place) for place in self._numbers_in("places")),
+            frequencies_hz=self._numbers_in("frequencies"),
+            places=tuple(map(int, self._numbers_in("places"))),
             reference_hz=float(numbers["reference_hz"]),
             reference_place=int(numbers["reference_place"]),
             amplitude=float(numbers["amplitude"]),
@@ -268,29 +274,13 @@ class SetupForm(QtWidgets.QWidget):
             limb=limb,
         )
 
-    def _numbers_in(self, name: str) -> list[float]:
-        text = self._texts[name].text()
-        parts = [part for part in text.replace(";", ",").split(",") if part.strip()]
-        try:
-            if len(parts) > _MOST_VALUES:
-                raise ValueError
-            return [float(part) for part in parts]
-        except ValueError:
-            raise InvalidInputError(
-                f"{_TEXTS[name][0].lower()} are {quoted(text)}, expected numbers with commas "
-                "between"
-            ) from None
+    def _numbers_in(self, name: str) -> tuple[float, ...]:
+        return read_numbers(self._texts[name].text(), _LISTS[name])
 
     def _add(self, name: str, label: str, field: QtWidgets.QLineEdit) -> None:
         field.setObjectName(f"matching_{name}")
         field.setAccessibleName(label)
         self._form.addRow(label, field)
-
-
-def _integer(value: float) -> int:
-    if not value.is_integer():
-        raise InvalidInputError(f"places hold {value:g}, expected whole numbers")
-    return int(value)
 
 
 _DEVICE_LOST = (

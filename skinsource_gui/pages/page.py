@@ -8,7 +8,8 @@ from PySide6.QtCore import Qt
 
 from skinsource.base.quoting import sentence
 from skinsource_gui.qt.buttons import page_button, page_label
-from skinsource_gui.qt.theme import UNIT_PX, set_tone, tabular
+from skinsource_gui.qt.labels import set_table_look
+from skinsource_gui.qt.theme import set_tone
 
 
 class ToolPage(QtWidgets.QDialog):
@@ -98,6 +99,7 @@ class RowTable(QtWidgets.QTableWidget):
         super().__init__(0, len(columns))
         self.setObjectName(name)
         self.setAccessibleName(title)
+        set_table_look(self)
         header = self.horizontalHeader()
         for k, (heading, hint) in enumerate(columns.items()):
             item = QtWidgets.QTableWidgetItem(heading)
@@ -105,16 +107,10 @@ class RowTable(QtWidgets.QTableWidget):
             self.setHorizontalHeaderItem(k, item)
             mode = QtWidgets.QHeaderView.ResizeMode
             header.setSectionResizeMode(k, mode.Stretch if k in wide else mode.ResizeToContents)
-        header.setHighlightSections(False)
         self.setEditTriggers(QtWidgets.QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectionBehavior.SelectRows)
         self.setSelectionMode(QtWidgets.QAbstractItemView.SelectionMode.SingleSelection)
-        self.setTabKeyNavigation(False)
-        self.setShowGrid(False)
         self.setWordWrap(False)
-        self.setFont(tabular(self.font()))
-        self.verticalHeader().hide()
-        self.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + UNIT_PX)
 
     def fill(self, rows: Sequence[Sequence[tuple[str, str]]], chosen: int = 0) -> None:
         """Show rows of cells, each a text and its tooltip, and choose one of them."""

@@ -14,7 +14,7 @@ from skinsource.studies.scenes.catalog import all_scenes, opened_plainly, why_no
 from skinsource.studies.scenes.opened_scene import Scene
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.page import ToolPage
-from skinsource_gui.qt.buttons import page_label, scrolled
+from skinsource_gui.qt.buttons import scrolled
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.resources import resource_folder
 from skinsource_gui.qt.screen_fit import fit_by_guess
@@ -73,6 +73,31 @@ _PLAYED_ON = "On which limb the scenes are played: those of the paper, or one of
 _PICTURES = "Pictures are computed on synthetic limbs."
 
 
+class SceneText(QtWidgets.QLabel):
+    """Wraps its text, and is as high as all of it."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("scene_words")
+        self.setTextFormat(Qt.TextFormat.RichText)
+        self.setWordWrap(True)
+        self.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
+
+    def show_text(self, text: str) -> None:
+        """Show another text."""
+        self.setText(text)
+        self._make_room()
+
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._make_room()
+
+    def _make_room(self) -> None:
+        # The text has the same height for most scenes, so that the picture does not move.
+        least = _TEXT_LINES * self.fontMetrics().lineSpacing()
+        self.setMinimumHeight(max(least, self.heightForWidth(self.width())))
+
+
 class ScenesPage(ToolPage):
     """Shows the scenes of the paper, and emits which one is to be opened.
 
@@ -115,11 +140,7 @@ class ScenesPage(ToolPage):
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.list.setSpacing(1)
         self.picture = ScenePicture()
-        self.text = page_label("scene_words")
-        self.text.setTextFormat(Qt.TextFormat.RichText)
-        # The text has the same height for all scenes, so that the picture does not move.
-        self.text.setMinimumHeight(_TEXT_LINES * self.fontMetrics().lineSpacing())
-        self.text.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
+        self.text = SceneText()
         self.buttons = QtWidgets.QDialogButtonBox(
             QtWidgets.QDialogButtonBox.StandardButton.Open
             | QtWidgets.QDialogButtonBox.StandardButton.Cancel
@@ -162,7 +183,7 @@ class ScenesPage(ToolPage):
     def _fill(self, selected: str) -> None:
         for scene in self._scenes:
             item = QtWidgets.QListWidgetItem(scene.heading)
-            item.setIcon(_icon_of(scene))
+            item.setIcon(QtGui.QIcon(picture_of(scene)))
             self.list.addItem(item)
         names = [scene.name for scene in self._scenes]
         self.list.setCurrentRow(names.index(selected) if selected in names else 0)
@@ -194,7 +215,7 @@ class ScenesPage(ToolPage):
             _dim(_source_of(scene)),
         ]
         lines.append(self._reason_text(reason) if reason else self._limbs_text(scene))
-        self.text.setText("<br>".join(lines))
+        self.text.show_text("<br>".join(lines))
 
     def _reason_text(self, reason: str) -> str:
         text = f"Does not apply on {limb_label(self.played_on.value).title}: {reason}"
@@ -250,22 +271,6 @@ def _recoloured(image: QtGui.QImage, base: QtGui.QColor, text: QtGui.QColor) -> 
     greys = black + (white - black) * high
     pixels[..., :3] = np.round(255.0 * (coloured * bgr + (1.0 - coloured) * greys))
     return image
-
-
-def _icon_of(scene: Scene) -> QtGui.QIcon:
-    """Return its picture, small, on a card that looks the same when it is selected."""
-    card = QtGui.QPixmap(QSize(*_ICON_PX))
-    card.fill(QtGui.QColor(current_theme().base))
-    smooth = Qt.TransformationMode.SmoothTransformation
-    small = picture_of(scene).scaled(card.size(), _KEEP, smooth)
-    area = small.rect()
-    area.moveCenter(card.rect().center())
-    painter = QtGui.QPainter(card)
-    painter.drawPixmap(area, small)
-    painter.end()
-    icon = QtGui.QIcon(card)
-    icon.addPixmap(card, QtGui.QIcon.Mode.Selected)
-    return icon
 
 
 def _source_of(scene: Scene) -> str:

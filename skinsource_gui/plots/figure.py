@@ -12,7 +12,6 @@ from skinsource_gui.plots.ranges import Range, Tick, log_ticks, readable_ticks
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.frames import paint_focus_frame
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
-from skinsource_gui.qt.overlays import PALE, paint_updating
 from skinsource_gui.qt.theme import UNIT_PX, Theme, current_theme, on_paper, scaled, tabular
 
 # Letters become no smaller than this part of those around them.
@@ -136,8 +135,6 @@ class Axis:
         Title with the unit.
     factor
         Factor from values to labels.
-    short
-        Title where there is little room; "": there is none.
     log
         Whether it is logarithmic; then both ends are above 0.
     """
@@ -145,7 +142,6 @@ class Axis:
     shown: Range
     title: str
     factor: float = 1.0
-    short: str = ""
     log: bool = False
 
     def part(self, values: Floats) -> Floats:
@@ -160,11 +156,6 @@ class Axis:
         """Return the value at a part of the axis."""
         low, high = self.shown
         return float(low * (high / low) ** part) if self.log else low + part * (high - low)
-
-    def title_in(self, metrics: QtGui.QFontMetricsF, room_px: float) -> str:
-        """Return the title, or the short one where the long one does not fit."""
-        fits = metrics.horizontalAdvance(self.title) <= room_px
-        return self.title if fits or not self.short else self.short
 
     def ticks(self, length_px: float, each_px: float) -> tuple[Tick, ...]:
         """Return ticks on round numbers, about ``each_px`` apart."""
@@ -207,8 +198,7 @@ class Axes:
         """Return the area of the title of x: below the frame, and left of it if that is narrow."""
         frame, line = self.frame, metrics.height()
         room = frame.right() + 2.0 * _GAP_PX
-        title = self.x.title_in(metrics, room)
-        width = min(metrics.horizontalAdvance(title) + 1.0, room)
+        width = min(metrics.horizontalAdvance(self.x.title) + 1.0, room)
         left = min(frame.center().x() - width / 2, room - width)
         return QRectF(left, frame.bottom() + line + 2, width, line)
 
@@ -248,19 +238,16 @@ class Axes:
     def _paint_titles(self, painter: QtGui.QPainter, line: float) -> None:
         """Write titles in the middle of their axes; where these are short, beside labels too."""
         frame, metrics = self.frame, QtGui.QFontMetricsF(painter.font())
-        below = self.title_place(metrics)
-        title = self.x.title_in(metrics, below.width())
         painter.save()
-        _paint_title(painter, below, title)
+        _paint_title(painter, self.title_place(metrics), self.x.title)
         painter.restore()
         painter.save()
         side = QRectF(-frame.bottom(), 1.0, frame.height(), line)
-        title = self.y.title_in(metrics, side.width())
-        if metrics.horizontalAdvance(title) > side.width():
+        if metrics.horizontalAdvance(self.y.title) > side.width():
             side.setLeft(-frame.bottom() - line)
             side.setRight(-_GAP_PX)
         painter.rotate(-90.0)
-        _paint_title(painter, side, title)
+        _paint_title(painter, side, self.y.title)
         painter.restore()
 
 
@@ -320,6 +307,8 @@ class Figure(QtWidgets.QWidget):
     ----------
     cursor_at
         Place of the cursor, set by the pointer or the keys; None: there is no cursor.
+    axes
+        The axes in which keys move the cursor; None: they do not, or nothing is drawn yet.
     """
 
     #: What the cursor reads; "" without a cursor.
@@ -330,8 +319,8 @@ class Figure(QtWidgets.QWidget):
     ) -> None:
         super().__init__(parent)
         self.cursor_at: QPointF | None = None
+        self.axes: Axes | None = None
         self.message = ""
-        self._stale = False
         self.setObjectName(name)
         self.setAccessibleName(accessible_name)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -352,12 +341,7 @@ class Figure(QtWidgets.QWidget):
 
     def keys_area(self) -> QRectF:
         """Return the area in which keys move the cursor; empty: they do not."""
-        return QRectF()
-
-    def show_staleness(self, stale: bool) -> None:
-        """Say whether the picture belongs to an older design."""
-        self._stale = stale
-        self.update()
+        return QRectF() if self.axes is None or self.message else self.axes.frame
 
     def say(self, message: str) -> None:
         """Show ``message`` instead of the picture; "" shows the picture."""
@@ -387,12 +371,7 @@ class Figure(QtWidgets.QWidget):
             painter.drawText(inner, flags, self.message)
             return
         painter.setFont(scaled(tabular(self.font()), _TEXT))
-        painter.setOpacity(PALE if self._stale else 1.0)
         self.draw(painter, room)
-        painter.setOpacity(1.0)
-        if self._stale:
-            theme = current_theme()
-            paint_updating(painter, room, QtGui.QColor(theme.base), QtGui.QColor(theme.text))
 
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         painter = QtGui.QPainter(self)

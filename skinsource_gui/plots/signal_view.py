@@ -42,7 +42,6 @@ from skinsource_gui.plots.plot import Plot
 from skinsource_gui.plots.ranges import Kind, Range, XAxis
 from skinsource_gui.plots.toolbar import PlotToolbar
 from skinsource_gui.qt.buttons import passing_menu
-from skinsource_gui.qt.fitting import VisibleHeight
 from skinsource_gui.qt.keys import KEYS, key_text
 from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.overlays import Staleness
@@ -300,8 +299,6 @@ class SignalExports(QObject):
 
 
 _COMPUTING = "Computing…"
-#: A view of so many lines of text has room for two rows of switches.
-_LINES_OF_TWO_ROWS = 12
 
 
 class SignalView(QtWidgets.QWidget):
@@ -354,8 +351,6 @@ class SignalView(QtWidgets.QWidget):
         self.toolbar.everything_requested.connect(self._show_everything)
         self.plot.reading_changed.connect(self._read)
         self.plot.menu_requested.connect(self._open_menu)
-        self._in_sight = VisibleHeight(self)
-        self._in_sight.changed.connect(self._share_height)
 
     def add_switch_in_menu(
         self, name: str, text: str, hint: str, toggled: Callable[[bool], None]
@@ -406,10 +401,6 @@ class SignalView(QtWidgets.QWidget):
     def set_stale(self, stale: bool) -> None:
         """Say whether curves belong to an older design; this becomes visible after a while."""
         self._staleness.set_stale(stale)
-
-    def _share_height(self) -> None:
-        line_px = self.fontMetrics().lineSpacing()
-        self.toolbar.let_fold(self._in_sight.px >= _LINES_OF_TWO_ROWS * line_px)
 
     def _mark_stale(self, stale: bool) -> None:
         if self.plot.curves is None and not self.plot.message:

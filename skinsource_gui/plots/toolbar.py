@@ -32,8 +32,7 @@ class PlotToolbar(QtWidgets.QWidget):
     """Buttons for the layout, switches of one plot, and a button that leaves a zoom.
 
     Signals tell what the user wants; the owner sets what the buttons show.  In a narrow toolbar
-    letters shrink.  Switches go into a second row before letters are hard to read, if they may, and
-    in any case before texts are cut.
+    letters shrink, and switches go into a second row before letters are hard to read.
     """
 
     #: ``"overlaid"``, ``"stacked"``, or a layout that was added.
@@ -42,7 +41,6 @@ class PlotToolbar(QtWidgets.QWidget):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self._may_fold = True
         self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Fixed)
         self._rows = QtWidgets.QBoxLayout(_BESIDE, self)
         self._rows.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, 1)
@@ -96,12 +94,6 @@ class PlotToolbar(QtWidgets.QWidget):
         button.setChecked(on)
         self._show(button, on)
 
-    def let_fold(self, may_fold: bool) -> None:
-        """Allow or forbid a second row: a low plot needs the room."""
-        if may_fold != self._may_fold:
-            self._may_fold = may_fold
-            self._fit()
-
     def sizeHint(self) -> QSize:
         # Large letters and two rows need more height.
         return super().sizeHint().expandedTo(QSize(0, TOOLBAR_HEIGHT_PX))
@@ -139,10 +131,7 @@ class PlotToolbar(QtWidgets.QWidget):
         smallest = smallest_font(self.font())
         # Without the scroll bar: a row that folded for it would be higher, and keep it.
         room_px = self._room_px(others) + bars_px(self)
-        tight = width_in(readable_of(self.font()), [*first, *others]) > room_px
-        # Texts must not be cut, even if a plot needs the room.
-        cut = width_in(smallest, [*first, *with_exit]) > self._room_px(with_exit)
-        folds = cut or (tight and self._may_fold)
+        folds = width_in(readable_of(self.font()), [*first, *others]) > room_px
         rows = (first, shown) if folds else ([*first, *shown],)
         set_fonts(fitting_font(rows, self.font(), self._room_px(shown)), [*first, *shown])
         direction = _BELOW if folds else _BESIDE

@@ -1,7 +1,7 @@
 """Buttons, labels and scroll areas of pages, buttons of panels, and the swatch of an input."""
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEvent, QRectF, QSize, Qt
+from PySide6.QtCore import QRectF, QSize, Qt
 
 from skinsource_gui.qt.keys import key_text
 from skinsource_gui.qt.theme import current_theme, letter_scale, set_tone, tabular
@@ -162,11 +162,6 @@ class Swatch(QtWidgets.QWidget):
         return QSize(
             max(height, metrics.horizontalAdvance(str(self._number)) + _ROUNDING_PX), height
         )
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.FontChange:
-            self.updateGeometry()
 
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         paint_swatch(

@@ -143,8 +143,6 @@ class SteadyArea(QtWidgets.QScrollArea):
 # Scales to which letters may shrink; and large letters, if they keep at least so many px.
 _SCALES = (1.0, 0.9, 0.8, 0.7, 0.6)
 _SCALES_OF_LARGE, _LEAST_PX = (0.55, 0.5, 0.45, 0.4), 12
-# Letters of texts that may be cut shrink no further than this.
-_WORTH_READING = 0.7
 # Smaller letters are hard to read: a second row is better, if it is possible.
 _READABLE = 0.8
 
@@ -179,20 +177,6 @@ def _text_px(button: QtWidgets.QAbstractButton, metrics: QtGui.QFontMetrics) -> 
     if isinstance(button, QtWidgets.QToolButton):
         text_px += 2 * metrics.horizontalAdvance(" ")
     return text_px
-
-
-def readable_in(text: str, font: QtGui.QFont, room_px: float) -> QtGui.QFont:
-    """Return the largest readable font in which a text fits, or the smallest readable one.
-
-    For texts that may be cut.
-    """
-    fonts = [scaled(font, scale) for scale in _SCALES if scale >= _WORTH_READING]
-    fit = (
-        smaller
-        for smaller in fonts
-        if QtGui.QFontMetrics(smaller).horizontalAdvance(text) <= room_px
-    )
-    return next(fit, fonts[-1])
 
 
 def smallest_font(font: QtGui.QFont) -> QtGui.QFont:
@@ -269,50 +253,11 @@ class VisibleHeight(LayoutWatcher):
         return super().eventFilter(watched, event)
 
 
-_BESIDE, _BELOW = (
-    QtWidgets.QBoxLayout.Direction.LeftToRight,
-    QtWidgets.QBoxLayout.Direction.TopToBottom,
-)
-
-
-class FoldingGroups(QtWidgets.QWidget):
-    """Puts groups of widgets beside each other, or in a narrow room below each other.
-
-    Parameters
-    ----------
-    groups
-        Widgets that stay beside each other; None is a stretch between them.
-    spacing_px
-        Space between widgets, groups and rows.
-    """
-
-    def __init__(self, *groups: Sequence[QtWidgets.QWidget | None], spacing_px: int) -> None:
-        super().__init__()
-        self._box = QtWidgets.QBoxLayout(_BESIDE, self)
-        self._box.setContentsMargins(0, 0, 0, 0)
-        self._box.setSpacing(spacing_px)
-        self._rows: list[QtWidgets.QHBoxLayout] = []
-        for group in groups:
-            row = in_row(*group, gap_px=spacing_px)
-            self._rows.append(row)
-            # The last group gets the room that is left.
-            self._box.addLayout(row, int(len(self._rows) == len(groups)))
-        LayoutWatcher(self).changed.connect(self._fold)
-
-    def minimumSizeHint(self) -> QSize:
-        widest = max(row.minimumSize().width() for row in self._rows)
-        return QSize(widest, self._box.minimumSize().height())
-
-    def _fold(self) -> None:
-        needed = sum(row.minimumSize().width() for row in self._rows)
-        needed += self._box.spacing() * (len(self._rows) - 1)
-        direction = _BESIDE if needed <= self.width() else _BELOW
-        if direction != self._box.direction():
-            self._box.setDirection(direction)
-        height = self._box.minimumSize().height()
-        if height != self.minimumHeight():
-            self.setMinimumHeight(height)
-            self.updateGeometry()
+def grouped(*widgets: QtWidgets.QWidget | None, gap_px: int) -> QtWidgets.QWidget:
+    """Return widgets that stay beside each other; None is a stretch between them."""
+    group = QtWidgets.QWidget()
+    in_row(*widgets, of=group, margins=0, gap_px=gap_px)
+    return group
 
 
 class FoldingRow(QtWidgets.QWidget):
@@ -355,6 +300,12 @@ class FoldingRow(QtWidgets.QWidget):
     def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         self.fold()
+
+    def event(self, event: QEvent) -> bool:
+        done = super().event(event)
+        if event.type() == QEvent.Type.LayoutRequest:
+            self.fold()
+        return done
 
     def fold(self) -> None:
         """Arrange the widgets for the present width and visibility."""

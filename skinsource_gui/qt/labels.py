@@ -1,10 +1,9 @@
-"""Labels, names in tables, a line for names, a level meter, and the hints of empty panels."""
+"""Labels, names in tables, a level meter, and the hints of empty panels."""
 
 from collections.abc import Sequence
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEvent, QModelIndex, QObject, QPersistentModelIndex, QRectF, QSize, Qt
-from shiboken6 import isValid
+from PySide6.QtCore import QEvent, QModelIndex, QPersistentModelIndex, QRectF, QSize, Qt
 
 from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
@@ -70,7 +69,6 @@ class FittingLabel(QtWidgets.QLabel):
 #: Role of the short form of a name in a table; a name without one stays as it is.
 SHORT_NAME = Qt.ItemDataRole.UserRole
 _LEAST_PX = 3 * UNIT_PX
-_REFITTED = (QEvent.Type.Resize, QEvent.Type.FontChange, QEvent.Type.StyleChange)
 # Where fewer letters of a name fit, its short form is better.
 _LETTERS = 7
 
@@ -92,8 +90,8 @@ class NameDelegate(QtWidgets.QStyledItemDelegate):
             + 1
         )
         short, room = index.data(SHORT_NAME), option.rect.width() - 2 * edge
-        if short is None:
-            return
+        if short is None or room <= 0:
+            return  # it is asked how wide the name is
         metrics = option.fontMetrics
         least = metrics.horizontalAdvance(str(short)) + _LETTERS * metrics.averageCharWidth()
         if metrics.horizontalAdvance(str(index.data())) > room and room < least:
@@ -103,8 +101,7 @@ class NameDelegate(QtWidgets.QStyledItemDelegate):
 def set_table_look(table: QtWidgets.QTableView) -> None:
     """Set the look of a table of numbers: dense rows, a name column that shrinks, no grid.
 
-    The first column gets the room that the numbers leave, so that the table scrolls sideways only
-    where even short names do not fit.
+    A name that is too long for its column gives way to its short form.
     """
     table.setFont(tabular(table.font()))
     table.setShowGrid(False)
@@ -119,87 +116,6 @@ def set_table_look(table: QtWidgets.QTableView) -> None:
     sections.setSectionResizeMode(QtWidgets.QHeaderView.ResizeMode.ResizeToContents)
     sections.setHighlightSections(False)
     table.setItemDelegateForColumn(0, NameDelegate(table))
-
-
-def fit_name_column(table: QtWidgets.QTableView) -> None:
-    """Give the first column the room that the others leave, but no more than its names need.
-
-    There must be such a column.  In a wider one, numbers would be too far from their names.
-    """
-    name_width = table.findChild(_NameWidth)
-    (_NameWidth(table) if name_width is None else name_width).begin()
-
-
-class _NameWidth(QObject):
-    """Sets the width of the first column of a table, which owns this object."""
-
-    def __init__(self, table: QtWidgets.QTableView) -> None:
-        super().__init__(table)
-        self._table, model, header = table, table.model(), table.horizontalHeader()
-        header.sectionResized.connect(self._follow)
-        for changed in (model.modelReset, model.dataChanged, model.rowsInserted):
-            changed.connect(self._fit)
-        table.viewport().installEventFilter(self)
-
-    def begin(self) -> None:
-        """Set the width of the first column, which may be a new one."""
-        self._table.horizontalHeader().setSectionResizeMode(
-            0, QtWidgets.QHeaderView.ResizeMode.Fixed
-        )
-        self._fit()
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() in _REFITTED:
-            self._fit()
-        return super().eventFilter(watched, event)
-
-    def _follow(self, section: int) -> None:
-        if section:
-            self._fit()
-
-    def _fit(self) -> None:
-        if not isValid(self._table):
-            return  # a change while the table is deleted
-        header = self._table.horizontalHeader()
-        room = self._table.viewport().width() - (header.length() - header.sectionSize(0))
-        width = min(room, self._names_px())
-        header.resizeSection(0, max(width, header.minimumSectionSize()))
-
-    def _names_px(self) -> int:
-        """Return the width of the longest name or of the header."""
-        table, model = self._table, self._table.model()
-        margin = (
-            table.style().pixelMetric(
-                QtWidgets.QStyle.PixelMetric.PM_FocusFrameHMargin, None, table
-            )
-            + 1
-        )
-        names = (str(model.index(row, 0).data() or "") for row in range(model.rowCount()))
-        metrics = table.fontMetrics()
-        longest = max((metrics.horizontalAdvance(name) for name in names), default=0)
-        return max(longest + 2 * margin + UNIT_PX, table.horizontalHeader().sectionSizeHint(0))
-
-
-class NameLine(QtWidgets.QLineEdit):
-    """A line for a name, which a first click selects, as the Tab key does in Qt.
-
-    Typing then replaces the name; a further click sets the cursor.
-    """
-
-    def __init__(self) -> None:
-        super().__init__()
-        self._entered = False
-
-    def focusInEvent(self, event: QtGui.QFocusEvent) -> None:
-        super().focusInEvent(event)
-        self._entered = event.reason() == Qt.FocusReason.MouseFocusReason
-
-    def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:
-        super().mouseReleaseEvent(event)
-        # Only now, because the press sets the cursor.
-        if self._entered and not self.hasSelectedText():
-            self.selectAll()
-        self._entered = False
 
 
 #: The left end of the bar, dB of full scale; the right end is full scale.

@@ -133,19 +133,12 @@ class StaleOverlay(Overlay):
         painter.fillRect(self.rect(), thin)
         # A widget that is too low for a text stands beside one that has it.
         if self.height() >= _LEAST_LINES * self.fontMetrics().height():
-            text_colour = palette.color(QtGui.QPalette.ColorRole.Text)
-            paint_updating(painter, QRectF(self.rect()), ground, text_colour)
+            metrics = painter.fontMetrics()
+            width = metrics.horizontalAdvance(UPDATING) + 2 * UNIT_PX
+            card = QRectF(0, 0, width, 1.6 * metrics.height())
+            card.moveCenter(QRectF(self.rect()).center())
+            painter.setPen(palette.color(QtGui.QPalette.ColorRole.Text))
+            painter.setBrush(ground)
+            painter.drawRoundedRect(card, _RADIUS_PX, _RADIUS_PX)
+            painter.drawText(card, Qt.AlignmentFlag.AlignCenter, UPDATING)
         painter.end()
-
-
-def paint_updating(
-    painter: QtGui.QPainter, room: QRectF, ground: QtGui.QColor, text_colour: QtGui.QColor
-) -> None:
-    """Write in the middle of ``room``, on a card, that its content is being updated."""
-    metrics = painter.fontMetrics()
-    card = QRectF(0, 0, metrics.horizontalAdvance(UPDATING) + 2 * UNIT_PX, 1.6 * metrics.height())
-    card.moveCenter(room.center())
-    painter.setPen(text_colour)
-    painter.setBrush(ground)
-    painter.drawRoundedRect(card, _RADIUS_PX, _RADIUS_PX)
-    painter.drawText(card, Qt.AlignmentFlag.AlignCenter, UPDATING)

@@ -1,7 +1,7 @@
 """Questions before something is lost, and copying of tables."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 
@@ -53,6 +53,14 @@ def copied_number(value: float) -> str:
 def copied_level(level_db: float) -> str:
     """Return the digits of a level in dB; "" for silence."""
     return copied_number(float(levels_for_tables(level_db)))
+
+
+def tab_separated(lines: Iterable[Iterable[str | float]]) -> str:
+    """Return lines of cells with tabs between them, as spreadsheets read them."""
+    return "".join(
+        "\t".join(cell if isinstance(cell, str) else copied_number(cell) for cell in line) + "\n"
+        for line in lines
+    )
 
 
 class CopyButton(QtWidgets.QToolButton):

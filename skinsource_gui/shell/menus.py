@@ -32,7 +32,7 @@ def fill_menu_bar(
     bar
         To be filled.
     specs, actions
-        The table, and the action of each of its entries.
+        The table, and the action of each of its entries; some have no menu.
     submenus
         Menus that stand after the action of that name.
     panels
@@ -43,7 +43,6 @@ def fill_menu_bar(
     within: dict[tuple[str, str], QtWidgets.QMenu] = {}
     for spec in specs:
         if not spec.menu:
-            bar.window().addAction(actions[spec.name])
             continue
         menu = menus[spec.menu]
         if spec.separated:

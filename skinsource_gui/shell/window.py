@@ -190,6 +190,7 @@ class MainWindow(QtWidgets.QMainWindow):
         steps = StepsMenu(self.document, self)
         submenus = {"open_design": recent, "redo": steps}
         fill_menu_bar(self._menus, ACTIONS, actions, submenus, panels)
+        self.addActions([actions[spec.name] for spec in ACTIONS if not spec.menu])
         choices = [actions[f"arrange_{workspace.name}"] for workspace in WORKSPACES]
         self._head = HeadLine(
             self._menus, actions, steps, self.playback.bar, choices, self.setup_bar

@@ -3,7 +3,6 @@
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, replace
-from functools import partial
 from importlib import import_module
 from pathlib import Path
 from typing import Any, ClassVar
@@ -261,6 +260,9 @@ class OutputsPanel(Panel):
         if settings != self.settings:
             self.view_changed.emit(with_settings(self._view, self.name, settings))
 
+    def show_state(self, design: Design, view: View) -> None:
+        self.show_selection(view)
+
     def show_problem(self, reason: str) -> None:
         self.say_instead(reason)
 
@@ -320,14 +322,6 @@ class PanelRegistry:
         self._in_order: tuple[Panel, ...] = ()
         self._callbacks: list[Meet] = []
 
-    @classmethod
-    def of(cls, *panels: Panel) -> "PanelRegistry":
-        """Return a registry of panels that are made already."""
-        made = cls({panel.name: partial(_same, panel) for panel in panels})
-        for panel in panels:
-            made[panel.name]
-        return made
-
     def __iter__(self) -> Iterator[Panel]:
         # A panel that is made meanwhile is not part of the iteration.
         return iter(self._in_order)
@@ -351,7 +345,3 @@ class PanelRegistry:
         self._callbacks.append(meet)
         for panel in self._in_order:
             meet(panel)
-
-
-def _same(panel: Panel) -> Panel:
-    return panel

@@ -8,9 +8,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.base.errors import FileFormatError, InvalidInputError, Stopped
+from skinsource.base.errors import FileFormatError, Stopped
 from skinsource.limbs.catalog import load_limb
-from skinsource.limbs.limb import Limb
 from skinsource.studies.accuracy import cases as cases_module
 from skinsource.studies.accuracy.cases import (
     Actuation,
@@ -81,19 +80,6 @@ def test_errors_and_fastest_runs_are_measured_on_any_limb(user_data):
     assert all(row.time_s > 0.0 and row.runs >= 1 for row in rows)
     short = [row.error for row in rows if row.case in ("1 input, 0.5 s", "20 inputs, 2 s")]
     assert 0.0 < max(short) <= 1e-14
-
-
-def limb_like(limb, response):
-    return Limb(
-        name="other", hand_length_mm=1.0, synthetic=True, map=limb.map, read_response=response
-    )
-
-
-def test_a_limb_without_finite_responses_has_no_exact_values():
-    limb = CASES["1 input, 0.5 s"].problem.limb
-    broken = limb_like(limb, lambda place: np.full((72, 3, 522), np.inf))
-    with pytest.raises(InvalidInputError, match="not finite"):
-        cases_of(broken, quick=True)
 
 
 def test_measuring_is_told_and_can_be_stopped():

@@ -4,33 +4,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.actuators.simulation import OUTPUTS
 from tests.core.actuators_bench import COIL, PIEZO, RECOIL
-
-
-@pytest.mark.parametrize("hold", ["zero", "first"])
-@pytest.mark.parametrize("actuator", [COIL, RECOIL, PIEZO])
-def test_samples_between_change_nothing_at_the_samples(actuator, hold):
-    voltage = np.sin(0.37 * np.arange(90) ** 2)
-    coarse = actuator.simulate(voltage, 1300.0, hold)
-    k = np.arange(89 * 37 + 1)
-    fine = np.interp(k / 37, np.arange(90), voltage) if hold == "first" else voltage[k // 37]
-    dense = actuator.simulate(fine, 37 * 1300.0, hold)
-    for name in OUTPUTS:
-        exact, values = getattr(coarse, name), getattr(dense, name)[::37]
-        assert np.abs(values - exact).max() <= 1e-12 * np.abs(exact).max()
-
-
-def test_a_block_of_steps_ends_where_the_next_one_goes_on():
-    voltage = np.sin(0.37 * np.arange(70_000) ** 2)
-    whole = COIL.simulate(voltage, 5000.0, "first")
-    for n in (1, 2, 32, 33, 34, 1025, 32_769, 33_000):
-        part = COIL.simulate(voltage[:n], 5000.0, "first")
-        for name in OUTPUTS:
-            exact = getattr(whole, name)
-            values = getattr(part, name)
-            assert values.shape == (n,)
-            assert np.abs(values - exact[:n]).max() <= 1e-14 * np.abs(exact).max()
 
 
 @pytest.mark.parametrize("actuator", [COIL, RECOIL, PIEZO])

@@ -22,7 +22,6 @@ def everything():
         limb.map.visibility,
         limb.response_to(1),
         limb.response_to(20),
-        store.load_mask(1),
     )
     return store.describe(), [array.tobytes() for array in arrays]
 
@@ -32,7 +31,7 @@ def test_damage_outside_the_values_is_refused_or_makes_no_difference(synthetic_i
     random = np.random.default_rng(SEED)
     size = synthetic_installed.stat().st_size
     # Headers of the arrays, and the table of contents.
-    read = (*map(map_name, MAP_SHAPES), "masks/1", "responses/1-1", "responses/1-20")
+    read = (*map(map_name, MAP_SHAPES), "responses/1-1", "responses/1-20")
     heads = [np.arange(-60, 128) + offset_of(synthetic_installed, name) for name in read]
     places = np.concatenate([np.arange(400), *heads, np.arange(size - 8000, size - 32)])
     expected, outcome = everything(), Counter()

@@ -8,7 +8,6 @@ import pytest
 from skinsource.base.errors import (
     DatasetError,
     DatasetMissingError,
-    UnknownLimbError,
 )
 from skinsource.limbs.dataset import store
 from skinsource.limbs.dataset.published import response_name
@@ -22,7 +21,6 @@ RESPONSE_BYTES = 72 * 3 * 522 * 8
     "call",
     [
         lambda: store.load_measured_limb(1),
-        lambda: store.load_mask(1),
         store.describe,
         store.verify,
     ],
@@ -33,14 +31,6 @@ def test_without_a_store_the_message_says_how_to_get_it(call):
         call()
     assert "'skinsource dataset fetch'" in str(caught.value)
     assert "'skinsource dataset install PATH'" in str(caught.value)
-
-
-@pytest.mark.parametrize("number", [0, 5, -1])
-def test_a_limb_that_does_not_exist_is_refused(synthetic_installed, number):
-    with pytest.raises(UnknownLimbError, match=f"measured limb {number} does not exist"):
-        store.load_measured_limb(number)
-    with pytest.raises(UnknownLimbError):
-        store.load_mask(number)
 
 
 def test_opening_a_limb_reads_no_responses_and_one_input_reads_one_chunk(synthetic_installed):

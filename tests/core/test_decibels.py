@@ -1,10 +1,7 @@
-import math
-
 import numpy as np
 import pytest
 
 from skinsource.base.decibels import FLOOR_DB, decibels, levels_for_tables
-from skinsource.base.errors import InvalidInputError
 
 
 @pytest.mark.parametrize(
@@ -27,24 +24,10 @@ def test_levels_are_twenty_times_the_logarithm_and_never_below_the_floor(amplitu
     assert decibels(amplitude) == pytest.approx(level_db, rel=1e-15, abs=0)
 
 
-@pytest.mark.parametrize("amplitude", [math.nan, math.inf, -math.inf, -1.0, -5e-324])
-def test_what_has_no_level_is_refused(amplitude):
-    with pytest.raises(InvalidInputError, match="expected a finite number of zero or more"):
-        decibels(amplitude)
-    with pytest.raises(InvalidInputError, match=r"amplitude at index \(1, 2\) is"):
-        decibels([[1.0, 1.0, 1.0], [1.0, 1.0, amplitude]])
-
-
 @pytest.mark.parametrize("reference", [5e-324, 1e-320, 1e-6, 1.0, 1e300])
 def test_the_reference_has_level_zero_however_extreme_it_is(reference):
     assert decibels(reference, reference) == 0.0
     assert decibels(0.0, reference) == FLOOR_DB
-
-
-@pytest.mark.parametrize("reference", [0.0, -1.0, math.nan, math.inf])
-def test_a_reference_that_is_no_positive_amplitude_is_refused(reference):
-    with pytest.raises(InvalidInputError, match="reference is"):
-        decibels(1.0, reference)
 
 
 def test_tables_hold_no_number_where_silence_has_no_level():

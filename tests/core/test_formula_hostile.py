@@ -109,7 +109,7 @@ def test_ten_thousand_texts_are_played_or_refused_with_a_column(capsys):
 
 
 def test_the_deepest_formula_that_is_allowed_is_played_however_long_it_is():
-    """Nothing of it is recursive; what is held at once does not grow with the length."""
+    """What is held at once grows with the depth, and not with the length."""
     deepest = "(t+" * 29 + "t" + ")" * 29
     assert Formula(text=deepest).samples(1300.0)[130] == pytest.approx(30 * 130 / 1300)
     many = "+".join(["t"] * 250)

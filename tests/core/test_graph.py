@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from benchmarks.graph_drawing import rules_of, updated
 from skinsource.base.errors import Stopped
-from skinsource.cli.graph_drawing import rules_of, updated
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.engine.graph import Graph, UnknownQuantity
@@ -182,7 +182,7 @@ def test_the_document_shows_the_graph_as_it_is():
     text = DOCUMENT.read_text(encoding="utf-8")
     assert updated(text) == text, (
         "docs/internals/rendering.md shows another graph; run "
-        "python -m skinsource.cli.graph_drawing docs/internals/rendering.md"
+        "python benchmarks/graph_drawing.py docs/internals/rendering.md"
     )
 
 

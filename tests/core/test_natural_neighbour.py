@@ -42,15 +42,6 @@ def test_any_sites_give_weights_that_are_shares_and_reproduce_the_point(kind):
     np.testing.assert_allclose(weights @ sites, points, atol=1e-9 * np.ptp(sites))
 
 
-@pytest.mark.parametrize("kind", SITES)
-def test_at_a_site_the_value_is_the_site_s_own(kind):
-    sites = SITES[kind]
-    result = natural_neighbour_weights(triangulate(sites), sites)
-    weights, fallback = result.weights, result.fallback
-    assert not fallback.any()
-    np.testing.assert_array_equal(weights.toarray(), np.eye(len(sites)))
-
-
 @pytest.mark.parametrize("distance", [1e-12, 1e-9, 1e-8, 1e-7, 1e-5, 1e-2])
 def test_near_a_site_the_weights_stay_sound(distance):
     sites = snapped_to_lattice(RANDOM)

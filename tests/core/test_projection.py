@@ -104,15 +104,6 @@ def test_a_wrong_shape_is_refused(shape):
         project_axes(np.zeros(shape))
 
 
-@pytest.mark.parametrize("method", METHODS)
-@pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf])
-def test_a_sample_that_is_no_number_is_named(method, value):
-    data = moving(72, 20)
-    data[51, 1, 17] = value
-    with pytest.raises(InvalidInputError, match="output 52, axis y, sample 17"):
-        project_axes(data, "xz", method)
-
-
 def test_unknown_axes_and_methods_are_refused_with_the_known_ones():
     with pytest.raises(InvalidInputError, match="choose from x, y, z, xy"):
         project_axes(moving(1, 5), "yx")

@@ -10,7 +10,6 @@ import pytest
 
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError
-from skinsource.signals import resampling
 from skinsource.signals import resampling as conversion
 from skinsource.signals.resampling import Kernel, by_ratio
 
@@ -170,20 +169,6 @@ def test_a_matrix_of_weights_gives_what_the_filter_gives(from_hz, to_hz, monkeyp
     filtered = ss.resample(signals, from_hz, to_hz)
     np.testing.assert_allclose(resampled, filtered, rtol=0, atol=2e-14)
     assert not np.array_equal(resampled, filtered)
-
-
-@pytest.mark.parametrize(("from_hz", "to_hz"), [(1300, 48_000), (48_000, 1300), (1300, 1000)])
-def test_a_stretch_has_the_bits_of_the_whole(from_hz, to_hz):
-    signal = np.random.default_rng(4).standard_normal(4 * from_hz)
-    signal[: 2 * from_hz] = signal[3 * from_hz :] = 0.0
-    whole, needed = ss.resample(signal, from_hz, to_hz), resampling.stretch_of(from_hz, to_hz)
-    first = (2 * from_hz - needed.reach) // needed.period * needed.period
-    for begin in (first, first - needed.period):
-        start = begin * to_hz // from_hz
-        part = ss.resample(signal[begin : 3 * from_hz + needed.reach], from_hz, to_hz)
-        np.testing.assert_array_equal(part, whole[start : start + part.size])
-        assert not whole[:start].any()
-        assert not whole[start + part.size :].any()
 
 
 def test_a_filter_longer_than_the_signal_takes_little_memory():

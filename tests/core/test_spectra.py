@@ -3,8 +3,7 @@ import cmath
 import numpy as np
 import pytest
 
-from skinsource.base.errors import InvalidInputError
-from skinsource.signals.spectra import magnitude_spectrum, rms
+from skinsource.signals.spectra import magnitude_spectrum
 
 SEED = 11
 
@@ -30,21 +29,3 @@ def test_spectra_of_odd_and_even_lengths_are_those_of_the_sum(n):
     np.testing.assert_allclose(found_hz, frequency, rtol=1e-15)
     limit = 1e-12 * max(magnitude)
     np.testing.assert_allclose(amplitudes, magnitude, rtol=0, atol=limit, err_msg=f"{SEED=}")
-
-
-@pytest.mark.parametrize("n", [64, 65])
-def test_the_energy_of_the_spectrum_is_that_of_the_signal(n):
-    x = np.random.default_rng(SEED).standard_normal((2, 4, n))
-    _, magnitude = magnitude_spectrum(x, 48000.0)
-    assert magnitude.shape == (2, 4, n // 2 + 1)
-    power = np.square(magnitude)
-    power[..., 1 : (n + 1) // 2] /= 2
-    np.testing.assert_allclose(np.sqrt(power.sum(axis=-1)), rms(x), rtol=1e-13)
-
-
-@pytest.mark.parametrize("x", [1.0, [], np.zeros((72, 0))])
-def test_no_samples_are_refused(x):
-    with pytest.raises(InvalidInputError, match="at least one sample"):
-        rms(x)
-    with pytest.raises(InvalidInputError, match="at least one sample"):
-        magnitude_spectrum(x, 1300.0)

@@ -121,14 +121,6 @@ def test_the_gap_does_not_depend_on_the_size_of_the_motion(noted, scale):
     noted("f gap", np.abs(gaps - [0.5 / 1.5, 0.002 / 1.002]).max())
 
 
-def test_a_gap_needs_square_matrices_of_finite_numbers():
-    for shape in [(3, 3), (2, 3, 2), (2, 0, 0)]:
-        with pytest.raises(InvalidInputError, match="covariance has shape"):
-            main_axis_gap(np.zeros(shape))
-    np.testing.assert_array_equal(main_axis_gap([[[2.0]], [[0.0]]]), [1.0, 0.0])
-    assert main_axis_gap(np.zeros((0, 3, 3))).shape == (0,)
-
-
 def test_signs_are_fixed_by_the_largest_coefficient_and_ties_by_the_first_axis(noted):
     tied = [(1, -1, 0), (-1, 1, 0), (-1, -1, -1), (1, 1, -1), (0, -1, 1), (-1, 0, 1)]
     untied = np.random.default_rng(SEED).standard_normal((50, 3))
@@ -156,18 +148,9 @@ def test_silence_has_the_first_axis(noted):
 def test_what_is_no_number_has_no_axis(noted, value):
     data = np.random.default_rng(SEED).standard_normal((4, 3, 90))
     data[2, 1, 33] = value
-    matrices = np.ones((4, 3, 3))
-    matrices[2, 1, 1] = value
-    for action, message in (
-        (lambda: project_axes(data, "xyz", "pca"), ("output 3", "axis y", "sample 33")),
-        (lambda: no_main_axis(matrices), ("covariance of output 3",)),
-    ):
-        try:
-            action()
-        except InvalidInputError as error:
-            noted("f bad", int(not all(word in str(error) for word in message)))
-        else:
-            noted("f bad", 1)
+    with pytest.raises(InvalidInputError) as refused:
+        project_axes(data, "xyz", "pca")
+    noted("f bad", int("output 3, axis y, sample 33" not in str(refused.value)))
 
 
 @pytest.mark.parametrize("axes", ["xy", "yz", "xyz"])

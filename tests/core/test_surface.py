@@ -50,10 +50,10 @@ def test_limb_1_has_matlab_s_weights(measured_limb, matlab_reference, own_sight)
 
 @pytest.mark.parametrize("number", LIMBS)
 def test_a_measured_limb_has_the_published_mask_and_sound_weights(measured_limb, number):
-    from skinsource.limbs.dataset.store import load_mask
+    from skinsource.limbs.dataset.store import store_path
 
     operator = surface_operator(measured_limb(number))
-    np.testing.assert_array_equal(operator.mask, load_mask(number))
+    np.testing.assert_array_equal(operator.mask, np.load(store_path())[f"masks/{number}"])
     assert operator.fallback_count == operator.blind_vertices == operator.single_vertices == 0
     assert operator.warnings == ()
     totals = operator.weights.sum(axis=1)

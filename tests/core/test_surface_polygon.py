@@ -5,7 +5,6 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from skinsource.base.errors import InvalidInputError
 from skinsource.limbs.surface.outline import (
     count_crossings,
     densified,
@@ -90,11 +89,3 @@ def test_crossings_are_counted_and_touching_is_none():
 def test_repetitions_are_dropped_and_a_closing_vertex_is_one():
     outline = SQUARE[[0, 1, 1, 2, 3, 3, 0]]
     np.testing.assert_array_equal(outline[distinct_vertices(outline)], SQUARE[[1, 2, 3, 0]])
-
-
-@pytest.mark.parametrize(
-    "outline", [SQUARE[:2], SQUARE[[0, 2, 0, 2]], np.zeros((5, 2)), np.zeros((0, 2))]
-)
-def test_an_outline_without_area_is_refused(outline):
-    with pytest.raises(InvalidInputError, match="enclose no area"):
-        distinct_vertices(outline)

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 from skinsource.base.assets import data_folder
-from skinsource.base.errors import UnknownLimbError
 from skinsource.limbs.synthetic import (
     SYNTHETIC_LIMBS,
     Pulse,
@@ -39,12 +38,6 @@ def test_a_synthetic_limb_has_the_shape_of_a_measured_one(number):
 def test_the_largest_sample_of_input_8_is_20(number):
     response = load_synthetic_limb(number).response_to(8)
     assert np.abs(response).max() == pytest.approx(20.0, rel=1e-12)
-
-
-@pytest.mark.parametrize("number", [0, 5, True, "1", None])
-def test_a_limb_that_does_not_exist_is_refused(number):
-    with pytest.raises(UnknownLimbError, match="limbs 1 to 4"):
-        load_synthetic_limb(number)
 
 
 def test_speed_and_decay_follow_the_published_table():

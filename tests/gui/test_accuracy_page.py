@@ -50,7 +50,7 @@ def test_every_row_stands_in_table_and_plot(page, qtbot):
         assert texts[:3] == [CASE, row.way, f"{row.error:.1e}"]
         assert float(texts[3]) == pytest.approx(1e3 * row.time_s, rel=0.01)
     page.plot.repaint()
-    points = page.plot._points(page.plot._axes)
+    points = page.plot._points(page.plot.axes)
     for row, point in zip(page.rows, points, strict=True):
         page.plot.move_cursor(point)
         assert page.message.text().startswith(f"{CASE}, {row.way}: error {row.error:.1e} in ")

@@ -89,7 +89,8 @@ def stage(qtbot):
     for panel in (loud, colourful):
         panel.setParent(window)
     colourful.move(0, loud.height())
-    panels = PanelRegistry.of(loud, colourful)
+    panels = PanelRegistry({"loud": lambda: loud, "colourful": lambda: colourful})
+    panels["loud"], panels["colourful"]
     conductor = Conductor(document, engine, panels)
     PanelController(document, panels)
     window.show()

@@ -34,17 +34,6 @@ def request(x, name="answer"):
     return Request(frozenset({name}), {"x": x})
 
 
-def test_of_the_waiting_requests_only_the_newest_is_evaluated(qtbot, engine, gate, evaluated):
-    outcomes = []
-    engine.finished.connect(outcomes.append)
-    for x in (1, 2, 3, 4):
-        engine.request(request(x))
-    gate.set()
-    qtbot.waitUntil(lambda: len(outcomes) == 2)
-    assert evaluated == [1, 4]
-    assert [outcome.values["answer"] for outcome in outcomes] == [10, 40]
-
-
 def test_who_waits_is_told_as_soon_as_the_evaluation_has_ended(qtbot, engine, gate, evaluated):
     outcomes = []
     engine.finished.connect(outcomes.append)
@@ -56,16 +45,6 @@ def test_who_waits_is_told_as_soon_as_the_evaluation_has_ended(qtbot, engine, ga
     assert not engine.busy
     qtbot.wait(0)
     assert len(outcomes) == 1
-
-
-def test_an_error_is_an_outcome_and_the_engine_goes_on(qtbot, engine, gate):
-    gate.set()
-    with qtbot.waitSignal(engine.finished) as first:
-        engine.request(request(1, "anser"))
-    assert "perhaps 'answer'" in str(first.args[0].error)
-    with qtbot.waitSignal(engine.finished) as second:
-        engine.request(request(1))
-    assert second.args[0].values == {"answer": 10}
 
 
 class Slow:

@@ -57,12 +57,6 @@ def test_a_text_is_told_once_when_it_is_finished_and_not_if_it_stays(make_cell):
     assert cell.field.text() == "abcde"
 
 
-def test_a_frequency_outside_the_measured_band_is_remarked_on(make_cell):
-    assert "measured band" in make_cell(FREQUENCY, 610.0).note
-    assert make_cell(FREQUENCY, 600.0).note == ""
-    assert make_cell(NumberSpec(label="Length", unit="s", maximum=700.0), 610.0).note == ""
-
-
 def test_a_kind_of_field_without_an_editor_is_shown_and_never_taken_for_another_one(make_cell):
     cell = make_cell(PlainSpec(label="Shape"), (1.0, 2.0))
     assert type(cell.field) is ValueLabel

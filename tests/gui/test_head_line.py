@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QApplication, QMenu, QToolButton, QWidget
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.shell.actions import MENUS
 from skinsource_gui.shell.bars import StepsMenu
 from skinsource_gui.state.document import Document
 
@@ -152,6 +153,11 @@ def test_one_line_of_36_px_holds_menus_steps_transport_workspaces_limb_and_searc
     ]
     assert window.setup_bar.findChild(QWidget, "limb").shown_text == "Synthetic 1"
     assert window.docks["skin"].geometry().top() <= 40
+
+
+def test_the_line_has_the_menus_and_nothing_else_that_the_palette_finds(window):
+    titles = [action.text().replace("&", "") for action in window._menus.actions()]
+    assert titles == list(MENUS)
 
 
 def test_where_there_is_little_room_workspaces_fold_and_menus_stay(window, qtbot):

@@ -1,13 +1,13 @@
 """Labels, lines and areas that adapt to their room, and pictures that are kept."""
 
 import pytest
-from PySide6.QtCore import QEvent, QObject, QRectF, QSize, Qt
+from PySide6.QtCore import QEvent, QObject, QRectF, QSize
 from PySide6.QtGui import QColor, QImage, QPainter
-from PySide6.QtWidgets import QApplication, QLineEdit, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QVBoxLayout, QWidget
 
 from skinsource_gui.qt.fitting import SteadyArea
 from skinsource_gui.qt.frames import CachedPicture
-from skinsource_gui.qt.labels import FittingLabel, NameLine
+from skinsource_gui.qt.labels import FittingLabel
 from skinsource_gui.qt.overlays import Staleness
 
 
@@ -25,24 +25,6 @@ def test_a_fitting_label_shows_the_longest_phrase_that_fits_or_dots(qtbot):
     label.resize(label.minimumSizeHint().width() - 8, 20)
     assert label.text().endswith("…")
     assert label.fontMetrics().horizontalAdvance(label.text()) <= label.width()
-
-
-def test_what_is_typed_after_the_first_click_takes_the_place_of_the_name(qtbot):
-    host, line = QWidget(), NameLine()
-    qtbot.addWidget(host)
-    column = QVBoxLayout(host)
-    column.addWidget(QLineEdit())
-    column.addWidget(line)
-    host.show()
-    host.activateWindow()
-    qtbot.waitUntil(host.isActiveWindow)
-    host.findChild(QLineEdit).setFocus()
-    line.setText("hand")
-    qtbot.mouseClick(line, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(line.hasFocus)
-    assert line.selectedText() == "hand"
-    qtbot.keyClicks(line, "lab")
-    assert line.text() == "lab"
 
 
 def test_only_what_is_stale_for_a_while_is_called_so_and_it_ends_at_once(qapp, qtbot):

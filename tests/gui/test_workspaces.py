@@ -253,19 +253,13 @@ def test_a_file_leaves_the_arrangement_as_it_is(window, settle, tmp_path):
     assert sizes(window) == before
 
 
-def test_a_scene_shows_its_workspace_as_it_was_left_and_says_so(window, settle):
-    window.do(ANALYSE)
-    settle()
-    window.docks["spectra"].hide()
-    window.do(COMPOSE)
-    settle()
+def test_a_scene_opens_on_the_stage_and_the_own_arrangement_comes_back(window, settle):
     window.docks["hand"].hide()
     own = in_sight(window)
     window.scenes.open("1C")
     settle()
-    assert window.actions_by_name[ANALYSE].isChecked()
-    assert "Analyse" in window.statusBar().currentMessage()
-    assert "spectra" not in in_sight(window)
+    assert window.actions_by_name[PRESENT].isChecked()
+    assert in_sight(window) == {"stage"}
     window.do(COMPOSE)
     assert in_sight(window) == own
 
@@ -353,7 +347,5 @@ def test_a_layout_with_a_former_name_of_a_panel_shows_the_panel(window, settle, 
     window.docks["output"].hide()
     old = present.replace(_stored_name("output"), _stored_name(former))
     assert old != present
-    for restore in (window.workspaces.show_panels, window.workspaces.put):
-        restore(old)
-        assert window.docks["output"].isVisible()
-        window.docks["output"].hide()
+    window.workspaces.put(old)
+    assert window.docks["output"].isVisible()

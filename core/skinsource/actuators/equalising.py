@@ -13,7 +13,7 @@ True
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from math import ceil, log2
 from typing import ClassVar
@@ -364,12 +364,10 @@ QUALITY = NumberSpec(
     logarithmic=True,
     hint="That of the actuator",
 )
-NEW_QUALITY = NumberSpec(
+NEW_QUALITY = replace(
+    QUALITY,
     label="New quality",
-    minimum=0.3,
     maximum=10.0,
-    step=0.02,
-    logarithmic=True,
     hint="What takes its place; 0.7 rings no longer than it must",
 )
 

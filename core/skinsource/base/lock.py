@@ -147,13 +147,6 @@ class Lock:
         self.file = file
         self.path = file.parent / f".{file.name}.lock"
 
-    def owner(self) -> Owner | None:
-        """Return the process that has the file; None: none that runs, or this one."""
-        owner = self._recorded_owner()
-        if owner is None or owner.is_same(this_process()) or _has_ended(owner):
-            return None
-        return owner
-
     def take(self, *, from_other: bool = False) -> Owner | None:
         """Lock the file for this process; return the process that has it, None on success.
 

@@ -486,7 +486,7 @@ def contact_weighted_rms(
     if not are_probe_accelerations(limb_data, scaling, actuated=actuation is not None):
         return None
     return tuple(
-        (location, float(weighted_rms(np.trim_zeros(played), limb_data.sample_rate_hz)))
+        (location, weighted_rms(np.trim_zeros(played), limb_data.sample_rate_hz))
         for location, played in place_drives
         if played.any()
     )

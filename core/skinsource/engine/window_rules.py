@@ -47,13 +47,12 @@ def windows(
     sample_rate_hz: float,
 ) -> Windows:
     """Windows in which the response to the stimulus arrives."""
-    by_count = windows_cut == "count"
     return windows_over(
         max(response_samples - limb_data.n_taps + 1, 1),
         response_samples,
         sample_rate_hz,
-        count=window_count if by_count else None,
-        window_s=None if by_count else window_s,
+        count=window_count if windows_cut == "count" else None,
+        window_s=window_s,
         delay_s=limb_data.pre_trigger_delay_s,
     )
 

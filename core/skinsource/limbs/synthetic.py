@@ -16,16 +16,13 @@ from numpy.typing import NDArray
 
 from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.assets import data_folder
-from skinsource.base.errors import UnknownLimbError
 from skinsource.base.measurement_conditions import (
     N_AXES,
     N_INPUTS,
     N_OUTPUTS,
     N_TAPS,
     SAMPLE_RATE_HZ,
-    check_input_location,
 )
-from skinsource.base.quoting import quoted
 from skinsource.limbs.hand import HAND_LENGTH_PX, HandShape, drawn_hand
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.locations import ARM_REGIONS, DIGITS, INPUTS, OUTPUTS
@@ -246,13 +243,7 @@ class SyntheticModel:
         """Return the responses to one input place, (72 outputs, 3 axes, 522 taps), in m/s².
 
         S(w) sqrt(r0 / (r0 + r)) exp(-i k r) 10^(-L/20) B(w), split over the axes.
-
-        Raises
-        ------
-        InvalidInputError
-            There is no such input place.
         """
-        check_input_location(location)
         row = location - 1
         wave = np.exp(-1j * self.wavenumber_rad_m * self.path_m[row][:, None])
         wave *= self.pulse
@@ -268,31 +259,9 @@ class SyntheticModel:
         return response
 
 
-def synthetic_model(number: int) -> SyntheticModel:
-    """Prepare a built-in synthetic limb from the shipped parameters.
-
-    Each is prepared once and cached, 0.7 MB; its arrays cannot be written to.
-
-    Parameters
-    ----------
-    number
-        1 to 4.
-
-    Raises
-    ------
-    UnknownLimbError
-        There is no such limb.
-    """
-    if number not in SYNTHETIC_LIMBS or isinstance(number, bool):
-        raise UnknownLimbError(
-            f"synthetic limb {quoted(number)} does not exist: there are the limbs 1 to "
-            f"{len(SYNTHETIC_LIMBS)}. Choose one of them."
-        )
-    return _model(int(number))
-
-
 @cache
-def _model(number: int) -> SyntheticModel:
+def synthetic_model(number: int) -> SyntheticModel:
+    """Prepare synthetic limb 1 to 4 from the shipped parameters; its arrays cannot be written."""
     shared = _parameters()
     limb = next(entry for entry in shared["limbs"] if entry["number"] == number)
     model = _prepare(shared, limb)
@@ -358,11 +327,6 @@ def load_synthetic_limb(number: int) -> Limb:
 
     Responses are computed when touched, one input place at a time, without noise; the same
     numbers come out at every load.
-
-    Raises
-    ------
-    UnknownLimbError
-        There is no such limb.
     """
     model = synthetic_model(number)
     return Limb(

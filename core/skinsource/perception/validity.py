@@ -6,12 +6,11 @@ Findings go with every result, as captions and as lines of files.
 import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
+from operator import mul
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from skinsource.base.arguments import finite_array, positive_number
 from skinsource.base.arrays import Floats
 from skinsource.base.measurement_conditions import BAND_HZ, LARGEST_VELOCITY_M_PER_S, Band
 from skinsource.base.quoting import sentence
@@ -180,7 +179,7 @@ def are_probe_accelerations(limb: Limb, scaling: Scaling, *, actuated: bool) -> 
 
 
 def probe_velocity(
-    acceleration: ArrayLike, sample_rate_hz: float, lowest_hz: float = BAND_HZ[0]
+    acceleration: Floats, sample_rate_hz: float, lowest_hz: float = BAND_HZ[0]
 ) -> float:
     """Return the largest velocity of a probe, m/s, from its acceleration.
 
@@ -196,15 +195,13 @@ def probe_velocity(
     lowest_hz
         Where the measured band begins.
     """
-    data = finite_array("acceleration", acceleration, "(n_times,)")
-    rate = positive_number("sample_rate_hz", sample_rate_hz)
-    if data.ndim != 1 or not data.any():
+    if not acceleration.any():
         return 0.0
-    return float(np.abs(integrated(data, rate, lowest_hz)).max())
+    return float(np.abs(integrated(acceleration, sample_rate_hz, lowest_hz)).max())
 
 
 def fastest_probe(
-    drives: Iterable[ArrayLike], sample_rate_hz: float, band_hz: Band | None = BAND_HZ
+    drives: Iterable[Floats], sample_rate_hz: float, band_hz: Band | None = BAND_HZ
 ) -> float:
     """Return the largest velocity of any of the probes that are driven so, m/s; 0: none is."""
     lowest_hz = lowest_hz_of(band_hz)
@@ -233,14 +230,6 @@ _UNIT_NOT_KNOWN = Finding(
         f"{_LIMIT}."
     ),
 )
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class _Drive:
-    """Samples that are played at one place, and their energy."""
-
-    samples: Floats
-    energy: float
 
 
 def drive_findings(
@@ -272,9 +261,7 @@ def drive_findings(
     spatial_limit_hz
         Up to which the outputs stand close enough; None: it is not known.
     """
-    played = [
-        _Drive(samples=samples, energy=float(np.vdot(samples, samples))) for _, samples in drives
-    ]
+    played = [samples for _, samples in drives]
     return (
         _band(played, sample_rate_hz, band_hz),
         _velocity(played, sample_rate_hz, scaling, band_hz, probe=probe)
@@ -375,16 +362,16 @@ def number_ranges(outputs: Sequence[int]) -> str:
     return parts[0] if len(parts) == 1 else f"{', '.join(parts[:-1])} and {parts[-1]}"
 
 
-def _share(played: Sequence[_Drive], rate: float, band: Band) -> float:
+def _share(played: Sequence[Floats], rate: float, band: Band) -> float:
     """Return the share of the energy of all drives outside a band; 0 in silence."""
-    energy = sum(drive.energy for drive in played)
-    if energy == 0.0:
+    energies = [float(np.vdot(drive, drive)) for drive in played]
+    if sum(energies) == 0.0:
         return 0.0
-    outside = sum(share_outside_band(drive.samples, rate, band) * drive.energy for drive in played)
-    return outside / energy
+    shares = [share_outside_band(drive, rate, band) for drive in played]
+    return sum(map(mul, shares, energies)) / sum(energies)
 
 
-def _band(played: Sequence[_Drive], rate: float, band_hz: Band | None) -> Finding:
+def _band(played: Sequence[Floats], rate: float, band_hz: Band | None) -> Finding:
     if band_hz is None:
         sentence = (
             "In which band this limb was measured is not known, so neither is whether what plays "
@@ -407,7 +394,7 @@ def _band(played: Sequence[_Drive], rate: float, band_hz: Band | None) -> Findin
 
 
 def _velocity(
-    played: Sequence[_Drive], rate: float, scaling: Scaling, band_hz: Band | None, *, probe: bool
+    played: Sequence[Floats], rate: float, scaling: Scaling, band_hz: Band | None, *, probe: bool
 ) -> Finding:
     if scaling != "probe":
         return Finding(
@@ -422,7 +409,7 @@ def _velocity(
     if not probe:
         sentence = "Drives go through actuators here: the actuator panel tells how fast these move."
         return Finding(name="drive", state="unknown", sentence=sentence)
-    fastest = fastest_probe((drive.samples for drive in played), rate, band_hz)
+    fastest = fastest_probe(played, rate, band_hz)
     lowest_hz = lowest_hz_of(band_hz)
     moves, speed = "The probe moves at up to {:.3g} mm/s", fastest * _MM_PER_M
     moved = f"{moves.format(speed)}, from {lowest_hz:g} Hz on"
@@ -441,7 +428,7 @@ def _velocity(
     )
 
 
-def _spacing(played: Sequence[_Drive], rate: float, limit_hz: float | None) -> Finding:
+def _spacing(played: Sequence[Floats], rate: float, limit_hz: float | None) -> Finding:
     if limit_hz is None:
         sentence = (
             "Up to which frequency the outputs of this limb stand close enough for waves is not "

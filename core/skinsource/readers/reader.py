@@ -15,7 +15,7 @@ import scipy
 from numpy.typing import NDArray
 
 from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError, RecordingError
+from skinsource.base.errors import RecordingError
 from skinsource.base.files import path_text
 from skinsource.readers import limits
 
@@ -227,19 +227,7 @@ def dft321(axes: Floats) -> Floats:
     ----------
     axes : (3, n)
         The axes, in one unit; the transform is that of all n samples.
-
-    Raises
-    ------
-    InvalidInputError
-        They are not three rows of one or more finite numbers.
     """
-    axes = np.asarray(axes, dtype=np.float64)
-    if axes.ndim != 2 or axes.shape[0] != N_AXES or not axes.shape[1]:
-        raise InvalidInputError(
-            f"axes have the shape {axes.shape}, expected (3, n) with one sample or more; give three"
-        )
-    if not np.isfinite(axes).all():
-        raise InvalidInputError("axes hold numbers that are not finite, expected none; leave out")
     spectra = scipy.fft.rfft(axes, axis=1)
     total = spectra.sum(axis=0)
     size = np.abs(total)

@@ -11,7 +11,7 @@ from typing import Literal, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from skinsource.base.arguments import LARGEST_SAMPLE, finite_array, one_of, real_array
+from skinsource.base.arguments import LARGEST_SAMPLE, one_of, real_array
 from skinsource.base.arrays import Booleans, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import AXES, Axes, axis_numbers
@@ -131,7 +131,7 @@ def principal_axis_of(covariance: Floats) -> Floats:
     return axis
 
 
-def main_axis_gap(covariance: ArrayLike) -> Floats:
+def main_axis_gap(covariance: Floats) -> Floats:
     """Return how distinct the main axis is, (s1 - s2) / s1 of the data's singular values.
 
     The data are centred.  Noise of relative size e turns the main axis by about e / gap (Davis and
@@ -145,34 +145,19 @@ def main_axis_gap(covariance: ArrayLike) -> Floats:
     Returns
     -------
     (n_outputs,), from 0 for motion on a circle to 1 for motion on a line; 0 where nothing moves.
-
-    Raises
-    ------
-    InvalidInputError
-        Wrong shape, or values that are not finite.
     """
-    matrices = real_array("covariance", covariance, "(n_outputs, n_axes, n_axes)")
-    if matrices.ndim != 3 or matrices.shape[1] != matrices.shape[2] or matrices.shape[1] == 0:
-        raise InvalidInputError(
-            f"covariance has shape {matrices.shape}, expected (n_outputs, n_axes, n_axes)"
-        )
-    if not np.isfinite(matrices).all():
-        output = np.argwhere(~np.isfinite(matrices))[0][0]
-        raise InvalidInputError(f"covariance of output {output + 1} is not a finite number")
     # Rounding makes some of them slightly negative.
-    values = np.sqrt(np.maximum(np.linalg.eigvalsh(matrices), 0.0))
+    values = np.sqrt(np.maximum(np.linalg.eigvalsh(covariance), 0.0))
     first = values[:, -1]
     second = values[:, -2] if values.shape[1] > 1 else np.zeros_like(first)
     return (first - second) / np.where(first > 0, first, 1.0)
 
 
-def no_main_axis(covariance: ArrayLike) -> NDArray[np.bool_]:
+def no_main_axis(covariance: Floats) -> NDArray[np.bool_]:
     """Return for which outputs the motion has no main axis, (n_outputs,).
 
     It is True where the gap is below `SMALLEST_GAP`, and where nothing moves.  `project_axes` still
     uses the axis that it computes, as the published toolbox does: its direction means nothing.
-
-    Parameters and errors are those of `main_axis_gap`.
     """
     return main_axis_gap(covariance) < SMALLEST_GAP
 
@@ -210,27 +195,16 @@ class MainAxes:
     none: Booleans
 
 
-def main_axes(traces: ArrayLike) -> MainAxes:
+def main_axes(traces: Floats) -> MainAxes:
     """Return the ellipsoid of motion of each output.
 
     Parameters
     ----------
     traces : (n_outputs, n_axes, n_times)
         Accelerations along two axes or more, m/s².
-
-    Raises
-    ------
-    InvalidInputError
-        Another shape, or samples that are not finite.
     """
-    data = finite_array("traces", traces, "(n_outputs, n_axes, n_times)")
-    if data.ndim != 3 or data.shape[1] < 2 or not data.shape[2]:
-        raise InvalidInputError(
-            f"traces have shape {data.shape}, expected (n_outputs, n_axes, n_times) with two axes "
-            "or more"
-        )
-    mean = data.mean(axis=-1)
-    second = np.matmul(data, data.transpose(0, 2, 1)) / data.shape[-1]
+    mean = traces.mean(axis=-1)
+    second = np.matmul(traces, traces.transpose(0, 2, 1)) / traces.shape[-1]
     covariance = second - mean[:, :, None] * mean[:, None, :]
     values = np.maximum(np.linalg.eigvalsh(covariance)[:, ::-1], 0.0)
     total = values.sum(axis=1)
@@ -244,15 +218,14 @@ def main_axes(traces: ArrayLike) -> MainAxes:
     )
 
 
-def ellipse(covariance: ArrayLike, axes: tuple[int, int], n_points: int = 73) -> Floats:
-    """Return the outline of one standard deviation in the plane of two axes, (n_points, 2).
+def ellipse(covariance: Floats, axes: tuple[int, int]) -> Floats:
+    """Return the outline of one standard deviation in the plane of two axes, (73, 2).
 
     It is the projection of the ellipsoid on that plane.  Its points x solve x' C⁻¹ x = 1.
     """
-    matrix = finite_array("covariance", covariance, "(n_axes, n_axes)")
-    plane = matrix[np.ix_(axes, axes)]
+    plane = covariance[np.ix_(axes, axes)]
     values, vectors = np.linalg.eigh(plane)
-    angle = np.linspace(0.0, 2.0 * np.pi, n_points)
+    angle = np.linspace(0.0, 2.0 * np.pi, 73)
     circle = np.stack([np.cos(angle), np.sin(angle)], axis=1)
     points: Floats = (circle * np.sqrt(np.maximum(values, 0.0))) @ vectors.T
     return points

@@ -270,32 +270,6 @@ def _shortened(ratio: Fraction) -> tuple[int, int]:
     return near.numerator, near.denominator
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Stretch:
-    """What a part of a signal needs to be resampled alone with the same bits.
-
-    Attributes
-    ----------
-    reach
-        Samples at the old rate, on either side, that a sample at the new rate is made of.
-    period
-        The part must begin at a multiple of this number of samples.
-    """
-
-    reach: int
-    period: int
-
-
-def stretch_of(from_hz: int, to_hz: int) -> Stretch:
-    """Return what `resample` needs of a part."""
-    if from_hz == to_hz:
-        return Stretch(reach=0, period=1)
-    ratio = Fraction(to_hz, from_hz)
-    kernel = Kernel(ratio.numerator, ratio.denominator, half_transition(min(from_hz, to_hz)))
-    n_periods = _BATCH * kernel.periods if kernel.is_small else 1
-    return Stretch(reach=kernel.reach + 1, period=n_periods * kernel.down)
-
-
 class _Signals:
     """Signals to resample, which it returns part by part as float64."""
 

@@ -46,16 +46,10 @@ def band_limited_delay(samples: Floats, delay: float) -> Floats:
     -------
     (n + 1,), with a delay of 0 (n,): the samples as they are.
 
-    Raises
-    ------
-    InvalidInputError
-        The delay is not between 0 and 1.
-
     References
     ----------
     Laakso et al., Splitting the unit delay, IEEE Signal Processing Magazine 13(1), 1996.
     """
-    delay = real_number("delay", delay, "a number from 0 to 1", least=0.0, most=1.0)
     if delay == 0.0 or samples.size == 0:
         return samples
     taps = np.arange(1 - REACH, REACH + 1) - delay

@@ -21,7 +21,6 @@ from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Stop, never, stop_if
 from skinsource.base.measurement_conditions import BAND_HZ, SAMPLE_RATE_HZ, Band
-from skinsource.base.quoting import quoted
 from skinsource.signals.loudest_window import (
     HOLD_WINDOW_S,
     SPANS,
@@ -206,7 +205,7 @@ def mean_of_bins(magnitude: Floats, n: int) -> Floats:
     return means
 
 
-def share_outside_band(samples: ArrayLike, sample_rate_hz: float, band: Band = BAND_HZ) -> float:
+def share_outside_band(samples: Floats, sample_rate_hz: float, band: Band = BAND_HZ) -> float:
     """Return the share of the energy of a signal outside a band, from 0 to 1; 0 for silence.
 
     It is exact for the spectrum at all frequencies, not only at multiples of 1 / duration: its
@@ -222,27 +221,14 @@ def share_outside_band(samples: ArrayLike, sample_rate_hz: float, band: Band = B
         Its rate.
     band
         Low and high, in Hz.
-
-    Raises
-    ------
-    InvalidInputError
-        A sample or the rate is no finite number, or the band is not 0 <= low < high.
     """
-    rate = positive_number("sample_rate_hz", sample_rate_hz)
-    edges_hz = finite_array("band", band, "two frequencies")
-    data = finite_array("samples", samples)
-    if data.ndim != 1:
-        raise InvalidInputError(f"samples have shape {data.shape}, expected one signal, (n_times,)")
-    if edges_hz.shape != (2,) or not 0.0 <= edges_hz[0] < edges_hz[1]:
-        raise InvalidInputError(f"band is {quoted(band)}, expected 0 <= low < high, in Hz")
-    if not data.any():
+    if not samples.any():
         return 0.0
-    data, _ = _scaled(data)
-    return share_of_scaled(data, rate, (float(edges_hz[0]), float(edges_hz[1])))
+    return share_of_scaled(_scaled(samples)[0], sample_rate_hz, band)
 
 
 def share_of_scaled(data: Floats, rate_hz: float, band: Band) -> float:
-    """Return the same for a signal whose largest sample is about 1, without any check."""
+    """Return the same for a signal whose largest sample is about 1."""
     low_hz, high_hz = (min(edge_hz, rate_hz / 2) for edge_hz in band)
     outside, whole = (_cached_shares if data.size <= _SHORT else _shares)(
         low_hz, high_hz, data.size, rate_hz

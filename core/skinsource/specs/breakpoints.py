@@ -86,15 +86,10 @@ class BreakpointsSpec(Spec):
         expected = _expected(self)
         if not isinstance(value, tuple) or not 1 <= len(value) <= self.most:
             raise ValidationError(expected)
-        # While one of many points is dragged, the others are the objects of the last check.
-        last = _last_checked.get(self, ())
-        known = last if len(last) == len(value) else (_NO_POINT,) * len(value)
         try:
             points = tuple(
-                point
-                if point is same or self._is_normal(point)
-                else self._normalised(point, expected)
-                for point, same in zip(value, known, strict=True)
+                point if self._is_normal(point) else self._normalised(point, expected)
+                for point in value
             )
         except ValidationError:
             raise ValidationError(expected) from None
@@ -102,11 +97,7 @@ class BreakpointsSpec(Spec):
         if x != sorted(x):
             raise ValidationError(expected)
         # An unchanged tuple keeps its identity.
-        points = value if all(map(is_, points, value)) else points
-        if len(_last_checked) >= _MOST_CHECKED:
-            _last_checked.clear()
-        _last_checked[self] = points
-        return points
+        return value if all(map(is_, points, value)) else points
 
     def encoded(self, value: tuple[Breakpoint, ...]) -> Tree:
         """Return a list of lists of three values, or of four where a point has its own slope."""
@@ -149,14 +140,6 @@ class BreakpointsSpec(Spec):
         if slope is None:
             return (x, y, segment)
         return SlopedPoint(x, y, segment, float(NumberSpec(label="Slope").checked(slope)))
-
-
-# The points of the last check by specification.  References to them are held, so that no other
-# point can have the address of one of them.
-_last_checked: "dict[BreakpointsSpec, tuple[Breakpoint, ...]]" = {}
-_MOST_CHECKED = 16
-# Stands for an unknown point; nothing is identical with it, not even None.
-_NO_POINT = object()
 
 
 @lru_cache(maxsize=64)

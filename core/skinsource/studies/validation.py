@@ -15,9 +15,7 @@ from typing import Any
 
 import numpy as np
 import scipy
-from numpy.typing import ArrayLike
 
-from skinsource.base.arguments import finite_array
 from skinsource.base.arrays import Booleans, Floats
 from skinsource.base.errors import InvalidInputError, RecordingError
 from skinsource.base.files import path_text
@@ -73,7 +71,7 @@ class Agreement:
         return error, amplitude, correlation
 
 
-def agreement(predicted: ArrayLike, measured: ArrayLike, noise_rms: ArrayLike) -> Agreement:
+def agreement(predicted: Floats, measured: Floats, noise_rms: Floats | float) -> Agreement:
     """Return the agreement of two fields, channel by channel.
 
     Each field is divided by the mean RMS of its channels first, as in the paper: the comparison is
@@ -89,21 +87,11 @@ def agreement(predicted: ArrayLike, measured: ArrayLike, noise_rms: ArrayLike) -
     Raises
     ------
     InvalidInputError
-        Shapes differ, samples are not finite, or a field is silent.
+        A field is silent.
     """
-    ours = finite_array("predicted", predicted, "(n_outputs, n_axes, n_times)")
-    theirs = finite_array("measured", measured, "(n_outputs, n_axes, n_times)")
-    if ours.shape != theirs.shape or ours.ndim != 3 or not ours.size:
-        raise InvalidInputError(
-            f"predicted has shape {ours.shape}, measured {theirs.shape}; expected the same, "
-            "(n_outputs, n_axes, n_times)"
-        )
-    noise = np.broadcast_to(finite_array("noise_rms", noise_rms), ours.shape[:2])
-    measured_rms = _rms(theirs)
-    counted = (measured_rms >= LEAST_OVER_NOISE * noise) & (measured_rms > 0.0)
-    ours, theirs = (
-        _normalised(name, field) for name, field in (("predicted", ours), ("measured", theirs))
-    )
+    measured_rms = _rms(measured)
+    counted = (measured_rms >= LEAST_OVER_NOISE * noise_rms) & (measured_rms > 0.0)
+    ours, theirs = _normalised("predicted", predicted), _normalised("measured", measured)
     ours_rms, theirs_rms = _rms(ours), _rms(theirs)
     amplitude = np.full(counted.shape, np.nan)
     np.divide(100.0 * np.abs(ours_rms - theirs_rms), theirs_rms, out=amplitude, where=counted)
@@ -130,7 +118,7 @@ def pearson(left: Floats, right: Floats) -> Floats:
     return r
 
 
-def aligned(measured: ArrayLike, predicted: ArrayLike, most: int) -> tuple[Floats, int]:
+def aligned(measured: Floats, predicted: Floats, most: int) -> tuple[Floats, int]:
     """Return the measured field aligned with the predicted one, and the shift in samples.
 
     The shift is the lag at which the sum of the cross-correlations of all channels is largest.
@@ -147,23 +135,16 @@ def aligned(measured: ArrayLike, predicted: ArrayLike, most: int) -> tuple[Float
     -------
     (n_outputs, n_axes, n_times of the predicted), and the shift; positive: the recording is early.
     """
-    theirs = finite_array("measured", measured, "(n_outputs, n_axes, n_times)")
-    ours = finite_array("predicted", predicted, "(n_outputs, n_axes, n_times)")
-    if theirs.ndim != 3 or ours.ndim != 3 or theirs.shape[:2] != ours.shape[:2]:
-        raise InvalidInputError(
-            f"measured has shape {theirs.shape}, predicted {ours.shape}; expected the same outputs "
-            "and axes"
-        )
-    n_times = ours.shape[-1]
-    n_fft = scipy.fft.next_fast_len(n_times + theirs.shape[-1], real=True)
-    cross = scipy.fft.rfft(ours, n_fft) * np.conj(scipy.fft.rfft(theirs, n_fft))
+    n_times = predicted.shape[-1]
+    n_fft = scipy.fft.next_fast_len(n_times + measured.shape[-1], real=True)
+    cross = scipy.fft.rfft(predicted, n_fft) * np.conj(scipy.fft.rfft(measured, n_fft))
     sums = scipy.fft.irfft(cross.sum(axis=(0, 1)), n_fft)
     # At larger lags the two do not overlap.
-    lags = np.arange(-min(most, theirs.shape[-1] - 1), min(most, n_times - 1) + 1)
+    lags = np.arange(-min(most, measured.shape[-1] - 1), min(most, n_times - 1) + 1)
     shift = int(lags[np.argmax(sums[lags])])
-    shifted = np.zeros(ours.shape)
+    shifted = np.zeros(predicted.shape)
     first = max(-shift, 0)
-    piece = theirs[..., first : first + n_times - max(shift, 0)]
+    piece = measured[..., first : first + n_times - max(shift, 0)]
     shifted[..., max(shift, 0) : max(shift, 0) + piece.shape[-1]] = piece
     return shifted, shift
 

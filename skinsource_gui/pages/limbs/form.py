@@ -23,7 +23,6 @@ from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.pages.limbs import photograph
 from skinsource_gui.qt.buttons import page_button
-from skinsource_gui.qt.labels import NameLine
 from skinsource_gui.qt.layouts import in_row
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
 from skinsource_gui.qt.tooltips import tooltip
@@ -351,18 +350,6 @@ _FILES = {
     "photograph": ("Photograph", "A picture on which places are clicked"),
 }
 
-# Fields that a file in the layout fills, and their values.
-_Field = QtWidgets.QLineEdit | NumberField | ChoiceField | QtWidgets.QCheckBox
-_Value = str | float | bool
-
-
-def _value_of(field: _Field) -> _Value:
-    if isinstance(field, QtWidgets.QCheckBox):
-        return field.isChecked()
-    if isinstance(field, NumberField):
-        return field.value_si
-    return field.value if isinstance(field, ChoiceField) else field.text()
-
 
 class LimbForm(QObject):
     """Fields for the name, the measurement and the files of a limb, in ``widget``."""
@@ -378,13 +365,11 @@ class LimbForm(QObject):
         self._rows = QtWidgets.QFormLayout(self.widget)
         self._rows.setContentsMargins(0, 0, 0, 0)
         self._chosen: dict[str, QtWidgets.QLabel] = {}
-        lines: list[QtWidgets.QLineEdit] = [NameLine() for _ in range(4)]
-        self.name, self.title, self.note, self.order = lines
+        self.name, self.title, self.note, self.order = (QtWidgets.QLineEdit() for _ in range(4))
         self.axes = ChoiceField(_AXES)
-        self.axes.set_value(_STARTING_AXES)
         self.numbers = {name: NumberField(spec) for name, spec in _NUMBERS.items()}
-        # Values from a file, by field: they go with that file unless they were changed since.
-        self._from_file: dict[_Field, _Value] = {}
+        # Whether a file in the layout stated the values: they go with it.
+        self._stated = False
         self.left, self.mirrored = (
             QtWidgets.QCheckBox("Left hand"),
             QtWidgets.QCheckBox("Show mirrored"),
@@ -392,6 +377,7 @@ class LimbForm(QObject):
         self.synthetic = QtWidgets.QCheckBox("Computed, not measured")
         self.mirrored.setToolTip(tooltip("Show mirrored", "A left hand as a right one"))
         self._lay_out()
+        self._start_over()
 
     def show_file(self, what: str, text: str) -> None:
         """Show which file was chosen."""
@@ -407,38 +393,28 @@ class LimbForm(QObject):
             field.set_value(float(values[name]) * (_METRES if name == "hand_length_mm" else 1.0))
         self.left.setChecked(header["left"])
         self.synthetic.setChecked(bool(header["synthetic"]))
-        self._from_file = {field: _value_of(field) for field in self._filled()}
+        self._stated = True
 
     def show_plain(self, in_layout: bool, path: Path) -> None:
         """Ask for the values that an array does not state."""
         self._rows.setRowVisible(self.order, not in_layout)
         if in_layout:
             return
-        self._forget_file()
+        if self._stated:
+            self._start_over()
         if not self.name.text():
             stem = "".join(letter if letter.isalnum() else "-" for letter in path.stem.lower())
             self.name.setText(stem.strip("-0123456789")[:40])
-            self._from_file[self.name] = self.name.text()
 
-    def _filled(self) -> tuple[_Field, ...]:
-        """Return the fields that a file in the layout fills."""
-        lines = self.name, self.title, self.note
-        return *lines, self.axes, *self.numbers.values(), self.left, self.synthetic
-
-    def _forget_file(self) -> None:
-        unchanged = {field for field, value in self._from_file.items() if _value_of(field) == value}
+    def _start_over(self) -> None:
+        self._stated = False
         for line in (self.name, self.title, self.note):
-            if line in unchanged:
-                line.clear()
-        if self.axes in unchanged:
-            self.axes.set_value(_STARTING_AXES)
+            line.clear()
+        self.axes.set_value(_STARTING_AXES)
         for name, number in self.numbers.items():
-            if number in unchanged:
-                number.set_value(_STARTS.get(name, 0.0))
+            number.set_value(_STARTS.get(name, 0.0))
         for box in (self.left, self.synthetic):
-            if box in unchanged:
-                box.setChecked(False)
-        self._from_file = {}
+            box.setChecked(False)
 
     def values(self) -> dict[str, Any]:
         """Return the typed fields of `skinsource.limbs.own_limbs.OwnLimb`."""
@@ -481,7 +457,6 @@ class LimbForm(QObject):
         self._rows.addRow("Origin", self.synthetic)
         for name, field in self.numbers.items():
             field.setObjectName(f"limb_{name}")
-            field.set_value(_STARTS.get(name, 0.0))
             field.edited.connect(self.changed)
             self._rows.addRow(_NUMBERS[name].label, field)
         for box in (self.left, self.mirrored):

@@ -61,18 +61,14 @@ class MeasureFields(QObject):
         self.setup = setup
         self.grid = FieldGrid()
         specs = specs_of(setup).items()
-        self._cells = {name: FieldCell(name, spec, edited=self._edit) for name, spec in specs}
-        self._cells[_DEVICE] = self._devices(())
+        self.cells = {name: FieldCell(name, spec, edited=self._edit) for name, spec in specs}
+        self.cells[_DEVICE] = self._devices(())
         self._show()
-
-    def cell(self, name: str) -> FieldCell:
-        """Return the cell of a field."""
-        return self._cells[name]
 
     def show_inputs(self, devices: Sequence[InputDevice]) -> None:
         """Offer these devices to record from."""
-        old = self._cells[_DEVICE]
-        self._cells[_DEVICE] = self._devices(devices)
+        old = self.cells[_DEVICE]
+        self.cells[_DEVICE] = self._devices(devices)
         self._show()
         old.label.deleteLater()
         old.deleteLater()
@@ -88,8 +84,8 @@ class MeasureFields(QObject):
         return FieldCell(_DEVICE, spec, edited=self._edit)
 
     def _show(self) -> None:
-        self.grid.show_cells(list(self._cells.values()))
-        for name, cell in self._cells.items():
+        self.grid.show_cells(list(self.cells.values()))
+        for name, cell in self.cells.items():
             cell.set_value(getattr(self.setup, name))
 
     def _edit(self, name: str, value: Any, _gesture: int | None) -> None:
@@ -97,7 +93,7 @@ class MeasureFields(QObject):
             self.setup = replace(self.setup, **{name: value})
         except InvalidInputError as error:
             self.refused.emit(str(error))
-            self._cells[name].set_value(getattr(self.setup, name))
+            self.cells[name].set_value(getattr(self.setup, name))
         else:
             self.changed.emit()
 

@@ -63,8 +63,8 @@ class ChannelFields(QObject):
         specs = {name: spec for name, spec in specs_of(RigChannel).items() if name in _FIELDS}
         specs["actuator"] = _actuators()
         limits = {f"{_LIMIT}{name}": spec for name, spec in specs_of(Limits).items()}
-        self._cells = {name: _cell(name, spec) for name, spec in {**specs, **limits}.items()}
-        for cell in self._cells.values():
+        self.cells = {name: _cell(name, spec) for name, spec in {**specs, **limits}.items()}
+        for cell in self.cells.values():
             cell.edited.connect(self._edit)
         self.measured = page_label("rig_measured")
         self.from_file = page_button(
@@ -81,17 +81,13 @@ class ChannelFields(QObject):
         self.forget = page_button("rig_forget", "Forget the response", "As if it was not measured")
         self.widget = self._laid_out()
 
-    def cell(self, name: str) -> FieldCell:
-        """Return the cell of a field of the channel, or of ``"limit "`` and one of its limits."""
-        return self._cells[name]
-
     def show_channel(self, channel: RigChannel | None) -> None:
         """Show the values of ``channel``; None: there is no channel."""
         self._channel = channel
         self.widget.setEnabled(channel is not None)
         # Without a channel, the cells show the defaults.
         channel = channel or RigChannel(place=1, output=1)
-        for name, cell in self._cells.items():
+        for name, cell in self.cells.items():
             value = _value(channel, name)
             cell.set_value(0.0 if value is None else value)
         points = () if channel.measured is None else channel.measured.points
@@ -105,8 +101,8 @@ class ChannelFields(QObject):
     def _laid_out(self) -> QtWidgets.QWidget:
         widget = QtWidgets.QWidget()
         own, limits = FieldGrid(), FieldGrid()
-        own.show_cells([self._cells[name] for name in _FIELDS])
-        limits.show_cells([cell for name, cell in self._cells.items() if name.startswith(_LIMIT)])
+        own.show_cells([self.cells[name] for name in _FIELDS])
+        limits.show_cells([cell for name, cell in self.cells.items() if name.startswith(_LIMIT)])
         heading = QtWidgets.QLabel("Limits at the actuator; 0: not known")
         parts = (own, self.measured, self.measure, self.from_file, self.forget, heading, limits)
         in_column(*parts, None, of=widget, margins=(0, 0, UNIT_PX, 0))
@@ -260,10 +256,6 @@ class RigDraft(QObject):
             return False
         self.path, self._saved = path, self.rig
         return True
-
-    def give_up(self) -> None:
-        """Count the present rig as saved: its changes need not be kept."""
-        self._saved = self.rig
 
     def _change(self, channels: tuple[RigChannel, ...], row: int, after: int) -> None:
         """Set the channels, or emit why they are not valid; then ask to show a row."""

@@ -46,7 +46,7 @@ from skinsource_gui.panels.analysis.view import FigureView
 from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.fitting import ButtonRow
 from skinsource_gui.qt.keys import shortcut_text
-from skinsource_gui.qt.questions import copied_number
+from skinsource_gui.qt.questions import tab_separated
 from skinsource_gui.state.compared import SILENT, Compared
 
 _STORED_ALONE = "snapshots alone"
@@ -99,10 +99,10 @@ def _compared_designs(compared: Sequence[Compared], text: str = "") -> ComparedD
     )
 
 
-_Lines = list[tuple[str, ...]]
+_Lines = list[tuple[str | float, ...]]
 
 
-def tab_separated(
+def table_text(
     result: Proportion | Superposition,
     outputs: tuple[int, ...],
     axes: tuple[str, ...],
@@ -126,8 +126,8 @@ def tab_separated(
     else:
         lines = [("output", "axis", "pearson_r")]
         for (output, axis), r in zip(channels, result.correlation, strict=True):
-            lines.append((str(output), axis, copied_number(r)))
-    return "".join("\t".join(line) + "\n" for line in lines)
+            lines.append((str(output), axis, r))
+    return tab_separated(lines)
 
 
 def _straightness_table(all_outputs: Straightness, axes: tuple[str, ...]) -> _Lines:
@@ -137,14 +137,14 @@ def _straightness_table(all_outputs: Straightness, axes: tuple[str, ...]) -> _Li
     ]
     of_channels = all_outputs.adjusted_r2.reshape(-1, all_outputs.frequency_hz.size)
     for frequency_hz, r2 in zip(all_outputs.frequency_hz, of_channels.T, strict=True):
-        lines.append((copied_number(frequency_hz), *map(copied_number, r2)))
+        lines.append((frequency_hz, *r2))
     return lines
 
 
 def _by_strength(result: Proportion, channels: list[str], unit: StrengthUnit) -> _Lines:
     lines: _Lines = [(unit.column, *(f"rms_{channel}_m_per_s2" for channel in channels))]
     for strength, rms in zip(result.strengths * unit.si_factor, result.rms, strict=True):
-        lines.append((copied_number(strength), *map(copied_number, rms)))
+        lines.append((strength, *rms))
     return lines
 
 
@@ -158,9 +158,7 @@ def _by_band(result: Proportion, channels: list[str], unit: StrengthUnit) -> _Li
     ]
     for k, frequency_hz in enumerate(result.frequency_hz):
         levels, r2 = result.band_rms[..., k].ravel(), result.adjusted_r2[:, k]
-        lines.append(
-            (copied_number(frequency_hz), *map(copied_number, levels), *map(copied_number, r2))
-        )
+        lines.append((frequency_hz, *levels, *r2))
     return lines
 
 
@@ -271,7 +269,7 @@ class LinearityView(FigureView):
             return ""
         unit, bands = self._unit, self.settings.bands
         all_outputs = self.all_outputs
-        return tab_separated(
+        return table_text(
             self.result, self._outputs, self._axes, unit, bands=bands, all_outputs=all_outputs
         )
 

@@ -143,7 +143,7 @@ def diagrams_of_proportion(
         growth(result, rows, unit),
         Diagram(
             x=Axis(shown=(0.0, 1.05 * highest), title="Frequency (Hz)"),
-            y=Axis(shown=(0.0, 1.1), title=title, short="Adjusted R²"),
+            y=Axis(shown=(0.0, 1.1), title=title),
             curves=straightness,
         ),
     )
@@ -193,7 +193,7 @@ def _overlay(
         for rank in range(len(rows))
         for k in range(n)
     )
-    axis = _symmetric_axis(y, f"Divided ({unit.divided_by})", unit.divided_by)
+    axis = _symmetric_axis(y, f"Divided ({unit.divided_by})")
     return Diagram(x=_time_axis(x), y=axis, curves=over)
 
 
@@ -205,7 +205,7 @@ def _growth(result: Proportion, rows: tuple[int, ...], unit: StrengthUnit) -> Di
         lines.append(Curve(x=at, y=result.line[:, row], rank=rank, width_px=1.2, pale=_PALE))
         lines.append(Curve(x=at, y=level, rank=rank, width_px=0.0))
     return Diagram(
-        x=_strength_axis((0.0, 1.05 * float(at[-1])), unit),
+        x=Axis(shown=(0.0, 1.05 * float(at[-1])), title=unit.title),
         y=Axis(shown=(0.0, _top(result.rms[:, rows])), title="RMS (m/s²)"),
         curves=tuple(lines),
     )
@@ -227,16 +227,10 @@ def _growth_in_bands(result: Proportion, rows: tuple[int, ...], unit: StrengthUn
             ends += [float(level.min()), float(level.max())]
     low, high = (min(ends), max(ends)) if ends else (0.1, 1.0)
     return Diagram(
-        x=_strength_axis((float(at[0]) / _EDGE, float(at[-1]) * _EDGE), unit, log=True),
-        y=Axis(
-            shown=(low / _EDGE, high * _EDGE), title="In the band (m/s²)", short="m/s²", log=True
-        ),
+        x=Axis(shown=(float(at[0]) / _EDGE, float(at[-1]) * _EDGE), title=unit.title, log=True),
+        y=Axis(shown=(low / _EDGE, high * _EDGE), title="In the band (m/s²)", log=True),
         curves=tuple(lines),
     )
-
-
-def _strength_axis(shown: tuple[float, float], unit: StrengthUnit, *, log: bool = False) -> Axis:
-    return Axis(shown=shown, title=unit.title, short=unit.symbol, log=log)
 
 
 def diagrams_of_superposition(
@@ -324,9 +318,9 @@ def _width_over_time(x: Floats, width_px: float) -> float:
     return width_px if x.size > 1 else 0.0
 
 
-def _symmetric_axis(values: Floats, title: str, short: str = "") -> Axis:
+def _symmetric_axis(values: Floats, title: str) -> Axis:
     peak = float(np.abs(values).max()) or 1.0
-    return Axis(shown=(-1.1 * peak, 1.1 * peak), title=title, short=short)
+    return Axis(shown=(-1.1 * peak, 1.1 * peak), title=title)
 
 
 def _top(values: Floats) -> float:

@@ -108,7 +108,8 @@ class DiagramsPicture(Figure):
         super().__init__(name, accessible_name, parent)
         self.diagrams: tuple[Diagram, ...] = ()
         self.outputs: tuple[int, ...] = ()
-        self._placed: list[tuple[QPointF, Axes]] = []
+        #: Where each diagram begins, and its axes there.
+        self.placed: list[tuple[QPointF, Axes]] = []
 
     def show_diagrams(self, diagrams: tuple[Diagram, ...], outputs: tuple[int, ...]) -> None:
         """Take over what to show, and the numbers of the outputs, in the order of their ranks."""
@@ -123,7 +124,7 @@ class DiagramsPicture(Figure):
         painter.setFont(font_in(areas, painter.font()))
         metrics = QtGui.QFontMetricsF(painter.font())
         draw_legend(painter, head, self.outputs, current_theme())
-        self._placed = []
+        self.placed = []
         for area, diagram in zip(areas, self.diagrams, strict=True):
             painter.save()
             # Labels of y begin at the left edge of their area.
@@ -138,10 +139,10 @@ class DiagramsPicture(Figure):
                 _draw(painter, axes, curve, current_theme())
             write_labels(painter, axes, diagram.curves, current_theme())
             painter.restore()
-            self._placed.append((area.topLeft(), axes))
+            self.placed.append((area.topLeft(), axes))
 
     def read(self, at: QPointF) -> str:
-        for origin, axes in self._placed:
+        for origin, axes in self.placed:
             values = axes.value_at(at - origin)
             if values is not None:
                 across, up = (

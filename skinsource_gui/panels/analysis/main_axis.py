@@ -9,13 +9,11 @@ import numpy as np
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 
-from skinsource.design.design import Design
-from skinsource.design.view import View
 from skinsource.limbs.locations import output_name
 from skinsource.signals.projection import MainAxes, ellipse
 from skinsource_gui.panels.analysis.view import FigureView
 from skinsource_gui.plots.figure import Figure
-from skinsource_gui.qt.questions import copied_number
+from skinsource_gui.qt.questions import tab_separated
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 from skinsource_gui.state.compared import SILENT
 
@@ -201,9 +199,6 @@ class MainAxisView(FigureView):
     def needs(self) -> frozenset[str]:
         return frozenset({"output_main_axes", "shown_outputs", "axis_numbers", "limb_data"})
 
-    def show_state(self, design: Design, view: View) -> None:
-        self.show_selection(view)
-
     def show_results(self, results: Mapping[str, Any]) -> None:
         if not results["shown_outputs"]:
             self.say_instead(self.no_outputs)
@@ -235,14 +230,12 @@ class MainAxisView(FigureView):
         header = ["output", *(f"direction_{axis}" for axis in content.axes)]
         header += [f"deviation_{k}_m_per_s2" for k in range(1, n_axes + 1)]
         header += ["share_of_variance", "main_axis"]
-        lines = ["\t".join(header)]
-        main_axes = content.main_axes
-        for rank, output in enumerate(content.outputs):
-            numbers = (
-                *main_axes.direction[rank],
-                *main_axes.deviation[rank],
-                main_axes.share[rank],
-            )
-            has_axis = "no" if main_axes.none[rank] else "yes"
-            lines.append("\t".join((str(output), *map(copied_number, numbers), has_axis)))
-        return "\n".join(lines) + "\n"
+        main = content.main_axes
+        columns = zip(
+            content.outputs, main.direction, main.deviation, main.share, main.none, strict=True
+        )
+        lines = (
+            (str(output), *direction, *deviation, share, "no" if none else "yes")
+            for output, direction, deviation, share, none in columns
+        )
+        return tab_separated((header, *lines))

@@ -26,9 +26,9 @@ from skinsource.perception.thresholds import (
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.analysis.table import OutputTableView, TableRow
 from skinsource_gui.qt.buttons import page_label, tool_button
-from skinsource_gui.qt.fitting import FoldingGroups, LetterWidth
+from skinsource_gui.qt.fitting import FoldingRow, LetterWidth, grouped
 from skinsource_gui.qt.layouts import in_column
-from skinsource_gui.qt.questions import copied_level
+from skinsource_gui.qt.questions import copied_level, tab_separated
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 
 #: Weighted RMS of each place in use, m/s²; None: drives are no accelerations of the probe.
@@ -112,16 +112,20 @@ def rows(sensation: Sensation, outputs: tuple[int, ...], limb: str = "") -> list
     ]
 
 
-def tab_separated(sensation: Sensation, outputs: tuple[int, ...], limb: str = "") -> str:
+def table_text(sensation: Sensation, outputs: tuple[int, ...], limb: str = "") -> str:
     """Return the table for a spreadsheet; a cell is empty where the panel shows a dash."""
     names = ["output", "place", "above_threshold_db"]
     names += [f"{name.replace(' ', '_').lower()}_db" for name in sensation.by_channel]
     names += ["strength"] if sensation.strength is not None else []
-    lines = ["\t".join(names)]
-    for output in outputs:
-        numbers = (copied_level(level) for level in _numbers(sensation, output))
-        lines.append("\t".join((str(output), output_name(output, limb).short_name, *numbers)))
-    return "\n".join(lines) + "\n"
+    lines = (
+        (
+            str(output),
+            output_name(output, limb).short_name,
+            *map(copied_level, _numbers(sensation, output)),
+        )
+        for output in outputs
+    )
+    return tab_separated((names, *lines))
 
 
 def _numbers(sensation: Sensation, output: int) -> list[float]:
@@ -245,8 +249,10 @@ class PerceptionView(OutputTableView):
         self._change(message, table=settings_table(table), source=path.name[:200])
 
     def _lay_out(self) -> None:
-        thresholds = (self.own, self.model, None)
-        bar = FoldingGroups((self.area_label, self.area, None), thresholds, spacing_px=UNIT_PX // 2)
+        gap_px = UNIT_PX // 2
+        area = grouped(self.area_label, self.area, None, gap_px=gap_px)
+        thresholds = grouped(self.own, self.model, None, gap_px=gap_px)
+        bar = FoldingRow((area, thresholds), gap_px)
         parts = (bar, (self.stack, 1), self.contact, self.limits)
         margins = (UNIT_PX // 2, 1, UNIT_PX // 2, UNIT_PX // 2)
         in_column(*parts, of=self, margins=margins, gap_px=UNIT_PX // 2)
@@ -272,7 +278,7 @@ class PerceptionView(OutputTableView):
     def table_text(self) -> str:
         if self._sensation is None:
             return ""
-        levels = tab_separated(self._sensation, self._outputs, self._limb)
+        levels = table_text(self._sensation, self._outputs, self._limb)
         return levels + contact_table(self._weighted)
 
     def _change(self, message: str = "", **changes: Any) -> None:

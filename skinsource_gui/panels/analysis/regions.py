@@ -24,10 +24,9 @@ from skinsource.limbs.own_limbs import missing_limb
 from skinsource_gui.fields.units import minus
 from skinsource_gui.panels.analysis.view import AnalysisView
 from skinsource_gui.plots.figure import NoteLabel
-from skinsource_gui.qt.fitting import SteadyArea
 from skinsource_gui.qt.labels import set_table_look
 from skinsource_gui.qt.layouts import in_column, in_row
-from skinsource_gui.qt.questions import copied_level
+from skinsource_gui.qt.questions import copied_level, tab_separated
 from skinsource_gui.qt.theme import UNIT_PX, scaled, tabular
 from skinsource_gui.state.compared import (
     LEVELS_MATCHED,
@@ -172,46 +171,33 @@ def _column(title: str, head: str, compared: Compared) -> Column:
     return column(hint=f"{title}: dB re 1 m/s², {limb}", numbers=tuple(levels.values()))
 
 
-def tab_separated(columns: Sequence[Column]) -> str:
+def table_text(columns: Sequence[Column]) -> str:
     """Return the table for a spreadsheet; a cell is empty where the panel shows a dash."""
     titles = (column.full_title or column.title for column in columns)
-    lines = ["\t".join(("region_db_re_1_m_per_s2", *titles))]
-    for row, region in enumerate(REGION_OUTPUTS):
-        lines.append(
-            "\t".join((region, *(copied_level(column.numbers[row]) for column in columns)))
-        )
-    return "\n".join(lines) + "\n"
+    lines = (
+        (region, *(copied_level(column.numbers[row]) for column in columns))
+        for row, region in enumerate(REGION_OUTPUTS)
+    )
+    return tab_separated((("region_db_re_1_m_per_s2", *titles), *lines))
 
 
 #: Relative size of the text, with which six columns fit beside the names of regions.
 _TEXT = 0.9
-# Height of a row beyond that of its name.
-_ROW_PX = 1
 #: Shorter names for narrow panels.
 _SHORT = {"Back of the hand": "Back", "Wrist, palm side": "W. palm"}
 
 
 class RegionTable(QtWidgets.QTableWidget):
-    """A table with a row for each region; its height fits all rows, the area around it scrolls."""
+    """A table with a row for each region, whose names stay visible while columns are scrolled."""
 
-    def __init__(self, name: str, title: str) -> None:
+    def __init__(self) -> None:
         super().__init__(len(REGION_OUTPUTS), 0)
-        self.setObjectName(name)
-        self.setAccessibleName(title)
+        self.setObjectName("regions_table")
+        self.setAccessibleName("RMS levels by region")
         self.setEditTriggers(QtWidgets.QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Fixed
-        )
-        self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         set_table_look(self)
-        # The names stay visible while columns are scrolled.
         self.verticalHeader().show()
         self.fit_font(self.font())
-
-    @property
-    def needed_px(self) -> int:
-        """Width that shows all columns beside full names."""
-        return self._names_px() + self.horizontalHeader().length() + 2 * self.frameWidth()
 
     def show_columns(self, columns: Sequence[Column]) -> None:
         """Show these columns in their order."""
@@ -226,9 +212,7 @@ class RegionTable(QtWidgets.QTableWidget):
                 item.setTextAlignment(right)
                 item.setToolTip(column.hint)
                 self.setItem(row, k, item)
-        self.setVisible(bool(columns))
         self._name_rows()
-        self._fit_height()
 
     def fit_font(self, base: QtGui.QFont) -> None:
         """Take over the font of the surroundings."""
@@ -236,53 +220,28 @@ class RegionTable(QtWidgets.QTableWidget):
         for part in (self, self.horizontalHeader(), self.verticalHeader()):
             part.setFont(font)
         self._name_rows()
-        self._fit_height()
 
     def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         self._name_rows()
 
-    def event(self, event: QEvent) -> bool:
-        done = super().event(event)
-        if event.type() == QEvent.Type.LayoutRequest:
-            self._fit_height()
-        return done
-
-    def _fit_height(self) -> None:
-        head = self.horizontalHeader().sizeHint().height()
-        bar = self.horizontalScrollBar()
-        below = bar.sizeHint().height() if bar.maximum() > 0 else 0
-        self.setFixedHeight(head + self.verticalHeader().length() + below + 2 * self.frameWidth())
-
-    def _names_px(self) -> int:
-        return max(map(self.fontMetrics().horizontalAdvance, REGION_OUTPUTS)) + 2 * UNIT_PX
-
     def _name_rows(self) -> None:
         """Show the names of regions, shorter ones where the numbers need the room."""
-        names = list(REGION_OUTPUTS)
-        if self.needed_px > self.width():
-            names = [_SHORT.get(name, name) for name in names]
-        self.setVerticalHeaderLabels(names)
+        names_px = max(map(self.fontMetrics().horizontalAdvance, REGION_OUTPUTS)) + 2 * UNIT_PX
+        wide = names_px + self.horizontalHeader().length() <= self.width()
         for row, name in enumerate(REGION_OUTPUTS):
-            item = self.verticalHeaderItem(row)
+            item = QtWidgets.QTableWidgetItem(name if wide else _SHORT.get(name, name))
             item.setToolTip(name)
             # When it is shown, the header takes over the font of its surroundings.
             item.setFont(self.font())
-        rows = self.verticalHeader()
-        rows.setDefaultSectionSize(max(map(rows.sectionSizeHint, range(rows.count()))) + _ROW_PX)
+            self.setVerticalHeaderItem(row, item)
 
 
 _NEEDS = frozenset({"output_levels_db"})
 
 
 class RegionsView(AnalysisView):
-    """A row for each region, a column for each design or person, mean and spread.
-
-    Attributes
-    ----------
-    stored, table
-        The tables of snapshots and of people.
-    """
+    """A row for each region, a column for each design or person, mean and spread."""
 
     title: ClassVar[str] = "Regions"
     name: ClassVar[str] = "regions"
@@ -298,11 +257,9 @@ class RegionsView(AnalysisView):
         self.columns: list[Column] = []
         self._about = self._shifted = ""
         self.about = NoteLabel("regions_about")
-        self.stored = RegionTable("regions_stored", "RMS levels of snapshots by region")
-        self.table = RegionTable("regions_table", "RMS levels of people by region")
-        self._tables = (self.stored, self.table)
+        self.table = RegionTable()
         bar = in_row((self.about, 1), margins=(UNIT_PX, 1, UNIT_PX // 2, 1))
-        in_column(bar, (self._scrolled(), 1), of=self, margins=0, gap_px=0)
+        in_column(bar, (self.table, 1), of=self, margins=0, gap_px=0)
         self.setFocusProxy(self.table)
         self.computed = (self.table,)
 
@@ -344,18 +301,12 @@ class RegionsView(AnalysisView):
         self._show_columns()
 
     def table_text(self) -> str:
-        return tab_separated(self.columns)
-
-    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._put_in_order()
+        return table_text(self.columns)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange:
-            for table in self._tables:
-                table.fit_font(self.font())
-            self._put_in_order()
+            self.table.fit_font(self.font())
 
     def _show_columns(self) -> None:
         matched = have_matching_level(self._snapshots, matched=self._matched)
@@ -366,40 +317,8 @@ class RegionsView(AnalysisView):
         self.columns = [*stored, *people]
         computing = any(column.computing for column in self.columns)
         self.offer_copy(not computing and any(column.has_levels for column in self.columns))
-        self.stored.show_columns(stored)
-        self.table.show_columns(people)
+        self.table.show_columns(self.columns)
         self._show_about()
-        self._put_in_order()
-
-    def _scrolled(self) -> SteadyArea:
-        """Return a scroll area with the tables, side by side where they have room."""
-        inside = QtWidgets.QWidget()
-        self._box = QtWidgets.QBoxLayout(QtWidgets.QBoxLayout.Direction.TopToBottom, inside)
-        self._box.setContentsMargins(0, 0, 0, 0)
-        self._box.setSpacing(UNIT_PX)
-        for table in self._tables:
-            self._box.addWidget(table, 0, Qt.AlignmentFlag.AlignTop)
-        self._box.addStretch(1)
-        area = SteadyArea()
-        area.setObjectName("regions_scroll")
-        area.setFrameShape(SteadyArea.Shape.NoFrame)
-        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        area.setWidget(inside)
-        # It takes the room that there is, so that the dock around it does not scroll as well.
-        area.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Ignored
-        )
-        return area
-
-    def _put_in_order(self) -> None:
-        needed = sum(table.needed_px for table in self._tables if not table.isHidden()) + UNIT_PX
-        beside = needed <= self.width()
-        ways = QtWidgets.QBoxLayout.Direction
-        self._box.setDirection(ways.LeftToRight if beside else ways.TopToBottom)
-        # Side by side the tables share the remaining room; otherwise it stays below them.
-        for k in range(self._box.count()):
-            self._box.setStretch(k, int(beside == (k < len(self._tables))))
 
     def _show_about(self) -> None:
         some = any(column.synthetic for column in self.columns)

@@ -32,7 +32,7 @@ from skinsource_gui.panels.analysis.view import FigureView
 from skinsource_gui.plots.colour_maps import colour_indices, colour_table
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
 from skinsource_gui.plots.ranges import Range, SteadyRange
-from skinsource_gui.qt.fitting import FoldingGroups, LetterWidth
+from skinsource_gui.qt.fitting import FoldingRow, LetterWidth, grouped
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 from skinsource_gui.state.compared import SILENT
 
@@ -70,7 +70,6 @@ class SpectrogramPicture(Figure):
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__("spectrogram_picture", "Spectrogram", parent)
         self.content: SpectrogramContent | None = None
-        self.axes: Axes | None = None
         self.range_db: Range = (-SPAN_DB, 0.0)
         self._playhead_s: float | None = None
         self._steady_range = SteadyRange()
@@ -112,9 +111,8 @@ class SpectrogramPicture(Figure):
         widest = max(map(metrics.horizontalAdvance, widest_texts))
         scale_px = widest + _SCALE_PX + 2 * UNIT_PX
         inner = room.adjusted(0, 0, -scale_px, 0)
-        self.axes = axes = fitted_axes(
-            inner, _time_axis(content), _frequency_axis(content), metrics
-        )
+        frequency = Axis(shown=content.band_hz, title="Frequency (Hz)")
+        self.axes = axes = fitted_axes(inner, _time_axis(content), frequency, metrics)
         painter.setRenderHint(QtGui.QPainter.RenderHint.SmoothPixmapTransform)
         painter.save()
         painter.setClipRect(axes.frame)
@@ -138,13 +136,11 @@ class SpectrogramPicture(Figure):
         when = f"{time_s:.4f} s" if long else f"{time_s * 1e3:.1f} ms"
         return minus(f"{when} · {frequency_hz:.1f} Hz · {level:z.1f} dB re 1 m/s²")
 
-    def keys_area(self) -> QRectF:
-        return QRectF() if self.axes is None or self.message else self.axes.frame
-
     def _image_place(self, axes: Axes, content: SpectrogramContent) -> QRectF:
         """Return where the image lies: its columns and rows are the middles of their cells."""
-        time_s, frequency_hz = content.spectrogram.time_s, _rows_frequency(content)
-        x, y = _edges(time_s + content.first_s), _edges(frequency_hz)
+        spectrogram = content.spectrogram
+        x = _edges(spectrogram.time_s + content.first_s)
+        y = _edges(spectrogram.frequency_hz[_rows_within(content)])
         corners = axes.to_screen(np.array(x), np.array(y))
         return QRectF(QPointF(*corners[0]), QPointF(*corners[1])).normalized()
 
@@ -205,10 +201,6 @@ def _rows_within(content: SpectrogramContent) -> slice:
     return slice(max(first - 1, 0), min(max(end, first + 1) + 1, frequency_hz.size))
 
 
-def _rows_frequency(content: SpectrogramContent) -> Floats:
-    return content.spectrogram.frequency_hz[_rows_within(content)]
-
-
 def _edges(middles: Floats) -> Range:
     half = 0.5 * float(middles[1] - middles[0]) if middles.size > 1 else 0.5e-3
     return float(middles[0]) - half, float(middles[-1]) + half
@@ -220,10 +212,6 @@ def _time_axis(content: SpectrogramContent) -> Axis:
     last = last if last > first else first + 1e-3
     unit, factor = axis_unit(last)
     return Axis(shown=(first, last), title=f"Time ({unit})", factor=factor)
-
-
-def _frequency_axis(content: SpectrogramContent) -> Axis:
-    return Axis(shown=content.band_hz, title="Frequency (Hz)")
 
 
 _NARROWEST_HZ, _MOST_NUMBER_PX = 5.0, 84
@@ -256,11 +244,11 @@ class SpectrogramView(FigureView):
         )
         for field in (self.floor, self.ceiling):
             LetterWidth(field, _MOST_NUMBER_PX, at_most=True)
-        what, band = (
-            (self.output, self.window_length),
-            (self.floor, QtWidgets.QLabel("–"), self.ceiling, None),
-        )
-        self.choices.addWidget(FoldingGroups(what, band, spacing_px=UNIT_PX // 2))
+        gap_px = UNIT_PX // 2
+        what = grouped(self.output, self.window_length, gap_px=gap_px)
+        dash = QtWidgets.QLabel("–")
+        band = grouped(self.floor, dash, self.ceiling, None, gap_px=gap_px)
+        self.choices.addWidget(FoldingRow((what, band), gap_px))
         self.output.edited.connect(lambda number, _: self.change_settings(output=float(number)))
         self.window_length.edited.connect(
             lambda window_ms, _: self.change_settings(window_ms=window_ms)

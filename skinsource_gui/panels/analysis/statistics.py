@@ -10,16 +10,14 @@ from PySide6.QtCore import QSize
 
 from skinsource.base.arrays import Floats
 from skinsource.design.comparing import match_text
-from skinsource.design.design import Design
 from skinsource.design.labels import signal_label, span_label
-from skinsource.design.view import View
 from skinsource.limbs.locations import output_name
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.signals.analysis.statistics import BEGUN_SHARE, Statistics
 from skinsource_gui.panels.analysis.table import OutputTableView, TableRow
 from skinsource_gui.plots.figure import NoteLabel
 from skinsource_gui.qt.layouts import in_column, in_row
-from skinsource_gui.qt.questions import copied_number
+from skinsource_gui.qt.questions import tab_separated
 from skinsource_gui.qt.theme import UNIT_PX
 
 #: Titles, as narrow as they can be, and what they mean.
@@ -100,15 +98,12 @@ def rows_of(
     return tuple(rows)
 
 
-def tab_separated(rows: tuple[StatisticsRow, ...]) -> str:
+def table_text(rows: tuple[StatisticsRow, ...]) -> str:
     """Return the table for a spreadsheet: a header, then numbers that read back exactly."""
     header: tuple[str, ...] = ("output", "place", "rms_m_per_s2", "peak_m_per_s2")
     header += ("crest", "dominant_hz", "delay_ms", "mostly_noise")
-    lines = ["\t".join(header)]
-    for row in rows:
-        numbers = map(copied_number, row.shown)
-        lines.append("\t".join((str(row.number), row.name, *numbers, "yes" if row.noisy else "no")))
-    return "\n".join(lines) + "\n"
+    lines = ((str(row.number), row.name, *row.shown, "yes" if row.noisy else "no") for row in rows)
+    return tab_separated((header, *lines))
 
 
 class StatisticsView(OutputTableView):
@@ -134,9 +129,6 @@ class StatisticsView(OutputTableView):
     def sizeHint(self) -> QSize:
         return QSize(460, 260)
 
-    def show_state(self, design: Design, view: View) -> None:
-        self.show_selection(view)
-
     def show_results(self, results: Mapping[str, Any]) -> None:
         outputs = results["shown_outputs"]
         if not outputs:
@@ -160,4 +152,4 @@ class StatisticsView(OutputTableView):
         super().say_instead(message)
 
     def table_text(self) -> str:
-        return tab_separated(self.rows)
+        return table_text(self.rows)

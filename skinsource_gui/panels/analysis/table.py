@@ -4,29 +4,19 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import (
-    QAbstractTableModel,
-    QEvent,
-    QModelIndex,
-    QObject,
-    QPersistentModelIndex,
-    Qt,
-    Signal,
-)
+from PySide6.QtCore import QEvent, Qt, Signal
 
 from skinsource_gui.panels.analysis.view import AnalysisView
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.keys import claims_shortcut
-from skinsource_gui.qt.labels import SHORT_NAME, fit_name_column, set_table_look
+from skinsource_gui.qt.labels import SHORT_NAME, set_table_look
 from skinsource_gui.qt.theme import current_theme
 
 #: Titles of columns, and what they mean.
 Columns = Sequence[tuple[str, str]]
 
-_RIGHT = int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-_LEFT = int(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-_Index = QModelIndex | QPersistentModelIndex
-_Role = Qt.ItemDataRole
+_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -47,88 +37,64 @@ class TableRow:
     hint: str = ""
 
 
-class OutputTableModel(QAbstractTableModel):
-    """Rows of outputs under columns."""
-
-    def __init__(self, parent: QObject | None = None) -> None:
-        super().__init__(parent)
-        self.columns: Columns = ()
-        self.rows: Sequence[TableRow] = ()
-
-    def show_rows(self, columns: Columns, rows: Sequence[TableRow]) -> bool:
-        """Take over other rows; return whether they are of other outputs or columns.
-
-        Otherwise the selection stays.
-        """
-        outputs = [[row.output for row in some] for some in (rows, self.rows)]
-        other = outputs[0] != outputs[1] or list(columns) != list(self.columns)
-        if other:
-            self.beginResetModel()
-        self.columns, self.rows = columns, rows
-        if other:
-            self.endResetModel()
-        elif rows:
-            end = self.index(len(rows) - 1, len(columns) - 1)
-            self.dataChanged.emit(self.index(0, 0), end)
-        return other
-
-    def rowCount(self, parent: _Index | None = None) -> int:
-        return 0 if parent is not None and parent.isValid() else len(self.rows)
-
-    def columnCount(self, parent: _Index | None = None) -> int:
-        return 0 if parent is not None and parent.isValid() else len(self.columns)
-
-    def data(self, index: _Index, role: int = _Role.DisplayRole) -> object:
-        row, column = self.rows[index.row()], index.column()
-        if role == _Role.DisplayRole:
-            return row.texts[column]
-        if role == _Role.TextAlignmentRole and column:
-            return _RIGHT
-        if role == _Role.ForegroundRole:
-            if column == 0:
-                return current_theme().output_colour(index.row())
-            return QtGui.QColor(current_theme().dim if row.hint else current_theme().text)
-        if role == SHORT_NAME and column == 0:
-            return row.short
-        if role == _Role.ToolTipRole:
-            return row.hint or (None if column else row.texts[0])
-        return None
-
-    def headerData(
-        self, section: int, orientation: Qt.Orientation, role: int = _Role.DisplayRole
-    ) -> object:
-        if orientation != Qt.Orientation.Horizontal:
-            return None
-        if role == _Role.DisplayRole:
-            return self.columns[section][0]
-        if role == _Role.ToolTipRole:
-            return self.columns[section][1]
-        if role == _Role.TextAlignmentRole and section == 0:
-            return _LEFT
-        return None
-
-
-class OutputTable(QtWidgets.QTableView):
+class OutputTable(QtWidgets.QTableWidget):
     """The table; the usual key copies all of it."""
 
     copy_requested = Signal()
 
     def __init__(self, name: str, accessible_name: str) -> None:
         super().__init__()
+        self._columns: Columns = ()
+        self._rows: Sequence[TableRow] = ()
         self.setObjectName(name)
         self.setAccessibleName(accessible_name)
-        self.rows_model = OutputTableModel(self)
-        self.setModel(self.rows_model)
         set_table_look(self)
+        self.setEditTriggers(QtWidgets.QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectionBehavior.SelectRows)
-        self.horizontalHeader().setDefaultAlignment(
-            Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-        )
 
     def show_rows(self, columns: Columns, rows: Sequence[TableRow]) -> None:
-        """Show a row for each output under columns, of which there is one at least."""
-        if self.rows_model.show_rows(columns, rows):
-            fit_name_column(self)
+        """Show a row for each output under columns; of the same outputs the selection stays."""
+        if [row.output for row in rows] != [row.output for row in self._rows]:
+            self.clearSelection()
+        self._columns, self._rows = columns, rows
+        self.setColumnCount(len(columns))
+        self.setRowCount(len(rows))
+        theme = current_theme()
+        for column, (title, hint) in enumerate(columns):
+            head = QtWidgets.QTableWidgetItem(title)
+            head.setToolTip(hint)
+            head.setTextAlignment(_RIGHT if column else _LEFT)
+            self.setHorizontalHeaderItem(column, head)
+        for rank, row in enumerate(rows):
+            for column, text in enumerate(row.texts):
+                item = QtWidgets.QTableWidgetItem(text)
+                item.setForeground(QtGui.QColor(theme.dim if row.hint else theme.text))
+                item.setTextAlignment(_RIGHT if column else _LEFT)
+                item.setToolTip(row.hint)
+                if column == 0:
+                    item.setForeground(theme.output_colour(rank))
+                    item.setData(SHORT_NAME, row.short)
+                    item.setToolTip(row.hint or text)
+                self.setItem(rank, column, item)
+        self._fit_names()
+
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit_names()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() in (QEvent.Type.PaletteChange, QEvent.Type.FontChange):
+            self.show_rows(self._columns, self._rows)
+
+    def _fit_names(self) -> None:
+        """Give names what they need, or what the numbers leave."""
+        header, modes = self.horizontalHeader(), QtWidgets.QHeaderView.ResizeMode
+        sections = range(header.count())
+        needed = sum(max(header.sectionSizeHint(k), self.sizeHintForColumn(k)) for k in sections)
+        narrow = needed > self.viewport().width()
+        if sections:
+            header.setSectionResizeMode(0, modes.Stretch if narrow else modes.ResizeToContents)
 
     def event(self, event: QEvent) -> bool:
         return claims_shortcut(event, _is_copy) or super().event(event)

@@ -21,7 +21,7 @@ from skinsource_gui.plots.figure import Axes, Axis, Figure, draw_legend, fitted_
 from skinsource_gui.plots.ranges import LEVEL_SPAN_DB, SteadyRange
 from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.labels import how_to_add
-from skinsource_gui.qt.questions import copied_number
+from skinsource_gui.qt.questions import tab_separated
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 
 # Bars of many outputs share this part of the height, above which the curves are visible.
@@ -44,7 +44,6 @@ class TransferPicture(Figure):
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__("transfer_picture", "Transfer functions", parent)
         self.content: TransferContent | None = None
-        self.axes: Axes | None = None
         self._steady_range = SteadyRange()
         self._top_db = 0.0
 
@@ -100,9 +99,6 @@ class TransferPicture(Figure):
             level = float(decibels(transfer.magnitude[rank, k]))
             parts.append(f"{output}: {level:z.1f}, {transfer.coherence[rank, k]:.2f}")
         return minus(" · ".join(parts))
-
-    def keys_area(self) -> QRectF:
-        return QRectF() if self.axes is None or self.message else self.axes.frame
 
     def _shade(self, painter: QtGui.QPainter, axes: Axes, content: TransferContent) -> None:
         """Shade the frequencies that were not measured, where that is known."""
@@ -184,7 +180,7 @@ class TransferView(FigureView):
         self._has_inputs = True
         hint = "Draw the share of the power that is not noise, in place of the magnitude"
         self.coherence = tool_button(None, "transfer_coherence", "Coherence", hint, checkable=True)
-        self.coherence.clicked.connect(self._show_coherence)
+        self.coherence.clicked.connect(lambda on: self.change_settings(coherence=on))
         self.place = self.add_above("transfer_place")
         self.choices.addWidget(self.coherence)
         self.choices.addStretch(1)
@@ -232,9 +228,7 @@ class TransferView(FigureView):
             transfer.noise,
             transfer.coherence,
         )
-        lines = ["\t".join(header)]
-        lines += ["\t".join(map(copied_number, row)) for row in np.vstack(columns).T.tolist()]
-        return "\n".join(lines) + "\n"
+        return tab_separated((header, *np.vstack(columns).T.tolist()))
 
     def _show_empty(self) -> None:
         self.say_instead(self.no_outputs if self._has_inputs else how_to_add())
@@ -263,9 +257,6 @@ class TransferView(FigureView):
             note = "" if self.settings.coherence else " · dotted: noise"
         self.place.say(f"From place {place}, {input_name(place, limb.name).name}{note}")
         self.show_result(_usable_text(transfer, outputs))
-
-    def _show_coherence(self, coherence: bool) -> None:
-        self.change_settings(coherence=coherence)
 
 
 def _usable_text(transfer: Transfer, outputs: tuple[int, ...]) -> str:

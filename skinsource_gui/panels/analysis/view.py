@@ -48,6 +48,9 @@ class AnalysisView(OutputsPanel):
         self.has_table = exists
         self.copy_changed.emit()
 
+    def show_staleness(self, stale: bool) -> None:
+        super().show_staleness(stale and not self.message)
+
     def hasHeightForWidth(self) -> bool:
         # The panel asks for the least height itself, see `AnalysisPanel.heightForWidth`.
         return False
@@ -76,6 +79,7 @@ class FigureView(AnalysisView):
         self.figure = figure
         self.setMinimumSize(240, 160)
         self.setFocusProxy(figure)
+        self.computed = (figure,)
         self._result = ""
         self._above: NoteLabel | None = None
         self.note_label = NoteLabel(f"{self.name}_words")
@@ -133,9 +137,6 @@ class FigureView(AnalysisView):
         self._result = text
         if self.figure.cursor_at is None:
             self.note_label.say(text)
-
-    def show_staleness(self, stale: bool) -> None:
-        self.figure.show_staleness(stale)
 
     def _open_menu(self, at: QPoint) -> None:
         if not self.figure.message:

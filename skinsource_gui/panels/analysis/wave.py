@@ -4,8 +4,8 @@ from collections.abc import Mapping, Sequence
 from typing import Any, ClassVar
 
 import numpy as np
-from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6 import QtWidgets
+from PySide6.QtCore import QPointF
 
 from skinsource.base.arrays import Booleans, Floats
 from skinsource.design.comparing import match_text
@@ -15,67 +15,53 @@ from skinsource.design.view import View
 from skinsource.engine.analysis_rules import LineWave
 from skinsource.signals.analysis.wave_speed import LEAST_EXPLAINED, LEAST_STRAIGHT, TravellingWave
 from skinsource_gui.fields.units import minus
+from skinsource_gui.panels.analysis.linearity_content import Curve, Diagram
+from skinsource_gui.panels.analysis.linearity_diagram import DiagramsPicture
 from skinsource_gui.panels.analysis.view import FigureView
-from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
-from skinsource_gui.qt.questions import copied_level, copied_number
-from skinsource_gui.qt.theme import UNIT_PX, current_theme
+from skinsource_gui.plots.figure import Axis
+from skinsource_gui.qt.questions import copied_level, tab_separated
 from skinsource_gui.state.compared import SILENT
 
-_DOT_PX, _REACH_PX = 4.0, 14.0
+_REACH_PX = 14.0
 _DISTANCE_TITLE = "Way along the line (mm)"
+_LINE_PX, _PALE = 1.2, 0.6
 
 
-class WavePicture(Figure):
-    """Two diagrams side by side: delay and level."""
+class WavePicture(DiagramsPicture):
+    """Two diagrams: delay and level; outputs that do not count are pale."""
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__("wave_picture", "Delay and level along the line", parent)
+    def __init__(self) -> None:
+        super().__init__("wave_picture", "Delay and level along the line")
         self.content: LineWave | None = None
-        self._ranks: tuple[int, ...] = ()
-        self._matched = ""
-        self._diagrams: list[tuple[Axes, Floats]] = []
 
-    def show_wave(self, content: LineWave, ranks: tuple[int, ...], matched: str) -> None:
-        """Take over what to show; ``ranks`` are those of the outputs in the selection.
+    def show_wave(self, content: LineWave, outputs: tuple[int, ...], matched: str) -> None:
+        """Take over what to show; ``outputs`` are all that are selected.
 
         ``matched``: text on how much louder or softer than stored it is, or "".
         """
-        self.content, self._ranks, self._matched = content, ranks, matched
-        self.say("")
-        self.read_again()
-
-    def draw(self, painter: QtGui.QPainter, room: QRectF) -> None:
-        if self.content is None:
-            return
-        wave = self.content.wave
-        metrics = QtGui.QFontMetricsF(painter.font())
-        halves = _halves(room)
+        self.content, wave = content, content.wave
+        ranks = [outputs.index(output) for output in content.outputs]
         distance = Axis(shown=_range_around(wave.distance_m), title=_DISTANCE_TITLE, factor=1e3)
         delay = Axis(shown=_range_around(wave.delay_s), title="Delay (ms)", factor=1e3)
-        title = ", ".join(filter(None, (f"Level {self.content.axis} (dB)", self._matched)))
+        title = ", ".join(filter(None, (f"Level {content.axis} (dB)", matched)))
         level = Axis(shown=_range_around(wave.level_db), title=title)
-        self._diagrams = []
-        slowness = 1.0 / wave.speed_m_per_s
-        for area, axis, values, slope, used in (
-            (halves[0], delay, wave.delay_s, slowness, wave.timed),
-            (halves[1], level, wave.level_db, -wave.attenuation_db_per_cm * 100.0, wave.counted),
-        ):
-            painter.save()
-            # Labels of y begin at the left edge of their half.
-            painter.translate(area.left(), area.top())
-            axes = fitted_axes(QRectF(0, 0, area.width(), area.height()), distance, axis, metrics)
-            axes.paint(painter, current_theme())
-            painter.setClipRect(axes.frame.adjusted(-_DOT_PX, -_DOT_PX, _DOT_PX, _DOT_PX))
-            self._draw_fit(painter, axes, values[used], wave.distance_m[used], slope)
-            places = self._draw_dots(painter, axes, wave.distance_m, values, used)
-            painter.restore()
-            self._diagrams.append((axes, places + np.array([area.left(), area.top()])))
+        loss_db_per_m = 100.0 * wave.attenuation_db_per_cm
+        diagrams = (
+            Diagram(x=distance, y=axis, curves=_fit(wave.distance_m, values, slope, used, ranks))
+            for axis, values, slope, used in (
+                (delay, wave.delay_s, 1.0 / wave.speed_m_per_s, wave.timed),
+                (level, wave.level_db, -loss_db_per_m, wave.counted),
+            )
+        )
+        self.show_diagrams(tuple(diagrams), outputs)
 
     def read(self, at: QPointF) -> str:
         if self.content is None:
             return ""
         wave, outputs = self.content.wave, self.content.outputs
-        for _, places in self._diagrams:
+        of_diagrams = zip(self.placed, (wave.delay_s, wave.level_db), strict=False)
+        for (origin, axes), values in of_diagrams:
+            places = axes.to_screen(wave.distance_m, values) + origin.toTuple()
             distances = np.hypot(*(places - (at.x(), at.y())).T)
             if np.isfinite(distances).any() and np.nanmin(distances) <= _REACH_PX:
                 k = int(np.nanargmin(distances))
@@ -89,40 +75,20 @@ class WavePicture(Figure):
                 )
         return ""
 
-    def _draw_fit(
-        self, painter: QtGui.QPainter, axes: Axes, values: Floats, x: Floats, slope: float
-    ) -> None:
-        if not np.isfinite(slope):
-            return
-        ends = np.array([x.min(), x.max()])
-        middle = float(values.mean())
-        painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().dim), 1.2, Qt.PenStyle.DashLine))
-        painter.drawPolyline(axes.polygon(ends, middle + slope * (ends - x.mean())))
 
-    def _draw_dots(
-        self, painter: QtGui.QPainter, axes: Axes, x: Floats, values: Floats, used: Booleans
-    ) -> Floats:
-        places = axes.to_screen(x, values)
-        for rank, place, counted in zip(self._ranks, places, used, strict=True):
-            if not np.isfinite(place).all():
-                continue
-            colour = current_theme().output_colour(rank)
-            painter.setPen(QtGui.QPen(colour, 1.5))
-            painter.setBrush(colour if counted else Qt.BrushStyle.NoBrush)
-            painter.drawEllipse(QPointF(*place), _DOT_PX, _DOT_PX)
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        return places
-
-
-def _halves(room: QRectF) -> tuple[QRectF, QRectF]:
-    """Return two halves, side by side where the room is wide enough."""
-    if room.width() >= 1.2 * room.height():
-        half = room.width() / 2
-        left = QRectF(room.left(), room.top(), half - UNIT_PX / 2, room.height())
-        return left, left.translated(half + UNIT_PX / 2, 0)
-    half = room.height() / 2
-    top = QRectF(room.left(), room.top(), room.width(), half)
-    return top, top.translated(0, half)
+def _fit(
+    x: Floats, values: Floats, slope: float, used: Booleans, ranks: Sequence[int]
+) -> tuple[Curve, ...]:
+    """Return a line through the outputs that count, if it has a slope, and a dot for each."""
+    curves: list[Curve] = []
+    if np.isfinite(slope):
+        ends = np.array([x[used].min(), x[used].max()])
+        heights = values[used].mean() + slope * (ends - x[used].mean())
+        curves.append(Curve(x=ends, y=heights, rank=None, width_px=_LINE_PX, pale=_PALE))
+    for k, rank in enumerate(ranks):
+        at, pale = slice(k, k + 1), 0.0 if used[k] else _PALE
+        curves.append(Curve(x=x[at], y=values[at], rank=rank, width_px=0.0, pale=pale))
+    return tuple(curves)
 
 
 def _range_around(values: Floats) -> tuple[float, float]:
@@ -178,8 +144,7 @@ class WaveView(FigureView):
         outputs = results["shown_outputs"]
         self.offer_copy(True)
         self.about.say(_ABOUT.format(axis=line.axis))
-        ranks = tuple(outputs.index(output) for output in line.outputs)
-        self.picture.show_wave(line, ranks, match_text(results["match_gain"]))
+        self.picture.show_wave(line, outputs, match_text(results["match_gain"]))
         left_out = len(outputs) - len(line.outputs)
         note = f" · {left_out} not on the map" if left_out else ""
         synthetic = " · synthetic limb" if results["limb_data"].synthetic else ""
@@ -192,19 +157,18 @@ class WaveView(FigureView):
             return ""
         wave = content.wave
         header = ("output", "way_mm", "delay_ms", f"level_{content.axis}_db", "alike")
-        lines = ["\t".join((*header, "counted", "timed"))]
-        distances = wave.distance_m * 1e3, wave.delay_s * 1e3
-        for k, output in enumerate(content.outputs):
-            distance, delay = (copied_number(values[k]) for values in distances)
-            numbers = (
-                distance,
-                delay,
+        lines = (
+            (
+                str(output),
+                1e3 * wave.distance_m[k],
+                1e3 * wave.delay_s[k],
                 copied_level(wave.level_db[k]),
-                copied_number(wave.similarity[k]),
+                wave.similarity[k],
+                *("yes" if flags[k] else "no" for flags in (wave.counted, wave.timed)),
             )
-            used = ("yes" if flags[k] else "no" for flags in (wave.counted, wave.timed))
-            lines.append("\t".join((str(output), *numbers, *used)))
-        return "\n".join(lines) + "\n"
+            for k, output in enumerate(content.outputs)
+        )
+        return tab_separated(((*header, "counted", "timed"), *lines))
 
     @property
     def no_outputs(self) -> str:

@@ -11,6 +11,7 @@ from skinsource.base.arrays import Floats
 from skinsource.design.design import Design, audible_inputs
 from skinsource.limbs.extent import Extent
 from skinsource.signals.analysis.windows import Windows
+from skinsource_gui.fields.inputs import duration_text
 from skinsource_gui.fields.units import axis_unit
 from skinsource_gui.plots.colour_maps import colour_table
 from skinsource_gui.plots.small_map import (
@@ -76,17 +77,9 @@ class WindowedContent:
     look: LevelStyle = USUAL_STYLE
 
     @property
-    def time_phrases(self) -> tuple[str, ...]:
-        """Texts that say what the times of the windows are, the longest first."""
-        if not self.traces_delay_s:
-            return ("Times of the stimulus, as in the traces", "Times of the stimulus")
-        whole = f"Times of the stimulus; the traces show it about {self._delay} later"
-        return whole, f"Traces: +{self._delay}"
-
-    @property
     def begin_phrases(self) -> tuple[str, ...]:
-        """Texts for windows that have only their begins above them, the longest first."""
-        length = window_length_text(self.windows.window_samples / self.sample_rate_hz)
+        """Texts that say what stands above the maps, the longest first."""
+        length = duration_text(self.windows.window_samples / self.sample_rate_hz)
         unit, _ = axis_unit(self.bounds_s[-1][1])
         whole = f"Windows of {length}; above each when it begins, in {unit} of the stimulus"
         short, later = f"{length} each, begins in {unit}", f"; traces +{self._delay}"
@@ -154,19 +147,8 @@ def window_text(bounds_s: tuple[float, float], until_s: float) -> str:
 
 def time_number(time_s: float, until_s: float) -> str:
     """Return a time to the millisecond, in the unit of times up to ``until_s``."""
-    return f"{time_s:.3f}".rstrip("0").rstrip(".") if _in_s(until_s) else f"{1e3 * time_s:.0f}"
-
-
-def _in_s(until_s: float) -> bool:
-    return axis_unit(until_s)[0] == "s"
-
-
-def window_length_text(length_s: float) -> str:
-    """Return the length of a window with its unit."""
-    if _in_s(length_s):
-        return f"{length_s:.4g} s"
-    length_ms = 1e3 * length_s
-    return f"{length_ms:.0f} ms" if length_ms >= 100.0 else f"{length_ms:.3g} ms"
+    in_s = axis_unit(until_s)[0] == "s"
+    return f"{time_s:.3f}".rstrip("0").rstrip(".") if in_s else f"{1e3 * time_s:.0f}"
 
 
 def _extent_text(extent: Extent | None, origin: str) -> str:
@@ -181,28 +163,12 @@ def _extent_text(extent: Extent | None, origin: str) -> str:
     )
 
 
-@dataclass(frozen=True, slots=True)
-class WindowTitles:
-    """Texts above the maps.
-
-    Attributes
-    ----------
-    texts
-        A text for each window; empty where there is no room for it.
-    by_begin
-        Whether the texts are only the begins of the windows.
-    """
-
-    texts: tuple[str, ...]
-    by_begin: bool
-
-
 def window_titles(
     bounds_s: Sequence[tuple[float, float]],
     cells: Sequence[QRectF],
     width_of: Callable[[str], float],
-) -> WindowTitles:
-    """Return begin and end of each window; where these are too wide, every begin or every n-th.
+) -> tuple[str, ...]:
+    """Return when each window begins; where maps are narrow, only every n-th says it.
 
     Parameters
     ----------
@@ -213,29 +179,19 @@ def window_titles(
     width_of
         Width of words, px.
     """
-    until_s = max((end for _, end in bounds_s), default=0.0)
-    titles = tuple(window_text(bound_s, until_s) for bound_s in bounds_s)
-    least = min((cell.width() for cell in cells), default=0.0)
-    if all(width_of(title) <= least for title in titles):
-        return WindowTitles(titles, by_begin=False)
-    begins = tuple(time_number(begin, until_s) for begin, _ in bounds_s)
+    if not cells:
+        return ()
+    begins = tuple(time_number(begin, bounds_s[-1][1]) for begin, _ in bounds_s)
+    least = min(cell.width() for cell in cells)
     widest = max(map(width_of, begins)) + width_of(" ")
     step = next(n for n in range(1, len(cells) + 1) if widest <= n * least or n == len(cells))
     columns = sum(cell.top() == cells[0].top() for cell in cells)
-    named = (begin if k % columns % step == 0 else "" for k, begin in enumerate(begins))
-    return WindowTitles(tuple(named), by_begin=True)
+    return tuple(begin if k % columns % step == 0 else "" for k, begin in enumerate(begins))
 
 
-def windows_heading(
-    content: WindowedContent,
-    cells: Sequence[QRectF],
-    width_of: Callable[[str], float],
-    room: float,
-) -> str:
+def windows_heading(content: WindowedContent, width_of: Callable[[str], float], room: float) -> str:
     """Return the longest text on the times of the windows that fits into ``room``, or ""."""
-    titles = window_titles(content.bounds_s, cells, width_of)
-    phrases = content.begin_phrases if titles.by_begin else content.time_phrases
-    return next((phrase for phrase in phrases if width_of(phrase) <= room), "")
+    return next((phrase for phrase in content.begin_phrases if width_of(phrase) <= room), "")
 
 
 _MOST_MAP_PX = 190.0
@@ -327,7 +283,7 @@ def paint_strip(
     scale = content.scale
     table = colour_table(scale.colours)
     width_of = painter.fontMetrics().horizontalAdvance
-    titles = window_titles(content.bounds_s, layout.cells, width_of).texts
+    titles = window_titles(content.bounds_s, layout.cells, width_of)
     for window, (cell, title) in enumerate(zip(layout.cells, titles, strict=True)):
         painter.setPen(QtGui.QColor(theme.text))
         # A begin that stands for several windows may be wider than its map.
@@ -425,7 +381,7 @@ class StripView(QtWidgets.QWidget):
     def __init__(self, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
         self.content: WindowedContent | None = None
-        self.message, self.outdated = "", False
+        self.message = ""
         self.chosen: int | None = None
         self.setObjectName("window_strip")
         self.setAccessibleName("Windows")
@@ -456,11 +412,6 @@ class StripView(QtWidgets.QWidget):
             self.chosen = chosen
             self.update()
 
-    def show_outdated(self, outdated: bool) -> None:
-        """Show whether the content belongs to an older design."""
-        self.outdated = outdated
-        self.update()
-
     def window_under(self, point: QPointF) -> int | None:
         """Return the window under a point."""
         cells = enumerate(self.places.cells)
@@ -471,13 +422,11 @@ class StripView(QtWidgets.QWidget):
         """The text above the strip: what its times are, as long as fits."""
         if self.content is None or self.message:
             return ""
-        if self.outdated:
-            return "Computing…"
-        metrics, places = QtGui.QFontMetrics(tabular(self.font())), self.places
-        room = places.head.width() - metrics.height()
+        metrics = QtGui.QFontMetrics(tabular(self.font()))
+        room = self.places.head.width() - metrics.height()
         if self.content.synthetic:
             room -= metrics.horizontalAdvance(_SYNTHETIC)
-        return windows_heading(self.content, places.cells, metrics.horizontalAdvance, room)
+        return windows_heading(self.content, metrics.horizontalAdvance, room)
 
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         painter, theme = QtGui.QPainter(self), current_theme()
@@ -496,10 +445,7 @@ class StripView(QtWidgets.QWidget):
         painter.drawText(places.head, right, text)
         painter.setPen(QtGui.QColor(theme.dim))
         painter.drawText(places.head, Qt.AlignmentFlag.AlignVCenter, self.head_text)
-        if self.outdated:
-            painter.setOpacity(0.5)
         paint_strip(painter, self.content, places, theme, self.chosen)
-        painter.setOpacity(1.0)
         if self.hasFocus():
             paint_focus_frame(painter, QRectF(self.rect()), theme)
         painter.end()
@@ -534,14 +480,6 @@ class StripView(QtWidgets.QWidget):
         if n:
             start = (-1 if step > 0 else n) if self.chosen is None else self.chosen
             self._choose(min(max(start + step, 0), n - 1))
-
-    def focusInEvent(self, event: QtGui.QFocusEvent) -> None:
-        super().focusInEvent(event)
-        self.update()
-
-    def focusOutEvent(self, event: QtGui.QFocusEvent) -> None:
-        super().focusOutEvent(event)
-        self.update()
 
     def _choose(self, window: int) -> None:
         if self.content is not None and not self.message:

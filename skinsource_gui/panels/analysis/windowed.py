@@ -24,7 +24,7 @@ from skinsource_gui.panels.analysis.window_strip import (
     windows_heading,
 )
 from skinsource_gui.plots.small_map import SmallMaps, level_style
-from skinsource_gui.qt.fitting import FoldingGroups
+from skinsource_gui.qt.fitting import FoldingRow, grouped
 from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, on_paper
 from skinsource_gui.state.compared import SILENT
@@ -53,10 +53,17 @@ class WindowedView(AnalysisView):
         }
         cut, *others = self.cells.values()
         fields = [part for cell in others for part in (cell.label, cell)]
-        row = FoldingGroups((cut.label, cut, None), (*fields, None), spacing_px=UNIT_PX // 2)
-        in_column(row, (self.strip, 1), of=self, margins=UNIT_PX // 2, gap_px=UNIT_PX // 2)
+        gap_px = UNIT_PX // 2
+        groups = grouped(cut.label, cut, gap_px=gap_px), grouped(*fields, None, gap_px=gap_px)
+        in_column(
+            FoldingRow(groups, gap_px),
+            (self.strip, 1),
+            of=self,
+            margins=UNIT_PX // 2,
+            gap_px=UNIT_PX // 2,
+        )
         self.setFocusProxy(self.strip)
-        self.guessed = (self.strip,)
+        self.guessed = self.computed = (self.strip,)
         self.strip.time_chosen.connect(self.playhead_requested)
         self._show_view()
 
@@ -77,6 +84,10 @@ class WindowedView(AnalysisView):
                 "match_gain",
             }
         )
+
+    @property
+    def message(self) -> str:
+        return self.strip.message
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
@@ -120,9 +131,6 @@ class WindowedView(AnalysisView):
         self.strip.show_content(content, message)
         self.strip.show_time(self._view.playhead_s)
 
-    def show_staleness(self, stale: bool) -> None:
-        self.strip.show_outdated(stale)
-
     def say_instead(self, message: str) -> None:
         self.strip.show_content(None, message)
 
@@ -145,7 +153,7 @@ class WindowedView(AnalysisView):
         room = QRectF(0.0, 4.0 * line, width, height - 4.5 * line)
         layout = strip_layout(room, content.windows.count, line)
         width_of = painter.fontMetrics().horizontalAdvance
-        times = windows_heading(content, layout.cells, width_of, heading.width())
+        times = windows_heading(content, width_of, heading.width())
         painter.drawText(heading, 0, self._heading(times))
         with on_paper():
             paint_strip(painter, content, layout, theme)

@@ -13,7 +13,6 @@ from PySide6.QtCore import (
     QModelIndex,
     QObject,
     QPersistentModelIndex,
-    QPoint,
     QRect,
     QSize,
     Qt,
@@ -27,6 +26,7 @@ from skinsource.base.quoting import sentence
 from skinsource.design.presets.presets import Entry, Preset, mixed
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
+from skinsource_gui.fields.kinds import SHARPEST, drawn_path
 from skinsource_gui.plots.preview import ClipStrip, SpectrumPreview, strip_lanes
 from skinsource_gui.qt.buttons import scrolled
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
@@ -74,6 +74,9 @@ class PresetsModel(QtGui.QStandardItemModel):
         self.rename_requested.emit(entry, str(value))
         return False
 
+    def supportedDragActions(self) -> Qt.DropAction:
+        return Qt.DropAction.CopyAction
+
     def mimeData(self, indexes: Any) -> QMimeData:
         """Return the files: the window accepts them, and so do other programs."""
         data = QMimeData()
@@ -82,8 +85,6 @@ class PresetsModel(QtGui.QStandardItemModel):
 
 
 SIZE_PX = QSize(44, 26)
-#: Largest number of screen pixels for each px.
-_SHARPEST = 3
 _LINE_PX = 1.0
 # So small a picture looks the same at the sample rate of any limb.
 _RATE_HZ = 2000.0
@@ -92,23 +93,15 @@ _RATE_HZ = 2000.0
 @lru_cache(maxsize=256)
 def thumbnail(preset: Preset, colour: str, ratio: float) -> QtGui.QPixmap:
     """Return a picture of what a preset plays, at full height; empty where it cannot be played."""
-    per_px = min(max(round(ratio), 1), _SHARPEST)
-    picture = QtGui.QPixmap(SIZE_PX * per_px)
-    picture.setDevicePixelRatio(per_px)
-    picture.fill(Qt.GlobalColor.transparent)
     try:
         samples = mixed(preset.fragment, _RATE_HZ)
     except SkinSourceError:
-        return picture
-    if not samples.size:
-        return picture
-    samples = samples / max(float(np.abs(samples).max()), np.finfo(np.float64).tiny)
-    painter = QtGui.QPainter(picture)
-    painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
-    painter.setPen(QtGui.QPen(QtGui.QColor(colour), _LINE_PX))
-    painter.drawPath(_curve(samples, SIZE_PX.width() * per_px))
-    painter.end()
-    return picture
+        samples = np.zeros(0)
+    per_px, path = min(max(round(ratio), 1), SHARPEST), QtGui.QPainterPath()
+    if samples.size:
+        samples = samples / max(float(np.abs(samples).max()), np.finfo(np.float64).tiny)
+        path = _curve(samples, SIZE_PX.width() * per_px)
+    return drawn_path(path, SIZE_PX, colour, _LINE_PX, per_px)
 
 
 def _curve(samples: Floats, columns: int) -> QtGui.QPainterPath:
@@ -176,8 +169,6 @@ class PresetDelegate(QtWidgets.QStyledItemDelegate):
 
 
 _PLACE = "library"
-# Distance of a dragged preset from the pointer, and largest width of its name.
-_ASIDE_PX, _WIDEST_TAG_PX = 14, 180
 
 
 class PresetList(QtWidgets.QListView):
@@ -231,28 +222,6 @@ class PresetList(QtWidgets.QListView):
         """Let the user type another name, where the preset is the user's own."""
         if self.current_is_own:
             self.edit(self.currentIndex())
-
-    def startDrag(self, actions: Qt.DropAction) -> None:
-        chosen = self.selectedIndexes()
-        if chosen:
-            drag = QtGui.QDrag(self)
-            drag.setMimeData(self.model().mimeData(chosen))
-            drag.setPixmap(self._tag(str(chosen[0].data())))
-            # It lies beside the pointer, so that the target below stays visible.
-            drag.setHotSpot(QPoint(-_ASIDE_PX, -_ASIDE_PX))
-            drag.exec(Qt.DropAction.CopyAction)
-
-    def _tag(self, name: str) -> QtGui.QPixmap:
-        """Return a small label with a name on it."""
-        text = self.fontMetrics().elidedText(name, Qt.TextElideMode.ElideRight, _WIDEST_TAG_PX)
-        tag, theme = QtWidgets.QLabel(text, self), current_theme()
-        tag.setStyleSheet(
-            f"background: {theme.accent}; color: {theme.on_accent}; padding: {UNIT_PX // 2}px"
-        )
-        tag.adjustSize()
-        picture = tag.grab()
-        tag.deleteLater()
-        return picture
 
     def currentChanged(self, current: _Index, previous: _Index) -> None:
         super().currentChanged(current, previous)

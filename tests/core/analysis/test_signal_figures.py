@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from skinsource.base.errors import InvalidInputError, Stopped
+from skinsource.base.errors import Stopped
 from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.signals.analysis import statistics
-from skinsource.signals.analysis.noise import noise_rms, predicted_noise_energy, quiet_rms
+from skinsource.signals.analysis.noise import noise_rms, quiet_rms
 from skinsource.signals.analysis.spectrogram import MOST_COLUMNS, spectrogram
 from skinsource.signals.analysis.statistics import crest_factor, dominant_frequency, onset_time
 from skinsource.signals.analysis.transfer import transfer_function
@@ -68,7 +68,7 @@ def power_of(signals):
 def test_the_crest_factor_of_a_sine_is_the_root_of_two_and_silence_has_none():
     wave = np.sin(2 * np.pi * 0.0213 * np.arange(5000))
     rms = np.sqrt(np.mean(wave**2))
-    factors = crest_factor([np.abs(wave).max(), 0.0], [rms, 0.0])
+    factors = crest_factor(np.array([np.abs(wave).max(), 0.0]), np.array([rms, 0.0]))
     assert factors[0] == pytest.approx(np.sqrt(2), rel=1e-3)
     assert np.isnan(factors[1])
 
@@ -86,17 +86,17 @@ def test_the_dominant_frequency_is_that_of_the_finest_transform(frequency_hz):
 
 def test_silence_has_no_dominant_frequency_and_a_constant_neither():
     assert np.isnan(dominant_frequency(np.zeros((2, 8)), 1.0)).all()
-    assert np.isnan(dominant_frequency([5.0, 0.0, 0.0], 1.0))
+    assert np.isnan(dominant_frequency(np.array([5.0, 0.0, 0.0]), 1.0))
 
 
 def test_the_lowest_bin_is_not_drawn_towards_a_constant():
-    assert dominant_frequency([100.0, 4.0, 1.0, 0.5], 2.0) == 2.0
+    assert dominant_frequency(np.array([100.0, 4.0, 1.0, 0.5]), 2.0) == 2.0
 
 
 def test_a_signal_begins_where_it_first_reaches_a_tenth_of_its_peak():
     time = np.arange(101) / 100.0 - 0.2
     ramp = np.clip(time - 0.105, 0.0, 0.5) * -8.0
-    onsets_s = onset_time([ramp, np.zeros(101), np.ones(101)], time)
+    onsets_s = onset_time(np.stack([ramp, np.zeros(101), np.ones(101)]), time)
     # A straight line: no error between samples, though a tenth lies between two of them.
     assert onsets_s[0] == pytest.approx(0.155, abs=1e-12)
     assert np.isnan(onsets_s[1])
@@ -116,17 +116,6 @@ def test_too_few_samples_of_a_recording_tell_no_noise():
     assert quiet_rms(quiet[..., :7]) is None
     assert quiet_rms(quiet[..., :0]) is None
     np.testing.assert_allclose(quiet_rms(quiet), np.sqrt(np.mean(quiet**2, axis=-1)))
-
-
-def test_wrong_figures_are_refused_in_one_sentence():
-    with pytest.raises(InvalidInputError, match="two bins or more"):
-        dominant_frequency([1.0], 1.0)
-    with pytest.raises(InvalidInputError, match="39 samples before the pulse"):
-        noise_rms(np.zeros((2, 39)), RATE)
-    with pytest.raises(InvalidInputError, match="place 4 is not given"):
-        predicted_noise_energy({4: 3.0}, {}, 10)
-    with pytest.raises(InvalidInputError, match="expected \\(n_times,\\)"):
-        onset_time(np.ones((2, 5)), np.arange(4.0))
 
 
 def amplitude_by_hand(signal, middle, frequency_hz, n_window):
@@ -192,13 +181,13 @@ def test_a_tone_between_noises_is_usable_around_its_frequency_only():
     time = np.arange(522) / RATE
     response = rng.normal(0.0, 0.01, (1, 1, 522))
     response += np.exp(-time / 0.01) * np.sin(2 * np.pi * 200.0 * time)
-    transfer = transfer_function(response, RATE, [[0.01]])
+    transfer = transfer_function(response, RATE, np.array([[0.01]]))
     low, high = transfer.usable_hz[0]
     assert 25.0 <= low < 190.0
     assert 210.0 < high <= 600.0
     at = int(np.argmin(np.abs(transfer.frequency_hz - 200.0)))
     assert transfer.coherence[0, at] > 0.99
-    doubled = transfer_function(response, RATE, [[0.01]], np.full(262, 2.0))
+    doubled = transfer_function(response, RATE, np.array([[0.01]]), np.full(262, 2.0))
     assert doubled.noise == pytest.approx(2.0 * transfer.noise)
 
 
@@ -249,28 +238,28 @@ def travelling(speed_m_per_s, loss_db_per_cm, distance_mm, noise=0.0):
 
 @pytest.mark.parametrize(("speed", "loss"), [(5.0, 1.5), (15.0, 0.4), (40.0, 0.0)])
 def test_speed_and_loss_of_a_made_wave_are_found(speed, loss):
-    distance_mm = [0.0, 11.0, 30.0, 65.0, 90.0]
+    distance_mm = np.array([0.0, 11.0, 30.0, 65.0, 90.0])
     wave = travelling_wave(travelling(speed, loss, distance_mm), distance_mm, RATE)
     assert wave.speed_m_per_s == pytest.approx(speed, rel=0.01)
     assert wave.attenuation_db_per_cm == pytest.approx(loss, abs=1e-3)
-    assert wave.delay_s == pytest.approx(np.array(distance_mm) * 1e-3 / speed, abs=2e-5)
+    assert wave.delay_s == pytest.approx(distance_mm * 1e-3 / speed, abs=2e-5)
     assert wave.similarity == pytest.approx(np.ones(5), abs=1e-3)
     assert wave.speed_deviation_m_per_s < 0.02 * speed
 
 
 def test_silent_and_untrusted_points_do_not_bend_the_line():
-    distance_mm = [0.0, 20.0, 40.0, 60.0]
+    distance_mm = np.array([0.0, 20.0, 40.0, 60.0])
     signals = travelling(10.0, 1.0, distance_mm)
     signals[1] = 0.0
     signals[3] = np.roll(signals[3], 300)
-    wave = travelling_wave(signals, distance_mm, RATE, [True, True, True, False])
+    wave = travelling_wave(signals, distance_mm, RATE, np.array([True, True, True, False]))
     assert wave.counted.tolist() == [True, False, True, False]
     assert wave.speed_m_per_s == pytest.approx(10.0, rel=0.01)
     assert np.isnan(wave.delay_s[1])
 
 
 def test_what_arrives_everywhere_at_once_or_backwards_has_no_speed():
-    distance_mm = [0.0, 20.0, 40.0]
+    distance_mm = np.array([0.0, 20.0, 40.0])
     standing = np.tile(travelling(10.0, 0.0, [0.0]), (3, 1))
     assert np.isnan(travelling_wave(standing, distance_mm, RATE).speed_m_per_s)
     backwards = travelling(10.0, 0.0, distance_mm)[::-1]
@@ -302,12 +291,13 @@ def test_a_way_to_and_fro_has_no_speed_and_a_bent_one_has():
 
 
 def test_straightness_is_the_distance_of_the_ends_over_the_way():
-    assert straightness([[0.0, 0.0], [3.0, 0.0], [9.0, 0.0]]) == 1.0
-    assert straightness([[0.0, 0.0], [3.0, 0.0], [3.0, 4.0]]) == pytest.approx(5.0 / 7.0)
-    assert straightness([[0.0, 0.0], [3.0, 4.0], [0.0, 0.0]]) == 0.0
-    assert straightness([[2.0, 2.0], [2.0, 2.0]]) == 1.0
+    corners = np.array([[0.0, 0.0], [3.0, 0.0], [3.0, 4.0]])
+    assert straightness(corners) == pytest.approx(5.0 / 7.0)
+    assert straightness(corners[[0, 1, 1]]) == 1.0
+    assert straightness(corners[[0, 2, 0]]) == 0.0
+    assert straightness(corners[[2, 2]]) == 1.0
 
 
 def test_distances_add_up_along_the_line():
-    distances_mm = line_distances_mm([[0.0, 0.0], [3.0, 4.0], [3.0, 10.0]], 2.0)
+    distances_mm = line_distances_mm(np.array([[0.0, 0.0], [3.0, 4.0], [3.0, 10.0]]), 2.0)
     assert distances_mm.tolist() == [0.0, 10.0, 22.0]

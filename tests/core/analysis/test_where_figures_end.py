@@ -39,7 +39,8 @@ def test_a_point_of_another_shape_has_a_level_and_no_delay_that_counts():
     rng = np.random.default_rng(11)
     first = rng.normal(size=1300)
     later = [np.roll(first, 5 * k) for k in range(3)]
-    wave = travelling_wave([*later, rng.normal(size=1300)], [0.0, 50.0, 100.0, 150.0], RATE)
+    signals = np.stack([*later, rng.normal(size=1300)])
+    wave = travelling_wave(signals, np.array([0.0, 50.0, 100.0, 150.0]), RATE)
     assert wave.similarity[-1] < 0.5
     assert list(wave.timed) == [True, True, True, False]
     assert wave.counted.all()

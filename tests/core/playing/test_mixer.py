@@ -56,17 +56,6 @@ def test_the_stand_in_plays_on_two_ears_so_many_hertz_higher():
     assert np.allclose(mixed.samples[0], mixed.samples[1])
 
 
-def test_only_the_track_that_was_edited_is_resampled():
-    mixer = Mixer()
-    mixer.mix(TWO, Output())
-    first = mixer.rows.n_resampled
-    mixer.mix(TWO.with_input(1, amplitude=0.3), Output())
-    assert 0 < mixer.rows.n_resampled - first < 0.7 * first
-    second = mixer.rows.n_resampled
-    mixer.mix(TWO.with_input(1, amplitude=0.3), Output(outputs=((7, 3),)))
-    assert mixer.rows.n_resampled == second
-
-
 def test_too_much_to_be_held_is_refused():
     tracks = tuple(ss.track(1 + k, ss.waveforms.Impulse(), onset_s=0.0) for k in range(20))
     late = ss.track(1, ss.waveforms.Impulse(), onset_s=MOST_SAMPLES / 20 / 384_000 + 1)

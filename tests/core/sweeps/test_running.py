@@ -15,7 +15,7 @@ import pytest
 
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError, Stopped, StorageError
-from skinsource.base.lock import Lock
+from skinsource.base.lock import Lock, read_owner
 from skinsource.cli.command_line import main
 from skinsource.studies.sweeps.plan import Order, Plan
 from skinsource.studies.sweeps.running import Sweep, run
@@ -127,7 +127,7 @@ def test_a_folder_of_another_sweep_is_refused(tmp_path):
 
 def test_two_sweeps_do_not_write_to_one_folder(tmp_path):
     code = (
-        "import sys; from skinsource.base.lock import Lock; from pathlib import Path\n"
+        "import sys; from skinsource.base.lock import Lock, read_owner; from pathlib import Path\n"
         f"Lock(Path({str(tmp_path / JOURNAL)!r})).take(); print('taken', flush=True)\n"
         "sys.stdin.read()"
     )
@@ -139,7 +139,7 @@ def test_two_sweeps_do_not_write_to_one_folder(tmp_path):
             ss.sweep(DESIGN, out=tmp_path)
         other.stdin.close()
     assert len(ss.sweep(DESIGN, out=tmp_path)) == 1
-    assert Lock(tmp_path / JOURNAL).owner() is None
+    assert read_owner(Lock(tmp_path / JOURNAL).path) is None
 
 
 def test_a_stimulus_that_ends_its_process_costs_only_its_own_row(tmp_path, monkeypatch):

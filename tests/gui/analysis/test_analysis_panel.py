@@ -84,7 +84,7 @@ def test_a_picture_of_another_view_leaves_the_chosen_one(window, settle_on, tmp_
     picture = window.pictures.picture_of("analysis/windowed")
     save_drawing(tmp_path / "a.svg", picture.draw, 900, 700)
     text = (tmp_path / "a.svg").read_text("utf-8")
-    assert "Times of the stimulus" in text
+    assert " in windows" in text
     assert (panel.view, panel.choice.value) == (shown, "statistics")
     window.docks["analysis"].bring_forward()
     settle_on(window)

@@ -121,7 +121,7 @@ def test_the_table_is_copied_with_numbers_that_read_back(show, window):
     hints = [model.data(model.index(0, k), Qt.ItemDataRole.ToolTipRole) for k in (0, 1)]
     noisy = panel.rows[0].noisy
     assert hints[0].startswith("20  III nail rad.")
-    assert (hints[1] is not None) is noisy
+    assert bool(hints[1]) is noisy
     header, *below = copied(window).splitlines()
     lines = [line for line in below if not line.startswith("# ")]
     columns = header.split("\t")
@@ -218,7 +218,12 @@ def test_the_wave_says_speed_and_attenuation_along_the_selection(show, window, s
     wave = evaluate(document.design, "line_wave", view=document.view)["line_wave"].wave
     assert f"attenuation {wave.attenuation_db_per_cm:.2f}" in panel.note_label.text
     panel.grab()
-    places = panel.picture._diagrams[1][1]
+    line, *dots = panel.picture.diagrams[1].curves
+    slope = np.diff(line.y) / np.diff(line.x)
+    assert slope == pytest.approx(-100.0 * wave.attenuation_db_per_cm)
+    assert [dot.rank for dot in dots] == [0, 1, 2, 3]
+    origin, axes = panel.picture.placed[1]
+    places = axes.to_screen(wave.distance_m, wave.level_db) + origin.toTuple()
     panel.picture.move_cursor(QPointF(*places[2]))
     assert panel.note_label.text.startswith("33: ")
     assert panel.table_text().splitlines()[3].startswith("33\t")

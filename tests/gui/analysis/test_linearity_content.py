@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from skinsource.studies.checking import proportion, superposition
-from skinsource_gui.panels.analysis.linearity import tab_separated
+from skinsource_gui.panels.analysis.linearity import table_text
 from skinsource_gui.panels.analysis.linearity_content import (
     diagrams_of_proportion,
     diagrams_of_superposition,
@@ -120,7 +120,7 @@ def test_the_sum_is_wide_below_the_joint_response_and_they_are_held_against_each
 
 def test_bands_are_copied_by_strength_output_and_axis():
     fits = bent()
-    text = tab_separated(fits, (20, 26), ("x", "z"), of_amplitudes("m/s²"), bands=True)
+    text = table_text(fits, (20, 26), ("x", "z"), of_amplitudes("m/s²"), bands=True)
     head, *rows = (line.split("\t") for line in text.splitlines())
     columns = dict(zip(head, np.array(rows, float).T, strict=True))
     np.testing.assert_allclose(columns["frequency_hz"], fits.frequency_hz)

@@ -16,7 +16,7 @@ from skinsource_gui.panels.analysis.perception import (
     contact_table,
     contact_text,
     rows,
-    tab_separated,
+    table_text,
 )
 from skinsource_gui.panels.analysis.wave import wave_text
 from skinsource_gui.panels.skin.settings import SkinSettings
@@ -48,11 +48,6 @@ def test_the_panel_shows_levels_limits_and_the_contact(window, settle, tmp_path)
     assert held.thresholds == ((25.0, 0.1), (600.0, 0.1))
     assert panel.table.model().columnCount() == 3
     assert "your table" in panel.limits.text()
-    path.write_text("nonsense")
-    messages = []
-    panel.failed.connect(messages.append)
-    panel.import_thresholds(path)
-    assert "line 1" in messages[0]
     panel.model.click()
     settle()
     assert panel.table.model().columnCount() == 5
@@ -105,7 +100,7 @@ def test_what_is_not_felt_has_no_strength():
     silent, loud = rows(sensation, (1, 2))
     assert silent.texts[1:] == ("–",) * 4
     assert loud.texts[1:] == ("12.0", "12.0", "3.0", "1.5")
-    _, silent, loud = (line.split("\t") for line in tab_separated(sensation, (1, 2)).splitlines())
+    _, silent, loud = (line.split("\t") for line in table_text(sensation, (1, 2)).splitlines())
     assert silent[2:] == [""] * 4
     assert loud[2:] == ["12.0", "12.0", "3.0", "1.5"]
 

@@ -10,7 +10,8 @@ from skinsource.design.comparing import Snapshot, region_levels_db
 from skinsource.design.design import Design, track
 from skinsource.design.edits.edit import Edit
 from skinsource.engine.evaluation import evaluate
-from skinsource_gui.panels.analysis.regions import columns_of_people, tab_separated
+from skinsource_gui.panels.analysis.regions import columns_of_people, table_text
+from skinsource_gui.panels.analysis.table import OutputTable, TableRow
 from skinsource_gui.state.compared import Compared
 from skinsource_gui.state.engine import Slot
 from tests.gui.analysis.analysis_bench import analysis, copied
@@ -47,19 +48,16 @@ def test_people_and_snapshots_stand_side_by_side_and_cost_nothing_while_hidden(
     )
     quiet, second = panel.columns[0].numbers, panel.columns[1].numbers
     assert np.subtract(second, quiet) == pytest.approx(np.full(len(quiet), 6.0206), abs=1e-3)
-    assert (panel.stored.columnCount(), panel.table.columnCount()) == (2, 6)
+    assert panel.table.columnCount() == 8
     dock = window.docks["analysis"]
     dock.setFloating(True)
-    tables = (panel.stored, panel.table)
-    for width, beside in ((300, False), (900, True)):
-        dock.resize(width, 420)
-        qtbot.waitUntil(
-            lambda beside=beside: (
-                (panel.stored.y() == panel.table.y()) == beside
-                and not any(table.horizontalScrollBar().maximum() for table in tables)
-                and dock.widget().verticalScrollBar().maximum() == 0
-            )
+    dock.resize(900, 420)
+    qtbot.waitUntil(
+        lambda: (
+            not panel.table.horizontalScrollBar().maximum()
+            and dock.widget().verticalScrollBar().maximum() == 0
         )
+    )
     dock.setFloating(False)
     dock.bring_forward()
     # What comes into sight anew is computed anew, and cannot be copied until it is there.
@@ -113,7 +111,7 @@ def test_silence_has_no_spread():
     quiet, loud = np.zeros(72), np.ones(72)
     *_, mean, spread = columns_of_people([person(1, quiet), person(2, quiet)])
     assert set(mean.texts()) == set(spread.texts()) == {"–"}
-    copied = tab_separated([mean, spread]).splitlines()[1:]
+    copied = table_text([mean, spread]).splitlines()[1:]
     assert {tuple(line.split("\t")[1:]) for line in copied} == {("", "")}
     *_, mean, spread = columns_of_people([person(1, loud), person(2, loud)])
     assert set(mean.texts()) == set(spread.texts()) == {"0.0"}
@@ -125,7 +123,7 @@ def test_what_is_copied_says_whether_limbs_were_measured_and_what_is_a_deviation
         return Compared(snapshot=snapshot, values={"output_levels_db": np.zeros(72)})
 
     people = [person(limb) for limb in ("measured-1", "measured-2", "synthetic-1")]
-    head = tab_separated(columns_of_people(people)).splitlines()[0]
+    head = table_text(columns_of_people(people)).splitlines()[0]
     assert head.split("\t") == [
         "region_db_re_1_m_per_s2",
         "Limb 1, measured",
@@ -134,3 +132,29 @@ def test_what_is_copied_says_whether_limbs_were_measured_and_what_is_a_deviation
         "Mean over 3 people",
         "Standard deviation over 3 people, dB",
     ]
+
+
+@pytest.fixture
+def figures(qtbot):
+    """A table of names and of one number each, as wide as it is made."""
+    table = OutputTable("figures", "Figures")
+    qtbot.addWidget(table)
+    rows = [
+        TableRow(output=number, texts=(f"{number}  {name}", "0.123"), short=str(number))
+        for number, name in ((8, "hand V"), (12, "IV middle ulnar"))
+    ]
+    table.show_rows((("Output", ""), ("RMS", "")), rows)
+    table.resize(900, 200)
+    table.show()
+    qtbot.waitExposed(table)
+    return table
+
+
+def test_where_there_is_little_room_names_take_what_numbers_leave(figures, qtbot):
+    header = figures.horizontalHeader()
+    assert header.length() < 400
+    figures.resize(120, 200)
+    qtbot.waitUntil(lambda: header.length() == figures.viewport().width())
+    assert header.sectionSize(0) == figures.viewport().width() - header.sectionSize(1)
+    figures.resize(900, 200)
+    qtbot.waitUntil(lambda: header.length() < 400)

@@ -55,7 +55,7 @@ def test_the_wave_is_copied_in_millimetres_and_milliseconds(show, window):
     # About 95 mm along the finger and the hand.
     assert 50.0 < numbers["way_mm"].astype(float)[-1] < 200.0
     for diagram, title in ((0, "Delay (ms)"), (1, "Level z (dB)")):
-        axes = panel.picture._diagrams[diagram][0]
+        axes = panel.picture.placed[diagram][1]
         assert (axes.x.factor, axes.y.title) == (1e3, title)
 
 

@@ -170,7 +170,7 @@ def test_every_axis_says_by_how_much(window, settle, gain_text):
     assert spectrogram.content.matched == gain_text
     wave = brought_forward(window, settle, "wave").view.picture
     wave.grab()
-    assert wave._diagrams[1][0].y.title.endswith(f", {gain_text}")
+    assert wave.placed[1][1].y.title.endswith(f", {gain_text}")
     for name in ("statistics", "perception", "regions"):
         panel = brought_forward(window, settle, name).view
         about = panel.limits.text() if name == "perception" else panel.about.text

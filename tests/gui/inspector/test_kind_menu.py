@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QMenu, QWidget
 from skinsource.design.edits.edit import kind_spec
 from skinsource.design.waveforms import COMMON, KINDS, MORE
 from skinsource_gui.fields.kinds import PICTURE_PX, KindField, fill_kind_menu, waveform_icon
+from skinsource_gui.qt.theme import LIGHT
 
 
 @pytest.fixture
@@ -50,7 +51,7 @@ def ink(icon: QIcon, mode: QIcon.Mode = QIcon.Mode.Normal) -> np.ndarray:
 
 
 def test_every_kind_has_a_picture_of_its_own(qapp):
-    pictures = {kind: ink(waveform_icon(kind)) for kind in KINDS}
+    pictures = {kind: ink(waveform_icon(kind, LIGHT)) for kind in KINDS}
     for picture in pictures.values():
         assert picture.shape == (PICTURE_PX.height(), PICTURE_PX.width())
         # From left to right, and not at the edges, where it would be cut.

@@ -129,11 +129,11 @@ def test_without_a_device_it_is_a_rehearsal_and_nothing_is_stored(no_sound, page
     ("name", "text", "reason"),
     [
         ("person", "", "person"),
-        ("frequencies", "fifty", "expected numbers"),
+        ("frequencies", "fifty", "is not a number"),
         ("frequencies", "", "at least one"),
         ("places", "7.5", "whole numbers"),
         ("places", "7, 7", "each once"),
-        ("frequencies", "1e400", "a frequency"),
+        ("frequencies", "1e400", "Frequencies"),
     ],
 )
 def test_what_cannot_be_matched_is_said_and_nothing_begins(sound, page, name, text, reason):

@@ -1,7 +1,7 @@
 """What the window says of frequencies: in the band that the lab says, or nothing."""
 
 import pytest
-from PySide6.QtWidgets import QLabel, QToolButton
+from PySide6.QtWidgets import QLabel
 
 from skinsource.design import edits
 from skinsource.design.design import Design, track
@@ -33,11 +33,6 @@ def test_the_advice_beside_fields_asks_the_limb(user_data, open_window, qtbot, b
     note = window.findChild(QLabel, "frequency_hz_note")
     warned = band is not None and band[1] < 900.0
     assert ("outside the measured band (40 to 800 Hz)" in note.text()) is warned
-    bound = window.findChild(QToolButton, "clip_bound to band")
-    assert bound.isEnabled() is (band is not None)
-    window.panel("clip_editor").use("envelope")
-    assert bound.isEnabled() is (band is not None)
-    assert ("40 to" in bound.toolTip()) is (band is not None)
     axis = window.panel("spectra")._axis
     assert axis.band == band
     assert ("measured band 40 to" in axis.titles[0]) is (band is not None)

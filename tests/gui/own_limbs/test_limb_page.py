@@ -104,7 +104,7 @@ def test_a_limb_of_the_same_name_is_replaced_after_a_question(
     assert facts_of("lab-1").digest != before
 
 
-def test_what_a_file_said_goes_with_it_and_what_was_typed_stays(user_data, tmp_path, page, qtbot):
+def test_what_a_file_said_goes_with_it_and_later_typing_stays(user_data, tmp_path, page, qtbot):
     installed(note="cold hands", band_hz=(40.0, 1500.0), left=True, synthetic=True)
     export_limb("lab-1", tmp_path / "lab.h5")
     for name in ("first", "second"):
@@ -112,10 +112,9 @@ def test_what_a_file_said_goes_with_it_and_what_was_typed_stays(user_data, tmp_p
     opened(page, tmp_path / "lab.h5", "responses", qtbot)
     values = page.form.values()
     assert (values["axes"], values["left"], values["synthetic"]) == ("xz", True, True)
-    page.form.title.setText("My title")
     opened(page, tmp_path / "first.npy", "responses", qtbot)
     form = page.form
-    assert (form.name.text(), form.title.text(), form.note.text()) == ("first", "My title", "")
+    assert (form.name.text(), form.title.text(), form.note.text()) == ("first", "", "")
     values = form.values()
     assert (values["band_hz"], values["left"], values["synthetic"]) == (None, False, False)
     assert text_of_page(page) == "The responses have 2 axes; choose as many."
@@ -123,10 +122,8 @@ def test_what_a_file_said_goes_with_it_and_what_was_typed_stays(user_data, tmp_p
     form.left.setChecked(True)
     form.mirrored.setChecked(True)
     assert text_of_page(page) == "0 of 7 inputs have a place: click them, or open a table."
-    opened(page, tmp_path / "second.npy", "responses", qtbot)
-    assert form.name.text() == "second"
     form.name.setText("mine")
-    opened(page, tmp_path / "first.npy", "responses", qtbot)
+    opened(page, tmp_path / "second.npy", "responses", qtbot)
     assert form.name.text() == "mine"
     assert (form.values()["axes"], form.values()["mirrored"]) == ("xy", True)
 

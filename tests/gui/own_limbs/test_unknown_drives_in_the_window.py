@@ -167,7 +167,7 @@ def test_pages_ask_for_drives_in_it(limbs, make_desk, qtbot, monkeypatch, limb, 
     use(monkeypatch, SyntheticSoundLibrary(Two=2))
     desk = make_desk(*on(limb))
     motion = desk.show_motion()
-    cells = {cell.name: cell for cell in motion.motion_fields.cells}
+    cells = {cell.name: cell for cell in motion.fields.cells}
     assert symbol_of(cells["amplitude"].field) == unit
     motion.reject()
     desk.exports.show("stimulus")

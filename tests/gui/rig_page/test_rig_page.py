@@ -37,7 +37,7 @@ def page(window, qtbot):
     qtbot.waitExposed(page)
     yield page
     if isValid(page):  # not closed by the test
-        page.draft.give_up()
+        page.draft._saved = page.draft.rig
         page.reject()
 
 
@@ -55,7 +55,7 @@ def answer(monkeypatch, tmp_path):
 
 
 def put(page, name, value):
-    page.fields.cell(name).edited.emit(name, value, None)
+    page.fields.cells[name].edited.emit(name, value, None)
 
 
 def press(page, name):

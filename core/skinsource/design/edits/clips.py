@@ -47,20 +47,47 @@ def clips_selected(design: Design, view: View, ids: Iterable[int]) -> View:
 
 @checking
 def select_clips(design: Design, view: View, ids: Iterable[int]) -> Edit:
-    """Select clips and their tracks; the last clip is the leading one."""
+    """Select clips and their tracks; the last clip is the leading one.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.select_clips(design, ss.View(), [2])
+    >>> print(edit.view.selected_clips)
+    (2,)
+    """
     return Edit(label="Select clips", design=design, view=clips_selected(design, view, ids))
 
 
 @checking
 def toggle_clip(design: Design, view: View, id: int) -> Edit:
-    """Add a clip to the selected ones, or remove it from them."""
+    """Add a clip to the selected ones, or remove it from them.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.toggle_clip(design, ss.View(), 1)
+    >>> print(edit.view.selected_clips)
+    (1,)
+    """
     remaining = tuple(clip_id for clip_id in view.selected_clips if clip_id != id)
     return select_clips(design, view, remaining if id in view.selected_clips else (*remaining, id))
 
 
 @checking
 def select_all_clips(design: Design, view: View) -> Edit:
-    """Select every clip; the leading one stays."""
+    """Select every clip; the leading one stays.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.select_all_clips(design, ss.View())
+    >>> print(edit.view.selected_clips)
+    (1, 2)
+    """
     last = () if view.selected_clip is None else (view.selected_clip,)
     others = (clip.id for clip in design.clips if clip.id not in last)
     return select_clips(design, view, (*others, *last))
@@ -68,7 +95,16 @@ def select_all_clips(design: Design, view: View) -> Edit:
 
 @refusing
 def move_playhead(design: Design, view: View, time_s: float) -> Edit | Refusal:
-    """Move the playhead to a time."""
+    """Move the playhead to a time.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.move_playhead(design, ss.View(), 0.1)
+    >>> print(edit.view.playhead_s)
+    0.1
+    """
     return change_view(design, view, "Move playhead", playhead_s=time_s)
 
 
@@ -87,7 +123,16 @@ _FIELDS: dict[str, Spec] = {
 def add_clip(
     design: Design, view: View, input_id: int, onset_s: float, waveform: Waveform
 ) -> Edit | Refusal:
-    """Put a waveform on a track, and select it."""
+    """Put a waveform on a track, and select it.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.add_clip(design, ss.View(), 1, 0.5, ss.waveforms.Noise())
+    >>> print([clip.onset_s for clip in edit.design.clips])
+    [0.0, 0.5, 0.0]
+    """
     if input_id not in design.ids:
         return _NO_TRACK
     new = Clip(waveform=waveform, onset_s=onset_s)
@@ -96,7 +141,16 @@ def add_clip(
 
 @refusing
 def remove_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
-    """Remove clips; the nearest clip on the track of the last one is selected."""
+    """Remove clips; the nearest clip on the track of the last one is selected.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.remove_clips(design, ss.View(), [1])
+    >>> print(len(edit.design.clips))
+    1
+    """
     chosen = chosen_clips(design, ids)
     after = _without_clips(design, chosen)
     last = chosen[-1]
@@ -113,7 +167,16 @@ def remove_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refus
 def move_clips(
     design: Design, view: View, ids: Iterable[int], by_s: float, by_tracks: int = 0
 ) -> Edit | Refusal:
-    """Move clips together in time and to other tracks, as far as all of them can move."""
+    """Move clips together in time and to other tracks, as far as all of them can move.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.move_clips(design, ss.View(), [1], by_s=0.25)
+    >>> print(edit.design.clips[0].onset_s)
+    0.25
+    """
     chosen = chosen_clips(design, ids)
     moved = _moved(design, chosen, by_s, by_tracks)
     return _with_moved_clips(design, view, f"Move {clips_text(design, chosen)}", moved)
@@ -123,7 +186,16 @@ def move_clips(
 def copy_clips(
     design: Design, view: View, ids: Iterable[int], by_s: float, by_tracks: int = 0
 ) -> Edit | Refusal:
-    """Put copies of clips at another time and on other tracks, and select the copies."""
+    """Put copies of clips at another time and on other tracks, and select the copies.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.copy_clips(design, ss.View(), [1], by_s=0.3)
+    >>> print([clip.onset_s for clip in edit.design.clips])
+    [0.0, 0.3, 0.0]
+    """
     chosen = chosen_clips(design, ids)
     moved = _moved(design, chosen, by_s, by_tracks)
     return _with_new_clips(design, view, f"Copy {clips_text(design, chosen)}", moved)
@@ -131,7 +203,16 @@ def copy_clips(
 
 @refusing
 def duplicate_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
-    """Put copies of clips right after them, and select the copies."""
+    """Put copies of clips right after them, and select the copies.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.duplicate_clips(design, ss.View(), [1])
+    >>> print([clip.onset_s for clip in edit.design.clips])
+    [0.0, 0.2, 0.0]
+    """
     outcome = repeat_clips(design, view, ids, 2)
     if isinstance(outcome, Refusal):
         return outcome
@@ -140,7 +221,16 @@ def duplicate_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Re
 
 @refusing
 def repeat_clips(design: Design, view: View, ids: Iterable[int], times: int) -> Edit | Refusal:
-    """Repeat clips as a group, ``times`` times in a row, and select the copies."""
+    """Repeat clips as a group, ``times`` times in a row, and select the copies.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.repeat_clips(design, ss.View(), [1], 3)
+    >>> print([clip.onset_s for clip in edit.design.clips])
+    [0.0, 0.2, 0.4, 0.0]
+    """
     chosen = chosen_clips(design, ids)
     if isinstance(times, bool) or not isinstance(times, int) or not 2 <= times <= MAX_CLIPS:
         return Refusal(sentence=f"Clips can be repeated 2 to {MAX_CLIPS} times.")
@@ -157,7 +247,16 @@ def repeat_clips(design: Design, view: View, ids: Iterable[int], times: int) -> 
 def set_clips(
     design: Design, view: View, ids: Iterable[int], name: str, value: Any
 ) -> Edit | Refusal:
-    """Set onset, gain, label or mute of clips: the field is called ``name``."""
+    """Set onset, gain, label or mute of clips: the field is called ``name``.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.set_clips(design, ss.View(), [1, 2], "gain", 0.5)
+    >>> print([clip.gain for clip in edit.design.clips])
+    [0.5, 0.5]
+    """
     chosen = chosen_clips(design, ids)
     if name not in _FIELDS:
         return Refusal(sentence=f"Of clips, one can set {', '.join(_FIELDS)}.")
@@ -170,7 +269,16 @@ def set_clips(
 
 @refusing
 def toggle_mute_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
-    """Mute clips; if all of them are muted, unmute them."""
+    """Mute clips; if all of them are muted, unmute them.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.toggle_mute_clips(design, ss.View(), [1])
+    >>> print(edit.design.clips[0].muted)
+    True
+    """
     chosen = present_clips(design, ids)
     muted = not all(clip.muted for clip in chosen)
     return set_clips(design, view, (clip.id for clip in chosen), "muted", muted)
@@ -300,6 +408,14 @@ def move_clips_to_place(
 
     Of several tracks at the place the selected one gets them, else the first.  If there is none, a
     new track is made, with the amplitude of the track of the last clip.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.move_clips_to_place(design, ss.View(), [1], 12)
+    >>> print(edit.label)
+    Move clip at 7 (II pad) to 12 (II base)
     """
     chosen = chosen_clips(design, ids)
     target = _track_at(design, view, location)
@@ -326,7 +442,16 @@ FORMAT = "skinsource clips"
 
 @checking
 def fragment_of(design: Design, ids: Iterable[int]) -> Fragment | None:
-    """Copy the clips with these ids as a fragment; None where there are none."""
+    """Copy the clips with these ids as a fragment; None where there are none.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> value = ss.edits.fragment_of(design, [1, 2])
+    >>> print(len(value.lanes))
+    2
+    """
     chosen = {clip.id for clip in present_clips(design, ids)}
     tracks = [
         (place, track, [clip for clip in track.clips if clip.id in chosen])
@@ -353,7 +478,16 @@ def fragment_of(design: Design, ids: Iterable[int]) -> Fragment | None:
 
 @refusing
 def cut_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
-    """Remove clips that were copied as a fragment; no clip is selected afterwards."""
+    """Remove clips that were copied as a fragment; no clip is selected afterwards.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.cut_clips(design, ss.View(), [1])
+    >>> print(edit.label)
+    Cut clip at 7 (II pad)
+    """
     chosen = chosen_clips(design, ids)
     return Edit(
         label=f"Cut {clips_text(design, chosen)}",
@@ -370,6 +504,14 @@ def paste_fragment(design: Design, view: View, fragment: Fragment, at_s: float) 
     were copied from.  A lane that has no track gets a new one at the place that it came from; so
     do all lanes if no track is selected.  The edit says how many clips were pasted and when,
     because a clip that lies exactly on its original cannot be seen.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.paste_fragment(design, ss.View(), ss.edits.fragment_of(design, [1]), 0.4)
+    >>> print([clip.onset_s for clip in edit.design.clips])
+    [0.0, 0.4, 0.0]
     """
     count = sum(len(lane.clips) for lane in fragment.lanes)
     label = "Paste clip" if count == 1 else f"Paste {count} clips"
@@ -427,6 +569,16 @@ def place_fragment(
     location
         Place of a new track for its first lane; the others get new tracks at the places that they
         came from.  It has precedence over ``input_id``.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.place_fragment(
+    ...     design, ss.View(), ss.edits.fragment_of(design, [1]), "Tone"
+    ... )
+    >>> print(edit.label)
+    Place Tone
     """
     at_s = view.playhead_s if at_s is None else at_s
     label = f"Place {name}"
@@ -468,7 +620,16 @@ def _with_fragment(
 
 @checking
 def fragment_text(fragment: Fragment) -> str:
-    """Write a fragment as a text for the clipboard; see `skinsource.specs.codec`."""
+    """Write a fragment as a text for the clipboard; see `skinsource.specs.codec`.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> value = ss.edits.fragment_text(ss.edits.fragment_of(design, [1]))
+    >>> print(value[:40])
+    {"format":"skinsource clips","version":2
+    """
     return codec.to_text(models.encode(fragment), FORMAT)
 
 
@@ -480,6 +641,14 @@ def fragment_from(words: str) -> Fragment:
     ------
     FileFormatError
         The text is something else, or damaged.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> value = ss.edits.fragment_from(ss.edits.fragment_text(ss.edits.fragment_of(design, [1])))
+    >>> print(len(value.lanes))
+    1
     """
     fragment: Fragment = models.decode(codec.from_text(words, FORMAT), (Fragment,), Address())
     return fragment

@@ -49,7 +49,16 @@ _TOO_MANY_EFFECTS = (
 
 @refusing
 def split_clips(design: Design, view: View, ids: Iterable[int], at_s: float) -> Edit | Refusal:
-    """Cut clips in two at a time of the design, and select the later parts."""
+    """Cut clips in two at a time of the design, and select the later parts.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.split_clips(design, ss.View(), [1], 0.1)
+    >>> print([clip.onset_s for clip in edit.design.clips])
+    [0.0, 0.1, 0.0]
+    """
     chosen = chosen_clips(design, ids)
     if not _is_time(at_s):
         raise InvalidInputError(NO_TIME)
@@ -75,7 +84,18 @@ def _why_uncut(chosen: Sequence[Clip], at_s: float) -> str:
 
 @refusing
 def join_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
-    """Join parts of one clip again where they follow each other."""
+    """Join parts of one clip again where they follow each other.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> split = ss.edits.split_clips(design, ss.View(), [1], 0.1).design
+    >>> ids = [clip.id for clip in split.inputs[0].clips]
+    >>> edit = ss.edits.join_clips(split, ss.View(), ids)
+    >>> print(len(edit.design.inputs[0].clips))
+    1
+    """
     chosen_ids = {clip.id for clip in chosen_clips(design, ids)}
     joined: list[int] = []
 
@@ -109,7 +129,16 @@ def join_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal
 
 @refusing
 def trim_clip(design: Design, view: View, id: int, start_s: float, end_s: float) -> Edit | Refusal:
-    """Trim a clip to begin and end at times of the design, within what it plays."""
+    """Trim a clip to begin and end at times of the design, within what it plays.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.trim_clip(design, ss.View(), 1, 0.05, 0.15)
+    >>> print(round(edit.design.clips[0].end_s, 3))
+    0.15
+    """
     clip = _one_clip(design, id, start_s, end_s)
     before, fades = _without_fades(clip.effects)
     old = before[-1] if before and isinstance(before[-1], Trim) and before[-1].on else None
@@ -132,7 +161,16 @@ def trim_clip(design: Design, view: View, id: int, start_s: float, end_s: float)
 def stretch_clip(
     design: Design, view: View, id: int, start_s: float, end_s: float
 ) -> Edit | Refusal:
-    """Stretch a clip in time so that it begins and ends at times of the design."""
+    """Stretch a clip in time so that it begins and ends at times of the design.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.stretch_clip(design, ss.View(), 1, 0.0, 0.4)
+    >>> print(edit.design.clips[0].end_s)
+    0.4
+    """
     clip = _one_clip(design, id, start_s, end_s)
     if clip.duration_s == 0.0:
         return Refusal(sentence="This clip cannot be stretched; change its duration instead.")
@@ -156,7 +194,16 @@ def stretch_clip(
 
 @refusing
 def fade_clip(design: Design, view: View, id: int, in_s: float, out_s: float) -> Edit | Refusal:
-    """Set how long a clip fades in and out; 0: it does not."""
+    """Set how long a clip fades in and out; 0: it does not.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.fade_clip(design, ss.View(), 1, 0.01, 0.05)
+    >>> print(edit.design.clips[0].effects)
+    (Fade(in_s=0.01, out_s=0.05, shape='smooth', on=True),)
+    """
     clip = _one_clip(design, id, in_s, out_s)
     in_s = short(min(max(in_s, 0.0), clip.duration_s))
     out_s = short(min(max(out_s, 0.0), clip.duration_s - in_s))
@@ -299,7 +346,16 @@ _NO_TIME_RANGE = Refusal(sentence="Choose a stretch of time: a start, and an end
 
 @refusing
 def insert_time(design: Design, view: View, at_s: float, length_s: float) -> Edit | Refusal:
-    """Move everything from a time on later; clips that play then are cut in two."""
+    """Move everything from a time on later; clips that play then are cut in two.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.insert_time(design, ss.View(), 0.0, 0.1)
+    >>> print([clip.onset_s for clip in edit.design.clips])
+    [0.1, 0.1]
+    """
     if not (_is_time(at_s) and _is_time(length_s)) or not _is_stretch(at_s, at_s + length_s):
         return _NO_TIME_RANGE
     return _shifted(design, view, "Insert time", at_s, at_s, length_s)
@@ -307,7 +363,16 @@ def insert_time(design: Design, view: View, at_s: float, length_s: float) -> Edi
 
 @refusing
 def remove_time(design: Design, view: View, start_s: float, end_s: float) -> Edit | Refusal:
-    """Remove a stretch of time: what plays in it is cut away, and the rest moves earlier."""
+    """Remove a stretch of time: what plays in it is cut away, and the rest moves earlier.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.remove_time(design, ss.View(), 0.05, 0.1)
+    >>> print(edit.label)
+    Remove time
+    """
     if not _is_stretch(start_s, end_s):
         return _NO_TIME_RANGE
     return _shifted(design, view, "Remove time", start_s, end_s, start_s - end_s)

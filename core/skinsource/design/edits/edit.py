@@ -254,7 +254,16 @@ def nearest(value: float, spec: NumberSpec) -> float:
 
 @checking
 def select_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit:
-    """Select inputs; the last one is the leading one."""
+    """Select inputs; the last one is the leading one.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.select_inputs(design, ss.View(), [2])
+    >>> print(edit.view.selected_inputs)
+    (2,)
+    """
     existing = dict.fromkeys(input_id for input_id in listed(ids) if input_id in design.ids)
     on_them = {clip.id for track in design.inputs if track.id in existing for clip in track.clips}
     clips = tuple(clip_id for clip_id in view.selected_clips if clip_id in on_them)
@@ -267,7 +276,16 @@ def select_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit:
 
 @checking
 def select_all_inputs(design: Design, view: View) -> Edit:
-    """Select every input; the leading one stays."""
+    """Select every input; the leading one stays.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.select_all_inputs(design, ss.View())
+    >>> print(edit.view.selected_inputs)
+    (2, 1)
+    """
     last = () if view.selected_input is None else (view.selected_input,)
     others = (input_id for input_id in design.ids if input_id not in last)
     return select_inputs(design, view, (*others, *last))
@@ -275,7 +293,16 @@ def select_all_inputs(design: Design, view: View) -> Edit:
 
 @checking
 def toggle_selected(design: Design, view: View, id: int) -> Edit:
-    """Add an input to the selected ones, or remove it from them."""
+    """Add an input to the selected ones, or remove it from them.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.toggle_selected(design, ss.View(), 2)
+    >>> print(edit.view.selected_inputs)
+    (1, 2)
+    """
     remaining = tuple(input_id for input_id in view.selected_inputs if input_id != id)
     return select_inputs(
         design, view, remaining if id in view.selected_inputs else (*remaining, id)
@@ -284,7 +311,16 @@ def toggle_selected(design: Design, view: View, id: int) -> Edit:
 
 @checking
 def select_through(design: Design, view: View, start: int | None, end: int) -> Edit:
-    """Select all inputs from ``start`` to ``end`` in the list; ``end`` is the leading one."""
+    """Select all inputs from ``start`` to ``end`` in the list; ``end`` is the leading one.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.select_through(design, ss.View(), 1, 2)
+    >>> print(edit.view.selected_inputs)
+    (1, 2)
+    """
     if end not in design.ids:
         return select_inputs(design, view, view.selected_inputs)
     if start not in design.ids:
@@ -324,6 +360,17 @@ def kept_selection(view: View, before: Design, after: Design) -> View:
 
     If no selected input is left, the one next to the leading one is selected: the next in the
     list, or else the one before.
+
+    Examples
+    --------
+    >>> from dataclasses import replace
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> value = ss.edits.kept_selection(
+    ...     ss.View(selected_inputs=(1, 2)), design, replace(design, inputs=())
+    ... )
+    >>> print(value.selected_inputs)
+    ()
     """
     clip_ids = {clip.id for clip in after.clips} if view.selected_clips else set()
     if not clip_ids.issuperset(view.selected_clips):

@@ -63,7 +63,16 @@ Kind = TypeVar("Kind")
 def add_effect(
     design: Design, view: View, ids: Iterable[int], kind: str, index: int | None = None
 ) -> Edit | Refusal:
-    """Add a new effect to clips, before the ``index``-th effect of each; None: at the end."""
+    """Add a new effect to clips, before the ``index``-th effect of each; None: at the end.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.add_effect(design, ss.View(), [1], "Fade")
+    >>> print(type(edit.design.clips[0].effects[0]).__name__)
+    Fade
+    """
     effect_kind = _kind_called(kind, effect_kinds())
     if effect_kind is None:
         known = _names(effect_kinds())
@@ -84,7 +93,17 @@ def add_effect(
 
 @refusing
 def remove_effect(design: Design, view: View, id: int, index: int) -> Edit | Refusal:
-    """Remove an effect from a clip."""
+    """Remove an effect from a clip.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> faded = ss.edits.fade_clip(design, ss.View(), 1, 0.01, 0.05).design
+    >>> edit = ss.edits.remove_effect(faded, ss.View(), 1, 0)
+    >>> print(edit.design.clips[0].effects)
+    ()
+    """
     clip = _with_effect(design, id, index)
     verb = f"Remove {clip.effects[index].title.lower()} from"
     return _with_effects(design, view, verb, (clip,), {id: without_part(clip.effects, index)})
@@ -92,7 +111,18 @@ def remove_effect(design: Design, view: View, id: int, index: int) -> Edit | Ref
 
 @refusing
 def move_effect(design: Design, view: View, id: int, index: int, to: int) -> Edit | Refusal:
-    """Move an effect to another place among the effects of its clip, from 0, within the list."""
+    """Move an effect to another place among the effects of its clip, from 0, within the list.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> both = ss.edits.add_effect(design, ss.View(), [1], "Fade").design
+    >>> both = ss.edits.add_effect(both, ss.View(), [1], "Envelope").design
+    >>> edit = ss.edits.move_effect(both, ss.View(), 1, 0, 1)
+    >>> print([type(effect).__name__ for effect in edit.design.clips[0].effects])
+    ['Envelope', 'Fade']
+    """
     clip = _with_effect(design, id, index)
     effects = moved_part(clip.effects, index, to)
     return _with_effects(design, view, "Reorder effects of", (clip,), {id: effects})
@@ -100,7 +130,17 @@ def move_effect(design: Design, view: View, id: int, index: int, to: int) -> Edi
 
 @refusing
 def switch_effect(design: Design, view: View, id: int, index: int, on: bool) -> Edit | Refusal:
-    """Switch an effect on or off."""
+    """Switch an effect on or off.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> faded = ss.edits.fade_clip(design, ss.View(), 1, 0.01, 0.05).design
+    >>> edit = ss.edits.switch_effect(faded, ss.View(), 1, 0, False)
+    >>> print(edit.design.clips[0].effects[0].on)
+    False
+    """
     clip = _with_effect(design, id, index)
     verb = f"Switch {clip.effects[index].title.lower()} {'on' if on else 'off'} in"
     return _with_effect_field(design, view, verb, clip, index, "on", on)
@@ -110,7 +150,17 @@ def switch_effect(design: Design, view: View, id: int, index: int, on: bool) -> 
 def change_effect_field(
     design: Design, view: View, id: int, index: int, name: str, value: Any
 ) -> Edit | Refusal:
-    """Set a field of an effect."""
+    """Set a field of an effect.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> faded = ss.edits.fade_clip(design, ss.View(), 1, 0.01, 0.05).design
+    >>> edit = ss.edits.change_effect_field(faded, ss.View(), 1, 0, "out_s", 0.1)
+    >>> print(edit.design.clips[0].effects[0].out_s)
+    0.1
+    """
     clip = _with_effect(design, id, index)
     if name not in specs_of(clip.effects[index]):
         raise InvalidInputError(_NO_EFFECT)
@@ -123,7 +173,16 @@ def change_effect_field(
 def set_envelope(
     design: Design, view: View, id: int, points: tuple[Breakpoint, ...]
 ) -> Edit | Refusal:
-    """Set the points of the last envelope of a clip; a clip without one gets it as last effect."""
+    """Set the points of the last envelope of a clip; a clip without one gets it as last effect.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.set_envelope(design, ss.View(), 1, ((0.0, 1.0), (0.2, 0.0)))
+    >>> print(edit.label)
+    Change envelope of clip at 7 (II pad)
+    """
     chosen = chosen_clips(design, (id,))
     [clip] = chosen
     envelope = Envelope(points)
@@ -284,7 +343,16 @@ _OF_CLIP: dict[str, Spec] = {"onset_s": ONSET, "gain": GAIN, "label": LABEL}
 
 @refusing
 def change_kind(design: Design, view: View, ids: Iterable[int], kind: str) -> Edit | Refusal:
-    """Give clips of inputs another kind of waveform, which keeps what both kinds share."""
+    """Give clips of inputs another kind of waveform, which keeps what both kinds share.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.change_kind(design, ss.View(), [1], "Noise")
+    >>> print(type(edit.design.clips[0].waveform).__name__)
+    Noise
+    """
     waveform_kind = _kind_called(kind, waveform_kinds())
     if waveform_kind is None:
         known = _names(waveform_kinds())
@@ -299,7 +367,16 @@ def change_kind(design: Design, view: View, ids: Iterable[int], kind: str) -> Ed
 def change_waveform(
     design: Design, view: View, ids: Iterable[int], waveform: Waveform
 ) -> Edit | Refusal:
-    """Give clips of inputs a waveform."""
+    """Give clips of inputs a waveform.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.change_waveform(design, ss.View(), [1], ss.waveforms.Noise())
+    >>> print(edit.label)
+    Change waveform of input at 7 (II pad)
+    """
     return _with_waveforms(design, view, ids, lambda _: waveform)
 
 
@@ -310,6 +387,14 @@ def change_field(
     """Set a field of inputs, of their clips or of the waveforms of those to one value.
 
     Inputs without a clip, and clips whose waveform has no field of this name, stay as they are.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.change_field(design, ss.View(), [1], "frequency_hz", 250.0)
+    >>> print(edit.design.clips[0].waveform.frequency_hz)
+    250.0
     """
     targets = _targets(design, view, ids, name)
     if not targets:
@@ -333,6 +418,16 @@ def drag_field(
     The others move by the same step, or by the same factor where the number is logarithmic, and
     stay within what is allowed.  ``start`` is the design when the drag began: all values are
     computed from it, so that dragging back restores it.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.drag_field(
+    ...     design, ss.View(), [1], "frequency_hz", 120.0, lead=1, start=design
+    ... )
+    >>> print(edit.design.clips[0].waveform.frequency_hz)
+    120.0
     """
     ids = listed(ids)
     targets = _targets(design, view, ids, name)
@@ -356,6 +451,14 @@ def fields_of(one: Input, clip: Clip | None = None) -> dict[str, Spec]:
     """Return the fields of an input that can be set, with those of a clip and of its waveform.
 
     ``clip`` is one of its clips; None: its first, if it has any.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> value = ss.edits.fields_of(design.inputs[0])
+    >>> print(list(value)[:4])
+    ['amplitude', 'gain_curve', 'onset_s', 'gain']
     """
     clip = clip or next(iter(one.clips), None)
     return {**_OF_TRACK} if clip is None else {**_OF_TRACK, **_OF_CLIP, **specs_of(clip.waveform)}
@@ -363,7 +466,16 @@ def fields_of(one: Input, clip: Clip | None = None) -> dict[str, Spec]:
 
 @checking
 def value_of(one: Input, name: str, clip: Clip | None = None) -> Any:
-    """Return the value of one of `fields_of`."""
+    """Return the value of one of `fields_of`.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> value = ss.edits.value_of(design.inputs[0], "frequency_hz")
+    >>> print(value)
+    100.0
+    """
     clip = clip or next(iter(one.clips), None)
     one_of("name", name, tuple(fields_of(one, clip)))
     holder: Any = one if name in _OF_TRACK else clip
@@ -461,6 +573,16 @@ def equalise_on_skin(
         Level of each wavelet without its gain, see `skinsource.engine.levelling.wavelet_levels_db`.
     measure
         Name of the quantity that these are levels of.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> train = ss.edits.change_kind(design, ss.View(), [1], "WaveletTrain").design
+    >>> levels_db = range(len(train.clips[0].waveform.frequencies_hz))
+    >>> edit = ss.edits.equalise_on_skin(train, ss.View(), 1, levels_db, "loudest output")
+    >>> print(edit.design.clips[0].waveform.gains_db)
+    (0.0, -1.0, -2.0, -3.0, -4.0)
     """
     clip, track = design.clip(clip_id), design.track_of(clip_id)
     train = clip.waveform
@@ -492,6 +614,14 @@ def match_tracks(design: Design, view: View, levels_db: Mapping[int, float]) -> 
     ----------
     levels_db
         Level of each input alone, by its id, see `skinsource.engine.levelling.track_levels_db`.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.match_tracks(design, ss.View(selected_inputs=(1,)), {1: -10.0, 2: -16.0})
+    >>> print([track.amplitude for track in edit.design.inputs])
+    [1.0, 1.995]
     """
     chosen = present_inputs(design, levels_db)
     least_db = max(levels_db.values(), default=0.0) + SOFTEST_DB
@@ -521,7 +651,17 @@ _NO_BAND = Refusal(
 def draw_clip(
     design: Design, view: View, clip_id: int, samples: Floats, sample_rate_hz: float
 ) -> Edit | Refusal:
-    """Replace the waveform of a clip by drawn samples, (n_times,); its effects stay."""
+    """Replace the waveform of a clip by drawn samples, (n_times,); its effects stay.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.draw_clip(design, ss.View(), 1, np.sin(np.arange(260) / 4.0), 1300.0)
+    >>> print(type(edit.design.clips[0].waveform).__name__)
+    Drawn
+    """
     waveform = Drawn(Samples(values=samples, sample_rate_hz=sample_rate_hz))
     after = design.with_clip(clip_id, waveform=waveform)
     place = location_text(design.track_of(clip_id).location, design.limb)
@@ -530,7 +670,16 @@ def draw_clip(
 
 @refusing
 def limit_to_band(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
-    """Add a band limit to clips, with the band in which the limb was measured, as last effect."""
+    """Add a band limit to clips, with the band in which the limb was measured, as last effect.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.limit_to_band(design, ss.View(), [1])
+    >>> print(edit.design.clips[0].effects)
+    (BandLimit(low_hz=25.0, high_hz=600.0, on=True),)
+    """
     band_hz = facts_of(design.limb).band_hz
     if band_hz is None:
         return _NO_BAND
@@ -541,7 +690,16 @@ def limit_to_band(design: Design, view: View, ids: Iterable[int]) -> Edit | Refu
 
 @refusing
 def bound_clip(design: Design, view: View, clip_id: int, sample_rate_hz: float) -> Edit | Refusal:
-    """Do as `limit_to_band` for one clip; the sample rate does not matter."""
+    """Do as `limit_to_band` for one clip; the sample rate does not matter.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.bound_clip(design, ss.View(), 1, 1300.0)
+    >>> print(edit.label)
+    Limit the band of clip at 7 (II pad)
+    """
     del sample_rate_hz
     return limit_to_band(design, view, (clip_id,))
 
@@ -563,6 +721,16 @@ def set_glide_curve(
         ``"frequency"`` or ``"amplitude"``.
     curve
         (time, value), times never falling; the last one ends the glide.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> glide = ss.edits.change_kind(design, ss.View(), [1], "Glide").design
+    >>> curve = ((0.0, 50.0), (0.3, 300.0))
+    >>> edit = ss.edits.set_glide_curve(glide, ss.View(), 1, "frequency", curve)
+    >>> print(edit.label)
+    Draw frequency of input at 7 (II pad)
     """
     clip, track = design.clip(clip_id), design.track_of(clip_id)
     glide = clip.waveform

@@ -52,6 +52,14 @@ def place_input(design: Design, view: View, location: int, besides: bool = False
 
     It plays what the selected clip plays, with the same amplitude, from time 0; noise gets a seed
     of its own.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.place_input(design, ss.View(), 12)
+    >>> print([track.location for track in edit.design.inputs])
+    [7, 8, 12]
     """
     new = track(location)
     selected = leading_input(design, view)
@@ -76,7 +84,16 @@ def place_input(design: Design, view: View, location: int, besides: bool = False
 
 @refusing
 def add_input(design: Design, view: View) -> Edit | Refusal:
-    """Add an input at a free place, if possible at the usual one, and select it."""
+    """Add an input at a free place, if possible at the usual one, and select it.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.add_input(design, ss.View())
+    >>> print([track.location for track in edit.design.inputs])
+    [7, 8, 1]
+    """
     return place_input(design, view, free_location(design))
 
 
@@ -90,7 +107,16 @@ def free_location(design: Design, after: int = 0) -> int:
 
 @refusing
 def move_inputs(design: Design, view: View, ids: Iterable[int], location: int) -> Edit | Refusal:
-    """Put inputs at another place."""
+    """Put inputs at another place.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.move_inputs(design, ss.View(), [1], 12)
+    >>> print(edit.design.inputs[0].location)
+    12
+    """
     chosen = present_inputs(design, ids)
     changes = {track.id: {"location": location} for track in chosen}
     outcome = change_inputs(design, view, "Move", changes)
@@ -103,14 +129,32 @@ def move_inputs(design: Design, view: View, ids: Iterable[int], location: int) -
 
 @refusing
 def duplicate_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
-    """Add a copy of each input at the end, and select the copies."""
+    """Add a copy of each input at the end, and select the copies.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.duplicate_inputs(design, ss.View(), [1])
+    >>> print([track.location for track in edit.design.inputs])
+    [7, 8, 7]
+    """
     chosen = chosen_inputs(design, ids)
     return _added(design, view, f"Duplicate {tracks_text(chosen, design.limb)}", chosen)
 
 
 @refusing
 def remove_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
-    """Remove inputs; if no selected input is left, the next one is selected."""
+    """Remove inputs; if no selected input is left, the next one is selected.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.remove_inputs(design, ss.View(), [1])
+    >>> print([track.location for track in edit.design.inputs])
+    [8]
+    """
     chosen = chosen_inputs(design, ids)
     after = replace(design, inputs=tuple(track for track in design.inputs if track not in chosen))
     return Edit(
@@ -122,7 +166,16 @@ def remove_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit | Refu
 
 @refusing
 def clear_inputs(design: Design, view: View) -> Edit | Refusal:
-    """Remove all inputs."""
+    """Remove all inputs.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.clear_inputs(design, ss.View())
+    >>> print(edit.design.inputs)
+    ()
+    """
     if not design.inputs:
         return Refusal(sentence="There is no input to remove.")
     return Edit(
@@ -134,7 +187,16 @@ def clear_inputs(design: Design, view: View) -> Edit | Refusal:
 
 @refusing
 def mute_inputs(design: Design, view: View, ids: Iterable[int], muted: bool) -> Edit | Refusal:
-    """Mute inputs, or unmute them."""
+    """Mute inputs, or unmute them.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.mute_inputs(design, ss.View(), [1], True)
+    >>> print(edit.design.inputs[0].muted)
+    True
+    """
     verb = "Mute" if muted else "Unmute"
     return change_inputs(
         design, view, verb, {input_id: {"muted": muted} for input_id in listed(ids)}
@@ -143,7 +205,16 @@ def mute_inputs(design: Design, view: View, ids: Iterable[int], muted: bool) -> 
 
 @refusing
 def toggle_mute(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
-    """Mute inputs; if all of them are muted, unmute them."""
+    """Mute inputs; if all of them are muted, unmute them.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.toggle_mute(design, ss.View(), [1])
+    >>> print(edit.design.inputs[0].muted)
+    True
+    """
     chosen = present_inputs(design, ids)
     muted = not all(track.muted for track in chosen)
     return mute_inputs(design, view, (track.id for track in chosen), muted)
@@ -151,14 +222,32 @@ def toggle_mute(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusa
 
 @refusing
 def solo_inputs(design: Design, view: View, ids: Iterable[int], solo: bool) -> Edit | Refusal:
-    """Make inputs solo, or end their solo."""
+    """Make inputs solo, or end their solo.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.solo_inputs(design, ss.View(), [2], True)
+    >>> print(edit.design.inputs[1].solo)
+    True
+    """
     verb = "Solo" if solo else "End solo of"
     return change_inputs(design, view, verb, {input_id: {"solo": solo} for input_id in listed(ids)})
 
 
 @refusing
 def toggle_solo(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
-    """Make inputs solo; if all of them are solo, end their solo."""
+    """Make inputs solo; if all of them are solo, end their solo.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.toggle_solo(design, ss.View(), [1])
+    >>> print(edit.design.inputs[0].solo)
+    True
+    """
     chosen = present_inputs(design, ids)
     solo = not all(track.solo for track in chosen)
     return solo_inputs(design, view, (track.id for track in chosen), solo)
@@ -180,7 +269,18 @@ def _with_fresh_seed(waveform: Waveform, design: Design) -> Waveform:
 def group_clips(
     design: Design, view: View, ids: Iterable[int], mode: Mode = "sum"
 ) -> Edit | Refusal:
-    """Combine clips of one track into one clip, which adds or multiplies them."""
+    """Combine clips of one track into one clip, which adds or multiplies them.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> two = ss.edits.duplicate_clips(design, ss.View(), [1]).design
+    >>> ids = [clip.id for clip in two.inputs[0].clips]
+    >>> edit = ss.edits.group_clips(two, ss.View(), ids)
+    >>> print(len(edit.design.inputs[0].clips))
+    1
+    """
     chosen = chosen_clips(design, ids)
     owner = design.track_of(chosen[0].id)
     chosen_ids = {clip.id for clip in chosen}
@@ -204,7 +304,20 @@ def group_clips(
 
 @refusing
 def ungroup_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
-    """Put the parts of groups back on their track; groups with effects stay."""
+    """Put the parts of groups back on their track; groups with effects stay.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> two = ss.edits.duplicate_clips(design, ss.View(), [1]).design
+    >>> ids = [clip.id for clip in two.inputs[0].clips]
+    >>> group = ss.edits.group_clips(two, ss.View(), ids).design
+    >>> ids = [clip.id for clip in group.inputs[0].clips]
+    >>> edit = ss.edits.ungroup_clips(group, ss.View(), ids)
+    >>> print(len(edit.design.inputs[0].clips))
+    2
+    """
     groups = {clip.id: clip.waveform for clip in present_clips(design, ids) if _is_plain_sum(clip)}
     if not groups:
         return Refusal(
@@ -249,7 +362,16 @@ def _ungrouped(part: Clip, group: Clip) -> Clip:
 def place_waveform(
     design: Design, view: View, location: int, waveform: Waveform, onset_s: float = 0.0
 ) -> Edit | Refusal:
-    """Add an input that plays ``waveform`` with amplitude 1, and select it."""
+    """Add an input that plays ``waveform`` with amplitude 1, and select it.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.place_waveform(design, ss.View(), 12, ss.waveforms.Noise(), 0.1)
+    >>> print(edit.design.inputs[-1].location)
+    12
+    """
     new = track(location, waveform, onset_s=onset_s)
     label = f"Place {waveform.title.lower()} at {location_text(location, design.limb)}"
     return _added(design, view, label, [new])
@@ -262,6 +384,14 @@ def add_waveform(
     """Add a clip at the playhead, or behind the last clip of the track if one plays then.
 
     It goes to the track ``input_id``, None: the selected one, or else a new one at a free place.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.add_waveform(design, ss.View(selected_inputs=(1,)), ss.waveforms.Noise())
+    >>> print([clip.onset_s for clip in edit.design.clips])
+    [0.0, 0.2, 0.0]
     """
     selected = leading_input(design, view) if input_id is None else design.input(input_id)
     if selected is None:
@@ -284,6 +414,14 @@ def put_inputs_before(design: Design, view: View, ids: Iterable[int], index: int
     """Move inputs together in the list, before the one that is ``index``-th now.
 
     The number of all inputs moves them to the end.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.put_inputs_before(design, ss.View(), [2], 0)
+    >>> print([track.location for track in edit.design.inputs])
+    [8, 7]
     """
     chosen = chosen_inputs(design, ids)
     before = [track for track in design.inputs[: max(index, 0)] if track not in chosen]
@@ -297,7 +435,16 @@ def put_inputs_before(design: Design, view: View, ids: Iterable[int], index: int
 
 @refusing
 def shift_inputs(design: Design, view: View, ids: Iterable[int], down: bool) -> Edit | Refusal:
-    """Move each input one row up or down in the list, within the list."""
+    """Move each input one row up or down in the list, within the list.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.shift_inputs(design, ss.View(), [1], True)
+    >>> print([track.location for track in edit.design.inputs])
+    [8, 7]
+    """
     chosen = chosen_inputs(design, ids)
     order = list(design.inputs[::-1] if down else design.inputs)
     for row in range(1, len(order)):

@@ -17,7 +17,16 @@ from skinsource.design.view import View
 
 @refusing
 def add_motion(design: Design, view: View, motion: Motion) -> Edit | Refusal:
-    """Add the tracks of a motion at the end, and select them."""
+    """Add the tracks of a motion at the end, and select them.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.add_motion(design, ss.View(), ss.motions.Sweep(path=(7, 12, 17)))
+    >>> print(len(edit.design.inputs), edit.label)
+    5 Add sweep at 3 places
+    """
     return _with_motion(design, view, motion, None)
 
 
@@ -26,6 +35,16 @@ def change_motion(design: Design, view: View, index: int, motion: Motion) -> Edi
     """Replace the ``index``-th motion of a design; tracks at places that stay keep what is theirs.
 
     A track that only the motion before had clips on is removed.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> sweep = ss.motions.Sweep(path=(7, 12, 17))
+    >>> moving = ss.edits.add_motion(design, ss.View(), sweep).design
+    >>> edit = ss.edits.change_motion(moving, ss.View(), 0, ss.motions.Sweep(path=(7, 12)))
+    >>> print(edit.label)
+    Change sweep at 2 places
     """
     if index not in range(len(design.motions)):
         return Refusal(sentence="That motion is no longer there; add it anew.")

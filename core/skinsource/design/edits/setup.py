@@ -22,7 +22,16 @@ from skinsource.perception.validity import Finding
 
 @refusing
 def change_limb(design: Design, view: View, limb: str) -> Edit | Refusal:
-    """Change the limb; the chosen axes stay as far as the limb has them."""
+    """Change the limb; the chosen axes stay as far as the limb has them.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.change_limb(design, ss.View(), "synthetic-2")
+    >>> print(edit.design.limb)
+    synthetic-2
+    """
     facts = facts_of(limb) if isinstance(limb, str) else None
     if facts is None or not facts.known:
         return Refusal(sentence=f"No limb is called {quoted(limb)}; choose one of the list.")
@@ -35,7 +44,16 @@ def change_limb(design: Design, view: View, limb: str) -> Edit | Refusal:
 
 @refusing
 def change_scaling(design: Design, view: View, scaling: Any) -> Edit | Refusal:
-    """Change what amplitudes mean."""
+    """Change what amplitudes mean.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.change_scaling(design, ss.View(), "relative")
+    >>> print(edit.design.scaling)
+    relative
+    """
     if design.actuated is not None and scaling != "probe":
         return Refusal(
             sentence="Under another scaling drives are no accelerations, and nothing is predicted "
@@ -48,25 +66,61 @@ def change_scaling(design: Design, view: View, scaling: Any) -> Edit | Refusal:
 
 @refusing
 def look_along(design: Design, view: View, axes: Any) -> Edit | Refusal:
-    """Choose the axes that are shown."""
+    """Choose the axes that are shown.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.look_along(design, ss.View(), "z")
+    >>> print(edit.view.axes)
+    z
+    """
     return change_view(design, view, "Change axes", axes=axes)
 
 
 @refusing
 def look_by_method(design: Design, view: View, method: Any) -> Edit | Refusal:
-    """Choose how several axes become one signal."""
+    """Choose how several axes become one signal.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.look_by_method(design, ss.View(), "mag")
+    >>> print(edit.view.method)
+    mag
+    """
     return change_view(design, view, "Change method", method=method)
 
 
 @refusing
 def level_over(design: Design, view: View, span: Any) -> Edit | Refusal:
-    """Choose what levels average over."""
+    """Choose what levels average over.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.level_over(design, ss.View(), "loudest")
+    >>> print(edit.view.span)
+    loudest
+    """
     return change_view(design, view, "Change what levels average over", span=span)
 
 
 @refusing
 def remove_delay(design: Design, view: View, removed: bool) -> Edit | Refusal:
-    """Shift time axes by the pre-trigger delay, or back; a zoom keeps showing the same part."""
+    """Shift time axes by the pre-trigger delay, or back; a zoom keeps showing the same part.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.remove_delay(design, ss.View(), True)
+    >>> print(edit.view.delay_removed)
+    True
+    """
     if removed == view.delay_removed:
         return Edit(label="Remove delay", design=design, view=view)
     range_s = view.time_range_s
@@ -80,7 +134,16 @@ def remove_delay(design: Design, view: View, removed: bool) -> Edit | Refusal:
 
 @refusing
 def play_slower(design: Design, view: View, slow_motion: Any) -> Edit | Refusal:
-    """Choose how many times slower than in reality the animation plays."""
+    """Choose how many times slower than in reality the animation plays.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.play_slower(design, ss.View(), 10.0)
+    >>> print(edit.view.slow_motion)
+    10.0
+    """
     return change_view(design, view, "Change slow motion", slow_motion=slow_motion)
 
 
@@ -92,7 +155,16 @@ _NEEDS_PROBE = (
 
 @refusing
 def predict_through(design: Design, view: View, actuation: Actuation | None) -> Edit | Refusal:
-    """Predict through actuators; None: without, and the design keeps them switched off."""
+    """Predict through actuators; None: without, and the design keeps them switched off.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.predict_through(design, ss.View(), None)
+    >>> print(edit.label)
+    Predict without the actuator
+    """
     if actuation is not None and actuation.on and design.scaling != "probe":
         return Refusal(sentence=_NEEDS_PROBE)
     if actuation is None and design.actuation is not None:
@@ -107,7 +179,17 @@ def predict_through(design: Design, view: View, actuation: Actuation | None) -> 
 
 @refusing
 def choose_actuation(design: Design, view: View, actuation: Actuation | None) -> Edit | Refusal:
-    """Choose actuators and equaliser; predictions go through them as before.  None: none."""
+    """Choose actuators and equaliser; predictions go through them as before.  None: none.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> coil = ss.ActuatorAt(actuator="coil", model=ss.actuators.load("example-voice-coil"))
+    >>> edit = ss.edits.choose_actuation(design, ss.View(), ss.Actuation(actuators=(coil,)))
+    >>> print(edit.design.actuation.on)
+    False
+    """
     if actuation is not None:
         actuation = replace(actuation, on=design.actuated is not None)
     label = "Remove the actuator" if actuation is None else "Change the actuator"
@@ -116,7 +198,17 @@ def choose_actuation(design: Design, view: View, actuation: Actuation | None) ->
 
 @refusing
 def choose_rig(design: Design, view: View, rig: Rig | None) -> Edit | Refusal:
-    """Choose the rig, and its actuators where it says how they move; None: no rig."""
+    """Choose the rig, and its actuators where it says how they move; None: no rig.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> rig = ss.actuators.rigs.Rig(title="Bench 3")
+    >>> edit = ss.edits.choose_rig(design, ss.View(), rig)
+    >>> print(edit.design.rig.title)
+    Bench 3
+    """
     known = design.actuation
     actuation = None if known is not None and known.rig else known
     if rig is not None:
@@ -136,7 +228,19 @@ _BELOW_LIMIT = 0.999
 
 @refusing
 def mend(design: Design, view: View, finding: Finding) -> Edit | Refusal:
-    """Repair a finding of the validity check, see `Finding.repair`."""
+    """Repair a finding of the validity check, see `Finding.repair`.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> loud = ss.edits.change_field(design, ss.View(), [1], "amplitude", 60.0).design
+    >>> findings = ss.evaluate(loud, "validity")["validity"]
+    >>> fast = next(finding for finding in findings if finding.repair == "quieter")
+    >>> edit = ss.edits.mend(loud, ss.View(), fast)
+    >>> print(edit.label)
+    Play within 40 mm/s
+    """
     if finding.repair == "probe_scaling":
         return change_scaling(design, view, "probe")
     if finding.repair == "quieter":

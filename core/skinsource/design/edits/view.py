@@ -29,7 +29,16 @@ from skinsource.design.view import View
 
 @refusing
 def select_outputs(design: Design, view: View, outputs: Iterable[int]) -> Edit | Refusal:
-    """Select outputs in this order; an empty selection is allowed."""
+    """Select outputs in this order; an empty selection is allowed.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.select_outputs(design, ss.View(), [29, 30])
+    >>> print(edit.view.outputs)
+    (29, 30)
+    """
     chosen = listed(outputs)
     what = f"output {chosen[0]}" if len(chosen) == 1 else f"{len(chosen) or 'no'} outputs"
     return change_view(design, view, f"Select {what}", outputs=chosen)
@@ -40,7 +49,16 @@ _NO_MARKER = Refusal(sentence="That marker is no longer there.")
 
 @refusing
 def add_marker(design: Design, view: View, time_s: float, name: str = "") -> Edit | Refusal:
-    """Add a marker at a time."""
+    """Add a marker at a time.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.add_marker(design, ss.View(), 0.1, "touch")
+    >>> print(edit.design.markers)
+    (Marker(time_s=0.1, name='touch'),)
+    """
     if len(design.markers) >= MAX_MARKERS:
         return Refusal(sentence=f"A design holds at most {MAX_MARKERS} markers; remove one first.")
     new = Marker(time_s=time_s, name=name)
@@ -50,19 +68,49 @@ def add_marker(design: Design, view: View, time_s: float, name: str = "") -> Edi
 
 @refusing
 def move_marker(design: Design, view: View, index: int, time_s: float) -> Edit | Refusal:
-    """Move the ``index``-th marker of the design to another time."""
+    """Move the ``index``-th marker of the design to another time.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> marked = ss.edits.add_marker(design, ss.View(), 0.1, "touch").design
+    >>> edit = ss.edits.move_marker(marked, ss.View(), 0, 0.2)
+    >>> print(edit.design.markers[0].time_s)
+    0.2
+    """
     return _with_marker(design, view, "Move marker", index, time_s=time_s)
 
 
 @refusing
 def rename_marker(design: Design, view: View, index: int, name: str) -> Edit | Refusal:
-    """Rename a marker."""
+    """Rename a marker.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> marked = ss.edits.add_marker(design, ss.View(), 0.1, "touch").design
+    >>> edit = ss.edits.rename_marker(marked, ss.View(), 0, "release")
+    >>> print(edit.design.markers[0].name)
+    release
+    """
     return _with_marker(design, view, "Rename marker", index, name=name)
 
 
 @refusing
 def remove_marker(design: Design, view: View, index: int) -> Edit | Refusal:
-    """Remove a marker."""
+    """Remove a marker.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> marked = ss.edits.add_marker(design, ss.View(), 0.1, "touch").design
+    >>> edit = ss.edits.remove_marker(marked, ss.View(), 0)
+    >>> print(edit.design.markers)
+    ()
+    """
     if index not in range(len(design.markers)):
         return _NO_MARKER
     markers = (*design.markers[:index], *design.markers[index + 1 :])
@@ -71,7 +119,16 @@ def remove_marker(design: Design, view: View, index: int) -> Edit | Refusal:
 
 @refusing
 def set_loop(design: Design, view: View, loop_s: tuple[float, float] | None) -> Edit | Refusal:
-    """Set begin and end of the loop that is played again and again; None: no loop."""
+    """Set begin and end of the loop that is played again and again; None: no loop.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.set_loop(design, ss.View(), (0.0, 0.2))
+    >>> print(edit.design.loop_s)
+    (0.0, 0.2)
+    """
     after = replace(design, loop_s=loop_s)
     return Edit(label="Remove loop" if loop_s is None else "Set loop", design=after, view=view)
 
@@ -80,7 +137,16 @@ def set_loop(design: Design, view: View, loop_s: tuple[float, float] | None) -> 
 def set_gain_curve(
     design: Design, view: View, id: int, points: tuple[tuple[float, float], ...]
 ) -> Edit | Refusal:
-    """Set the gain curve of a track, breakpoints of s and factor; empty: no curve."""
+    """Set the gain curve of a track, breakpoints of s and factor; empty: no curve.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.set_gain_curve(design, ss.View(), 1, ((0.0, 0.0), (0.2, 1.0)))
+    >>> print(edit.design.inputs[0].gain_curve)
+    ((0.0, 0.0), (0.2, 1.0))
+    """
     return change_inputs(design, view, "Change gain curve of", {id: {"gain_curve": points}})
 
 
@@ -101,7 +167,16 @@ _NO_SNAPSHOT = Refusal(
 
 @refusing
 def store_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
-    """Store the design under a number, in place of the snapshot that has it."""
+    """Store the design under a number, in place of the snapshot that has it.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.store_snapshot(design, ss.View(), 1)
+    >>> print([snapshot.number for snapshot in edit.view.snapshots])
+    [1]
+    """
     if number not in NUMBERS:
         return Refusal(
             sentence=f"No snapshot has the number {quoted(number)}; choose {NUMBERS[0]} to "
@@ -115,7 +190,17 @@ def store_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
 
 @refusing
 def take_snapshot(design: Design, view: View, other: Design) -> Edit | Refusal:
-    """Store another design, such as one of a file, under the lowest free number."""
+    """Store another design, such as one of a file, under the lowest free number.
+
+    Examples
+    --------
+    >>> from dataclasses import replace
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> edit = ss.edits.take_snapshot(design, ss.View(), replace(design, inputs=()))
+    >>> print([snapshot.number for snapshot in edit.view.snapshots])
+    [1]
+    """
     used = {snapshot.number for snapshot in view.snapshots}
     free = next((number for number in NUMBERS if number not in used), None)
     if free is None:
@@ -132,6 +217,15 @@ def show_snapshot(design: Design, view: View, number: int, gain: float = 1.0) ->
     """Replace the design by a snapshot as it was stored; the view shows it with ``gain``.
 
     A design that is no snapshot is stored under the number 0, so that the user can go back to it.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> stored = ss.edits.store_snapshot(design, ss.View(), 1)
+    >>> edit = ss.edits.show_snapshot(stored.design, stored.view, 1)
+    >>> print(edit.label)
+    Show snapshot 1
     """
     chosen = next((snapshot for snapshot in view.snapshots if snapshot.number == number), None)
     if chosen is None:
@@ -151,7 +245,19 @@ def show_snapshot(design: Design, view: View, number: int, gain: float = 1.0) ->
 
 @refusing
 def keep_match_gain(design: Design, view: View) -> Edit | Refusal:
-    """Multiply the amplitudes by the gain with which the design is shown to match another one."""
+    """Multiply the amplitudes by the gain with which the design is shown to match another one.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> stored = ss.edits.store_snapshot(design, ss.View(), 1)
+    >>> quiet = ss.edits.match_levels(stored.design, stored.view, True)
+    >>> quiet = ss.edits.show_snapshot(quiet.design, quiet.view, 1, gain=0.5)
+    >>> edit = ss.edits.keep_match_gain(quiet.design, quiet.view)
+    >>> print([track.amplitude for track in edit.design.inputs])
+    [0.5, 0.5]
+    """
     gain = view.match_gain(design)
     if gain == 1.0:
         return Refusal(sentence="The design is shown with the amplitudes that it has.")
@@ -164,7 +270,17 @@ def keep_match_gain(design: Design, view: View) -> Edit | Refusal:
 
 @refusing
 def forget_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
-    """Remove the snapshot with a number."""
+    """Remove the snapshot with a number.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> stored = ss.edits.store_snapshot(design, ss.View(), 1)
+    >>> edit = ss.edits.forget_snapshot(stored.design, stored.view, 1)
+    >>> print(edit.view.snapshots)
+    ()
+    """
     remaining = _without(view, number)
     if len(remaining) == len(view.snapshots):
         return _NO_SNAPSHOT
@@ -173,7 +289,17 @@ def forget_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
 
 @refusing
 def match_levels(design: Design, view: View, on: bool) -> Edit | Refusal:
-    """Show snapshots at matched levels, or as loud as they were stored."""
+    """Show snapshots at matched levels, or as loud as they were stored.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> stored = ss.edits.store_snapshot(design, ss.View(), 1)
+    >>> edit = ss.edits.match_levels(stored.design, stored.view, True)
+    >>> print(edit.view.levels_matched)
+    True
+    """
     return change_view(design, view, "Match levels", levels_matched=on)
 
 

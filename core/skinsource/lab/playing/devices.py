@@ -24,7 +24,7 @@ from skinsource.base.measurement_conditions import MOST_LOCATIONS
 from skinsource.base.quoting import printable, quoted
 from skinsource.base.work import counted
 from skinsource.design.design import Design
-from skinsource.signals.resampling import resample, stretch_of
+from skinsource.signals.resampling import resample
 
 if TYPE_CHECKING:
     from skinsource.actuators.rigs import Rig
@@ -335,63 +335,22 @@ def refusal_text(error: Any, name: str, prefers_hz: int, sample_rate_hz: int, ch
     return f"{name} cannot be used for {channels}: {reason}. Choose another device."
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Row:
-    original: Floats
-    resampled: Floats
-
-
 class DeviceRows:
-    """Resamples channels; channels that have not changed since the last call are used again.
-
-    Attributes
-    ----------
-    n_resampled
-        Input samples that have been filtered so far.
-    """
+    """Resamples channels; channels that have not changed since the last call are used again."""
 
     def __init__(self) -> None:
-        self._rates = (0, 0)
-        self._rows: list[_Row] = []
-        self.n_resampled = 0
+        self._known: dict[tuple[int, int, bytes], Floats] = {}
 
     def at(self, rows: Floats, from_hz: int, to_hz: int) -> Floats:
-        """Return `skinsource.resample` of ``rows``, (n_channels, n_times), to the last bit.
-
-        Only the part of a channel that is not silent is filtered, and only where no channel of the
-        last call was the same.
-        """
-        if self._rates != (from_hz, to_hz):
-            self._rates, self._rows = (from_hz, to_hz), []
-        n = -(-rows.shape[1] * to_hz // from_hz)
-        resampled = np.zeros((rows.shape[0], n))
-        latest = []
-        for row, samples in zip(resampled, rows, strict=True):
-            known = next(
-                (cached for cached in self._rows if np.array_equal(cached.original, samples)), None
-            )
-            if known is None:
-                self._resample(samples, row)
-                known = _Row(samples.copy(), row)
-            else:
-                row[:] = known.resampled
-            latest.append(known)
-        self._rows = latest
+        """Return `skinsource.resample` of ``rows``, (n_channels, n_times), to the last bit."""
+        known, self._known = self._known, {}
+        resampled = np.zeros((rows.shape[0], -(-rows.shape[1] * to_hz // from_hz)))
+        for out, row in zip(resampled, rows, strict=True):
+            key = from_hz, to_hz, row.tobytes()
+            if key not in known:
+                known[key] = resample(row, from_hz, to_hz)
+            out[:] = self._known[key] = known[key]
         return resampled
-
-    def _resample(self, samples: Floats, out: Floats) -> None:
-        sounding = np.flatnonzero(samples)
-        if not sounding.size:
-            return
-        from_hz, to_hz = self._rates
-        needed = stretch_of(from_hz, to_hz)
-        # The part begins at a sample that both rates share.
-        first = max(int(sounding[0]) - needed.reach, 0) // needed.period * needed.period
-        last = min(int(sounding[-1]) + 1 + needed.reach, samples.size)
-        there = resample(samples[first:last], from_hz, to_hz)
-        start = first * to_hz // from_hz
-        out[start : start + there.size] = there[: out.size - start]
-        self.n_resampled += last - first
 
 
 def outputs_by_place(design: Design, output: Output, rig: "Rig | None" = None) -> dict[int, int]:

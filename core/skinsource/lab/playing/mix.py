@@ -159,14 +159,6 @@ def mix_of(
         than 10 ms.
     """
     values = finite_array("samples", rows, largest=float(np.finfo(np.float32).max))
-    if values.ndim != 2 or not len(outputs) == len(titles) == values.shape[0]:
-        raise InvalidInputError(
-            f"samples have the shape {values.shape}, expected (n_channels, n_times) with an output "
-            f"for each of {len(outputs)} channels"
-        )
-    wrong = next((output for output in outputs if not 1 <= output <= n_outputs), None)
-    if wrong is not None:
-        raise InvalidInputError(f"output {wrong} is not among 1 to {n_outputs}")
     samples = np.zeros((n_outputs, values.shape[1]), np.float32)
     names: list[list[str]] = [[] for _ in range(n_outputs)]
     for row, output, title in zip(values, outputs, titles, strict=True):

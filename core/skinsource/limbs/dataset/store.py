@@ -24,12 +24,10 @@ from skinsource.base.errors import (
     DatasetMissingError,
     SkinSourceError,
     StorageError,
-    UnknownLimbError,
 )
 from skinsource.base.files import is_file, is_folder, storage_errors_of
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.base.measurement_conditions import HAND_LENGTHS_MM, N_INPUTS
-from skinsource.base.quoting import quoted
 from skinsource.limbs.dataset import published
 from skinsource.limbs.dataset.published import (
     MAP_FILES,
@@ -117,14 +115,11 @@ def load_measured_limb(number: int) -> Limb:
 
     Raises
     ------
-    UnknownLimbError
-        There is no such limb.
     DatasetMissingError
         The dataset is not installed.
     DatasetError
         The store is damaged; raised by ``response_to`` too, when a checksum does not match.
     """
-    _check_number(number)
     path = store_path()
     with _opened(path) as store:
         outline, outputs, inputs, visibility = (
@@ -157,17 +152,6 @@ def load_measured_limb(number: int) -> Limb:
         ),
         read_response=read_response,
     )
-
-
-def load_mask(number: int) -> NDArray[np.bool_]:
-    """Return the pixels of 1 mm on the skin of measured limb 1 to 4, (rows, columns).
-
-    Row and column 0 are at the lowest y and x.  Raises what `load_measured_limb` raises.
-    """
-    _check_number(number)
-    path = store_path()
-    with _opened(path) as store:
-        return np.asarray(_read(store, published.mask_name(number), path), dtype=np.bool_)
 
 
 @contextmanager
@@ -230,14 +214,6 @@ def _read(store: ZipFile, name: str, path: Path) -> NDArray[Any]:
 def _label(name: str) -> str:
     limb, _, location = name.removeprefix("responses/").partition("-")
     return f"limb {limb}, input {location}" if location else name
-
-
-def _check_number(number: int) -> None:
-    if number not in published.LIMBS:
-        raise UnknownLimbError(
-            f"measured limb {quoted(number)} does not exist: they are numbered "
-            f"{published.LIMBS[0]} to {published.LIMBS[-1]}."
-        )
 
 
 def verify(*, progress: Progress = silent, stop: Stop = never) -> tuple[str, ...]:

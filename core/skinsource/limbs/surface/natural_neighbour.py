@@ -1,4 +1,4 @@
-"""Interpolation between scattered sites: Sibson's natural neighbours, or linear on one line.
+"""Interpolation between scattered sites: Sibson's natural neighbours.
 
 A point q put among the sites of a Voronoi diagram takes its cell from the cells of its natural
 neighbours; the share taken from each is that neighbour's weight (R. Sibson, "A brief description
@@ -14,14 +14,13 @@ over the cavity's border edges (u, v).  No circumcentre appears, hence no loss o
 lies far away.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 import scipy
 
 from skinsource.base.arrays import Booleans, Floats, Indices
-from skinsource.limbs.surface.operator import NEAR_DUPLICATE, first_at_same_place
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
@@ -380,144 +379,3 @@ def _with_linear_rows(
     remaining.data = np.where(np.repeat(keep, np.diff(remaining.indptr)) > 0, remaining.data, 0.0)
     remaining.eliminate_zeros()
     return scipy.sparse.csr_array(remaining + linear)
-
-
-#: Sites no farther from the line than this part of their extent lie on it.  A quarter of what makes
-#: two sites one, so that different sites have different places along the line.
-_ON_LINE = NEAR_DUPLICATE / 4
-
-
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class SiteLine:
-    """Sites on one line; a single site is one, too.
-
-    Attributes
-    ----------
-    sites : (n_sites, 2)
-        In their order along the line.
-    order : (n_sites,)
-        Number of each in the order they were given.
-    along : (2,)
-        From the first to the last.
-    extent
-        Larger side of their bounding box.
-    """
-
-    sites: Floats
-    order: Indices
-    along: Floats
-    extent: float
-
-    def weights_at(self, points: Floats) -> SiteWeights:
-        """Return the weights of the given sites for the value at each point, (n_points, 2).
-
-        A point counts as the nearest place between the ends of the line; it is ``outside`` unless
-        it is that place.
-        """
-        last = len(self.sites) - 1
-        places = (self.sites - self.sites[0]) @ self.along
-        place = (points - self.sites[0]) @ self.along
-        start = np.searchsorted(places[1:last], place, side="right")
-        share = self._share(points, start)
-        # Rounding may have taken a point for one of the stretch beside its own.
-        start = np.clip(start + (share > 1) - (share < 0), 0, max(last - 1, 0))
-        share = np.clip(self._share(points, start), 0.0, 1.0)[:, None]
-        ends = np.column_stack([start, np.minimum(start + 1, last)])
-        nearest = self.sites[ends[:, 0]] + share * np.diff(self.sites[ends], axis=1)[:, 0]
-        row = np.repeat(np.arange(len(points)), 2)
-        shares = np.column_stack([1.0 - share, share])
-        weights = scipy.sparse.csr_array(
-            (shares.ravel(), (row, self.order[ends].ravel())),
-            shape=(len(points), len(self.sites)),
-        )
-        weights.eliminate_zeros()
-        return SiteWeights(
-            weights=weights,
-            outside=np.hypot(*(points - nearest).T) > NEAR_DUPLICATE * self.extent,
-            fallback=np.zeros(len(points), bool),
-        )
-
-    def _share(self, points: Floats, start: Indices) -> Floats:
-        """Return each point's position along its segment: 0 at the start, 1 at the end."""
-        stop = np.minimum(start + 1, len(self.sites) - 1)
-        length = dot(self.sites[stop] - self.sites[start], self.along)
-        part = dot(points - self.sites[start], self.along)
-        # A single site has no length.
-        return np.divide(part, length, out=np.zeros(len(points)), where=length > 0)
-
-
-def site_line(sites: Floats) -> SiteLine | None:
-    """Return the line through distinct sites, (n_sites, 2); None where they span a plane."""
-    extent = float(np.ptp(sites, axis=0).max())
-    end = _farthest(sites, sites[0])
-    along = _farthest(sites, end) - end
-    # From left to right, whatever the order of the sites.
-    along = -along if tuple(along) < (0.0, 0.0) else along
-    aside = sites - end
-    if np.abs(cross(aside, along)).max() > _ON_LINE * extent * np.hypot(*along):
-        return None
-    order = np.argsort(aside @ along, kind="stable")
-    return SiteLine(sites=sites[order], order=order, along=along, extent=extent)
-
-
-def _farthest(sites: Floats, place: Floats) -> Floats:
-    away = sites - place
-    return np.asarray(sites[np.argmax(dot(away, away))])
-
-
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class ScatteredSites:
-    """Sites that values are interpolated between.
-
-    Attributes
-    ----------
-    place : (n_sites,)
-        Number of the distinct place of each site.
-    arrangement
-        The distinct places: triangles, or a line if all lie on one.
-    """
-
-    place: Indices
-    arrangement: Triangulation | SiteLine
-
-    @property
-    def on_a_line(self) -> bool:
-        """Whether all lie on one line, or at one place."""
-        return isinstance(self.arrangement, SiteLine)
-
-    def weights_at(self, points: Floats) -> SiteWeights:
-        """Return the weights of the sites for the value at each point, (n_points, 2).
-
-        Sibson's natural neighbours; linear between neighbours on a line; a single site counts
-        everywhere.  Outside the convex hull, which may be a line or a place, the nearest place on
-        it counts.  Sites at one place share its weight.
-        """
-        if isinstance(self.arrangement, SiteLine):
-            weights = self.arrangement.weights_at(points)
-        else:
-            weights = natural_neighbour_weights(self.arrangement, points)
-        if weights.weights.shape[1] == len(self.place):
-            return weights
-        share = 1.0 / np.bincount(self.place)
-        shared = scipy.sparse.csr_array(
-            (share[self.place], (self.place, np.arange(len(self.place)))),
-            shape=(len(share), len(self.place)),
-        )
-        return replace(weights, weights=scipy.sparse.csr_array(weights.weights @ shared))
-
-
-def scattered_sites(sites: Floats) -> ScatteredSites:
-    """Arrange sites, of which any number may lie at one place or on one line.
-
-    Parameters
-    ----------
-    sites : (n_sites, 2)
-        At least one; finite.  Best from
-        `skinsource.limbs.surface.natural_neighbour.snapped_to_lattice`.
-    """
-    first = first_at_same_place(sites, float(np.ptp(sites, axis=0).max()))
-    distinct, place = np.unique(first, return_inverse=True)
-    line = site_line(sites[distinct])
-    return ScatteredSites(
-        place=place, arrangement=triangulate(sites[distinct]) if line is None else line
-    )

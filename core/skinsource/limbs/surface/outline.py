@@ -35,23 +35,21 @@ def distinct_vertices(outline: Floats) -> Indices:
             "coordinates. Correct the outline of the limb's map."
         )
     keep = np.flatnonzero(np.any(outline != np.roll(outline, 1, axis=0), axis=1))
-    if not _span_a_plane(outline[keep]):
-        raise InvalidInputError(
-            f"the outline has {len(keep)} distinct vertices, which enclose no area; expected a "
-            "closed polygon of at least three. Correct the outline of the limb's map."
-        )
+    check_area(outline[keep])
     return keep
 
 
-def _span_a_plane(points: Floats) -> bool:
-    """Whether there are points, and not all on one line."""
-    if len(points) < 3:
-        return False
-    aside = points - points[0]
+def check_area(points: Floats) -> None:
+    """Raise where there are no points, or all of them lie on one line."""
+    aside = points - points[:1]
     distance = np.hypot(*aside.T)
-    along = aside[np.argmax(distance)]
+    along = aside[np.argmax(distance)] if len(points) else np.zeros(2)
     height = np.abs(aside[:, 0] * along[1] - aside[:, 1] * along[0])
-    return bool(height.max() > 1e-9 * distance.max() ** 2)
+    if not height.max(initial=0.0) > 1e-9 * distance.max(initial=0.0) ** 2:
+        raise InvalidInputError(
+            f"the outline has {len(points)} distinct vertices, which enclose no area; expected a "
+            "closed polygon of at least three. Correct the outline of the limb's map."
+        )
 
 
 def densified(outline: Floats, longest: float) -> Floats:
@@ -259,9 +257,9 @@ def _close_crossings(
 
 
 def nearest_visible(
-    region: SightRegion, vertices: Floats, outputs: Floats, count: int = 2
+    region: SightRegion, vertices: Floats, outputs: Floats
 ) -> tuple[Indices, Floats]:
-    """Find the nearest outputs that each vertex sees.
+    """Find the two nearest outputs that each vertex sees.
 
     Parameters
     ----------
@@ -272,18 +270,18 @@ def nearest_visible(
 
     Returns
     -------
-    index : (n_vertices, count) of int
+    index : (n_vertices, 2) of int
         Nearest first; equally near ones in their order; -1 where fewer are seen.
-    distance : (n_vertices, count)
+    distance : (n_vertices, 2)
         In units of the coordinates; infinite where fewer are seen.
     """
     distances = np.hypot(*np.moveaxis(vertices[:, None] - outputs, 2, 0))
     order = np.argsort(distances, axis=1, kind="stable")
-    index = np.full((len(vertices), count), -1)
-    distance = np.full((len(vertices), count), np.inf)
+    index = np.full((len(vertices), 2), -1)
+    distance = np.full((len(vertices), 2), np.inf)
     n_found = np.zeros(len(vertices), dtype=np.intp)
     for rank in range(order.shape[1]):
-        vertex = np.flatnonzero(n_found < count)
+        vertex = np.flatnonzero(n_found < 2)
         output = order[vertex, rank]
         visible = sees(region, vertices[vertex], outputs[output])
         vertex, output = vertex[visible], output[visible]

@@ -26,12 +26,17 @@ from skinsource.base.job import Stop, never, stop_if
 from skinsource.base.work import tally
 from skinsource.limbs.catalog import limb_of
 from skinsource.limbs.limb import Limb, LimbMap
-from skinsource.limbs.surface.natural_neighbour import scattered_sites, snapped_to_lattice
+from skinsource.limbs.surface.natural_neighbour import (
+    natural_neighbour_weights,
+    snapped_to_lattice,
+    triangulate,
+)
 from skinsource.limbs.surface.operator import SurfaceOperator, pairs_at_same_place
 from skinsource.limbs.surface.outline import (
     Boundary,
     boundary_by_sight,
     boundary_from_table,
+    check_area,
     count_crossings,
     densified,
     distinct_vertices,
@@ -96,9 +101,8 @@ def surface_operator_from_map(
     Sites are the outputs and the outline's vertices; a vertex takes the mean of the two nearest
     outputs it sees, weighted by the other one's distance.  Everything is built in outline pixels:
     there the published coordinates are multiples of one half, and lie exactly on the lattice that
-    keeps the triangulation sound.  Sites that coincide there share the mean of their values; where
-    all lie on one line, values run linearly along it.  An outline that crosses itself is filled by
-    the even-odd rule.
+    keeps the triangulation sound.  Sites that coincide there share the mean of their values.  An
+    outline that crosses itself is filled by the even-odd rule.
 
     Parameters
     ----------
@@ -126,7 +130,7 @@ def surface_operator_from_map(
     row, column = np.nonzero(mask)
     points = np.column_stack([x[column], y[row]])
     outputs = limb_map.output_positions
-    weights, fallback_count, thin = _point_weights(outline, outputs, boundary, points, stop)
+    weights, fallback_count = _point_weights(outline, outputs, boundary, points, stop)
     return SurfaceOperator(
         weights=_with_empty_rows(weights, mask.ravel()),
         mask=mask,
@@ -136,7 +140,7 @@ def surface_operator_from_map(
         blind_vertices=len(boundary.blind),
         single_vertices=len(boundary.single),
         same_place=pairs_at_same_place(outputs, float(np.ptp(outline, axis=0).max())),
-        warnings=_warnings(fallback_count, boundary, crossings, thin),
+        warnings=_warnings(fallback_count, boundary, crossings),
     )
 
 
@@ -202,8 +206,8 @@ def _pixels(
 
 def _point_weights(
     outline: Floats, outputs: Floats, boundary: Boundary, points: Floats, stop: Stop
-) -> "tuple[csr_array[np.float64], int, bool]":
-    """Return the outputs' weights at the points; how many are linear; whether sites are a line."""
+) -> "tuple[csr_array[np.float64], int]":
+    """Return the outputs' weights at the points, and how many of them are linear."""
     placed = np.flatnonzero(np.isfinite(outputs).all(axis=1))
     values = np.concatenate([np.eye(len(outputs))[placed], boundary.weights])
     snapped = snapped_to_lattice(np.concatenate([outputs[placed], outline]))
@@ -212,16 +216,18 @@ def _point_weights(
     np.add.at(site_values, merged.ravel(), values)
     site_values /= np.bincount(merged.ravel())[:, None]
     from_outputs = scipy.sparse.csr_array(site_values)
-    scattered = scattered_sites(sites)
+    check_area(sites)
+    triangulation = triangulate(sites)
     parts, fallback_count = [], 0
     for first in range(0, len(points), _PIXELS_PER_CHUNK):
         stop_if(stop)
-        weights = scattered.weights_at(points[first : first + _PIXELS_PER_CHUNK])
+        part = points[first : first + _PIXELS_PER_CHUNK]
+        weights = natural_neighbour_weights(triangulation, part)
         parts.append(weights.weights @ from_outputs)
         fallback_count += int(weights.fallback.sum())
     stacked = scipy.sparse.csr_array(scipy.sparse.vstack(parts, format="csr"))
     stacked.sort_indices()
-    return stacked, fallback_count, scattered.on_a_line
+    return stacked, fallback_count
 
 
 def _with_empty_rows(weights: "csr_array[np.float64]", filled: Booleans) -> "csr_array[np.float64]":
@@ -234,9 +240,7 @@ def _with_empty_rows(weights: "csr_array[np.float64]", filled: Booleans) -> "csr
     )
 
 
-def _warnings(
-    fallback_count: int, boundary: Boundary, crossings: int, thin: bool
-) -> tuple[str, ...]:
+def _warnings(fallback_count: int, boundary: Boundary, crossings: int) -> tuple[str, ...]:
     n_blind, n_single = len(boundary.blind), len(boundary.single)
     cases = (
         (fallback_count, "Pixels that had to be interpolated linearly"),
@@ -244,8 +248,7 @@ def _warnings(
         (n_single, "Outline points that see only one output, and take its value"),
         (crossings, "Places where the outline crosses itself"),
     )
-    thinness = ("The outline is so thin that values run along a line.",) if thin else ()
-    return thinness + tuple(f"{what}: {count}." for count, what in cases if count)
+    return tuple(f"{what}: {count}." for count, what in cases if count)
 
 
 #: Most bytes of all cached operators, and of one.

@@ -3,9 +3,7 @@
 from collections.abc import Mapping
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from skinsource.base.arguments import finite_array, positive_number
 from skinsource.base.arrays import Floats, Indices
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import PRE_TRIGGER_DELAY_S
@@ -20,7 +18,7 @@ LEAST_ABOVE_NOISE_DB = 6.0
 
 
 def noise_rms(
-    response: ArrayLike, sample_rate_hz: float, pre_trigger_s: float = PRE_TRIGGER_DELAY_S
+    response: Floats, sample_rate_hz: float, pre_trigger_s: float = PRE_TRIGGER_DELAY_S
 ) -> Floats:
     """Return the RMS of the noise in measured responses, from before the pulse.
 
@@ -41,22 +39,20 @@ def noise_rms(
     Raises
     ------
     InvalidInputError
-        A sample is not finite, or there are too few samples before the pulse, see `tells_noise`.
+        There are too few samples before the pulse, see `tells_noise`, or none after it.
     """
-    data = finite_array("response", response, "(..., n_taps)")
-    count = _n_quiet_samples(positive_number("sample_rate_hz", sample_rate_hz), pre_trigger_s)
-    if data.ndim == 0 or not _FEWEST <= count < data.shape[-1]:
+    count = _n_quiet_samples(sample_rate_hz, pre_trigger_s)
+    if not _FEWEST <= count < response.shape[-1]:
         raise InvalidInputError(
-            f"response has shape {data.shape} with {count} samples before the pulse, expected "
+            f"response has shape {response.shape} with {count} samples before the pulse, expected "
             f"(..., n_taps) with {_FEWEST} or more of them and the response after them"
         )
-    return _rms(data[..., :count])
+    return _rms(response[..., :count])
 
 
-def quiet_rms(quiet: ArrayLike) -> Floats | None:
+def quiet_rms(quiet: Floats) -> Floats | None:
     """Return the RMS of samples before a stimulus, (...); None if there are too few."""
-    data = finite_array("quiet", quiet, "(..., n_times)")
-    return _rms(data) if data.shape[-1] >= _FEWEST else None
+    return _rms(quiet) if quiet.shape[-1] >= _FEWEST else None
 
 
 def _rms(data: Floats) -> Floats:
@@ -94,25 +90,10 @@ def predicted_noise_energy(
     Returns
     -------
     (n_outputs, n_axes), sum of squares, m²/s⁴.
-
-    Raises
-    ------
-    InvalidInputError
-        There is no drive, or the noise of a location is not given.
     """
-    _check_noise_known(energies, noise)
     parts = [n_taps * each * np.square(noise[location]) for location, each in energies.items()]
     energy: Floats = np.sum(parts, axis=0)
     return energy
-
-
-def _check_noise_known(drives: Mapping[int, object], noise: Mapping[int, Floats]) -> None:
-    """Raise `InvalidInputError` if there is no drive, or one at a location of unknown noise."""
-    missing = sorted(drives.keys() - noise.keys())
-    if missing or not drives:
-        raise InvalidInputError(
-            f"the noise at place {missing[0]} is not given" if missing else "there is no drive"
-        )
 
 
 def windowed_noise_energy(
@@ -122,13 +103,12 @@ def windowed_noise_energy(
 
     It is the part of `predicted_noise_energy` in each window: at an instant the noise has the
     variance sigma² times the energy that was played during the n taps up to it.  ``drives`` are the
-    sums of all drives at each location, (n_times,); errors are the same.
+    sums of all drives at each location, (n_times,).
 
     Returns
     -------
     (n_windows, n_outputs, n_axes), sum of squares, m²/s⁴.
     """
-    _check_noise_known(drives, noise)
     edges = windows.first_sample + windows.window_samples * np.arange(windows.count + 1)
     energy = np.zeros((windows.count, *next(iter(noise.values())).shape))
     for location, drive in drives.items():

@@ -6,9 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import scipy
-from numpy.typing import ArrayLike
 
-from skinsource.base.arguments import finite_array, positive_number
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Stop, never, stop_if
@@ -49,7 +47,7 @@ class Spectrogram:
 
 
 def spectrogram(
-    signal: ArrayLike, sample_rate_hz: float, window_s: float, stop: Stop = never
+    signal: Floats, sample_rate_hz: float, window_s: float, stop: Stop = never
 ) -> Spectrogram:
     """Return the spectrogram of a signal, with a Hann window that slides by eighths of itself.
 
@@ -70,23 +68,20 @@ def spectrogram(
     Raises
     ------
     InvalidInputError
-        No signal, samples that are not finite, or a window of less than 8 samples.
+        A window of less than 8 samples.
     Stopped
         ``stop`` returned True.
     """
-    data = finite_array("signal", signal, "(n_times,)")
-    rate = positive_number("sample_rate_hz", sample_rate_hz)
-    n_window = round(positive_number("window_s", window_s) * rate)
-    if data.ndim != 1 or not data.size:
-        raise InvalidInputError(f"signal has shape {data.shape}, expected (n_times,)")
+    rate = sample_rate_hz
+    n_window = round(window_s * rate)
     if n_window < _PER_WINDOW:
         raise InvalidInputError(
             f"window_s is {window_s:g}, {n_window} samples; expected at least {_PER_WINDOW} samples"
         )
     transform = _transform(n_window, rate)
-    n_times = data.size
+    n_times = signal.size
     if n_times < n_window:
-        data = np.pad(data, (0, n_window - n_times))
+        signal = np.pad(signal, (0, n_window - n_times))
     # From the first window whose middle is on the signal to the last one.
     last = (n_times - 1) // transform.hop + 1
     pooled = ceil(last / MOST_COLUMNS)
@@ -94,7 +89,7 @@ def spectrogram(
     for first in range(0, last, pooled * _AT_ONCE):
         stop_if(stop)
         end = min(first + pooled * _AT_ONCE, last)
-        magnitude = np.abs(transform.stft(data, p0=first, p1=end))
+        magnitude = np.abs(transform.stft(signal, p0=first, p1=end))
         column = first // pooled
         loudest = np.maximum.reduceat(magnitude, np.arange(0, end - first, pooled), axis=1)
         amplitude[:, column : column + loudest.shape[1]] = loudest

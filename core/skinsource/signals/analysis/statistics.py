@@ -3,9 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from skinsource.base.arguments import finite_array, positive_number
 from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import BAND_HZ, Band
@@ -41,15 +39,12 @@ class Statistics:
     delay_s: Floats
 
 
-def crest_factor(peak: ArrayLike, rms: ArrayLike) -> Floats:
+def crest_factor(peak: Floats, rms: Floats) -> Floats:
     """Return peak over RMS, same shape; NaN where the RMS is 0."""
-    peaks, levels = finite_array("peak", peak), finite_array("rms", rms)
-    silent = np.full(np.broadcast_shapes(peaks.shape, levels.shape), np.nan)
-    crest: Floats = np.divide(peaks, levels, out=silent, where=levels > 0.0)
-    return crest
+    return np.divide(peak, rms, out=np.full(peak.shape, np.nan), where=rms > 0.0)
 
 
-def dominant_frequency(power: ArrayLike, step_hz: float) -> Floats:
+def dominant_frequency(power: Floats, step_hz: float) -> Floats:
     """Return the frequency of the largest power, 0 Hz left out, in hertz.
 
     It is the largest bin, moved by the vertex of the parabola through the logarithms of it and its
@@ -69,16 +64,11 @@ def dominant_frequency(power: ArrayLike, step_hz: float) -> Floats:
     Raises
     ------
     InvalidInputError
-        A power is negative or not finite, or there is no bin above 0 Hz.
+        There is no bin above 0 Hz.
     """
-    data = finite_array("power", power, "(..., n_bins)")
-    step = positive_number("step_hz", step_hz)
-    if data.ndim == 0 or data.shape[-1] < 2 or data.min(initial=0.0) < 0.0:
-        raise InvalidInputError(
-            f"power has shape {data.shape}, expected (..., n_bins) with two bins or more, none "
-            "negative"
-        )
-    rows = data.reshape(-1, data.shape[-1])
+    if power.shape[-1] < 2:
+        raise InvalidInputError(f"power has shape {power.shape}, expected two bins or more")
+    rows = power.reshape(-1, power.shape[-1])
     largest = 1 + np.argmax(rows[:, 1:], axis=-1)
     bins = np.where(rows[:, 1:].max(axis=-1, initial=0.0) > 0.0, largest.astype(np.float64), np.nan)
     for row, k in enumerate(largest):
@@ -86,11 +76,11 @@ def dominant_frequency(power: ArrayLike, step_hz: float) -> Floats:
         # The bin at 0 Hz, the mean, is no neighbour.
         if k > 1 and neighbours.size == 3 and neighbours.min() > 0.0:
             bins[row] += vertex(np.log(neighbours))
-    return (bins * step).reshape(data.shape[:-1])
+    return (bins * step_hz).reshape(power.shape[:-1])
 
 
-def onset_time(signals: ArrayLike, time_s: ArrayLike, share: float = BEGUN_SHARE) -> Floats:
-    """Return when each signal first reaches a share of its peak, either sign, in seconds.
+def onset_time(signals: Floats, time_s: Floats) -> Floats:
+    """Return when each signal first reaches a tenth of its peak, either sign, in seconds.
 
     The magnitude is interpolated linearly between samples.
 
@@ -100,31 +90,23 @@ def onset_time(signals: ArrayLike, time_s: ArrayLike, share: float = BEGUN_SHARE
         Any unit.
     time_s : (n_times,)
         Rising.
-    share
-        Share of the peak, from 0 to 1.
 
     Returns
     -------
     (...,), NaN for silence.
     """
-    data, instants = finite_array("signals", signals), finite_array("time_s", time_s)
-    if data.ndim == 0 or instants.shape != data.shape[-1:] or not instants.size:
-        raise InvalidInputError(
-            f"time_s has shape {instants.shape}, signals {data.shape}, expected (n_times,) and "
-            "(..., n_times)"
-        )
-    onset_s = np.full(data.shape[:-1], np.nan)
-    for index in np.ndindex(data.shape[:-1]):
+    onset_s = np.full(signals.shape[:-1], np.nan)
+    for index in np.ndindex(signals.shape[:-1]):
         # Signals are long: one by one they need less memory.
-        size = np.abs(data[index])
-        least = share * size.max()
+        size = np.abs(signals[index])
+        least = BEGUN_SHARE * size.max()
         if least > 0.0:
             k = int(np.argmax(size >= least))
-            onset_s[index] = instants[k]
+            onset_s[index] = time_s[k]
             if k:
                 before, here = size[k - 1], size[k]
                 back = (here - least) / (here - before)
-                onset_s[index] -= back * (instants[k] - instants[k - 1])
+                onset_s[index] -= back * (time_s[k] - time_s[k - 1])
     return onset_s
 
 

@@ -4,11 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy
-from numpy.typing import ArrayLike
 
-from skinsource.base.arguments import finite_array, positive_number
 from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import BAND_HZ, Band
 
 #: Power is averaged over this width before it is compared with the noise.
@@ -47,10 +44,10 @@ class Transfer:
 
 
 def transfer_function(
-    response: ArrayLike,
+    response: Floats,
     sample_rate_hz: float,
-    noise: ArrayLike,
-    gain: ArrayLike | None = None,
+    noise: Floats,
+    gain: Floats | None = None,
     *,
     band_hz: Band | None = BAND_HZ,
 ) -> Transfer:
@@ -68,28 +65,13 @@ def transfer_function(
         Factors of the responses at each frequency; default: ones.
     band_hz
         Band in which they were measured; None: not known.
-
-    Raises
-    ------
-    InvalidInputError
-        Shapes that do not fit, or numbers that are not finite.
     """
-    data = finite_array("response", response, "(n_outputs, n_axes, n_taps)")
-    rate = positive_number("sample_rate_hz", sample_rate_hz)
-    sigma = finite_array("noise", noise, "(n_outputs, n_axes)")
-    if data.ndim != 3 or data.shape[-1] < 2 or sigma.shape != data.shape[:2]:
-        raise InvalidInputError(
-            f"response has shape {data.shape}, noise {sigma.shape}; expected (n_outputs, n_axes, "
-            "n_taps) and (n_outputs, n_axes)"
-        )
-    n_taps = data.shape[-1]
+    rate, n_taps = sample_rate_hz, response.shape[-1]
     frequency_hz = np.arange(n_taps // 2 + 1) * (rate / n_taps)
-    factor = np.ones(frequency_hz.size) if gain is None else finite_array("gain", gain)
-    if factor.shape != frequency_hz.shape:
-        raise InvalidInputError(f"gain has shape {factor.shape}, expected {frequency_hz.shape}")
-    power = np.sum(np.square(np.abs(scipy.fft.rfft(data, axis=-1))), axis=1)
+    factor = np.ones(frequency_hz.size) if gain is None else gain
+    power = np.sum(np.square(np.abs(scipy.fft.rfft(response, axis=-1))), axis=1)
     # The transform of white noise has the same expected power at every frequency.
-    floor = n_taps * np.square(sigma).sum(axis=1)[:, None] * np.square(factor)
+    floor = n_taps * np.square(noise).sum(axis=1)[:, None] * np.square(factor)
     width = max(round(AVERAGED_HZ * n_taps / rate), 1)
     around = scipy.ndimage.uniform_filter1d(power, width, axis=-1, mode="nearest")
     floor_around = scipy.ndimage.uniform_filter1d(floor, width, axis=-1, mode="nearest")

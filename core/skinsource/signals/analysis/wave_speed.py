@@ -4,12 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy
-from numpy.typing import ArrayLike
 
-from skinsource.base.arguments import finite_array, positive_number
 from skinsource.base.arrays import Booleans, Floats
 from skinsource.base.decibels import decibels
-from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Stop, never, stop_if
 
 #: Least similarity of two signals between which a delay means something.
@@ -81,10 +78,10 @@ class TravellingWave:
 
 
 def travelling_wave(
-    signals: ArrayLike,
-    distance_mm: ArrayLike,
+    signals: Floats,
+    distance_mm: Floats,
     sample_rate_hz: float,
-    trusted: ArrayLike | None = None,
+    trusted: Booleans | None = None,
     stop: Stop = never,
     *,
     straight: float = 1.0,
@@ -108,15 +105,15 @@ def travelling_wave(
 
     Raises
     ------
-    InvalidInputError
-        Shapes that do not fit, or numbers that are not finite.
     Stopped
         ``stop`` returned True.
     """
-    data, distance, rate, use = _checked(signals, distance_mm, sample_rate_hz, trusted)
-    level_db = decibels(np.sqrt(np.mean(np.square(data), axis=-1)))
-    delay_s, alike = _delays(data, rate, stop)
-    counted = use & np.isfinite(delay_s)
+    distance = distance_mm * 1e-3
+    level_db = decibels(np.sqrt(np.mean(np.square(signals), axis=-1)))
+    delay_s, alike = _delays(signals, sample_rate_hz, stop)
+    counted = np.isfinite(delay_s)
+    if trusted is not None:
+        counted &= trusted
     timed = counted & (alike >= LEAST_ALIKE)
     slowness, slowness_deviation = _slope(distance[timed], delay_s[timed])
     slope, slope_deviation = _slope(distance[counted], level_db[counted])
@@ -138,44 +135,24 @@ def travelling_wave(
     )
 
 
-def line_distances_mm(places: ArrayLike, mm_per_unit: float) -> Floats:
+def line_distances_mm(places: Floats, mm_per_unit: float) -> Floats:
     """Return the distance of each point along a polygon, (n_points,), mm.
 
     ``places`` (n_points, 2) are in units of ``mm_per_unit``.
     """
-    points = finite_array("places", places, "(n_points, 2)")
-    steps = np.hypot(*np.diff(points, axis=0).T) * positive_number("mm_per_unit", mm_per_unit)
+    steps = np.hypot(*np.diff(places, axis=0).T) * mm_per_unit
     return np.concatenate([[0.0], np.cumsum(steps)])
 
 
-def straightness(places: ArrayLike) -> float:
+def straightness(places: Floats) -> float:
     """Return the distance of the ends of a polygon, as a share of its length, 0 to 1.
 
     ``places`` (n_points, 2) are in any unit.  1: straight, or without length.  It is one over
     the arc-chord ratio, the simplest measure of tortuosity (Bullitt et al. 2003, "distance
     metric").
     """
-    points = finite_array("places", places, "(n_points, 2)")
-    length = float(np.hypot(*np.diff(points, axis=0).T).sum())
-    return float(np.hypot(*(points[-1] - points[0]))) / length if length else 1.0
-
-
-def _checked(
-    signals: ArrayLike, distance_mm: ArrayLike, sample_rate_hz: float, trusted: ArrayLike | None
-) -> tuple[Floats, Floats, float, Booleans]:
-    """Return checked signals, distances in m, rate, and trusted points."""
-    data = finite_array("signals", signals, "(n_points, n_times)")
-    distance = finite_array("distance_mm", distance_mm, "(n_points,)") * 1e-3
-    rate = positive_number("sample_rate_hz", sample_rate_hz)
-    if data.ndim != 2 or not data.size or distance.shape != data.shape[:1]:
-        raise InvalidInputError(
-            f"signals have shape {data.shape}, distance_mm {distance.shape}; expected (n_points, "
-            "n_times) and (n_points,)"
-        )
-    use = np.ones(len(data), bool) if trusted is None else np.asarray(trusted, bool)
-    if use.shape != distance.shape:
-        raise InvalidInputError(f"trusted has shape {use.shape}, expected {distance.shape}")
-    return data, distance, rate, use
+    length = float(np.hypot(*np.diff(places, axis=0).T).sum())
+    return float(np.hypot(*(places[-1] - places[0]))) / length if length else 1.0
 
 
 def _delays(data: Floats, rate: float, stop: Stop) -> tuple[Floats, Floats]:

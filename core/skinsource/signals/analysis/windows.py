@@ -8,7 +8,7 @@ from math import ceil, floor
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skinsource.base.arguments import finite_array, integer, positive_number, real_number
+from skinsource.base.arguments import finite_array, integer
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import PRE_TRIGGER_DELAY_S
@@ -48,8 +48,8 @@ def windows_over(
     response_samples: int,
     sample_rate_hz: float,
     *,
-    count: int | None = None,
-    window_s: float | None = None,
+    count: int | None,
+    window_s: float,
     delay_s: float = PRE_TRIGGER_DELAY_S,
 ) -> Windows:
     """Return the windows in which the response to a stimulus arrives.
@@ -64,33 +64,21 @@ def windows_over(
     sample_rate_hz
         Of both.
     count
-        How many windows the stimulus is cut into, each of the same number of samples, or
+        How many windows the stimulus is cut into, each of the same number of samples; None: as
+        many as overlap the stimulus.
     window_s
-        how long each is; then there are as many as overlap the stimulus.
+        How long each is, where ``count`` is None.
     delay_s
         Pre-trigger delay of the limb, `Limb.pre_trigger_delay_s`.
-
-    Raises
-    ------
-    InvalidInputError
-        Neither or both are given, or one is out of range.
     """
-    samples = integer("stimulus_samples", stimulus_samples, 1, _MOST_SAMPLES)
-    until = integer("response_samples", response_samples, samples, _MOST_SAMPLES)
-    rate_hz = positive_number("sample_rate_hz", sample_rate_hz)
-    if (count is None) == (window_s is None):
-        raise InvalidInputError(
-            f"count is {count} and window_s is {window_s}: expected one of them, and no other"
-        )
-    first = floor(real_number("delay_s", delay_s, least=0.0) * rate_hz + NEAR)
-    if count is not None:
-        most = integer("count", count, 1, MOST_WINDOWS)
-        length = max(samples // most, 1)
+    first = floor(delay_s * sample_rate_hz + NEAR)
+    if count is None:
+        length = max(floor(window_s * sample_rate_hz + 0.5), 1)
+        count = min(ceil(stimulus_samples / length), MOST_WINDOWS)
     else:
-        length = max(floor(positive_number("window_s", window_s or 0.0) * rate_hz + 0.5), 1)
-        most = min(ceil(samples / length), MOST_WINDOWS)
-    n_whole = max(until - first, 0) // length
-    return Windows(first_sample=first, window_samples=length, count=min(most, n_whole))
+        length = max(stimulus_samples // count, 1)
+    n_whole = max(response_samples - first, 0) // length
+    return Windows(first_sample=first, window_samples=length, count=min(count, n_whole))
 
 
 def windowed_rms(signals: ArrayLike, window_samples: int, first_sample: int = 0) -> Floats:

@@ -5,6 +5,6 @@ in mathematics, so that ``-t^2`` is below zero and ``2^3^2`` is 512; comparisons
 and functions (`skinsource.signals.formula.functions`).  Python never evaluates a text, and no text
 takes long, because its length, its nesting and its steps are limited.
 
-`skinsource.signals.formula.reading.read` turns a text into a program, its tree in postfix order,
-so that nothing recurses; `skinsource.signals.formula.playing.played` computes its samples.
+`skinsource.signals.formula.reading.read` turns a text into a program, its tree in postfix order;
+`skinsource.signals.formula.playing.played` computes its samples.
 """

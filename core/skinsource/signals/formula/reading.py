@@ -1,12 +1,12 @@
 """Reads formulas: from a text to tokens, and from tokens to a program in postfix order.
 
-Operators wait on a stack for their right side, so nothing recurses.  Every mistake is an error that
+A text is read by recursive descent, no deeper than `MAX_DEPTH`.  Every mistake is an error that
 names the column.
 """
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import lru_cache
 from typing import Any, Literal
@@ -180,177 +180,141 @@ def read(text: str) -> Program:
     if not text.strip():
         raise mistake(text, 1, "nothing", "a formula such as sin(2*pi*100*t)")
     reader = _Reader(text)
-    for token in tokens(text):
-        reader.add(token)
+    reader.read()
     return Program(text, tuple(reader.steps))
 
 
-@dataclass(slots=True)
-class _Waiting:
-    """An operator that waits for its right side, or an open bracket.
-
-    ``call`` is the function of the bracket, ``commas`` the number of its commas so far, and
-    ``first_step`` the number of steps before it.
-    """
-
-    name: str
-    column: int
-    call: Function | None = None
-    commas: int = 0
-    first_step: int = 0
-
-
-@dataclass(slots=True)
 class _Reader:
-    """Turns tokens into steps; the steps are complete after the last token."""
+    """Turns the tokens of a text into steps, each part by a method of its own."""
 
-    text: str
-    steps: list[Step] = field(default_factory=list)
-    _stack: list[_Waiting] = field(default_factory=list)
-    _expects_value: bool = True
-    _called: tuple[Token, Function] | None = None
+    def __init__(self, text: str) -> None:
+        self.steps: list[Step] = []
+        self._text, self._depth = text, 0
+        self._rest = tokens(text)
+        self._token = next(self._rest)
 
-    def add(self, token: Token) -> None:
-        """Add the next token."""
-        if self._called is not None:
-            self._open_call(token, *self._called)
-        elif self._expects_value:
-            self._add_value(token)
-        else:
-            self._add_operator(token)
+    def read(self) -> None:
+        """Read the whole text."""
+        self._add_expression(0)
+        if self._token.kind != "end":
+            raise self._misplaced(None)
 
-    def _add_value(self, token: Token) -> None:
+    def _take(self) -> None:
+        self._token = next(self._rest)
+
+    def _add_expression(self, binding: int) -> None:
+        """Read a value, and the operators after it that bind more strongly."""
+        self._add_value()
+        while self._token.kind == "operator":
+            token = self._token
+            strength = _BINDS[token.text]
+            if strength == binding == _BINDS["<"]:
+                expected = "one comparison; write (a < b) * (b < c) for both"
+                raise mistake(self._text, token.column, token.text, expected)
+            if strength < binding or (strength == binding and token.text != "^"):
+                return
+            self._take()
+            self._add_inner(token.text, token.column, strength)
+            self._emit(Step("operator", token.text, token.column, takes=2))
+
+    def _add_inner(self, name: str, column: int, binding: int) -> None:
+        """Read what stands in a bracket, or on the right of an operator."""
+        if self._depth >= MAX_DEPTH:
+            expected = f"at most {MAX_DEPTH} brackets and operators within each other"
+            raise mistake(self._text, column, name, expected)
+        self._depth += 1
+        self._add_expression(binding)
+        self._depth -= 1
+
+    def _add_value(self) -> None:
+        while self._token.kind == "operator" and self._token.text == "+":
+            self._take()
+        token = self._token
         if token.kind == "number":
             number = float(token.text)
             if not np.isfinite(number):
-                raise mistake(self.text, token.column, token.text, "a number below 1.8e308")
+                raise mistake(self._text, token.column, token.text, "a number below 1.8e308")
+            self._take()
             self._emit(Step("number", token.text, token.column, number=number))
         elif token.kind == "name":
             self._add_name(token)
         elif token.kind == "(":
-            self._wait(_Waiting("(", token.column, first_step=len(self.steps)))
-        elif token.kind == "operator" and token.text in "+-":
-            if token.text == "-":
-                self._wait(_Waiting("negative", token.column))
-        elif token.kind == ")" and self._stack and self._is_empty_call(self._stack[-1]):
-            self._close(token)
+            self._take()
+            self._add_inner("(", token.column, 0)
+            if self._token.kind != ")":
+                raise self._misplaced(token.column)
+            self._take()
+        elif token.text == "-":
+            self._take()
+            self._add_inner("-", token.column, _BINDS["negative"])
+            self._emit(Step("operator", "negative", token.column, takes=1))
         else:
-            raise mistake(self.text, token.column, token.shown, _VALUE)
+            raise mistake(self._text, token.column, token.shown, _VALUE)
 
     def _add_name(self, token: Token) -> None:
         if token.text in FUNCTIONS:
-            self._called = (token, FUNCTIONS[token.text])
+            self._take()
+            self._add_call(token, FUNCTIONS[token.text])
         elif token.text in NAMES:
+            self._take()
             self._emit(Step("name", token.text, token.column))
         else:
             known = (*NAMES, *FUNCTIONS)
             near = get_close_matches(token.text[:20].lower(), known, 1, 0.65)
             expected = near[0] if near else f"one of {', '.join(known)}"
-            raise mistake(self.text, token.column, token.text, expected)
+            raise mistake(self._text, token.column, token.text, expected)
 
-    def _open_call(self, token: Token, called: Token, call: Function) -> None:
-        if token.kind != "(":
-            raise mistake(self.text, token.column, token.shown, f"( as in {call.usage}")
-        self._called = None
-        self._wait(_Waiting(called.text, called.column, call, first_step=len(self.steps)))
+    def _add_call(self, name: Token, call: Function) -> None:
+        opened = self._token
+        if opened.kind != "(":
+            raise mistake(self._text, opened.column, opened.shown, f"( as in {call.usage}")
+        self._take()
+        first, count = len(self.steps), 0
+        while count or self._token.kind != ")":
+            self._add_inner(name.text, name.column, 0)
+            count += 1
+            if self._token.kind != ",":
+                break
+            if count >= max(call.most, 1):
+                raise self._wrong_count(name, call, f"more than {call.most}")
+            self._take()
+        if self._token.kind != ")":
+            raise self._misplaced(opened.column)
+        if not call.fewest <= count <= call.most:
+            raise self._wrong_count(name, call, str(count))
+        if call.seeded:
+            self._check_seed(self.steps[first:])
+        self._emit(Step("function", name.text, name.column, takes=count))
+        self._take()
 
-    def _add_operator(self, token: Token) -> None:
-        if token.kind == "operator":
-            self._finish(_BINDS[token.text], token)
-            self._wait(_Waiting(token.text, token.column))
-            self._expects_value = True
-        elif token.kind == ")":
-            self._close(token)
+    def _misplaced(self, opened: int | None) -> FormulaError:
+        """Return the error for what stands where only an operator can, or the end of a bracket."""
+        token, expected = self._token, f"{_OPERATOR}, such as *"
+        if token.kind == "end":
+            expected = f") for the bracket of column {opened}"
         elif token.kind == ",":
-            self._add_comma(token)
-        elif token.kind == "end":
-            self._finish(0, token)
-            if self._stack:
-                opened = self._stack[-1].column
-                expected = f") for the bracket of column {self._bracket_column(opened)}"
-                raise mistake(self.text, token.column, "the end", expected)
-        else:
-            expected = f"{_OPERATOR}, such as *"
-            raise mistake(self.text, token.column, token.shown, expected)
-
-    def _add_comma(self, token: Token) -> None:
-        self._finish(0, token)
-        opened = self._stack[-1] if self._stack else None
-        if opened is None or opened.call is None:
             expected = f"{_OPERATOR}; numbers have a point, as in 0.5"
-            raise mistake(self.text, token.column, ",", expected)
-        opened.commas += 1
-        if opened.commas >= max(opened.call.most, 1):
-            raise self._wrong_count(opened, opened.call, f"more than {opened.call.most}")
-        self._expects_value = True
+        elif token.kind == ")":
+            expected = f"{_OPERATOR}: no bracket is open"
+        return mistake(self._text, token.column, token.shown, expected)
 
-    def _close(self, token: Token) -> None:
-        empty = self._expects_value
-        self._finish(0, token)
-        if not self._stack:
-            raise mistake(self.text, token.column, ")", f"{_OPERATOR}: no bracket is open")
-        opened = self._stack.pop()
-        self._expects_value = False
-        if opened.call is None:
-            return
-        count = 0 if empty else opened.commas + 1
-        if not opened.call.fewest <= count <= opened.call.most:
-            raise self._wrong_count(opened, opened.call, str(count))
-        if opened.call.seeded:
-            self._check_seed(opened)
-        self._emit(Step("function", opened.name, opened.column, takes=count))
-
-    def _wrong_count(self, opened: _Waiting, call: Function, count: str) -> FormulaError:
+    def _wrong_count(self, name: Token, call: Function, count: str) -> FormulaError:
         few, most = call.fewest, call.most
         many = str(few) if few == most else f"{few} to {most}"
-        actual = f"{opened.name} of {count} value{'' if count == '1' else 's'}"
-        return mistake(self.text, opened.column, actual, f"{many}, as in {call.usage}")
+        actual = f"{name.text} of {count} value{'' if count == '1' else 's'}"
+        return mistake(self._text, name.column, actual, f"{many}, as in {call.usage}")
 
-    def _check_seed(self, opened: _Waiting) -> None:
-        arguments = self.steps[opened.first_step :]
+    def _check_seed(self, arguments: list[Step]) -> None:
         number = arguments[0].number
         is_integer = len(arguments) == 1 and arguments[0].kind == "number" and number == int(number)
         if not is_integer or number > LARGEST_SEED:
             column = arguments[0].column
             actual = arguments[0].name if len(arguments) == 1 else "a computed seed"
             expected = f"a whole number from 0 to {LARGEST_SEED}, as in noise(1)"
-            raise mistake(self.text, column, actual, expected)
-
-    def _finish(self, binding: int, token: Token) -> None:
-        """Emit the waiting operators that bind more strongly than ``token``."""
-        while self._stack and self._stack[-1].name in _BINDS:
-            waiting = self._stack[-1]
-            strength = _BINDS[waiting.name]
-            if strength < binding or (strength == binding and token.text == "^"):
-                return
-            if strength == binding == _BINDS["<"]:
-                expected = "one comparison; write (a < b) * (b < c) for both"
-                raise mistake(self.text, token.column, token.text, expected)
-            self._stack.pop()
-            takes = 1 if waiting.name == "negative" else 2
-            self._emit(Step("operator", waiting.name, waiting.column, takes=takes))
-
-    def _wait(self, waiting: _Waiting) -> None:
-        if len(self._stack) >= MAX_DEPTH:
-            actual = "-" if waiting.name == "negative" else waiting.name
-            expected = f"at most {MAX_DEPTH} brackets and operators within each other"
-            raise mistake(self.text, waiting.column, actual, expected)
-        self._stack.append(waiting)
+            raise mistake(self._text, column, actual, expected)
 
     def _emit(self, step: Step) -> None:
         if len(self.steps) >= MAX_STEPS:
             expected = f"at most {MAX_STEPS} numbers, names and operators"
-            raise mistake(self.text, step.column, "one more", expected)
+            raise mistake(self._text, step.column, "one more", expected)
         self.steps.append(step)
-        self._expects_value = False
-
-    def _is_empty_call(self, waiting: _Waiting) -> bool:
-        return (
-            waiting.call is not None
-            and waiting.commas == 0
-            and waiting.first_step == len(self.steps)
-        )
-
-    def _bracket_column(self, column: int) -> int:
-        """Return the column of the bracket of a function at ``column``."""
-        return self.text.index("(", column - 1) + 1

@@ -2,7 +2,7 @@
 
 To update those of a document:
 
-    python -m skinsource.cli.graph_drawing docs/internals/rendering.md
+    python benchmarks/graph_drawing.py docs/internals/rendering.md
 """
 
 import inspect
