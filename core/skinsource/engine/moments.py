@@ -6,7 +6,7 @@ theorem: no channel is transformed back to time.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import combinations
 
 import numpy as np
@@ -51,7 +51,11 @@ def moments_of(spectra: Complexes, n_fft: int, *, products: bool) -> Moments:
     Products of different axes are computed only with ``products``.
     """
     if products:
-        second = _product_sum(spectra[:, :, None], spectra[:, None])
+        n_axes = spectra.shape[1]
+        second = np.empty((len(spectra), n_axes, n_axes))
+        for a in range(n_axes):
+            second[:, a, a:] = _product_sum(spectra[:, a : a + 1], spectra[:, a:])
+            second[:, a:, a] = second[:, a, a:]
     else:
         second = _second_moments(_product_sum(spectra, spectra), None)
     return Moments(second / n_fft, spectra[:, :, 0].real.copy())
@@ -254,10 +258,12 @@ def _row_products(matrix: Floats, column: Floats) -> Floats:
     return sums
 
 
+@lru_cache(maxsize=8)
 def _weights(n_fft: int) -> Floats:
     """Return the factors in Parseval's sum: 2 / n_fft, and half of it at both ends."""
     weights = np.full(n_fft // 2 + 1, 2.0 / n_fft)
     weights[[0, -1]] *= 0.5
+    weights.flags.writeable = False
     return weights
 
 
