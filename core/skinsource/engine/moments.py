@@ -6,7 +6,7 @@ theorem: no channel is transformed back to time.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import combinations
 
 import numpy as np
@@ -19,9 +19,10 @@ from skinsource.signals.projection import Method, magnitude, no_main_axis, princ
 _CANCELLED = 0.05
 
 
-def pairs(n_axes: int) -> tuple[tuple[int, int], ...]:
-    """Return all pairs of different axes, by number."""
-    return tuple(combinations(range(n_axes), 2))
+def _pairs(n_axes: int, *, products: bool) -> tuple[tuple[int, int], ...]:
+    """Return each axis with itself, by number; with ``products`` then with each other one."""
+    different = combinations(range(n_axes), 2) if products else ()
+    return (*zip(range(n_axes), range(n_axes), strict=True), *different)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -50,10 +51,14 @@ def moments_of(spectra: Complexes, n_fft: int, *, products: bool) -> Moments:
 
     Products of different axes are computed only with ``products``.
     """
+    n_axes = spectra.shape[1]
     if products:
-        second = _product_sum(spectra[:, :, None], spectra[:, None])
+        second = np.empty((len(spectra), n_axes, n_axes))
+        for a in range(n_axes):
+            second[:, a, a:] = _product_sum(spectra[:, a : a + 1], spectra[:, a:])
+            second[:, a:, a] = second[:, a, a:]
     else:
-        second = _second_moments(_product_sum(spectra, spectra), None)
+        second = _second_moments(_product_sum(spectra, spectra), n_axes, products=False)
     return Moments(second / n_fft, spectra[:, :, 0].real.copy())
 
 
@@ -172,28 +177,29 @@ class OwnMatrix:
 
     @cached_property
     def _squares(self) -> Floats:
-        return np.square(self.values.real) + np.square(self.values.imag)
+        return self._rows(products=False)
 
     @cached_property
     def _products(self) -> Floats:
+        return self._rows(products=True)
+
+    def _rows(self, *, products: bool) -> Floats:
         n_outputs, n_axes, n_bins = self.values.shape
-        of_pairs = pairs(n_axes)
-        products = np.empty((n_outputs, len(of_pairs), n_bins))
-        for k, (a, b) in enumerate(of_pairs):
+        of_pairs = _pairs(n_axes, products=products)
+        rows = np.empty((n_outputs, len(of_pairs), n_bins))
+        squares = rows[:, :n_axes]
+        np.add(np.square(self.values.real), np.square(self.values.imag), out=squares)
+        for k, (a, b) in enumerate(of_pairs[n_axes:], n_axes):
             left, right = self.values[:, a], self.values[:, b]
-            products[:, k] = left.real * right.real + left.imag * right.imag
-        return products
+            rows[:, k] = left.real * right.real + left.imag * right.imag
+        return rows
 
     def moments(self, drive: Complexes, n_fft: int, *, products: bool) -> Moments:
         """Return the moments of the vibration by ``drive``, (n_bins,); see `moments_of`."""
         power = (np.square(drive.real) + np.square(drive.imag)) * _weights(n_fft)
-        return Moments(
-            _second_moments(
-                _row_products(self._squares, power),
-                _row_products(self._products, power) if products else None,
-            ),
-            self.values[:, :, 0].real * drive[0].real,
-        )
+        sums = _row_products(self._products if products else self._squares, power)
+        first = self.values[:, :, 0].real * drive[0].real
+        return Moments(_second_moments(sums, first.shape[1], products=products), first)
 
 
 @dataclass(frozen=True, eq=False)
@@ -209,18 +215,22 @@ class CrossMatrix:
 
     @cached_property
     def _squares(self) -> Floats:
-        return np.multiply(self.others, self.own.conjugates).view(np.float64)
+        return self._rows(products=False)
 
     @cached_property
     def _products(self) -> Floats:
+        return self._rows(products=True)
+
+    def _rows(self, *, products: bool) -> Floats:
         n_outputs, n_axes, n_bins = self.others.shape
-        of_pairs = pairs(n_axes)
-        products = np.empty((n_outputs, len(of_pairs), n_bins), np.complex128)
-        for k, (a, b) in enumerate(of_pairs):
-            np.multiply(self.others[:, a], self.own.conjugates[:, b], out=products[:, k])
-            products[:, k] += self.others[:, b] * self.own.conjugates[:, a]
-        products *= 0.5
-        return products.view(np.float64)
+        of_pairs = _pairs(n_axes, products=products)
+        rows = np.empty((n_outputs, len(of_pairs), n_bins), np.complex128)
+        np.multiply(self.others, self.own.conjugates, out=rows[:, :n_axes])
+        for k, (a, b) in enumerate(of_pairs[n_axes:], n_axes):
+            row = np.multiply(self.others[:, a], self.own.conjugates[:, b], out=rows[:, k])
+            row += self.others[:, b] * self.own.conjugates[:, a]
+            row *= 0.5
+        return rows.view(np.float64)
 
     def moments(self, drive: Complexes, n_fft: int, *, products: bool) -> Moments:
         """Return the symmetrised moments between the others and the vibration by ``drive``.
@@ -229,10 +239,8 @@ class CrossMatrix:
         """
         # Real rows times a real column give the real part of the complex product.
         column = (drive * _weights(n_fft)).view(np.float64)
-        squares = _row_products(self._squares, column)
-        second = _second_moments(
-            squares, _row_products(self._products, column) if products else None
-        )
+        sums = _row_products(self._products if products else self._squares, column)
+        second = _second_moments(sums, self.others.shape[1], products=products)
         return Moments(second, np.zeros(second.shape[:2]))
 
 
@@ -254,21 +262,20 @@ def _row_products(matrix: Floats, column: Floats) -> Floats:
     return sums
 
 
+@lru_cache(maxsize=8)
 def _weights(n_fft: int) -> Floats:
     """Return the factors in Parseval's sum: 2 / n_fft, and half of it at both ends."""
     weights = np.full(n_fft // 2 + 1, 2.0 / n_fft)
     weights[[0, -1]] *= 0.5
+    weights.flags.writeable = False
     return weights
 
 
-def _second_moments(squares: Floats, products: Floats | None) -> Floats:
-    n_outputs, n_axes = squares.shape
-    second = np.zeros((n_outputs, n_axes, n_axes))
-    every = np.arange(n_axes)
-    second[:, every, every] = squares
-    if products is not None:
-        for k, (a, b) in enumerate(pairs(n_axes)):
-            second[:, a, b] = second[:, b, a] = products[:, k]
+def _second_moments(sums: Floats, n_axes: int, *, products: bool) -> Floats:
+    """Return sums of products, (n_outputs, n_pairs), as symmetric (n_outputs, n_axes, n_axes)."""
+    left, right = np.array(_pairs(n_axes, products=products)).T
+    second = np.zeros((len(sums), n_axes, n_axes))
+    second[:, left, right] = second[:, right, left] = sums
     return second
 
 

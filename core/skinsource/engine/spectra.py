@@ -456,7 +456,7 @@ class TotalSpectrum:
         else:
             total = self.others[rows]
         if self.response is not None and self.drive is not None and self.weight != 0.0:
-            total += self.response.values[rows] * self.drive * self.weight
+            total += self.response.values[rows] * (self.drive * self.weight)
         return total
 
 

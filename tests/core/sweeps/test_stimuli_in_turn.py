@@ -29,10 +29,13 @@ def plan_of(design, name, values, **changes):
     return Plan(designs=(("one", design),), variables=((name, values),), outputs=(19,), **changes)
 
 
-@pytest.mark.parametrize("name", ["frequency_hz", "2.frequency_hz", "1.amplitude", "duration_s"])
+@pytest.mark.parametrize(
+    "name", ["frequency_hz", "2.frequency_hz", "1.amplitude", "1.location", "duration_s"]
+)
 @pytest.mark.parametrize("scaling", ["probe", "relative", "upstream"])
 def test_metrics_are_those_of_each_stimulus_alone(name, scaling):
     values = FREQUENCIES if "freq" in name else (0.05, 0.11, 0.3, 0.2, 0.01)
+    values = (12, 7, 20, 3, 5) if "location" in name else values
     for axes, method in (("xyz", "mag"), ("xz", "pca")):
         changes = {"axes": axes, "method": method, "level_db": -6.0}
         plan = plan_of(four_inputs(scaling=scaling), name, values, **changes)

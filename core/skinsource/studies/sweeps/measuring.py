@@ -20,9 +20,9 @@ from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.signals.loudest_window import loudest_energy, window_samples
 from skinsource.studies.sweeps.metrics import (
     DriveMetrics,
+    ExtentMetrics,
     Metrics,
     actuator_metrics,
-    extent_metrics,
 )
 from skinsource.studies.sweeps.plan import Plan, above_threshold
 
@@ -65,6 +65,7 @@ class Measurer:
             selected_inputs=varying if len(varying) == 1 else (),
         )
         self._drives = DriveMetrics()
+        self._extents = ExtentMetrics()
 
     def measure(self, number: int, stop: Stop = never) -> Metrics:
         """Return the metrics of stimulus ``number``, by name.
@@ -115,7 +116,7 @@ class Measurer:
             "loudest_output": loudest if rms[loudest - 1] > 0.0 else np.nan,
             **_of_output("", rms[loudest - 1], windows[0], factor),
             **_levels_db(plan.level, level, factor),
-            **extent_metrics(rms, limb, placed),
+            **self._extents.of(rms, limb, placed),
             "outputs_in_noise": _outputs_in_noise(values.get("above_noise_db")),
         }
         for output, window in zip(outputs[1:], windows[1:], strict=True):

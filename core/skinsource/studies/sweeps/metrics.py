@@ -1,6 +1,7 @@
 """Names of the metrics of a stimulus, and those of its drives, actuators and extent."""
 
 from collections.abc import Sequence
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -11,6 +12,7 @@ from skinsource.actuators.prediction import Limits, Prediction, Thermal, breache
 from skinsource.actuators.rigs import strictest
 from skinsource.base.arrays import Floats
 from skinsource.base.measurement_conditions import Band
+from skinsource.design.signal_path import Drive
 from skinsource.engine.actuator_demand import drive_at
 from skinsource.engine.gains import Placed
 from skinsource.export.tables import EXTENT_COLUMNS
@@ -64,14 +66,23 @@ def moving_locations(placed: Sequence[Placed]) -> tuple[int, ...]:
     return tuple(dict.fromkeys(each.voice.location for each in placed if each.moves))
 
 
-def extent_metrics(rms: Floats, limb: Limb, placed: Sequence[Placed]) -> Metrics:
-    """Return the metrics of `skinsource.extent` for the RMS of all outputs; NaN for silence."""
-    locations = moving_locations(placed)
-    if locations:
-        distance_mm = distances_mm(limb, locations)
-        if rms[np.isfinite(distance_mm)].any():
-            return {name: float(value) for name, value in spread(rms, distance_mm).items()}
-    return dict.fromkeys(EXTENT_COLUMNS, np.nan)
+class ExtentMetrics:
+    """Measures extents; distances are computed once for as long as the places stay."""
+
+    def __init__(self) -> None:
+        self._cached: tuple[Limb | None, tuple[int, ...], Floats] = None, (), np.empty(0)
+
+    def of(self, rms: Floats, limb: Limb, placed: Sequence[Placed]) -> Metrics:
+        """Return the metrics of `skinsource.extent` for the RMS of all outputs; NaN for silence."""
+        locations = moving_locations(placed)
+        if not locations:
+            return dict.fromkeys(EXTENT_COLUMNS, np.nan)
+        if self._cached[:2] != (limb, locations):
+            self._cached = limb, locations, distances_mm(limb, locations)
+        distance_mm = self._cached[2]
+        if not rms[np.isfinite(distance_mm)].any():
+            return dict.fromkeys(EXTENT_COLUMNS, np.nan)
+        return {name: float(value) for name, value in spread(rms, distance_mm).items()}
 
 
 class DriveMetrics:
@@ -80,6 +91,8 @@ class DriveMetrics:
     def __init__(self) -> None:
         # The inputs at a place; peak and energy of their sum, energies of each, and outside of it.
         self._cached: dict[int, tuple[list[Placed], Band | None, tuple[float, ...]]] = {}
+        # Inputs that play the same share a drive.
+        self._shares = WeakKeyDictionary[Drive, tuple[Band, float]]()
 
     def of(self, placed: Sequence[Placed], n_times: int, limb: Limb, factor: float) -> Metrics:
         """Return peak and RMS of all channels, and the share of energy outside the band.
@@ -114,7 +127,7 @@ class DriveMetrics:
             for each in here:
                 samples, share = each.drive.samples, np.nan
                 if limb.band_hz is not None and not each.drive.silent:
-                    share = share_of_scaled(samples, limb.sample_rate_hz, limb.band_hz)
+                    share = self._share_outside(each.drive, limb.sample_rate_hz, limb.band_hz)
                 own = (each.voice.amplitude * each.drive.factor) ** 2 * np.vecdot(samples, samples)
                 energy += own
                 outside += own * share if own else 0.0
@@ -122,6 +135,13 @@ class DriveMetrics:
             figures = peak, float(np.vecdot(channel, channel)), float(energy), float(outside)
             cached = self._cached[location] = here, limb.band_hz, figures
         return cached[2]
+
+    def _share_outside(self, drive: Drive, rate_hz: float, band_hz: Band) -> float:
+        known = self._shares.get(drive)
+        if known is None or known[0] != band_hz:
+            known = band_hz, share_of_scaled(drive.samples, rate_hz, band_hz)
+            self._shares[drive] = known
+        return known[1]
 
 
 # An equaliser rings before and after the drive, and the actuator has to play that too.
