@@ -14,11 +14,10 @@ os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
 
 import numpy as np
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QPointF, QRect, Qt
+from PySide6.QtCore import QPointF, Qt
 
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
-from skinsource.design.view import View
 from skinsource.design.waveforms.samples import Drawn
 from skinsource.design.waveforms.tones import Tone
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
@@ -26,6 +25,7 @@ from skinsource_gui.app.app import make_application
 from skinsource_gui.panels.skin.map import SkinMap
 from skinsource_gui.plots.outputs import output_at
 from skinsource_gui.shell.window import MainWindow
+from skinsource_gui.state.document import NEW_VIEW
 from skinsource_gui.state.preferences import Preferences
 
 #: Screens, and what a title bar and a task bar leave of their height, px.
@@ -111,7 +111,7 @@ def figures_of(window: MainWindow, screen: tuple[int, int]) -> Figures:
     window.resize(screen[0], screen[1] - BARS_PX)
     hidden = {}
     for name, waveform in WAVEFORMS.items():
-        window.document.start_over(design_of(waveform), View(), None)
+        window.document.start_over(design_of(waveform), NEW_VIEW, None)
         QtWidgets.QApplication.processEvents()
         window.catch_up()
         QtWidgets.QApplication.processEvents()
@@ -186,36 +186,27 @@ def hidden_fields(inspector: QtWidgets.QWidget) -> tuple[str, ...]:
 
 
 def tracks_in_sight(timeline: QtWidgets.QWidget) -> int:
-    """Return how many tracks are wholly in sight: rows of a list, or heads that are widgets."""
+    """Return how many tracks are wholly in sight: rows of the list of heads."""
     for view in timeline.findChildren(QtWidgets.QAbstractItemView):
-        model = view.model()
-        if view.isVisible() and model is not None and model.rowCount():
-            room = view.viewport().rect()
+        model, room = view.model(), view.viewport().rect()
+        if view.isVisible() and model is not None:
             rows = (view.visualRect(model.index(row, 0)) for row in range(model.rowCount()))
-            return sum(room.contains(QRect(row)) for row in rows)
-    heads = [each for each in timeline.findChildren(QtWidgets.QWidget) if _is_head(each)]
-    return sum(map(is_in_sight, heads))
-
-
-def _is_head(widget: QtWidgets.QWidget) -> bool:
-    return type(widget).__name__ == "InputRow"
+            return sum(room.top() <= row.top() and row.bottom() <= room.bottom() for row in rows)
+    return 0
 
 
 def controls_of(window: MainWindow) -> list[QtWidgets.QWidget]:
     """Return the visible widgets that take a click or a key; exclusive buttons count once.
 
     Menus, such as the words of the measure line, places of the hand, fields of the clip, and bodies
-    of tracks, plots and maps are left out, and the heads of all tracks but the first.
+    of tracks with their heads, plots and maps are left out.
     """
-    inspector, first = window.panel("inspector"), _first_head(window.panel("timeline"))
+    inspector = window.panel("inspector")
     found, groups = [], set()
     for widget in window.findChildren(QtWidgets.QWidget):
         if not widget.isVisible() or not _takes_input(widget):
             continue
         if widget.window() is not window or inspector.isAncestorOf(widget):
-            continue
-        head = next((above for above in _above(widget) if _is_head(above)), None)
-        if head is not first and head is not None:
             continue
         group = _group_of(widget)
         if group is None or group not in groups:
@@ -223,11 +214,6 @@ def controls_of(window: MainWindow) -> list[QtWidgets.QWidget]:
         if group is not None:
             groups.add(group)
     return found
-
-
-def _first_head(timeline: QtWidgets.QWidget) -> QtWidgets.QWidget | None:
-    heads = [each for each in timeline.findChildren(QtWidgets.QWidget) if _is_head(each)]
-    return heads[0] if heads else None
 
 
 def _takes_input(widget: QtWidgets.QWidget) -> bool:
@@ -241,15 +227,6 @@ def _takes_input(widget: QtWidgets.QWidget) -> bool:
     if isinstance(widget, QtWidgets.QAbstractButton):
         return not isinstance(widget.parentWidget(), QtWidgets.QTabBar)
     return bool(widget.focusPolicy() & Qt.FocusPolicy.TabFocus)
-
-
-def _above(widget: QtWidgets.QWidget) -> list[QtWidgets.QWidget]:
-    chain = []
-    above: QtWidgets.QWidget | None = widget
-    while above is not None:
-        chain.append(above)
-        above = above.parentWidget()
-    return chain
 
 
 def _group_of(widget: QtWidgets.QWidget) -> object | None:

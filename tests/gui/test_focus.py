@@ -1,7 +1,7 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDialog
+from PySide6.QtWidgets import QApplication, QDialog, QWidget
 
 from skinsource.design.design import Design, track
 from skinsource.design.panel_settings import with_settings
@@ -77,7 +77,6 @@ def test_tab_goes_through_all_panels_in_the_order_of_the_work_and_shift_tab_back
     assert len(set(names)) == len(names)
     assert {
         ("setup", "limb"),
-        ("setup", "scaling"),
         ("transport", "play_button"),
         ("timeline", "input_rows"),
         ("timeline", "lanes"),
@@ -108,7 +107,7 @@ def test_what_is_disabled_or_hidden_is_left_out(at_work, settle):
 def test_each_workspace_has_its_own_round(at_work):
     at_work.do("arrange_presentation")
     QApplication.processEvents()
-    at_work.panel("skin").setFocus()
+    at_work.panel("stage").findChild(QWidget, "stage_dial").setFocus()
     visible = {panel.name for panel in at_work.panels if panel.isVisible()}
     assert {region for region, _ in walk(at_work)} == visible | {
         *("head", "setup", "transport", "status")

@@ -32,7 +32,7 @@ SLIDE_PX = (1280, 720)
 #: What can be read in the picture of a panel only once it was laid out and told results.
 SAYS = {
     "analysis/regions": ("Back of the hand", "Forearm", "Mean"),
-    "compare": ("Ctrl+1", "Ctrl+4"),
+    "compare": ("Store the design with Ctrl+Shift+1 to 4",),
     "analysis/wave": ("Way along the line (mm)", "Speed"),
 }
 

@@ -4,14 +4,6 @@ import pytest
 
 from benchmarks.window_figures import SCREENS, figures_of
 
-#: Figures that do not hold yet, by width of the screen.
-NOT_YET = {
-    1366: {"arm", "traces_px", "spectra_px", "tracks", "hidden", "controls"},
-    1440: {"tracks", "hidden", "controls"},
-    1920: {"controls"},
-    2560: {"controls"},
-}
-
 
 @pytest.mark.parametrize("screen", SCREENS, ids=lambda screen: str(screen[0]))
 def test_the_figures_of_the_window_hold(open_window, screen):
@@ -28,4 +20,4 @@ def test_the_figures_of_the_window_hold(open_window, screen):
         "controls": len(figures.controls) <= 25,
     }
     missed = {name for name, held in holds.items() if not held}
-    assert missed <= NOT_YET[screen[0]], f"{missed}: {figures}"
+    assert not missed, f"{missed}: {figures}"

@@ -3,6 +3,7 @@
 The dialog, and the entries of the palette that open it, are made from the table `EXPORTS`.
 """
 
+import importlib
 import logging
 import math
 from collections.abc import Callable, Iterable
@@ -22,7 +23,6 @@ from skinsource.design.view import View
 from skinsource.export import packing
 from skinsource.export.map_files import export_map
 from skinsource.export.tables import export_field, export_levels, export_traces, export_windows
-from skinsource.export.wiring import export_wiring
 from skinsource_gui import pages
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.panels.skin.film import SIZE_PX, export_animation
@@ -111,7 +111,8 @@ def _wiring(
     **wired: Any,
 ) -> None:
     del view, progress, stop, largest_error  # nothing is predicted
-    export_wiring(design, path, **wired)
+    # Imported when it is used: the start of the studio does not wait for formats.
+    importlib.import_module("skinsource.export.wiring").export_wiring(design, path, **wired)
 
 
 EXPORTS: tuple[ExportSpec, ...] = (

@@ -267,6 +267,7 @@ class SpectraPanel(SignalPanel):
             LOG_FREQUENCY,
             text="Log f",
             hint=f"Logarithmic frequency axis from {_LOWEST_HZ:g} Hz",
+            in_menu=True,
         )
         self.add_switch(
             "log_magnitude",

@@ -22,6 +22,7 @@ from tests.gui.curve_panels.bench import (
     plot_of,
     spectra_for,
 )
+from tests.gui.signal_view.test_menu import choose
 
 
 @pytest.fixture
@@ -66,7 +67,7 @@ def test_frequency_goes_from_0_or_from_10_to_650_hz(show):
     panel = show()
     window = plot_of(panel).x_window
     assert window.values(window.shown) == pytest.approx((0.0, 650.0))
-    click(panel, "log-frequency")
+    choose(panel.findChild(SignalView), "Log frequency")
     assert settings(panel.views[-1]).log_frequency
     window = plot_of(panel).x_window
     assert window.values(window.shown) == pytest.approx((10.0, 650.0))

@@ -76,7 +76,7 @@ def test_a_peak_is_one_of_the_measured_band(show):
 def test_scales_need_nothing_that_was_not_there(show):
     panel = show()
     needed = panel.needs
-    for name in ("relative", "log-magnitude", "log-frequency", "stacked"):
+    for name in ("relative", "log-magnitude", "stacked"):
         click(panel, name)
         assert panel.needs == needed
     click(panel, "axes")

@@ -33,7 +33,7 @@ def test_keys_are_about_words_where_one_types_and_about_clips_in_the_timeline(ac
     field = next(field for field in fields if field.isVisible())
     field.setFocus()
     QTest.keyClick(field, Qt.Key.Key_C, CONTROL)
-    assert QGuiApplication.clipboard().text() == "100 Hz"
+    assert QGuiApplication.clipboard().text() == "1 m/s²"
     messages = []
     active.document.refused.connect(messages.append)
     QTest.keyClick(field, Qt.Key.Key_V, CONTROL)
