@@ -61,7 +61,8 @@ class Paper:
         """What each code of a font means, from its table for those who search and copy."""
         table = int(re.search(rb"/ToUnicode (\d+)", self.objects[number])[1])
         letter_of_code = {}
-        rows = re.findall(rb"<(\w+)> <\w+> \[(.*?)\]", self._stream(table), re.DOTALL)
+        # A font of few letters has them in another form.
+        rows = re.findall(rb"<(\w+)> <\w+> (\[.*?\]|<\w+>)", self._stream(table), re.DOTALL)
         for first, letters in rows:
             for k, letter in enumerate(re.findall(rb"<(\w+)>", letters)):
                 letter_of_code[int(first, 16) + k] = bytes.fromhex(letter.decode()).decode(

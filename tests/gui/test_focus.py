@@ -109,9 +109,7 @@ def test_each_workspace_has_its_own_round(at_work):
     QApplication.processEvents()
     at_work.panel("stage").findChild(QWidget, "stage_dial").setFocus()
     visible = {panel.name for panel in at_work.panels if panel.isVisible()}
-    assert {region for region, _ in walk(at_work)} == visible | {
-        *("head", "setup", "transport", "status")
-    }
+    assert {region for region, _ in walk(at_work)} == visible | {"setup", "transport", "status"}
 
 
 def test_tab_ends_typing_and_goes_on(at_work):

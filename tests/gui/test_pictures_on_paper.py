@@ -83,7 +83,7 @@ def test_text_in_a_pdf_is_text_and_colours_are_not_packed_with_loss(shown, tmp_p
         ("skin", ("Skin acceleration, RMS over the whole record",)),
         ("traces", ("Time (ms)",)),
         ("analysis/regions", ("Back of the hand",)),
-        ("timeline", ("0100200300", "Tone")),
+        ("timeline", ("050100150200", "Tone")),
         ("clip_editor", ("0.8", "200 ms", "−60")),
     ):
         page = page_of(shown, name, tmp_path / "a.pdf", (600, 900))

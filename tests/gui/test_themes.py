@@ -6,7 +6,8 @@ from skinsource_gui.qt.theme import THEMES
 from skinsource_gui.shell.panels import PANELS
 
 #: What is known of the sound card comes at any time.
-NAMES = [spec.panel.name for spec in PANELS if spec.panel.name != "output"]
+# The stage is in motion.
+NAMES = [spec.panel.name for spec in PANELS if spec.panel.name not in ("output", "stage")]
 
 
 def make_all(window):
