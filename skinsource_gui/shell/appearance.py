@@ -26,8 +26,6 @@ class Appearance(QObject):
         Where they are remembered.
     """
 
-    #: Theme or size of words is about to be another one.
-    changing = Signal()
     #: Theme or size of words is another one.
     changed = Signal()
 
@@ -62,7 +60,6 @@ class Appearance(QObject):
 
     def apply(self) -> None:
         """Give the whole application theme and size of words."""
-        self.changing.emit()
         dark = QtGui.QGuiApplication.styleHints().colorScheme() == Qt.ColorScheme.Dark
         system = THEMES["dark" if dark else "light"]
         theme = THEMES.get(self._preferences.theme_name, system)
