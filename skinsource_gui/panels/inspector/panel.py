@@ -380,25 +380,6 @@ class ClipHeading(QtWidgets.QWidget):
         self._state.setText(of_whom if silent else "")
 
 
-class TrackButtons(QtWidgets.QWidget):
-    """Mute and solo of the selected inputs."""
-
-    mute_toggled = Signal()
-    solo_toggled = Signal()
-
-    def __init__(self) -> None:
-        super().__init__()
-        self._mute, self._solo = mute_button(), solo_button()
-        in_row(self._mute, self._solo, None, of=self, margins=0, gap_px=UNIT_PX // 2)
-        self._mute.clicked.connect(self.mute_toggled)
-        self._solo.clicked.connect(self.solo_toggled)
-
-    def show_inputs(self, batch: tuple[Input, ...]) -> None:
-        """Show whether all of them are muted, or solo."""
-        self._mute.setChecked(all(track.muted for track in batch))
-        self._solo.setChecked(all(track.solo for track in batch))
-
-
 _NEEDS = frozenset({"clip_waveforms", "inputs", "sample_rate_hz"})
 # Smallest size with letters of any size, and height of the picture, px.
 _LEAST, _PICTURE_PX = QSize(204, 224), 28
@@ -438,9 +419,9 @@ class InspectorPanel(Panel):
         self._heading = ClipHeading()
         self._draw = tool_button(None, "draw_button", "Draw", "Draw this clip with the pen")
         self._draw.clicked.connect(partial(self.action_requested.emit, "draw_clip"))
-        self._track = TrackButtons()
-        self._track.mute_toggled.connect(partial(self._change, edits.toggle_mute))
-        self._track.solo_toggled.connect(partial(self._change, edits.toggle_solo))
+        self._mute, self._solo = mute_button(), solo_button()
+        self._mute.clicked.connect(lambda: self._change(edits.toggle_mute))
+        self._solo.clicked.connect(lambda: self._change(edits.toggle_solo))
         self._preview = WaveformPreview()
         self._preview.setFixedHeight(_PICTURE_PX)
         self.computed = (self._preview,)
@@ -514,7 +495,8 @@ class InspectorPanel(Panel):
         fields, sides = self._fields, (UNIT_PX, 0, UNIT_PX, 0)
         self._scrolled = inside = QtWidgets.QWidget()
         track = QtWidgets.QWidget()
-        in_column(self._track, fields.track, of=track, margins=0, gap_px=UNIT_PX // 4)
+        buttons = in_row(self._mute, self._solo, None, margins=0, gap_px=UNIT_PX // 2)
+        in_column(buttons, fields.track, of=track, margins=0, gap_px=UNIT_PX // 4)
         fold = Fold("track_fold", "Track", track)
         parts = fields.grid, self._chain, fold, track, None
         in_column(*parts, of=inside, margins=(UNIT_PX, 0, UNIT_PX, UNIT_PX), gap_px=UNIT_PX // 4)
@@ -539,7 +521,8 @@ class InspectorPanel(Panel):
         batch = tuple(each for each in self._design.inputs if each.id in self._view.selected_inputs)
         clip, limb = clip_of(track, self._view), self._design.limb
         self._heading.show_clip(track, clip, limb, silent=silent, batch=batch)
-        self._track.show_inputs(batch)
+        self._mute.setChecked(all(each.muted for each in batch))
+        self._solo.setChecked(all(each.solo for each in batch))
         self._draw.setEnabled(clip is not None)
         self._fields.meaning.show_scaling(self._design)
         amplitude, peak = amplitude_spec(self._design), ""
