@@ -98,7 +98,7 @@ class SetupBar(QtWidgets.QWidget):
             there = bool(field.model().flags(field.model().index(index, 0)) & _ENABLED)
             hint = field.itemData(index, Qt.ItemDataRole.ToolTipRole) or ""
             choose = partial(field.choose, field.itemData(index))
-            actions.append(_action(title, hint, choose, parent, there=there))
+            actions.append(choice_action(title, hint, choose, parent, there=there))
         measured = set(facts_of(self._design.limb if self._design else "").axes)
         single = self._view is not None and len(self._view.axes) == 1
         for edit, (name, label, _, words) in zip(_LOOKS, CHOICES[2:], strict=True):
@@ -107,7 +107,8 @@ class SetupBar(QtWidgets.QWidget):
                 there = there and (name != "axes" or set(word.name) <= measured)
                 choose = partial(self._choose, edit, word.name, None)
                 title = f"{label}: {word.title}"
-                actions.append(_action(title, tooltip(word.sentence), choose, parent, there=there))
+                hint = tooltip(word.sentence)
+                actions.append(choice_action(title, hint, choose, parent, there=there))
         return actions
 
     def _choose(self, edit: Callable[..., Edit | Refusal], value: str, gesture: int | None) -> None:
@@ -122,9 +123,10 @@ class SetupBar(QtWidgets.QWidget):
 _LOOKS = (edits.look_along, edits.look_by_method, edits.level_over)
 
 
-def _action(
+def choice_action(
     title: str, hint: str, choose: Callable[[], object], parent: QObject | None, *, there: bool
 ) -> QtGui.QAction:
+    """Return an action of the palette that makes a choice; ``there``: it can be made now."""
     action = QtGui.QAction(title, parent)
     action.setToolTip(hint)
     action.setEnabled(there)
