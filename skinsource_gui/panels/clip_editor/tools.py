@@ -682,10 +682,7 @@ class GlideTool(Tool):
         self.tools[self.active].fill_menu(menu, of_column(content, self.active), at)
 
     def cancel(self) -> bool:
-        cancelled = False
-        for tool in self.tools.values():
-            cancelled = tool.cancel() or cancelled
-        return cancelled
+        return any(tool.cancel() for tool in self.tools.values())
 
     def forget(self) -> None:
         """Choose no point."""
