@@ -19,8 +19,6 @@ from skinsource_gui.plots.pictures import (
     with_caption,
 )
 from skinsource_gui.qt.theme import DARK, LIGHT, current_theme
-from tests.gui.dock_bench import bar_with, click_tab, titles
-from tests.gui.exporting import shown
 
 DESIGN = ss.Design(
     limb="synthetic-1",
@@ -125,23 +123,6 @@ def test_pictures_are_on_light_ground_and_the_studio_stays_dark(open_window, qtb
     assert QColor(picture.pixel(899, 599)).name() == LIGHT.base
     assert current_theme() == DARK
     qtbot.waitUntil(lambda: window.grab(above).toImage() == before)
-
-
-def test_a_panel_whose_tab_is_clicked_is_in_use_and_named_where_its_picture_is_asked_for(
-    open_window,
-):
-    window = open_window(DESIGN)
-    window.activateWindow()
-    window.tabifyDockWidget(window.docks["traces"], window.docks["spectra"])
-    shared = titles(bar_with(window, "Traces"))
-    for title in (*shared, shared[0], shared[0]):
-        window.panel("skin").setFocus()
-        click_tab(window, title)
-        assert window.pictures.picture_of(PANEL_IN_USE).title == title
-        part = shown(window, "panel_picture")
-        assert part.suggestion()[0] == f"{title.lower().replace(' ', '-')}.png"
-        assert part.ready
-        window.exports.end()
 
 
 def test_what_to_cite_is_copied(open_window, qapp):
