@@ -1,11 +1,10 @@
 """Edits made in the whole window: told once, evaluated once, undone with their selections."""
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from skinsource.design.view import View
-from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.plots.plot import Plot
 from skinsource_gui.state.engine import Purpose
 
@@ -53,22 +52,6 @@ def test_escape_on_the_map_is_taken_back_by_ctrl_z_and_no_input_goes(window, set
     QTest.keyClick(window.panel("skin").map, KEY.Key_Z, CONTROL)
     assert window.document.view.outputs == View().outputs
     assert len(window.document.design.inputs) == 2
-
-
-def test_undo_while_a_number_is_dragged_takes_its_input_away_and_nothing_raises(window, settle):
-    place(window)
-    field = window.panel("inspector").findChild(NumberField, "amplitude_field")
-    start = field.rect().center()
-    QTest.mousePress(field, Qt.MouseButton.LeftButton, pos=start)
-    QTest.mouseMove(field, start + QPoint(20, 0))
-    while window.document.undo_stack.canUndo():
-        window.do("undo")
-    window.do("remove_input")
-    assert window.document.design.inputs == ()
-    QTest.mouseMove(field, start + QPoint(60, 0))
-    QTest.mouseRelease(field, Qt.MouseButton.LeftButton, pos=start)
-    assert window.document.design.inputs == ()
-    assert window.document.undo_stack.count() == 1
 
 
 @pytest.mark.parametrize("panel", ["traces", "spectra"])
