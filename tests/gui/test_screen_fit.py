@@ -2,8 +2,6 @@ import pytest
 from PySide6.QtCore import QMargins, QRect
 from PySide6.QtWidgets import QWidget
 
-from skinsource_gui.fields.number_field import NumberField
-from skinsource_gui.fields.units import minus
 from skinsource_gui.qt.screen_fit import fit_by_guess, fitted
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import start_design
@@ -55,24 +53,3 @@ def test_a_window_that_was_on_the_stage_starts_there(preferences):
     )
     assert window.docks["stage"].isHidden() is False
     window.close_unasked()
-
-
-def test_each_number_of_the_bar_is_shown_whole_in_letters_of_any_size(window, qtbot):
-    fields = window.menuWidget().findChildren(NumberField)
-
-    def in_sight():
-        return all(field.visibleRegion().boundingRect() == field.rect() for field in fields)
-
-    assert fields
-    for scale, width in ((1.0, 800), (1.5, 1366), (3.0, 800)):
-        window.preferences.text_scale = scale
-        window.appearance.apply()
-        window.resize(width, 600)
-        qtbot.waitUntil(in_sight, timeout=5000)
-        for field in fields:
-            low, high = field.spec.minimum, field.spec.maximum
-            for value in (low, low + 0.01, -0.01, high - 0.01, high):
-                field.edited.emit(value, None)
-                whole = minus(f"{value:.2f}".rstrip("0").rstrip("."))
-                assert field.text() == whole, (scale, width)
-    window.do("reset_text")
