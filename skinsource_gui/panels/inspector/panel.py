@@ -380,7 +380,6 @@ class ClipHeading(QtWidgets.QWidget):
         self._state.setText(of_whom if silent else "")
 
 
-_NEEDS = frozenset({"clip_waveforms", "inputs", "sample_rate_hz"})
 # Smallest size with letters of any size, and height of the picture, px.
 _LEAST, _PICTURE_PX = QSize(204, 224), 28
 
@@ -441,7 +440,7 @@ class InspectorPanel(Panel):
     @property
     def needs(self) -> frozenset[str]:
         """What each clip plays, and its rate."""
-        return _NEEDS
+        return frozenset({"clip_waveforms", "inputs", "sample_rate_hz"})
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
@@ -450,7 +449,7 @@ class InspectorPanel(Panel):
             self._fields.forget_typing()
             self._chain.forget_typing()
             self._shown = ()
-            self._show_empty()
+            self._empty.setText(HOW_TO_SELECT_INPUT if design.inputs else how_to_add())
             self._stack.setCurrentWidget(self._empty)
             return
         if self._shown != (view.selected_inputs, view.selected_clips):
@@ -464,9 +463,6 @@ class InspectorPanel(Panel):
             track, silent=all(track is not audible for audible in audible_inputs(design.inputs))
         )
         self._stack.setCurrentWidget(self._editor)
-
-    def _show_empty(self) -> None:
-        self._empty.setText(HOW_TO_SELECT_INPUT if self._design.inputs else how_to_add())
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._waveforms, self._rate_hz = waveforms_of(results), results["sample_rate_hz"]
@@ -530,17 +526,13 @@ class InspectorPanel(Panel):
             amplitude, peak = AMPLITUDE_GAIN, peak_text(self._design, track)
         self._fields.show_limb(limb)
         self._fields.show_input(track, batch, amplitude, self._view, peak)
-        self._show_chain(track, batch)
+        ids = tuple(each.id for other in batch for each in clips_of(other, self._view))
+        self._chain.show_chain(self._design, self._view, clip, ids)
         self._show_style(track)
 
     def _show_style(self, track: Input) -> None:
         problem = self._problems.get(track.id, "")
         self._preview.set_look(track.colour, flipped=track.amplitude < 0, problem=problem)
-
-    def _show_chain(self, track: Input, batch: tuple[Input, ...]) -> None:
-        clip = clip_of(track, self._view)
-        ids = tuple(each.id for other in batch for each in clips_of(other, self._view))
-        self._chain.show_chain(self._design, self._view, clip, ids)
 
     def _change_kind(self, _: str, kind: str, gesture: int | None) -> None:
         self._change(edits.change_kind, kind, gesture=gesture)
