@@ -6,27 +6,8 @@ from PySide6.QtTest import QTest
 
 from skinsource.design.view import View
 from skinsource_gui.plots.plot import Plot
-from skinsource_gui.state.engine import Purpose
 
 KEY, CONTROL = Qt.Key, Qt.KeyboardModifier.ControlModifier
-
-
-@pytest.fixture
-def counted(window, settle):
-    """Count what the document tells and what the engine is asked."""
-    settle()
-    counts = {"told": 0, "evaluated": 0}
-
-    def count(name):
-        counts[name] += 1
-
-    window.document.changed.connect(lambda: count("told"))
-    # What is judged once nothing happens is no part of an edit.
-    shown = Purpose.SHOW
-    window.engine.finished.connect(
-        lambda outcome: outcome.request.purpose is shown and count("evaluated")
-    )
-    return counts
 
 
 def place(window):
@@ -34,14 +15,6 @@ def place(window):
     QTest.mouseClick(
         hand, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, hand.site_centre(3)
     )
-
-
-@pytest.mark.parametrize("edit", [place, lambda window: window.do("duplicate_input")])
-def test_placing_and_duplicating_are_told_once_and_evaluated_once(window, settle, counted, edit):
-    edit(window)
-    settle()
-    assert len(window.document.design.inputs) == 2
-    assert counted == {"told": 1, "evaluated": 1}
 
 
 def test_escape_on_the_map_is_taken_back_by_ctrl_z_and_no_input_goes(window, settle):

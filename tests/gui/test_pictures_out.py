@@ -12,7 +12,6 @@ from skinsource.actuators.actuation import Actuation, ActuatorAt
 from skinsource.actuators.equalising import RegularisedInverse
 from skinsource_gui.plots.pictures import (
     ALL_VISIBLE,
-    PANEL_IN_USE,
     caption_of,
     drawn_image,
     save_drawing,
@@ -91,22 +90,6 @@ def test_dots_in_an_inch_are_as_chosen(tmp_path, dpi, pixels):
     assert picture.width() == pixels
     assert picture.dotsPerMeterX() == pytest.approx(dpi / 0.0254, abs=1)
     assert QColor(picture.pixel(pixels - 1, picture.height() - 1)).name() == "#0000ff"
-
-
-def test_each_picture_has_real_words_and_the_stimulus(open_window, tmp_path):
-    window = open_window(DESIGN)
-    for name in ("skin", "traces", "hand", ALL_VISIBLE, PANEL_IN_USE):
-        picture = window.pictures.picture_of(name)
-        path = tmp_path / f"{name}.svg"
-        save_drawing(path, picture.draw, *(picture.size_px or (600, 900)))
-        texts = texts_of(path)
-        assert "Tone 100 Hz" in texts, name
-        if name in ("skin", ALL_VISIBLE):
-            assert " mm" in texts, name
-            assert "dB re 1 m/s²" in texts, name
-            assert "SYNTHETIC" in texts, name
-        if name == ALL_VISIBLE:
-            assert all(title in texts for title in ("Hand", "Skin", "Timeline", "Traces"))
 
 
 def test_pictures_are_on_light_ground_and_the_studio_stays_dark(open_window, qtbot):
