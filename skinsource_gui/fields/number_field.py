@@ -167,9 +167,6 @@ class NumberField(Editor, QtWidgets.QLineEdit):
         Unit for which there is room, so that digits align with those of other fields.
     problem_beside
         Whether the owner shows problems beside the field; else the tooltip does.
-    widest_number
-        Number that sets the fixed width of the field; "": the width is free, and a narrow field
-        shows fewer digits.
 
     Attributes
     ----------
@@ -191,12 +188,11 @@ class NumberField(Editor, QtWidgets.QLineEdit):
         *,
         widest_unit: str = WIDEST_UNIT,
         problem_beside: bool = False,
-        widest_number: str = "",
     ) -> None:
         super().__init__(parent)
         self.spec, self.value_si = spec, clamped(0.0, spec)
         self.problem, self.burst, self._mixed = "", Burst(self), False
-        self._widest_unit, self._widest_number = widest_unit, widest_number
+        self._widest_unit = widest_unit
         self._problem_beside = problem_beside
         self._drag: _Drag | None = None
         self._wheel_travel = 0.0
@@ -475,9 +471,6 @@ class NumberField(Editor, QtWidgets.QLineEdit):
         symbol = display_unit(self.spec.unit, self.value_si).symbol
         unit_px = max(map(self.fontMetrics().horizontalAdvance, (symbol, self._widest_unit)))
         self.setTextMargins(0, 0, unit_px + _GAP_PX, 0)
-        if self._widest_number:
-            number_px = self.fontMetrics().horizontalAdvance(self._widest_number)
-            self.setFixedWidth(self.width() - self._number_px + number_px)
         self.setAccessibleName(self.spec.label)
         self.setToolTip(help_text(self.spec))
         self._show(self.value_si)
