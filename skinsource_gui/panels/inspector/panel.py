@@ -125,7 +125,7 @@ class Meaning(QtWidgets.QToolButton):
         self._actions = {word.name: menu.addAction(word.title) for word in SCALINGS}
         for name, action in self._actions.items():
             action.setCheckable(True)
-            action.triggered.connect(partial(self._choose, name))
+            action.triggered.connect(lambda _=False, name=name: self.chosen.emit(name))
         self.setMenu(menu)
 
     def show_scaling(self, design: Design) -> None:
@@ -139,9 +139,6 @@ class Meaning(QtWidgets.QToolButton):
                 self.setText(_MEANINGS[word.name])
                 self.setAccessibleName(f"Scaling: {word.title}")
                 show_tooltip(self, tooltip(f"{word.title}: {word.sentence}"))
-
-    def _choose(self, name: str, _checked: bool = False) -> None:
-        self.chosen.emit(name)
 
 
 class InputFields(QObject):
