@@ -75,7 +75,9 @@ class SetupBar(QtWidgets.QWidget):
             _explain(self._limb, options)
         for index, name in enumerate(names):
             there = name in limbs
-            _set_enabled(self._limb, index, there=there)
+            # Not by the item of the model: its Python wrapper outlives it, and PySide then takes
+            # another object at the same address for that item.
+            self._limb.setItemData(index, None if there else 0, _FLAGS)
             if name.startswith("measured-"):
                 hint = "" if there else f"{NOT_INSTALLED} Help > {TITLE}… installs them."
                 self._limb.setItemData(index, hint, Qt.ItemDataRole.ToolTipRole)
@@ -131,15 +133,6 @@ def _explain(field: QtWidgets.QComboBox, options: tuple[Word, ...]) -> None:
     """Set a tooltip on what each entry means."""
     for index, word in enumerate(options):
         field.setItemData(index, tooltip(word.sentence), Qt.ItemDataRole.ToolTipRole)
-
-
-def _set_enabled(field: QtWidgets.QComboBox, index: int, *, there: bool) -> None:
-    """Let an entry be chosen, or not.
-
-    The item of the model is not used: its Python wrapper outlives it, and PySide then takes another
-    object at the same address for that item.
-    """
-    field.setItemData(index, None if there else 0, _FLAGS)
 
 
 _REFITTED = (QEvent.Type.LayoutRequest, QEvent.Type.FontChange, QEvent.Type.StyleChange)
