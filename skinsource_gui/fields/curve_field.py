@@ -30,7 +30,7 @@ from skinsource.specs.breakpoints import (
 )
 from skinsource_gui.fields.editor import Burst, Editor, new_gesture
 from skinsource_gui.qt.buttons import passing_menu
-from skinsource_gui.qt.keys import claims_shortcut, key_text, meaning_of
+from skinsource_gui.qt.keys import arrow_steps, claims_shortcut, key_text, meaning_of
 from skinsource_gui.qt.theme import Theme, current_theme, tabular
 from skinsource_gui.qt.tooltips import tooltip
 
@@ -291,6 +291,11 @@ class CurveField(Editor, QtWidgets.QWidget):
         if self._drag is not None and event.key() == Qt.Key.Key_Escape:
             (gesture, start, _), self._drag = self._drag, None
             self._put(start, self.chosen, gesture)
+        elif name == "nudge":
+            right, up = arrow_steps(event)
+            by_x, by_y = right * self._spec.x.step, up * self._spec.y.step
+            points = moved(self.value, {self.chosen}, by_x, by_y)
+            self._put(points, self.chosen, self._burst.gesture())
         elif name:
             self._act(name)
         else:
@@ -333,12 +338,6 @@ class CurveField(Editor, QtWidgets.QWidget):
         elif name == "add":
             end_x = points[-1][0] if self.end_x is None else self.end_x
             self._put(*with_point_after(points, k, end_x), None)
-        else:
-            far = 10 if name.startswith("far_") else 1
-            by_x = {"left": -1, "right": 1}.get(name.removeprefix("far_"), 0)
-            by_y = {"down": -1, "up": 1}.get(name.removeprefix("far_"), 0)
-            step_x, step_y = far * self._spec.x.step, far * self._spec.y.step
-            self._put(moved(points, {k}, by_x * step_x, by_y * step_y), k, self._burst.gesture())
 
     def _point_at(self, at: QPointF) -> int | None:
         return self._scale.point_at(self.value, at, self._inside())

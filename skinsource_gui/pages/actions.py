@@ -14,7 +14,7 @@ from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.design import edits
-from skinsource.design.design import Design, Input
+from skinsource.design.design import Design
 from skinsource.design.design_file import SUFFIX
 from skinsource.design.edits.edit import (
     Edit,
@@ -93,10 +93,6 @@ def _tracks(view: View, place: DropPlace | None) -> set[int]:
     return dropped or set(view.selected_inputs[-1:])
 
 
-def _holds(track: Input, clip_id: int) -> bool:
-    return any(clip.id == clip_id for clip in track.clips)
-
-
 def _track(design: Design, id: int) -> tuple[str, str]:
     where = location_text(design.input(id).location, design.limb)
     return f"track {id}", f"A clip on input {design.index_of(id) + 1}, at {where}"
@@ -137,9 +133,9 @@ def _placed_first(
 ) -> Edit | Refusal:
     what, _, number = option.partition(" ")
     if what == "clip":
-        track = next((track for track in design.inputs if _holds(track, int(number))), None)
-        if track is None:
+        if int(number) not in {clip.id for clip in design.clips}:
             return _CLIP_REMOVED
+        track = design.track_of(int(number))
         chosen = replace(view, selected_inputs=(track.id,), selected_clips=(int(number),))
         return edits.change_waveform(design, chosen, (track.id,), recording)
     if what == "track" and onset_s is None:

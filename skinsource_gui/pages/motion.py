@@ -86,20 +86,16 @@ class Draft(QObject):
         # A phantom takes two places only; the next kind gets all of them back.
         self._whole_path = self.path
 
-    def change_kind(self, name: str) -> None:
-        """Change to another kind of motion, along the same path."""
+    def change(self, motion: Motion) -> None:
+        """Change fields of the motion, or its kind, to the latest of that; the path stays."""
+        if type(motion) is type(self.motion):
+            self._set(motion, self.path, self.problem)
+            return
         self._left[type(self.motion).__name__] = self.motion
-        motion = with_path_of(self._left[name], self.motion)
+        motion = with_path_of(self._left[type(motion).__name__], self.motion)
         with suppress(InvalidInputError):
             motion = with_motion_field(motion, "path", self._whole_path)
         self._set(motion)
-
-    def change(self, motion: Motion) -> None:
-        """Change fields of the motion, or its kind; the path stays."""
-        if type(motion) is not type(self.motion):
-            self.change_kind(type(motion).__name__)
-        else:
-            self._set(motion, self.path, self.problem)
 
     def change_path(self, path: tuple[int, ...]) -> None:
         """Change the path; one that is not valid yet is shown, but the motion does not follow."""
@@ -384,7 +380,6 @@ class MotionPage(ToolPage):
     def _connect(self) -> None:
         self.draft.changed.connect(self._show)
         self.hand.add_requested.connect(self.path_row.append)
-        self.hand.add_besides_requested.connect(self.path_row.append)
         self.hand.remove_requested.connect(self.path_row.remove_last)
         self.path_row.path_changed.connect(self.draft.change_path)
         self.path_row.misread.connect(self._show_problem)

@@ -89,6 +89,21 @@ def native_text(keys: tuple[str, ...]) -> str:
     return ", ".join(_native(key) for key in keys)
 
 
+_ARROWS = {
+    Qt.Key.Key_Left: (-1, 0),
+    Qt.Key.Key_Right: (1, 0),
+    Qt.Key.Key_Up: (0, 1),
+    Qt.Key.Key_Down: (0, -1),
+}
+
+
+def arrow_steps(event: QtGui.QKeyEvent) -> tuple[int, int]:
+    """Return the steps of an arrow key to the right and up; with Shift ten times as many."""
+    far = 10 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
+    right, up = _ARROWS.get(Qt.Key(event.key()), (0, 0))
+    return far * right, far * up
+
+
 def claims_shortcut(event: QEvent, wanted: Callable[[QtGui.QKeyEvent], object]) -> bool:
     """Accept a ShortcutOverride event for a key that is ``wanted``; return whether it is one.
 

@@ -239,7 +239,6 @@ def drawn_icon(
     *,
     filled: bool = False,
     line_px: float = 1.2,
-    greyed: bool = True,
 ) -> QtGui.QIcon:
     """Return an icon of a path in a square of 16 units, for buttons that are on or off.
 
@@ -247,8 +246,6 @@ def drawn_icon(
     ----------
     filled, line_px
         Whether it is filled; how wide its line is where it is not.
-    greyed
-        Whether it is grey on a button that is disabled.
     """
     icon = QtGui.QIcon()
     for state, name in (
@@ -266,8 +263,6 @@ def drawn_icon(
             painter.strokePath(path, QtGui.QPen(QtGui.QColor(name), line_px))
         painter.end()
         icon.addPixmap(pixmap, QtGui.QIcon.Mode.Normal, state)
-        if not greyed:
-            icon.addPixmap(pixmap, QtGui.QIcon.Mode.Disabled, state)
     return icon
 
 

@@ -3,12 +3,13 @@
 from collections.abc import Sequence
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QObject, QRect, Qt, QTimer, Signal
+from PySide6.QtCore import QMargins, QObject, QRect, Qt, QTimer, Signal
 
 from skinsource.base.quoting import printable
 from skinsource.design.design import Design
 from skinsource.limbs.own_limbs import missing_limb
 from skinsource.studies import scenes
+from skinsource_gui.qt.screen_fit import fitted
 from skinsource_gui.qt.theme import THEMES, apply_theme
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
@@ -26,8 +27,6 @@ class Appearance(QObject):
         Where they are remembered.
     """
 
-    #: Theme or size of words is about to be another one.
-    changing = Signal()
     #: Theme or size of words is another one.
     changed = Signal()
 
@@ -62,7 +61,6 @@ class Appearance(QObject):
 
     def apply(self) -> None:
         """Give the whole application theme and size of words."""
-        self.changing.emit()
         dark = QtGui.QGuiApplication.styleHints().colorScheme() == Qt.ColorScheme.Dark
         system = THEMES["dark" if dark else "light"]
         theme = THEMES.get(self._preferences.theme_name, system)
@@ -130,10 +128,7 @@ def place_in_sight(frame: QRect, rooms: Sequence[QRect]) -> QRect:
     if not rooms or max(shared) >= _SEEN_SHARE * _area(frame):
         return frame
     room = min(rooms, key=lambda screen: (screen.center() - frame.center()).manhattanLength())
-    width, height = min(frame.width(), room.width()), min(frame.height(), room.height())
-    left = min(max(frame.left(), room.left()), room.right() + 1 - width)
-    top = min(max(frame.top(), room.top()), room.bottom() + 1 - height)
-    return QRect(left, top, width, height)
+    return fitted(frame, room, QMargins())
 
 
 def _bring(window: QtWidgets.QWidget, rooms: Sequence[QRect]) -> None:

@@ -5,14 +5,12 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, Qt
 
 from skinsource.base.quoting import printable
 from skinsource.design import edits
-from skinsource.design.design import Design
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.labels import CHOICES, LIMBS, Word, limb_label, short_limb_title
-from skinsource.design.view import View
 from skinsource.limbs.dataset.store import NOT_INSTALLED
 from skinsource.limbs.own_limbs import facts_of, missing_limb, own_limb_names
 from skinsource.specs.spec import ChoiceSpec
@@ -43,13 +41,9 @@ class LimbField(ChoiceField):
 class SetupBar(QtWidgets.QWidget):
     """Choices for what the whole window shows."""
 
-    #: `Edit` or `Refusal`, number of the gesture or None.
-    edited = Signal(object, object)
-
-    def __init__(self, parent: QtWidgets.QWidget | None = None):
+    def __init__(self, document: Document, parent: QtWidgets.QWidget | None = None):
         super().__init__(parent)
-        self._design: Design | None = None
-        self._view: View | None = None
+        self._document = document
         self._limb_options: tuple[Word, ...] = LIMBS
         _, label, sentence, options = CHOICES[0]
         self._limb = LimbField(_spec(label, sentence, options))
@@ -63,17 +57,13 @@ class SetupBar(QtWidgets.QWidget):
         in_row(self._limb, of=self, margins=0)
         self._limb.edited.connect(partial(self._choose, edits.change_limb))
 
-    def show_state(self, design: Design, view: View) -> None:
-        """Take over the present design and view."""
-        self._design, self._view = design, view
+    def show_state(self) -> None:
+        """Take over the present design."""
+        design = self._document.design
         self._limb.set_value(design.limb)
         facts = facts_of(design.limb)
         about = missing_limb(design.limb, "") if facts.missing else facts.sentence
         show_tooltip(self._limb, tooltip("Limb", about))
-
-    def show_playhead(self, view: View) -> None:
-        """Take over a view in which the playhead alone has moved."""
-        self._view = view
 
     def show_available(self, limbs: tuple[str, ...]) -> None:
         """Offer these limbs, and no others."""
@@ -85,7 +75,9 @@ class SetupBar(QtWidgets.QWidget):
             _explain(self._limb, options)
         for index, name in enumerate(names):
             there = name in limbs
-            _set_enabled(self._limb, index, there=there)
+            # Not by the item of the model: its Python wrapper outlives it, and PySide then takes
+            # another object at the same address for that item.
+            self._limb.setItemData(index, None if there else 0, _FLAGS)
             if name.startswith("measured-"):
                 hint = "" if there else f"{NOT_INSTALLED} Help > {TITLE}… installs them."
                 self._limb.setItemData(index, hint, Qt.ItemDataRole.ToolTipRole)
@@ -98,33 +90,33 @@ class SetupBar(QtWidgets.QWidget):
             there = bool(field.model().flags(field.model().index(index, 0)) & _ENABLED)
             hint = field.itemData(index, Qt.ItemDataRole.ToolTipRole) or ""
             choose = partial(field.choose, field.itemData(index))
-            actions.append(_action(title, hint, choose, parent, there=there))
-        measured = set(facts_of(self._design.limb if self._design else "").axes)
-        single = self._view is not None and len(self._view.axes) == 1
+            actions.append(choice_action(title, hint, choose, parent, there=there))
+        measured = set(facts_of(self._document.design.limb).axes)
+        single = len(self._document.view.axes) == 1
         for edit, (name, label, _, words) in zip(_LOOKS, CHOICES[2:], strict=True):
             for word in words:
                 there = not (name == "method" and single)
                 there = there and (name != "axes" or set(word.name) <= measured)
                 choose = partial(self._choose, edit, word.name, None)
                 title = f"{label}: {word.title}"
-                actions.append(_action(title, tooltip(word.sentence), choose, parent, there=there))
+                hint = tooltip(word.sentence)
+                actions.append(choice_action(title, hint, choose, parent, there=there))
         return actions
 
     def _choose(self, edit: Callable[..., Edit | Refusal], value: str, gesture: int | None) -> None:
-        if self._design and self._view:
-            outcome = edit(self._design, self._view, value)
-            self.edited.emit(outcome, gesture)
-            if isinstance(outcome, Refusal):
-                self.show_state(self._design, self._view)
+        self._document.apply(edit(self._document.design, self._document.view, value), gesture)
+        # After a refusal the field shows the limb of the design again.
+        self.show_state()
 
 
 #: Edits of what is looked at: axes, method, levels.
 _LOOKS = (edits.look_along, edits.look_by_method, edits.level_over)
 
 
-def _action(
+def choice_action(
     title: str, hint: str, choose: Callable[[], object], parent: QObject | None, *, there: bool
 ) -> QtGui.QAction:
+    """Return an action of the palette that makes a choice; ``there``: it can be made now."""
     action = QtGui.QAction(title, parent)
     action.setToolTip(hint)
     action.setEnabled(there)
@@ -141,15 +133,6 @@ def _explain(field: QtWidgets.QComboBox, options: tuple[Word, ...]) -> None:
     """Set a tooltip on what each entry means."""
     for index, word in enumerate(options):
         field.setItemData(index, tooltip(word.sentence), Qt.ItemDataRole.ToolTipRole)
-
-
-def _set_enabled(field: QtWidgets.QComboBox, index: int, *, there: bool) -> None:
-    """Let an entry be chosen, or not.
-
-    The item of the model is not used: its Python wrapper outlives it, and PySide then takes another
-    object at the same address for that item.
-    """
-    field.setItemData(index, None if there else 0, _FLAGS)
 
 
 _REFITTED = (QEvent.Type.LayoutRequest, QEvent.Type.FontChange, QEvent.Type.StyleChange)

@@ -27,7 +27,7 @@ from skinsource_gui.state.engine import (
 )
 from skinsource_gui.state.panel import PanelRegistry
 
-#: What the chip calls conditions; that of the limb stands on the map.
+#: What conditions are called; the chip leaves out that of the limb, which stands on the map.
 NAMES = {
     "inputs": "inputs",
     "band": "band",
@@ -109,15 +109,6 @@ class ConditionsChip(QtWidgets.QToolButton):
             self.setToolTip(f"{about}\nClick to see what can be done.")
 
 
-_TITLES = {
-    "inputs": "Inputs",
-    "band": "Measured band",
-    "drive": "Velocity of the probe",
-    "spacing": "Spacing of the outputs",
-    "noise": "Signal to noise",
-    "limb": "Limb",
-    "scaling": "Scaling",
-}
 _REPAIRS = {
     "band_limit": "Limit to the band",
     "quieter": "Play within it",
@@ -157,7 +148,8 @@ class ConditionsCard(QtWidgets.QFrame):
     def _add(
         self, grid: QtWidgets.QGridLayout, row: int, finding: Finding, *, chosen: bool
     ) -> None:
-        title = QtWidgets.QLabel(f"{_TITLES[finding.name]}\n{STATES[finding.state]}")
+        name = NAMES.get(finding.name, finding.name).capitalize()
+        title = QtWidgets.QLabel(f"{name}\n{STATES[finding.state]}")
         set_tone(title, "warning" if finding.state == "left" else "dim")
         font = title.font()
         font.setBold(chosen)

@@ -12,6 +12,7 @@ from skinsource.design.waveforms import kinds
 from skinsource.limbs.own_limbs import drive_unit_known
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.tooltips import tooltip
+from skinsource_gui.shell.bars import choice_action
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.panel import Panel, PanelRegistry
 
@@ -74,11 +75,10 @@ def kind_choices(document: Document) -> list[QtGui.QAction]:
     """Return one new action for each kind of waveform, which lets the selected inputs play it."""
     actions = []
     for kind in kinds():
-        action = QtGui.QAction(f"Waveform: {kind.title}")
-        action.setToolTip("Let the selected inputs play this")
-        action.setEnabled(bool(document.view.selected_inputs))
-        action.triggered.connect(partial(_play, document, kind.__name__))
-        actions.append(action)
+        play = partial(_play, document, kind.__name__)
+        there = bool(document.view.selected_inputs)
+        hint = "Let the selected inputs play this"
+        actions.append(choice_action(f"Waveform: {kind.title}", hint, play, None, there=there))
     return actions
 
 
@@ -87,10 +87,9 @@ def scaling_choices(document: Document) -> list[QtGui.QAction]:
     actions = []
     design = document.design
     for word in scalings_on(drive_unit_known=drive_unit_known(design.limb, design.limb_digest)):
-        action = QtGui.QAction(f"Scaling: {word.title}")
-        action.setToolTip(tooltip(word.sentence))
-        action.triggered.connect(partial(_scale, document, word.name))
-        actions.append(action)
+        scale = partial(_scale, document, word.name)
+        hint = tooltip(word.sentence)
+        actions.append(choice_action(f"Scaling: {word.title}", hint, scale, None, there=True))
     return actions
 
 

@@ -176,7 +176,8 @@ class Notice(QObject):
         at_top = self._passes and bar.isHidden()
         self._close.setHidden(at_top)
         # In letters of any size a line of the card has about as many letters.
-        widest = whole.width() if self._passes else _CARD_LETTERS * self._letter_px
+        letter_px = self._label.fontMetrics().averageCharWidth()
+        widest = whole.width() if self._passes else _CARD_LETTERS * letter_px
         width = min(widest, whole.width() - (0 if self._passes else 2 * UNIT_PX))
         if at_top:
             text_px = self._label.fontMetrics().horizontalAdvance(self._label.text())
@@ -191,10 +192,6 @@ class Notice(QObject):
             bottom = whole.height() if bar.isHidden() else bar.y()
             place = QRect(UNIT_PX, bottom - height - UNIT_PX, width, height)
         self.card.setGeometry(place)
-
-    @property
-    def _letter_px(self) -> int:
-        return self._label.fontMetrics().averageCharWidth()
 
 
 HINTS = (

@@ -151,12 +151,9 @@ class Pages(QObject):
                 entry = QtGui.QAction(f"Mouse: {gesture.effect} – {movement}")
                 entry.setToolTip(f"{group.heading}; Enter shows all of them")
                 entry.setProperty(BESIDES, True)
-                entry.triggered.connect(partial(self._show_gestures, group.heading))
+                entry.triggered.connect(lambda _=False, to=group.heading: self.show_keys(to))
                 entries.append(entry)
         return entries
-
-    def _show_gestures(self, heading: str, _checked: bool = False) -> None:
-        self.show_keys(heading)
 
     def end(self) -> None:
         """Close the page on errors and times."""

@@ -1,9 +1,8 @@
 """The one table of panels: the window makes, places and lists them from it."""
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 
 from skinsource.design.panel_settings import StageSettings
-from skinsource.specs.models import specs_of
 from skinsource_gui.panels.analysis.settings import AnalysisSettings
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.panels.hand.settings import HandSettings
@@ -31,19 +30,6 @@ class PanelSpec:
 
     panel: LazyPanel | type[Panel]
     settings: type | None = None
-
-    def __post_init__(self) -> None:
-        if not (self.panel.name and self.panel.title):
-            raise ValueError(f"{self.panel!r} has no name or no title")
-        if self.settings is not None:
-            unsaved = {field_.name for field_ in fields(self.settings)} - set(
-                specs_of(self.settings)
-            )
-            if unsaved:
-                raise ValueError(
-                    f"{self.settings.__name__} has fields that designs cannot hold: "
-                    f"{', '.join(sorted(unsaved))}. Make them with skinsource.specs.fields."
-                )
 
 
 #: In the order in which the keyboard reaches them.

@@ -79,7 +79,7 @@ class MainWindow(QtWidgets.QMainWindow):
         self.limbs = InstalledLimbs(tuple(available_limbs), self.document, self)
         self.notice = Notice(self)
         self.hints = FirstHints(preferences, self.notice, self.document)
-        self.setup_bar = SetupBar()
+        self.setup_bar = SetupBar(self.document)
         self._menus = QtWidgets.QMenuBar()
         self.status_line = StatusLine(self)
         self.job_bar = JobBar(self.runner)
@@ -224,13 +224,11 @@ class MainWindow(QtWidgets.QMainWindow):
     def _connect(self) -> None:
         document, reports = self.document, self.reports
         document.changed.connect(self._show_state)
-        document.playhead_moved.connect(lambda: self.setup_bar.show_playhead(document.view))
         document.refused.connect(reports.refuse)
         self.action_set.edited.connect(document.apply)
         self.appearance.changed.connect(self._check_theme)
         self.appearance.changed.connect(self._fit_status_bar)
         self.workspaces.shown.connect(self._check_workspace)
-        self.setup_bar.edited.connect(document.apply)
         self.files.started_over.connect(self.workspaces.leave_scene)
         self.scenes.opened.connect(self.presenter.note_scene)
         self.files.show_wanted.connect(self.presenter.open_file)
@@ -269,7 +267,7 @@ class MainWindow(QtWidgets.QMainWindow):
 
     def _show_state(self) -> None:
         design, view = self.document.design, self.document.view
-        self.setup_bar.show_state(design, view)
+        self.setup_bar.show_state()
         self.status_line.show_state(design, view)
         self._match_note.show_state(design, view)
 

@@ -264,9 +264,10 @@ class Workspaces(QObject):
     def begin_show(self) -> None:
         """Show the workspace for an audience."""
         window = self._window
-        self._before_show = _Before(
-            window.saveGeometry(), window.size(), self._present.name, self._layout_of_user()
-        )
+        # Empty where the docks stand as they were arranged.
+        layout = b"" if self._untouched else self.content()
+        geometry, name = window.saveGeometry(), self._present.name
+        self._before_show = _Before(geometry, window.size(), name, layout)
         self.show_scene()
 
     def end_show(self) -> None:
@@ -348,7 +349,8 @@ class Workspaces(QObject):
                 self._window.splitDockWidget(self._docks[neighbour], self._docks[panel], _ACROSS)
             for panel, dock in self._docks.items():
                 if panel not in (*in_sight, *workspace.beside, *_BELOW):
-                    self._window.tabifyDockWidget(self._docks[self._host(panel)], dock)
+                    host = workspace.hosts.get(panel, workspace.host)
+                    self._window.tabifyDockWidget(self._docks[host], dock)
                 dock.setVisible(panel in in_sight)
             for panel in reversed(in_sight):
                 self._docks[panel].raise_()
@@ -357,10 +359,6 @@ class Workspaces(QObject):
         self._settling.start()
         self._keyboard.settle()
         self.shown.emit(workspace.name)
-
-    def _host(self, panel: str) -> str:
-        """Return the panel beside which another one comes up as a tab."""
-        return self._present.hosts.get(panel, self._present.host)
 
     def _place(self, split: Split) -> None:
         docks = [self._docks[_panels(part)[0]] for part, _ in split.parts]
@@ -436,10 +434,6 @@ class Workspaces(QObject):
             name: (dock.isHidden(), dock.isFloating(), dock.in_sight)
             for name, dock in self._docks.items()
         }
-
-    def _layout_of_user(self) -> bytes:
-        """Return the present layout; empty where the docks stand as they were arranged."""
-        return b"" if self._untouched else self.content()
 
     def _store_own(self) -> None:
         if self._before_show is None and not self._untouched:

@@ -17,7 +17,6 @@ from skinsource_gui.plots.pictures import (
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.shell.panels import PANELS
 from tests.gui.analysis.analysis_bench import analysis
-from tests.gui.pages_of_paper import Paper
 
 #: Too fast, too high, and on a synthetic limb.
 DESIGN = ss.Design(
@@ -59,13 +58,6 @@ def test_below_each_panel_stands_once_each_condition_that_is_not_kept(window, tm
         assert text.count(GUESSED) == (name in MAPS), name
         assert "Tone 400 Hz" in text, name
         assert "Limb" in text, name
-
-
-def test_a_page_has_the_words_of_its_caption_too(window, tmp_path):
-    save_drawing(tmp_path / "a.pdf", window.pictures.picture_of("analysis/windowed").draw, 900, 700)
-    text = Paper(tmp_path / "a.pdf").text().replace(" ", "")
-    assert "betweenoutputsthemapisaguess" in text
-    assert "Responsesarecomputedfromamodel" in text
 
 
 def test_what_is_kept_is_not_said(open_window, tmp_path):
@@ -130,12 +122,6 @@ def tones(open_window, settle):
 FOUR = ". ".join(
     f"Snapshot {1 + k}: Place 7, 1 m/s²: Tone {50 * 2**k} Hz, 200 ms" for k in range(4)
 )
-
-
-def test_compared_designs_are_told_with_what_differs(tones):
-    caption = tones.pictures.picture_of("compare").caption
-    assert caption.startswith(f"Fig. 2B: Low frequencies reach farther. {FOUR}. Limb: Synthetic 1")
-    assert "Other panels" not in caption
 
 
 def test_a_scene_that_was_changed_is_not_called_what_it_was(tones, settle):

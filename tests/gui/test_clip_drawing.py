@@ -3,11 +3,10 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMessageBox, QToolButton
+from PySide6.QtWidgets import QApplication, QToolButton
 
 from skinsource.design.design import Design, track
 from skinsource.design.waveforms.samples import Drawn
-from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.panels.clip_editor.tools import Pen
 
 
@@ -36,14 +35,3 @@ def test_the_clip_panel_leads_to_the_pen_and_so_does_the_action(studio, qtbot):
     editor.use("look")
     window.do("draw_clip")
     assert pen_is_taken(window)
-
-
-@pytest.mark.parametrize(
-    "answer", [QMessageBox.StandardButton.Ok, QMessageBox.StandardButton.Cancel]
-)
-def test_another_waveform_asks_before_it_becomes_samples(studio, monkeypatch, answer):
-    window = studio(Tone())
-    monkeypatch.setattr(QMessageBox, "question", lambda *_: answer)
-    window.do("draw_clip")
-    assert window.panel("clip_editor").isVisible()
-    assert pen_is_taken(window) is (answer == QMessageBox.StandardButton.Ok)

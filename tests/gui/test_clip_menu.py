@@ -6,10 +6,9 @@ import pytest
 from PySide6.QtWidgets import QInputDialog
 
 from skinsource.design.design import Design, track
-from skinsource.design.effects.level import BandLimit, Envelope, Fade
+from skinsource.design.effects.level import BandLimit, Fade
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
-from skinsource_gui.panels.clip_editor.tools import EnvelopeTool
 from skinsource_gui.qt.keys import key_text
 
 TONE = Tone(100.0, duration_s=0.2)
@@ -65,14 +64,6 @@ def test_a_clip_is_stretched_to_a_typed_length(two_clips, monkeypatch):
     two_clips.do("stretch_clip")
     last = two_clips.document.design.clip(2)
     assert (last.onset_s, last.duration_s) == (0.1, pytest.approx(0.3))
-
-
-def test_the_envelope_opens_large(two_clips):
-    two_clips.do("shape_envelope")
-    editor = two_clips.panel("clip_editor")
-    assert editor.isVisible()
-    assert isinstance(editor._canvas.tool, EnvelopeTool)
-    assert not any(Envelope in each for each in effects(two_clips))
 
 
 def test_the_menu_says_the_keys_of_the_timeline(two_clips):

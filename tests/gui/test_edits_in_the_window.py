@@ -1,33 +1,13 @@
 """Edits made in the whole window: told once, evaluated once, undone with their selections."""
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from skinsource.design.view import View
-from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.plots.plot import Plot
-from skinsource_gui.state.engine import Purpose
 
 KEY, CONTROL = Qt.Key, Qt.KeyboardModifier.ControlModifier
-
-
-@pytest.fixture
-def counted(window, settle):
-    """Count what the document tells and what the engine is asked."""
-    settle()
-    counts = {"told": 0, "evaluated": 0}
-
-    def count(name):
-        counts[name] += 1
-
-    window.document.changed.connect(lambda: count("told"))
-    # What is judged once nothing happens is no part of an edit.
-    shown = Purpose.SHOW
-    window.engine.finished.connect(
-        lambda outcome: outcome.request.purpose is shown and count("evaluated")
-    )
-    return counts
 
 
 def place(window):
@@ -35,14 +15,6 @@ def place(window):
     QTest.mouseClick(
         hand, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, hand.site_centre(3)
     )
-
-
-@pytest.mark.parametrize("edit", [place, lambda window: window.do("duplicate_input")])
-def test_placing_and_duplicating_are_told_once_and_evaluated_once(window, settle, counted, edit):
-    edit(window)
-    settle()
-    assert len(window.document.design.inputs) == 2
-    assert counted == {"told": 1, "evaluated": 1}
 
 
 def test_escape_on_the_map_is_taken_back_by_ctrl_z_and_no_input_goes(window, settle):
@@ -53,22 +25,6 @@ def test_escape_on_the_map_is_taken_back_by_ctrl_z_and_no_input_goes(window, set
     QTest.keyClick(window.panel("skin").map, KEY.Key_Z, CONTROL)
     assert window.document.view.outputs == View().outputs
     assert len(window.document.design.inputs) == 2
-
-
-def test_undo_while_a_number_is_dragged_takes_its_input_away_and_nothing_raises(window, settle):
-    place(window)
-    field = window.panel("inspector").findChild(NumberField, "amplitude_field")
-    start = field.rect().center()
-    QTest.mousePress(field, Qt.MouseButton.LeftButton, pos=start)
-    QTest.mouseMove(field, start + QPoint(20, 0))
-    while window.document.undo_stack.canUndo():
-        window.do("undo")
-    window.do("remove_input")
-    assert window.document.design.inputs == ()
-    QTest.mouseMove(field, start + QPoint(60, 0))
-    QTest.mouseRelease(field, Qt.MouseButton.LeftButton, pos=start)
-    assert window.document.design.inputs == ()
-    assert window.document.undo_stack.count() == 1
 
 
 @pytest.mark.parametrize("panel", ["traces", "spectra"])

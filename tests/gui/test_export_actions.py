@@ -179,18 +179,6 @@ def test_a_running_export_is_seen_and_cancelled_with_a_click(
     assert os.listdir(tmp_path) == []
 
 
-def test_an_export_is_cancelled_from_the_keyboard(qtbot, window, wait, gate, answers, tmp_path):
-    answers["save"] = str(tmp_path / "field.npz")
-    export(window, "field")
-    assert gate.started.wait(5)
-    window.activateWindow()
-    qtbot.waitUntil(window.isActiveWindow)
-    QTest.keyClick(window, Qt.Key.Key_Period, Qt.KeyboardModifier.ControlModifier)
-    wait()
-    assert os.listdir(tmp_path) == []
-    assert "cancelled" in window.statusBar().currentMessage()
-
-
 def test_what_is_too_inaccurate_is_written_only_if_the_user_agrees(
     qtbot, window, wait, answers, tmp_path, monkeypatch
 ):

@@ -134,14 +134,3 @@ def test_closing_looks_once_more_whether_the_file_is_there(window, opened, asked
     asked.answer = QMessageBox.StandardButton.Discard
     window.close()
     assert not window.isVisible()
-
-
-def test_a_recent_file_that_is_missing_is_told_without_a_question(window, opened, asked):
-    gone = opened.with_name("gone.skinsource")
-    window.files.recent.remember(gone)
-    window.files.open(gone)
-    assert asked == []
-    assert "gone.skinsource: cannot be read" in window.notice.text
-    assert "moved or deleted" in window.notice.text
-    assert gone not in window.files.recent.paths
-    assert window.document.path == opened

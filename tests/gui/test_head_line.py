@@ -4,13 +4,11 @@ import time
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
-from PySide6.QtTest import QTest
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QMenu, QToolButton, QWidget
 
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.shell.actions import MENUS
 from skinsource_gui.shell.bars import StepsMenu
 from skinsource_gui.state.document import Document
@@ -100,29 +98,6 @@ def test_a_thousand_steps_are_kept_and_older_ones_are_said_to_be_forgotten(bench
     assert bench.rows()[0][0] == "Before the last 1000 steps"
     bench.go(1)
     assert bench.amplitude == 4 / 8
-
-
-def test_bursts_and_drags_are_steps_of_their_own(open_window):
-    design = Design(limb="synthetic-1", inputs=(track(location=7), track(location=9)))
-    window = open_window(design, View(selected_inputs=(1,)))
-    field = window.panel("inspector").findChild(NumberField, "amplitude_field")
-    # A burst of keys ends where another input is selected.
-    QTest.keyClick(field, Qt.Key.Key_Up)
-    QTest.keyClick(field, Qt.Key.Key_Up)
-    first = window.document.design.inputs[0].amplitude
-    window.document.look(View(selected_inputs=(2,)))
-    QTest.keyClick(field, Qt.Key.Key_Up)
-    assert window.document.undo_stack.count() == 2
-    for _ in range(2):
-        centre, left = field.rect().center(), Qt.MouseButton.LeftButton
-        QTest.mousePress(field, left, pos=centre)
-        for step in range(1, 6):
-            QTest.mouseMove(field, centre + QPoint(8 * step, 0))
-        QTest.mouseRelease(field, left, pos=centre + QPoint(40, 0))
-    assert window.document.undo_stack.count() == 4
-    for _ in range(3):
-        window.do("undo")
-    assert [track.amplitude for track in window.document.design.inputs] == [first, 1.0]
 
 
 def buttons(window):

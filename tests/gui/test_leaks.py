@@ -9,9 +9,6 @@ from PySide6.QtCore import QAbstractAnimation, QCoreApplication, QEvent, QObject
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QApplication, QDialog, QMenu, QWidget
 
-from skinsource.limbs.catalog import available_limbs
-from skinsource_gui.shell.window import MainWindow
-
 #: What each leaves behind is there so many times.
 OPENINGS = 4
 PAGES = ("find_action", "show_keys", "show_dataset", "show_about", "show_accuracy", "export")
@@ -106,22 +103,4 @@ def test_edits_workspaces_and_themes_that_come_and_go_leave_nothing(window, sett
     before = alive()
     for _ in range(2):
         there_and_back()
-    assert alive() - before == Counter()
-
-
-def test_a_window_that_is_closed_and_forgotten_leaves_nothing(window, qtbot, preferences, alive):
-    def come_and_go() -> None:
-        other = MainWindow(
-            window.document.design, preferences=preferences, available_limbs=available_limbs()
-        )
-        other.show()
-        qtbot.waitExposed(other)
-        qtbot.waitUntil(lambda: not other.engine.busy)
-        other.close()
-        other.deleteLater()
-
-    come_and_go()
-    before = alive()
-    for _ in range(2):
-        come_and_go()
     assert alive() - before == Counter()

@@ -12,15 +12,12 @@ from skinsource.actuators.actuation import Actuation, ActuatorAt
 from skinsource.actuators.equalising import RegularisedInverse
 from skinsource_gui.plots.pictures import (
     ALL_VISIBLE,
-    PANEL_IN_USE,
     caption_of,
     drawn_image,
     save_drawing,
     with_caption,
 )
 from skinsource_gui.qt.theme import DARK, LIGHT, current_theme
-from tests.gui.dock_bench import bar_with, click_tab, titles
-from tests.gui.exporting import shown
 
 DESIGN = ss.Design(
     limb="synthetic-1",
@@ -95,22 +92,6 @@ def test_dots_in_an_inch_are_as_chosen(tmp_path, dpi, pixels):
     assert QColor(picture.pixel(pixels - 1, picture.height() - 1)).name() == "#0000ff"
 
 
-def test_each_picture_has_real_words_and_the_stimulus(open_window, tmp_path):
-    window = open_window(DESIGN)
-    for name in ("skin", "traces", "hand", ALL_VISIBLE, PANEL_IN_USE):
-        picture = window.pictures.picture_of(name)
-        path = tmp_path / f"{name}.svg"
-        save_drawing(path, picture.draw, *(picture.size_px or (600, 900)))
-        texts = texts_of(path)
-        assert "Tone 100 Hz" in texts, name
-        if name in ("skin", ALL_VISIBLE):
-            assert " mm" in texts, name
-            assert "dB re 1 m/s²" in texts, name
-            assert "SYNTHETIC" in texts, name
-        if name == ALL_VISIBLE:
-            assert all(title in texts for title in ("Hand", "Skin", "Timeline", "Traces"))
-
-
 def test_pictures_are_on_light_ground_and_the_studio_stays_dark(open_window, qtbot):
     window = open_window(DESIGN)
     window.do("use_dark_theme")
@@ -125,23 +106,6 @@ def test_pictures_are_on_light_ground_and_the_studio_stays_dark(open_window, qtb
     assert QColor(picture.pixel(899, 599)).name() == LIGHT.base
     assert current_theme() == DARK
     qtbot.waitUntil(lambda: window.grab(above).toImage() == before)
-
-
-def test_a_panel_whose_tab_is_clicked_is_in_use_and_named_where_its_picture_is_asked_for(
-    open_window,
-):
-    window = open_window(DESIGN)
-    window.activateWindow()
-    window.tabifyDockWidget(window.docks["traces"], window.docks["spectra"])
-    shared = titles(bar_with(window, "Traces"))
-    for title in (*shared, shared[0], shared[0]):
-        window.panel("skin").setFocus()
-        click_tab(window, title)
-        assert window.pictures.picture_of(PANEL_IN_USE).title == title
-        part = shown(window, "panel_picture")
-        assert part.suggestion()[0] == f"{title.lower().replace(' ', '-')}.png"
-        assert part.ready
-        window.exports.end()
 
 
 def test_what_to_cite_is_copied(open_window, qapp):

@@ -7,12 +7,13 @@ from skinsource.design.labels import CHOICES
 from skinsource.design.view import View
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.shell.bars import SetupBar
+from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import start_design
 
 
 @pytest.fixture
 def bar(qtbot):
-    bar = SetupBar()
+    bar = SetupBar(Document(start_design("synthetic-1")))
     qtbot.addWidget(bar)
     return bar
 
@@ -30,12 +31,12 @@ def test_every_choice_and_every_value_of_it_is_explained_in_the_words_of_the_pag
 
 
 def test_what_the_measure_line_offers_is_found_by_its_words(bar):
-    asked = []
-    bar.edited.connect(lambda outcome, _: asked.append(outcome.view))
+    document, asked = bar._document, []
     for view, enabled in ((View(axes="xyz"), True), (View(axes="z"), False)):
-        bar.show_state(start_design("synthetic-1"), view)
+        document.look(view)
         found = {action.text(): action for action in bar.choices(bar)}
         assert found["Method: Magnitude"].isEnabled() == enabled
-        found["Levels: Loudest 100 ms"].trigger()
-        found["Axes: x, y"].trigger()
-    assert [(view.axes, view.span) for view in asked[:2]] == [("xyz", "loudest"), ("xy", "record")]
+        for name in ("Levels: Loudest 100 ms", "Axes: x, y"):
+            found[name].trigger()
+            asked.append((document.view.axes, document.view.span))
+    assert asked[:2] == [("xyz", "loudest"), ("xy", "loudest")]

@@ -76,12 +76,6 @@ def test_shortcuts_work_on_desktops_where_lines_of_text_want_them(window, field)
         assert takes(line, key)
 
 
-def test_ctrl_e_in_a_number_field_exports(window, field):
-    QTest.keyClick(field, Qt.Key.Key_E, CONTROL)
-    assert window.exports.page.windowTitle() == "Export stimulus"
-    window.exports.end()
-
-
 def test_a_field_that_dies_with_the_keyboard_leaves_the_next_one_watched(window, field):
     dying, following = GreedyLine(window), GreedyLine(window)
     for line in (dying, following):

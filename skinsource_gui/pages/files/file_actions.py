@@ -170,7 +170,6 @@ class FileActions(QObject):
     show_wanted = Signal(object)
     #: A new design was started.
     started_over = Signal()
-    recent_changed = Signal()
     #: The next step might end the studio, so unsaved work is to be saved now.
     risk_ahead = Signal()
     #: The folder in which the next file is expected, `Path`.
@@ -248,7 +247,6 @@ class FileActions(QObject):
             content = on_disk.open(path)
         except SkinSourceError as error:
             self.recent.forget(path)
-            self.recent_changed.emit()
             self.failed.emit(str(error))
             return
         # A file that cannot be opened is reported before the question about unsaved edits.
@@ -317,7 +315,6 @@ class FileActions(QObject):
         """Remember a file that was opened or saved elsewhere."""
         self.recent.remember(path)
         self._note_folder(path)
-        self.recent_changed.emit()
 
     def _note_folder(self, path: Path) -> None:
         self._preferences.folder = path.absolute().parent
@@ -378,7 +375,6 @@ class FileActions(QObject):
         self._document.mark_saved(path)
         self._note_file(path)
         self.recent.remember(path)
-        self.recent_changed.emit()
         self.note_written(path)
         return True
 

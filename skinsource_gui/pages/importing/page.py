@@ -43,7 +43,6 @@ from skinsource_gui.state.worker import Worker, fault_text
 
 # Reading that takes longer is given up for a newer request.
 _PATIENCE_S = 0.5
-_BETWEEN_PROGRESS_S = 0.05
 # Columns of the picture of the whole recording.
 _COLUMNS = 600
 
@@ -112,7 +111,7 @@ class ReadingWorker(Worker):
 
     def _import(self, choices: Choices) -> None:
         job = Job(f"Importing {self._path.name}", partial(self._take, choices))
-        self.tell(self.converted.emit, choices, job.run(self._progress(), self._stop()))
+        self.tell(self.converted.emit, choices, job.run(self._tell_progress, self._stop()))
 
     def _read_overview(self, series: Series) -> None:
         try:
@@ -163,16 +162,8 @@ class ReadingWorker(Worker):
 
         return stop
 
-    def _progress(self) -> Progress:
-        last_s = 0.0
-
-        def tell(done: int, total: int, _: str) -> None:
-            nonlocal last_s
-            if monotonic() - last_s >= _BETWEEN_PROGRESS_S:
-                last_s = monotonic()
-                self.tell(self.progressed.emit, done, total)
-
-        return tell
+    def _tell_progress(self, done: int, total: int, _: str) -> None:
+        self.tell(self.progressed.emit, done, total)
 
 
 _LEFT_PX = 300

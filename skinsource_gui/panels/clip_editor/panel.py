@@ -27,7 +27,7 @@ from skinsource_gui.fields.editor import Burst
 from skinsource_gui.fields.inputs import clip_text, duration_text, figure_text, waveforms_of
 from skinsource_gui.panels.clip_editor.tools import EnvelopeTool, GlideTool, Pen, ViewTool
 from skinsource_gui.panels.clip_editor.view import EditorView, SpectrumStrip, Tool
-from skinsource_gui.qt.keys import key_text, meaning_of
+from skinsource_gui.qt.keys import arrow_steps, key_text, meaning_of
 from skinsource_gui.qt.labels import HOW_TO_SELECT_CLIP, FittingLabel, how_to_add
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import set_tone
@@ -226,13 +226,9 @@ class EditorToolbar(QtWidgets.QWidget):
         return button
 
 
-_LEAP = 10
-_Key = Qt.Key
-#: One step of an arrow key to the side; with Shift ten.
+#: One step of an arrow key to the side.
 STEP_S = 0.001
-_ALONG = {_Key.Key_Left: -1.0, _Key.Key_Right: 1.0}
-_UP = {_Key.Key_Up: 1.0, _Key.Key_Down: -1.0}
-#: One step of an arrow key up; with Shift ten.
+#: One step of an arrow key up.
 STEPS: dict[Column, float] = {"frequency": 1.0, "amplitude": 0.01}
 
 
@@ -264,10 +260,8 @@ class PointEdits(ToolEdits):
         elif command in ("next_point", "point_before"):
             tool.choose_next(1 if command == "next_point" else -1)
         elif command == "nudge":
-            far = _LEAP if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
-            key = _Key(event.key())
-            by_s, by_value = STEP_S * _ALONG.get(key, 0.0), step * _UP.get(key, 0.0)
-            tool.nudge(far * by_s, far * by_value, self._burst.gesture())
+            right, up = arrow_steps(event)
+            tool.nudge(right * STEP_S, up * step, self._burst.gesture())
 
 
 class GlideEdits(PointEdits):

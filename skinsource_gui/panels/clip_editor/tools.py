@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Collection
 from dataclasses import dataclass, replace
-from functools import lru_cache, partial
+from functools import partial
 from itertools import product
 from math import hypot
 
@@ -56,8 +56,6 @@ class CurveStyle:
 
 
 _POINT_PX, _HOVERED_PX = 3.5, 5.0
-# Room for a point and its line.
-_DOT_PX = 10
 
 
 def paint_points(
@@ -72,16 +70,10 @@ def paint_points(
     x, y = places
     colour = getattr(theme, style.colour)
     painter.setPen(QtGui.QPen(QtGui.QColor(colour), 1.5))
-    painter.setBrush(QtGui.QColor(theme.base))
-    dot = _dot(colour, theme.base, painter.device().devicePixelRatioF())
-    for place in map(QPointF, (x - _DOT_PX / 2).tolist(), (y - _DOT_PX / 2).tolist()):
-        painter.drawPixmap(place, dot)
-    # These are painted again, over their neighbours.
-    for index in {*chosen, *(() if hovered is None else (hovered,))}:
-        if index < len(x):
-            radius = _HOVERED_PX if index == hovered else _POINT_PX
-            painter.setBrush(QtGui.QColor(theme.accent if index in chosen else theme.base))
-            painter.drawEllipse(QPointF(x[index], y[index]), radius, radius)
+    for index, place in enumerate(map(QPointF, x.tolist(), y.tolist())):
+        radius = _HOVERED_PX if index == hovered else _POINT_PX
+        painter.setBrush(QtGui.QColor(theme.accent if index in chosen else theme.base))
+        painter.drawEllipse(place, radius, radius)
 
 
 def write_point(
@@ -114,21 +106,6 @@ def _write_in_box(painter: QtGui.QPainter, room: QRectF, text: str, theme: Theme
     painter.drawRect(room)
     painter.setPen(QtGui.QColor(theme.text))
     painter.drawText(room, Qt.AlignmentFlag.AlignCenter, text)
-
-
-@lru_cache(maxsize=8)
-def _dot(line: str, ground: str, ratio: float) -> QtGui.QPixmap:
-    """Return the picture of a point, which is painted once."""
-    dot = QtGui.QPixmap(round(_DOT_PX * ratio), round(_DOT_PX * ratio))
-    dot.setDevicePixelRatio(ratio)
-    dot.fill(Qt.GlobalColor.transparent)
-    painter = QtGui.QPainter(dot)
-    painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
-    painter.setPen(QtGui.QPen(QtGui.QColor(line), 1.5))
-    painter.setBrush(QtGui.QColor(ground))
-    painter.drawEllipse(QPointF(_DOT_PX / 2, _DOT_PX / 2), _POINT_PX, _POINT_PX)
-    painter.end()
-    return dot
 
 
 #: Distance within which the pointer catches a handle, px.
@@ -705,10 +682,7 @@ class GlideTool(Tool):
         self.tools[self.active].fill_menu(menu, of_column(content, self.active), at)
 
     def cancel(self) -> bool:
-        cancelled = False
-        for tool in self.tools.values():
-            cancelled = tool.cancel() or cancelled
-        return cancelled
+        return any(tool.cancel() for tool in self.tools.values())
 
     def forget(self) -> None:
         """Choose no point."""

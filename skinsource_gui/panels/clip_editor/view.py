@@ -170,8 +170,8 @@ class EditorItem(pyqtgraph.GraphicsObject):
         self._font = QtGui.QFont()
         self._rect = QRectF(0, 0, 1, 1)
         self._stale = False
-        # What the drag of a point leaves as it is: axes, the waveform, and what it plays.
-        self._background, self._course = CachedPicture(), CachedPicture()
+        # What the pointer leaves as it is: axes, the waveform, and what it plays.
+        self._course = CachedPicture()
 
     def show_content(self, content: EditorContent | None, tool: Tool, rect: QRectF) -> None:
         """Paint something else, in this rectangle."""
@@ -213,25 +213,15 @@ class EditorItem(pyqtgraph.GraphicsObject):
         """Paint what the clip plays, over its waveform before any effect."""
         played, ground = content.played, QtGui.QColor(current_theme().base)
         drawn = content.drawn
-        n_played = None if played is None else played.size
         place = (current_theme().name, content.scale, content.area, content.high)
-        # Samples are compared by identity: an array is never changed in place.
-        background_key = (*place, content.sample_rate_hz, n_played, Same(content.drawn))
-        is_other = content.drawn is not None and content.drawn is not played
 
-        def paint_background(on_image: QtGui.QPainter) -> None:
+        def paint_course(on_image: QtGui.QPainter) -> None:
             self._paint_axes(on_image, content)
             on_image.setClipRect(content.area.adjusted(-1, -1, 1, 1))
             self._paint_end(on_image, content)
-            if drawn is not None and is_other:
+            if drawn is not None and drawn is not played:
                 dim = QtGui.QColor(current_theme().dim)
                 self._paint_curve(on_image, content, drawn, dim, _PALE)
-
-        def paint_course(on_image: QtGui.QPainter) -> None:
-            self._background.paint(
-                on_image, self._rect, (*background_key, is_other), paint_background, ground
-            )
-            on_image.setClipRect(content.area.adjusted(-1, -1, 1, 1))
             if played is not None:
                 opacity = _PALE if self._stale else 1.0
                 self._paint_curve(
@@ -242,7 +232,8 @@ class EditorItem(pyqtgraph.GraphicsObject):
                 corner = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop
                 on_image.drawText(content.area.adjusted(0, 2, -4, 0), corner, _UPDATING)
 
-        key = (*background_key, is_other, Same(played), self._stale)
+        # Samples are compared by identity: an array is never changed in place.
+        key = (*place, content.sample_rate_hz, Same(drawn), Same(played), self._stale)
         self._course.paint(painter, self._rect, key, paint_course, ground)
 
     def _paint_axes(self, painter: QtGui.QPainter, content: EditorContent) -> None:
@@ -382,14 +373,11 @@ class EditorView(Canvas):
             self._shown_s = None
         if clip is None:
             self.content = None
-        elif before is None:
-            self.content = EditorContent(
-                clip=clip, drawn=drawn, played=played, sample_rate_hz=rate_hz
-            )
         else:
-            self.content = replace(
-                before, clip=clip, drawn=drawn, played=played, sample_rate_hz=rate_hz
-            )
+            content = EditorContent(clip=clip, drawn=drawn, played=played, sample_rate_hz=rate_hz)
+            if before is not None:
+                content = replace(content, scale=before.scale, high=before.high)
+            self.content = content
         self.lay_out()
 
     def use(self, tool: Tool) -> None:

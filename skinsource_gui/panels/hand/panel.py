@@ -140,7 +140,7 @@ class SiteCursor:
         self.go_to(self.site)
         following = self._stage.state.next_at(self.site)
         if further or following is None:
-            self._hand.add_requested.emit(self.site)
+            self._hand.add_requested.emit(self.site, False)
         else:
             self._hand.select_requested.emit(following)
 
@@ -296,8 +296,7 @@ class SiteMouse:
 
     def _click(self, press: _Press) -> None:
         if press.index is None or press.further:
-            hand = self._hand
-            (hand.add_besides_requested if press.toggles else hand.add_requested).emit(press.site)
+            self._hand.add_requested.emit(press.site, press.toggles)
             return
         if press.toggles:
             self._hand.toggle_requested.emit(press.index)
@@ -329,10 +328,8 @@ class HandDiagram(QtWidgets.QWidget):
         What is shown, and where.
     """
 
-    #: Site of a new input.
-    add_requested = Signal(int)
-    #: The same, where what is selected stays so besides.
-    add_besides_requested = Signal(int)
+    #: Site of a new input, and whether what is selected stays so besides.
+    add_requested = Signal(int, bool)
     #: Number of an input.
     select_requested = Signal(int)
     #: Number of an input that is to be added to the selected ones, or taken out.
@@ -547,7 +544,6 @@ class HandPanel(Panel):
         self._elsewhere: int | None = None
         self.diagram = HandDiagram(drawing_of(""), self)
         self.diagram.add_requested.connect(self._add)
-        self.diagram.add_besides_requested.connect(partial(self._add, besides=True))
         self.diagram.select_requested.connect(self._select)
         self.diagram.move_requested.connect(self._move)
         self.diagram.toggle_requested.connect(self._toggle)

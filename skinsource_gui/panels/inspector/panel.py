@@ -125,7 +125,7 @@ class Meaning(QtWidgets.QToolButton):
         self._actions = {word.name: menu.addAction(word.title) for word in SCALINGS}
         for name, action in self._actions.items():
             action.setCheckable(True)
-            action.triggered.connect(partial(self._choose, name))
+            action.triggered.connect(lambda _=False, name=name: self.chosen.emit(name))
         self.setMenu(menu)
 
     def show_scaling(self, design: Design) -> None:
@@ -139,9 +139,6 @@ class Meaning(QtWidgets.QToolButton):
                 self.setText(_MEANINGS[word.name])
                 self.setAccessibleName(f"Scaling: {word.title}")
                 show_tooltip(self, tooltip(f"{word.title}: {word.sentence}"))
-
-    def _choose(self, name: str, _checked: bool = False) -> None:
-        self.chosen.emit(name)
 
 
 class InputFields(QObject):
@@ -380,26 +377,6 @@ class ClipHeading(QtWidgets.QWidget):
         self._state.setText(of_whom if silent else "")
 
 
-class TrackButtons(QtWidgets.QWidget):
-    """Mute and solo of the selected inputs."""
-
-    mute_toggled = Signal()
-    solo_toggled = Signal()
-
-    def __init__(self) -> None:
-        super().__init__()
-        self._mute, self._solo = mute_button(), solo_button()
-        in_row(self._mute, self._solo, None, of=self, margins=0, gap_px=UNIT_PX // 2)
-        self._mute.clicked.connect(self.mute_toggled)
-        self._solo.clicked.connect(self.solo_toggled)
-
-    def show_inputs(self, batch: tuple[Input, ...]) -> None:
-        """Show whether all of them are muted, or solo."""
-        self._mute.setChecked(all(track.muted for track in batch))
-        self._solo.setChecked(all(track.solo for track in batch))
-
-
-_NEEDS = frozenset({"clip_waveforms", "inputs", "sample_rate_hz"})
 # Smallest size with letters of any size, and height of the picture, px.
 _LEAST, _PICTURE_PX = QSize(204, 224), 28
 
@@ -438,9 +415,9 @@ class InspectorPanel(Panel):
         self._heading = ClipHeading()
         self._draw = tool_button(None, "draw_button", "Draw", "Draw this clip with the pen")
         self._draw.clicked.connect(partial(self.action_requested.emit, "draw_clip"))
-        self._track = TrackButtons()
-        self._track.mute_toggled.connect(partial(self._change, edits.toggle_mute))
-        self._track.solo_toggled.connect(partial(self._change, edits.toggle_solo))
+        self._mute, self._solo = mute_button(), solo_button()
+        self._mute.clicked.connect(lambda: self._change(edits.toggle_mute))
+        self._solo.clicked.connect(lambda: self._change(edits.toggle_solo))
         self._preview = WaveformPreview()
         self._preview.setFixedHeight(_PICTURE_PX)
         self.computed = (self._preview,)
@@ -460,7 +437,7 @@ class InspectorPanel(Panel):
     @property
     def needs(self) -> frozenset[str]:
         """What each clip plays, and its rate."""
-        return _NEEDS
+        return frozenset({"clip_waveforms", "inputs", "sample_rate_hz"})
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
@@ -469,7 +446,7 @@ class InspectorPanel(Panel):
             self._fields.forget_typing()
             self._chain.forget_typing()
             self._shown = ()
-            self._show_empty()
+            self._empty.setText(HOW_TO_SELECT_INPUT if design.inputs else how_to_add())
             self._stack.setCurrentWidget(self._empty)
             return
         if self._shown != (view.selected_inputs, view.selected_clips):
@@ -483,9 +460,6 @@ class InspectorPanel(Panel):
             track, silent=all(track is not audible for audible in audible_inputs(design.inputs))
         )
         self._stack.setCurrentWidget(self._editor)
-
-    def _show_empty(self) -> None:
-        self._empty.setText(HOW_TO_SELECT_INPUT if self._design.inputs else how_to_add())
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._waveforms, self._rate_hz = waveforms_of(results), results["sample_rate_hz"]
@@ -514,7 +488,8 @@ class InspectorPanel(Panel):
         fields, sides = self._fields, (UNIT_PX, 0, UNIT_PX, 0)
         self._scrolled = inside = QtWidgets.QWidget()
         track = QtWidgets.QWidget()
-        in_column(self._track, fields.track, of=track, margins=0, gap_px=UNIT_PX // 4)
+        buttons = in_row(self._mute, self._solo, None, margins=0, gap_px=UNIT_PX // 2)
+        in_column(buttons, fields.track, of=track, margins=0, gap_px=UNIT_PX // 4)
         fold = Fold("track_fold", "Track", track)
         parts = fields.grid, self._chain, fold, track, None
         in_column(*parts, of=inside, margins=(UNIT_PX, 0, UNIT_PX, UNIT_PX), gap_px=UNIT_PX // 4)
@@ -539,7 +514,8 @@ class InspectorPanel(Panel):
         batch = tuple(each for each in self._design.inputs if each.id in self._view.selected_inputs)
         clip, limb = clip_of(track, self._view), self._design.limb
         self._heading.show_clip(track, clip, limb, silent=silent, batch=batch)
-        self._track.show_inputs(batch)
+        self._mute.setChecked(all(each.muted for each in batch))
+        self._solo.setChecked(all(each.solo for each in batch))
         self._draw.setEnabled(clip is not None)
         self._fields.meaning.show_scaling(self._design)
         amplitude, peak = amplitude_spec(self._design), ""
@@ -547,17 +523,13 @@ class InspectorPanel(Panel):
             amplitude, peak = AMPLITUDE_GAIN, peak_text(self._design, track)
         self._fields.show_limb(limb)
         self._fields.show_input(track, batch, amplitude, self._view, peak)
-        self._show_chain(track, batch)
+        ids = tuple(each.id for other in batch for each in clips_of(other, self._view))
+        self._chain.show_chain(self._design, self._view, clip, ids)
         self._show_style(track)
 
     def _show_style(self, track: Input) -> None:
         problem = self._problems.get(track.id, "")
         self._preview.set_look(track.colour, flipped=track.amplitude < 0, problem=problem)
-
-    def _show_chain(self, track: Input, batch: tuple[Input, ...]) -> None:
-        clip = clip_of(track, self._view)
-        ids = tuple(each.id for other in batch for each in clips_of(other, self._view))
-        self._chain.show_chain(self._design, self._view, clip, ids)
 
     def _change_kind(self, _: str, kind: str, gesture: int | None) -> None:
         self._change(edits.change_kind, kind, gesture=gesture)

@@ -172,14 +172,7 @@ _FIT = 1.02
 
 
 class ClipLengths:
-    """Lengths of the clips of a design; clips that are the same as before are not computed again.
-
-    Parameters
-    ----------
-    design
-        Design with the clips.
-    before
-        The lengths for an earlier design.
+    """Lengths of the clips of a design.
 
     Attributes
     ----------
@@ -191,16 +184,9 @@ class ClipLengths:
         From 0 to a little behind the last clip.
     """
 
-    def __init__(self, design: Design, before: "ClipLengths | None" = None) -> None:
+    def __init__(self, design: Design) -> None:
         self.design = design
-        known: dict[int, Clip] = {} if before is None else before._clips
-        self._clips: dict[int, Clip] = {clip.id: clip for clip in design.clips}
-        self.durations_s: dict[int, float] = {}
-        for clip in design.clips:
-            if before is not None and known.get(clip.id) is clip:
-                self.durations_s[clip.id] = before.durations_s[clip.id]
-            else:
-                self.durations_s[clip.id] = clip.duration_s
+        self.durations_s = {clip.id: clip.duration_s for clip in design.clips}
         ends = [clip.onset_s + self.durations_s[clip.id] for clip in design.clips]
         self.end_s = max(ends, default=0.0)
         self.whole_s: Range = (0.0, max(self.end_s + AFTER_S, LEAST_S))
@@ -211,8 +197,8 @@ class ClipLengths:
         return (0.0, _FIT * self.end_s) if self.end_s else self.whole_s
 
     def of(self, design: Design) -> "ClipLengths":
-        """Return the lengths for a design, most of whose clips are the same."""
-        return self if design is self.design else ClipLengths(design, self)
+        """Return the lengths for a design."""
+        return self if design is self.design else ClipLengths(design)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -433,15 +419,6 @@ class TimelineContent:
         """
         return chosen_clips(self.design, self.view)
 
-    def with_playhead(self, view: View) -> "TimelineContent":
-        """Return the same content with the playhead of ``view``, which differs in nothing else."""
-        content = replace(self, view=view)
-        # Nothing of what is known already depends on where the playhead is.
-        for name in ("selected", "gain_shown", "boxes", "strips", "chosen"):
-            if name in self.__dict__:
-                content.__dict__[name] = self.__dict__[name]
-        return content
-
     @property
     def keyboard_place(self) -> QPointF:
         """Place that keys refer to: the clip that was selected last, or else the playhead."""
@@ -548,13 +525,10 @@ GAIN_CURVES = ListSpec(
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class TimelineSettings:
+class TimelineSettings(fields.CheckedModel):
     """Settings of the timeline: ``gain_curves``, ids of the tracks whose gain curve is shown."""
 
     gain_curves: tuple[int, ...] = fields.field(GAIN_CURVES, ())
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
 
 def shown_gain_curves(view: View) -> frozenset[int]:

@@ -22,7 +22,7 @@ from skinsource_gui.panels.timeline.gestures import (
     MoveGain,
 )
 from skinsource_gui.panels.timeline.painting import LaneLayer
-from skinsource_gui.qt.keys import meaning_of
+from skinsource_gui.qt.keys import arrow_steps, meaning_of
 from skinsource_gui.qt.theme import current_theme
 
 if TYPE_CHECKING:
@@ -122,11 +122,8 @@ class GainItem(LaneLayer):
 
 
 _PLACE = "timeline"
-_Key = Qt.Key
-#: Steps of the arrow keys, s and gain; with Shift so many times as far.
-STEP_S, STEP_GAIN, _LEAP = 0.001, 0.01, 10
-_TIME_STEPS = {_Key.Key_Left: -1, _Key.Key_Right: 1}
-_GAIN_STEPS = {_Key.Key_Down: -1, _Key.Key_Up: 1}
+#: Steps of the arrow keys, s and gain.
+STEP_S, STEP_GAIN = 0.001, 0.01
 
 
 class GainPoints:
@@ -181,18 +178,18 @@ class GainPoints:
 
     def key(self, event: QtGui.QKeyEvent) -> bool:
         """Do what a key does to a curve; return whether it does anything."""
-        command, key = meaning_of(_PLACE, event), Qt.Key(event.key())
+        command = meaning_of(_PLACE, event)
         if command == "gain_curve":
             self._lanes.toggle_gain(*self._lanes.content.view.selected_inputs)
             self.choose(None)
         elif command == "gain_point":
-            self._walk(-1 if key == _Key.Key_PageUp else 1)
+            self._walk(-1 if event.key() == Qt.Key.Key_PageUp else 1)
         elif command == "gain_add":
             strip = self._selected_strip()
             if strip is not None:
                 self._add(strip, self._lanes.content.view.playhead_s)
         else:
-            return self._key_of_point(command, key, event.modifiers())
+            return self._key_of_point(command, event)
         return True
 
     def remove(self, track: int, numbers: tuple[int, ...]) -> None:
@@ -217,7 +214,7 @@ class GainPoints:
             return ""
         return f"Point {number + 1} of the gain curve: {gain_point_text(*strip.points[number][:2])}"
 
-    def _key_of_point(self, command: str, key: Qt.Key, held: Modifier) -> bool:
+    def _key_of_point(self, command: str, event: QtGui.QKeyEvent) -> bool:
         strip, number = self._chosen_strip()
         if strip is None:
             # Held as for a point, where there is none it is for the clips.
@@ -227,12 +224,8 @@ class GainPoints:
         elif command == "remove":
             self.remove(strip.lane.track.id, (number,))
         elif command in ("nudge", "change_track", "gain_far"):
-            far = _LEAP if held & Modifier.ShiftModifier else 1
-            by_s, by_gain = (
-                far * STEP_S * _TIME_STEPS.get(key, 0),
-                far * STEP_GAIN * _GAIN_STEPS.get(key, 0),
-            )
-            after = moved(strip.points, (number,), by_s, by_gain)
+            right, up = arrow_steps(event)
+            after = moved(strip.points, (number,), right * STEP_S, up * STEP_GAIN)
             self._emit(strip.lane.track.id, after, self._burst.gesture())
         else:
             return False

@@ -449,7 +449,7 @@ class LanesView(Canvas):
 
     def show_playhead(self, view: View) -> None:
         """Show a view in which the playhead alone has moved."""
-        self.content = self.content.with_playhead(view)
+        self.content = replace(self.content, view=view)
         self.playhead.show_content(self.content, float(self.height()))
 
     def update_style(self) -> None:

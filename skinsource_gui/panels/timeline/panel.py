@@ -209,8 +209,8 @@ class TimelinePanel(Panel):
         # What each clip plays, and the clips as they were then, by their ids.
         self._computed_clips: Mapping[int, Clip] = {}
         self._waveforms: Mapping[int, Floats] = {}
-        # What each track plays, before its amplitude, and the largest value of it, by its id.
-        self._peaks: dict[int, tuple[Floats, float]] = {}
+        # The largest value of what each track plays before its amplitude, by its id.
+        self._peaks: dict[int, float] = {}
         self._rate_hz = SAMPLE_RATE_HZ
         self._problems: Mapping[int, str] = {}
         self._design, self._view = Design(limb=""), View()
@@ -274,7 +274,7 @@ class TimelinePanel(Panel):
         self._waveforms = waveforms_of(results)
         played = zip(results["inputs"], results["input_waveforms"], strict=True)
         self._peaks = {
-            track.id: self._peak_of(track.id, samples)
+            track.id: float(np.abs(samples).max(initial=0.0))
             for track, samples in played
             if samples is not None
         }
@@ -370,14 +370,7 @@ class TimelinePanel(Panel):
         self.action_requested.emit("draw_clip")
 
     def _show_heads(self) -> None:
-        peaks = {id: peak for id, (_, peak) in self._peaks.items()}
-        self.heads.show_state(self._design, self._view, peaks)
-
-    def _peak_of(self, id: int, samples: Floats) -> tuple[Floats, float]:
-        known = self._peaks.get(id)
-        if known is not None and known[0] is samples:
-            return known
-        return samples, float(np.abs(samples).max(initial=0.0))
+        self.heads.show_state(self._design, self._view, self._peaks)
 
     def _place_lanes(self) -> None:
         """Put each lane beside its head."""

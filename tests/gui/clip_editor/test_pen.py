@@ -9,7 +9,6 @@ from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
 from skinsource.design.waveforms.samples import Drawn, Recording
 from skinsource.design.waveforms.tones import Tone
-from skinsource.engine.evaluation import evaluate
 from skinsource.specs.samples import Samples
 from tests.gui.clip_editor.bench import RATE_HZ, RIGHT, SHIFT, Bench
 
@@ -48,13 +47,6 @@ def test_a_stroke_stays_within_one_and_escape_takes_it_back(flat):
     flat.key(Qt.Key.Key_Escape)
     assert flat.design == before
     assert len(set(flat.steps)) == 1
-
-
-def test_what_is_drawn_is_what_is_predicted_from(flat):
-    flat.drag((0.05, 0.0), (0.08, 0.5), (0.12, -0.3))
-    (waveform,) = evaluate(flat.design, "input_waveforms", view=flat.view)["input_waveforms"]
-    np.testing.assert_array_equal(waveform, flat.drawn)
-    np.testing.assert_array_equal(flat.canvas.content.played, flat.drawn)
 
 
 def test_a_tone_becomes_samples_after_one_question(tone, monkeypatch):

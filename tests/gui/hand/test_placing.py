@@ -7,8 +7,6 @@ from PySide6.QtCore import QPoint, QPointF
 from PySide6.QtGui import QContextMenuEvent
 
 from skinsource.design.design import track
-from skinsource.design.waveforms.pulses import Noise
-from skinsource.design.waveforms.tones import Tone
 from tests.gui.hand.bench import CONTROL, KEY, SHIFT, short
 
 
@@ -28,21 +26,6 @@ def test_each_site_is_hit_at_the_smallest_size_and_a_click_places_an_input_there
         assert studio.view.selected_input == 1
         assert studio.order == ["design"]
         assert studio.edits[-1][0].startswith(f"Place input at {site} (")
-
-
-def test_a_new_input_copies_waveform_and_amplitude_of_the_selected_one(studio):
-    first = track(location=7, waveform=Tone(frequency_hz=60.0))
-    second = track(location=8, waveform=Noise(), amplitude=0.25, onset_s=0.5, muted=True)
-    studio.show(first, second, selected=1)
-    studio.click(18)
-    new = studio.design.inputs[2]
-    assert (new.clips[0].waveform, new.amplitude) == (Noise(seed=1), 0.25)
-    assert (new.clips[0].onset_s, new.muted, new.colour) == (0.0, False, 2)
-    # It is plain where none is selected.
-    studio.show(second)
-    studio.click(18)
-    assert studio.design.inputs[1].clips[0].waveform == track(location=18).clips[0].waveform
-    assert studio.design.inputs[1].amplitude == track(location=18).amplitude
 
 
 def test_repeated_clicks_cycle_through_the_inputs_of_a_site(studio):

@@ -6,7 +6,6 @@ import soundfile
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
-from skinsource.design import edits
 from skinsource.design.recordings import take
 from skinsource.readers.reader import dft321
 from skinsource_gui.pages import actions
@@ -171,13 +170,6 @@ def test_a_page_that_is_closed_while_it_reads_leaves_nothing(desk, sound):
     page.reject()
     QApplication.processEvents()
     assert desk.imports.pages == ()
-
-
-def test_without_a_place_it_starts_at_the_playhead(desk, page_at, sound):
-    design, view = desk.document.design, desk.document.view
-    desk.document.apply(edits.move_playhead(design, view, 0.25), None)
-    page_at(sound).accept()
-    assert desk.document.design.inputs[0].clips[-1].onset_s == 0.25
 
 
 def test_places_begin_with_the_likeliest(desk):

@@ -1,25 +1,18 @@
 """Kinds of waveforms in the inspector and in words, one of them new."""
 
-from dataclasses import dataclass, replace
 from itertools import product
-from typing import ClassVar
 
-import numpy as np
 import pytest
 
-from skinsource.base.errors import InvalidInputError
 from skinsource.design import waveforms
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
-from skinsource.design.design_file import open_design, save_design
 from skinsource.design.edits.edit import as_kind
 from skinsource.design.effects.level import Fade
 from skinsource.design.effects.time import Stretch
 from skinsource.design.waveforms.tones import Tone
-from skinsource.specs import fields
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import NumberSpec
-from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.fields.inputs import clip_text, figure_text, full_label
 from skinsource_gui.fields.units import value_text
@@ -27,69 +20,9 @@ from skinsource_gui.plots.pictures import stimulus_text
 from tests.gui.inspector.bench import Bench, design_of
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Sweep:
-    """A kind of waveform that the panel has never seen, whose numbers depend on each other."""
-
-    title: ClassVar[str] = "Sweep"
-
-    low_hz: float = fields.number(
-        50.0, NumberSpec(label="Start", unit="Hz", minimum=1, maximum=600)
-    )
-    high_hz: float = fields.number(90.0, NumberSpec(label="End", unit="Hz", minimum=1, maximum=600))
-    law: str = fields.choice("a", ChoiceSpec(label="Law", options=(("a", "Line"), ("b", "Bow"))))
-    duration_s: float = fields.number(
-        0.5, NumberSpec(label="Duration", unit="s", minimum=0.1, maximum=9)
-    )
-
-    def samples(self, sample_rate_hz, shift_s=0.0):
-        time_s = np.arange(round(self.duration_s * sample_rate_hz)) / sample_rate_hz
-        rise_hz_per_s = (self.high_hz - self.low_hz) / self.duration_s
-        return np.sin(2 * np.pi * (self.low_hz + rise_hz_per_s * time_s / 2) * time_s)
-
-    def __post_init__(self):
-        if self.low_hz >= self.high_hz:
-            raise InvalidInputError("a sweep goes from a lower to a higher frequency")
-
-
-@pytest.fixture(autouse=True)
-def _it_is_named_where_kinds_are_named(monkeypatch):
-    """As CONTRIBUTING says, and nothing else."""
-    monkeypatch.setattr(waveforms, "KINDS", (*waveforms.KINDS, Sweep))
-
-
-def test_a_new_kind_of_waveform_is_chosen_in_the_panel(qtbot):
-    bench = Bench(qtbot, design_of(Tone(duration_s=0.3)))
-    bench.choose("kind", "Sweep")
-    assert bench.track.clips[0].waveform == Sweep(duration_s=0.3)
-
-
 def test_every_kind_can_become_every_other():
     for kind, other in product(waveforms.KINDS, repeat=2):
         assert type(as_kind(kind(), other, 1300.0)) is other
-
-
-def test_a_new_kind_of_waveform_is_saved_and_opened(tmp_path):
-    design = replace(design_of(Sweep(low_hz=30.0, law="b"), Tone()), limb="synthetic-1")
-    path = tmp_path / "sweep.skinsource"
-    save_design(path, design)
-    assert open_design(path).design == design
-
-
-def test_a_new_kind_of_waveform_is_edited_without_a_change_of_the_panel(qtbot):
-    bench = Bench(qtbot, design_of(Sweep()))
-    bench.type("high_hz", "120")
-    bench.choose("law", "Bow")
-    assert bench.track.clips[0].waveform == Sweep(high_hz=120.0, law="b")
-    assert bench.labels == [f"Change {name} of input at 7 (II pad)" for name in ("end", "law")]
-
-
-def test_numbers_that_do_not_go_together_are_refused_with_the_reason(qtbot):
-    bench = Bench(qtbot, design_of(Sweep()))
-    bench.type("low_hz", "95")
-    assert bench.edits == []
-    assert bench.number("low_hz").value_si == 50.0
-    assert bench.label("low_hz_note").text() == "a sweep goes from a lower to a higher frequency."
 
 
 @pytest.mark.parametrize("kind", [waveforms.WaveletTrain, waveforms.Glide, waveforms.Formula])

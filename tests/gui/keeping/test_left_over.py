@@ -120,16 +120,6 @@ def test_a_bad_copy_is_set_aside_and_named_and_the_one_before_is_opened(window, 
     assert aside.read_bytes() == b"damaged"
 
 
-def test_a_copy_that_stopped_the_last_studio_is_named_and_not_opened(window, leave, user_data):
-    folder = leave(2.5)
-    (copy,) = folder.glob("*.skinsource")
-    copy.with_name(f"{copy.name}.opening").write_bytes(ENDED)
-    window.keeping.offer(window.notice)
-    assert f"{copy.name} stopped the studio when it was opened" in window.notice.text
-    assert window.notice.card.findChildren(QPushButton) == []
-    assert not copy.exists()
-
-
 def test_several_are_offered_in_a_list(window, leave, qtbot, user_data):
     leave(2.5)
     leave(3.5)

@@ -44,22 +44,6 @@ def test_it_is_said_that_sound_is_prepared_until_it_plays(
     assert button.text().endswith("Actuators off")
 
 
-def test_what_is_prepared_can_be_stopped_and_is_not_played(
-    sound, studio, player, qtbot, armed, made
-):
-    studio.do("play_on_actuators")
-    studio.do("play_on_actuators")
-    assert not player.playing
-    made.set()
-    # The thread of the sound does one thing after another: this comes after it.
-    done, failed = [], []
-    player.failed.connect(failed.append)
-    player._thread.run(lambda: None, lambda *_: done.append(True))
-    qtbot.waitUntil(lambda: bool(done), **WAIT)
-    assert player.now is None
-    assert (sound.streams, failed) == ([], [])
-
-
 def test_what_is_played_after_something_was_cancelled_is_what_is_heard(
     sound, studio, player, qtbot, armed, made
 ):

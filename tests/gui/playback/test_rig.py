@@ -105,19 +105,6 @@ def test_a_limit_in_the_first_block_is_said_even_if_that_is_over_before_play_was
     assert "a limit of the rig would have been passed (place" in studio.notice.text
 
 
-def test_a_device_that_goes_while_a_tone_is_played_is_told(
-    sound, studio, player, qtbot, monkeypatch, arm
-):
-    arm()
-    # Else a short tone may be over before anybody looks.
-    sound.is_stuck = True
-    player.play_tone(1)
-    qtbot.waitUntil(lambda: player.now is not None, **WAIT)
-    monkeypatch.setattr(type(player.now.stream), "unresponsive", property(lambda stream: True))
-    qtbot.waitUntil(lambda: not player.playing, **WAIT)
-    assert "may have been unplugged" in studio.notice.text
-
-
 def test_a_design_for_another_rig_is_not_played_and_one_without_uses_that_of_the_machine(
     studio, panel, player, path, arm
 ):

@@ -29,8 +29,7 @@ def waveforms(window):
 def test_keys_are_about_words_where_one_types_and_about_clips_in_the_timeline(active, qtbot):
     active.activateWindow()
     qtbot.waitUntil(active.isActiveWindow)
-    fields = active.panel("inspector").findChildren(NumberField)
-    field = next(field for field in fields if field.isVisible())
+    field = active.panel("inspector").findChild(NumberField, "frequency_hz_field")
     field.setFocus()
     QTest.keyClick(field, Qt.Key.Key_C, CONTROL)
     assert QGuiApplication.clipboard().text() == "1 m/s²"
