@@ -32,7 +32,7 @@ from skinsource_gui.panels.skin.painting import (
 from skinsource_gui.panels.skin.settings import LEVELS, time_text
 from skinsource_gui.plots.outputs import ADDS, OutputPicker, output_at
 from skinsource_gui.plots.small_map import FIXED_MARK, bounds_of, paint_band
-from skinsource_gui.qt.frames import paint_focus_frame
+from skinsource_gui.qt.frames import CachedPicture, Same, paint_focus_frame
 from skinsource_gui.qt.keys import KEYS, claims_shortcut, meaning_of
 from skinsource_gui.qt.theme import Theme, current_theme, tabular
 from skinsource_gui.qt.tooltips import tooltip
@@ -386,6 +386,7 @@ class SkinMap(QtWidgets.QWidget):
         super().__init__(parent)
         self.content = MapContent()
         self._painter: MapPainter | None = None
+        self._texts = CachedPicture()
         self._input_under_pointer: int | None = None
         # What was selected here last, "input" or "outputs": keys act on that.
         self._last = ""
@@ -458,7 +459,13 @@ class SkinMap(QtWidgets.QWidget):
                 paint_band(painter, picker.band, theme)
         painter.setFont(self.stage.letters)
         painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
-        paint_map_texts(painter, self.content, self.stage.layout, QRectF(self.rect()), theme)
+        texts = self.content, self.stage.layout, QRectF(self.rect()), theme
+        self._texts.paint(
+            painter,
+            QRectF(self.rect()),
+            (theme.name, Same(self.stage.layout), *self.content.texts),
+            lambda on_image: paint_map_texts(on_image, *texts),
+        )
         if self.hasFocus():
             paint_focus_frame(painter, QRectF(self.rect()), theme)
         painter.end()

@@ -426,6 +426,19 @@ class MapContent:
         )
 
     @property
+    def texts(self) -> tuple[object, ...]:
+        """What the texts over the map say, and depend on besides its layout."""
+        moving = self.quantity if self.quantity.moves and self.values is not None else None
+        return (
+            self.limb_map is None,
+            self.synthetic,
+            self.fixed,
+            self.outdated,
+            self.message,
+            moving,
+        )
+
+    @property
     def covered(self) -> "MapContent":
         """The content without anything that was computed, for an audience that guesses first."""
         quantity = replace(self.quantity, name=LEVELS)
@@ -475,11 +488,13 @@ class MapPainter:
         self._picture_type = picture_type
         self._layout: MapLayout | None = None
         self._screen_outline, self._bar_card = QtGui.QPainterPath(), QRectF()
+        self._about_bar: tuple[float, QtGui.QFont] | None = None
         self._forget_pictures()
 
     def _forget_pictures(self) -> None:
         self._still, self._selection = self._picture_type(), self._picture_type()
         self._hatch, self._marks = self._picture_type(), self._picture_type()
+        self._bar, self._about_bar = self._picture_type(), None
 
     def paint(
         self, painter: QtGui.QPainter, content: MapContent, layout: MapLayout, theme: Theme
@@ -506,11 +521,18 @@ class MapPainter:
             )
         if content.inputs:
             self._paint_inputs(painter, content, layout, theme)
-        self._bar_card = bar_card(
-            layout, content.px_per_mm, self._screen_outline, painter.fontMetrics()
-        )
+        about_bar = content.px_per_mm, painter.font()
+        if about_bar != self._about_bar:
+            self._about_bar = about_bar
+            self._bar_card = bar_card(
+                layout, content.px_per_mm, self._screen_outline, painter.fontMetrics()
+            )
         self._paint_selection(painter, content, layout, theme)
-        paint_length_bar(painter, layout, content.px_per_mm, self._bar_card, theme)
+        bar = layout, content.px_per_mm, self._bar_card, theme
+        key = (theme.name, content.px_per_mm)
+        self._bar.paint(
+            painter, layout.room, key, lambda on_image: paint_length_bar(on_image, *bar)
+        )
 
     def _paint_ground(
         self, painter: QtGui.QPainter, content: MapContent, layout: MapLayout, theme: Theme

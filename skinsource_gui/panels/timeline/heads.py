@@ -92,6 +92,7 @@ class InputRows(QtWidgets.QWidget):
             self._cancel_drag()
             left = self._arrange()
         audible = {id(track) for track in audible_inputs(design.inputs)}
+        amplitude = amplitude_spec(design)
         for track, row in zip(design.inputs, self.rows, strict=True):
             gain = is_gain(design, track)
             row.show_state(
@@ -100,7 +101,7 @@ class InputRows(QtWidgets.QWidget):
                     silent=id(track) not in audible,
                     selected=track.id in view.selected_inputs,
                     last=track.id == view.selected_input,
-                    amplitude=AMPLITUDE_GAIN if gain else amplitude_spec(design),
+                    amplitude=AMPLITUDE_GAIN if gain else amplitude,
                     peak=peak_text(design, track) if gain else "",
                     clip=clip_of(track, view),
                     limb=design.limb,

@@ -516,13 +516,15 @@ class LanesView(LanesCanvas):
         self.change()
 
     def change(self, **changes: Any) -> None:
-        content, held = replace(self.content, **changes), self._held
-        lengths = content.lengths.of(content.design)
+        content, held = self.content, self._held
+        lengths = content.lengths.of(changes.get("design", content.design))
+        view = changes.get("view", content.view)
         # A drag keeps the zoom, even if the design becomes longer, and the room for gains.
-        shown_s = content.view.time_range_s or (held.scale.shown_s if held else lengths.whole_s)
+        shown_s = view.time_range_s or (held.scale.shown_s if held else lengths.whole_s)
         width = max(self.width() - 2 * _SIDE_PX, 1.0)
         self.content = replace(
             content,
+            **changes,
             lengths=lengths,
             scale=TimeScale(shown_s=shown_s, left_px=_SIDE_PX, width_px=width),
             height_px=float(self.height()),

@@ -26,7 +26,6 @@ from skinsource_gui.panels.timeline.gestures import GesturePreview
 from skinsource_gui.plots.curves import visible_course
 from skinsource_gui.plots.ranges import CachedColumns, Tick, linear_ticks, wave_of
 from skinsource_gui.plots.time_scale import Range, TimeScale
-from skinsource_gui.qt.frames import Same
 from skinsource_gui.qt.theme import Theme, current_theme, dots_in_px, is_on_paper, thin_pen
 
 _BUDGET_BYTES = 48 * 2**20
@@ -342,13 +341,15 @@ def ground_of(lane: Lane) -> Hashable:
     return lane.selected, lane.silent, lane.problem
 
 
-def clips_look_of(content: TimelineContent, lane: Lane) -> tuple[object, ...]:
-    """Return what the look of the clips of a lane depends on."""
-    clips = lane.track.clips
-    ids = [clip.id for clip in clips]
-    marked = [content.selected.intersection(ids), content.awaited.intersection(ids)]
-    played = [Same(content.waveforms.get(clip_id)) for clip_id in ids]
-    return lane.track.colour, clips, marked, set(content.chosen).intersection(ids), played
+def restyled_clips(before: TimelineContent, after: TimelineContent) -> set[int]:
+    """Return the ids of the clips that are marked otherwise, or whose samples are others."""
+    then, now = before.waveforms, after.waveforms
+    return {
+        *before.selected.symmetric_difference(after.selected),
+        *before.awaited.symmetric_difference(after.awaited),
+        *set(before.chosen).symmetric_difference(after.chosen),
+        *(clip for clip in then.keys() | now.keys() if then.get(clip) is not now.get(clip)),
+    }
 
 
 _TICK_PX = 64.0
@@ -559,10 +560,14 @@ class LanesItem(LaneLayer):
 
     def _update_lanes(self, before: TimelineContent, after: TimelineContent) -> None:
         """Update the lanes that look different now."""
+        restyled = restyled_clips(before, after)
         for then, now in zip(before.lanes, after.lanes, strict=True):
+            old, track = then.track, now.track
             if ground_of(then) != ground_of(now):
                 self.update(self._strip(now))
-            elif clips_look_of(before, then) != clips_look_of(after, now):
+            elif (old.colour, old.clips) != (track.colour, track.clips) or not restyled.isdisjoint(
+                clip.id for clip in track.clips
+            ):
                 self.update(self._strip(now).adjusted(0, _INSIDE_PX, 0, -_INSIDE_PX))
 
     @property
