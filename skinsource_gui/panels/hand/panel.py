@@ -540,7 +540,7 @@ class HandPanel(Panel):
         self.setFocusProxy(self.diagram)
 
     def show_state(self, design: Design, view: View) -> None:
-        before = {id(track) for track in self._design.inputs} if self._design else set()
+        old, old_view = self._design, self._view
         self._design, self._view = design, view
         if self._elsewhere is not None and self.diagram.state.moving is None:
             # The input may have moved.
@@ -551,7 +551,9 @@ class HandPanel(Panel):
         else:
             self.diagram.show_drawing(drawing_of(design.limb))
         self._stack.setCurrentWidget(self._missing if missing else self.diagram)
-        self._show_inputs(anew=before.isdisjoint(map(id, design.inputs)))
+        if old is None or not _looks_same((old, old_view), (design, view)):
+            before = {id(track) for track in old.inputs} if old else set()
+            self._show_inputs(anew=before.isdisjoint(map(id, design.inputs)))
 
     def show_pointed_input(self, input_id: int | None) -> None:
         self._elsewhere = input_id
@@ -645,6 +647,17 @@ class HandPanel(Panel):
         chosen = [track for track in self._design.inputs if track.id in ids] if self._design else []
         fill_inputs_menu(menu, chosen, lambda edit: self._edit(edit, ids), place="hand")
         menu.popup(at)
+
+
+def _looks_same(before: tuple[Design, View], after: tuple[Design, View]) -> bool:
+    """Return whether the inputs on the hand look as before; another frequency changes none."""
+    (old, old_view), (new, new_view) = before, after
+    chosen = old_view.selected_inputs == new_view.selected_inputs
+    return (old.limb, old.ids, chosen) == (new.limb, new.ids, True) and all(
+        one is other
+        or (one.location, one.colour, _text(one)) == (other.location, other.colour, _text(other))
+        for one, other in zip(old.inputs, new.inputs, strict=True)
+    )
 
 
 def _titles(track: Input) -> list[str]:

@@ -494,7 +494,8 @@ class MapPainter:
     def _forget_pictures(self) -> None:
         self._still, self._selection = self._picture_type(), self._picture_type()
         self._hatch, self._marks = self._picture_type(), self._picture_type()
-        self._bar, self._about_bar = self._picture_type(), None
+        self._numbers, self._bar = self._picture_type(), self._picture_type()
+        self._about_bar = None
 
     def paint(
         self, painter: QtGui.QPainter, content: MapContent, layout: MapLayout, theme: Theme
@@ -608,14 +609,20 @@ class MapPainter:
     ) -> None:
         radius = layout.palmar_radius
         fills = self._fills(layout.unplaced, content, theme)
-        outline = QtGui.QPen(QtGui.QColor(theme.skin_line), 1)
+        painter.setPen(QtGui.QPen(QtGui.QColor(theme.skin_line), 1))
         for number, fill in zip(layout.unplaced, fills, strict=True):
-            centre = QPointF(*layout.points[number - 1])
-            painter.setPen(outline)
             painter.setBrush(fill)
-            painter.drawEllipse(centre, radius, radius)
-            painter.setPen(QtGui.QColor("black" if is_light(fill) else "white"))
-            painter.drawText(square(centre, radius), Qt.AlignmentFlag.AlignCenter, str(number))
+            painter.drawEllipse(QPointF(*layout.points[number - 1]), radius, radius)
+        inks = tuple("black" if is_light(fill) else "white" for fill in fills)
+
+        def paint(on_image: QtGui.QPainter) -> None:
+            for number, ink in zip(layout.unplaced, inks, strict=True):
+                on_image.setPen(QtGui.QColor(ink))
+                place = square(QPointF(*layout.points[number - 1]), radius)
+                on_image.drawText(place, Qt.AlignmentFlag.AlignCenter, str(number))
+
+        card = QRectF(layout.palmar_card.toAlignedRect())
+        self._numbers.paint(painter, card, inks, paint)
 
     def _fills(
         self, outputs: Sequence[int], content: MapContent, theme: Theme

@@ -23,7 +23,7 @@ from skinsource.perception.sensation import LIMITS, LIMITS_IN_SHORT
 from skinsource_gui.panels.skin import picture
 from skinsource_gui.panels.skin.layout import HAND
 from skinsource_gui.panels.skin.map import NoteLine, ReadoutLines, SkinMap, selection_readout
-from skinsource_gui.panels.skin.painting import MapContent, marks_of
+from skinsource_gui.panels.skin.painting import InputMark, MapContent, marks_of
 from skinsource_gui.panels.skin.picture import heading_of, paint_picture
 from skinsource_gui.panels.skin.scale import ColourBar
 from skinsource_gui.panels.skin.settings import (
@@ -216,6 +216,7 @@ class SkinPanel(Panel):
         self._view, self.settings = View(), SkinSettings()
         # The parts of design and view that were shown last.
         self._visible: tuple[object, ...] = ()
+        self._marks: tuple[InputMark, ...] = ()
         self.content, self.frames = MapContent(), Frames()
         # The part of the response for which signals were requested last.
         self._requested_block = -1
@@ -274,10 +275,11 @@ class SkinPanel(Panel):
         before = self.settings.quantity
         self._design, self._view = design, view
         self.settings = settings_of(view, self.name, SkinSettings)
-        visible = (view, facts_of(design.limb), marks_of(design, view))
+        marks = marks_of(design, view)
+        visible = (view, facts_of(design.limb), marks)
         if visible == self._visible and not self.moves:
             return  # another waveform changes the map only when that is computed
-        self._visible = visible
+        self._visible, self._marks = visible, marks
         self._show_settings()
         if self.settings.quantity == before:
             self._follow()
@@ -416,7 +418,7 @@ class SkinPanel(Panel):
         self.content = replace(
             self.content,
             outputs=view.outputs,
-            inputs=() if design is None else marks_of(design, view),
+            inputs=self._marks,
             sensors_shown=settings.sensors_shown,
             synthetic=any(facts_of(limb).synthetic for limb in limbs),
         )

@@ -280,10 +280,11 @@ class ColourStrip(QtWidgets.QWidget):
     def show_marks(self, marks: tuple[tuple[float, int], ...]) -> None:
         """Show levels of selected outputs, each in its colour."""
         if marks != self._marks:
-            # Only the column of marks is painted again.
-            self._marks = marks
-            left = self._ramp().left()
-            self.update(QRectF(left - 9, 0, 9, self.height()).toAlignedRect())
+            # Only the marks are painted again, where they were and where they are.
+            old, self._marks, area = self._marks, marks, QRectF()
+            for level, _ in (*old, *marks):
+                area = area.united(self._mark_at(level).boundingRect())
+            self.update(area.adjusted(-1, -1, 1, 1).toAlignedRect())
 
     def show_quantity(self, quantity: MapQuantity, colours: str = VIRIDIS) -> None:
         """Say what the levels are, and in which colours."""
