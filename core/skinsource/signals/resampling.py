@@ -22,7 +22,7 @@ from math import ceil
 
 import numpy as np
 import scipy
-from numpy.lib.stride_tricks import sliding_window_view
+from numpy.lib.stride_tricks import as_strided, sliding_window_view
 from numpy.typing import ArrayLike, NDArray
 
 from skinsource.base.arguments import integer, real_array
@@ -564,7 +564,9 @@ def _find_extremes(samples: Singles, low: Singles, high: Singles, *, length: boo
     n_curves, n_axes, n_wide = samples.shape
     n = n_wide - 2 * _REACH + 1
     wide = _STRETCH + 2 * _REACH - 1
-    windows = sliding_window_view(samples, wide, axis=-1)[:, :, ::_STRETCH]
+    shape = (n_curves, n_axes, n // _STRETCH, wide)
+    steps = (*samples.strides[:2], _STRETCH * samples.strides[2], samples.strides[2])
+    windows = as_strided(samples, shape, steps, writeable=False)
     n_rows = n_curves * n_axes * windows.shape[2]
     rows = np.zeros((-(-n_rows // _EXTREMES_BATCH), _EXTREMES_BATCH, wide), np.float32)
     rows.reshape(-1, wide)[:n_rows].reshape(windows.shape)[...] = windows

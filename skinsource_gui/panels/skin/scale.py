@@ -281,10 +281,10 @@ class ColourStrip(QtWidgets.QWidget):
         """Show levels of selected outputs, each in its colour."""
         if marks != self._marks:
             # Only the marks are painted again, where they were and where they are.
-            old, self._marks, area = self._marks, marks, QRectF()
-            for level, _ in (*old, *marks):
-                area = area.united(self._mark_at(level).boundingRect())
-            self.update(area.adjusted(-1, -1, 1, 1).toAlignedRect())
+            levels = [level for level, _ in (*self._marks, *marks)]
+            self._marks = marks
+            lowest, highest = (self._mark_at(of(levels)).boundingRect() for of in (min, max))
+            self.update(lowest.united(highest).adjusted(-1, -1, 1, 1).toAlignedRect())
 
     def show_quantity(self, quantity: MapQuantity, colours: str = VIRIDIS) -> None:
         """Say what the levels are, and in which colours."""

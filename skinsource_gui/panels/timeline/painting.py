@@ -265,12 +265,13 @@ def _write(painter: QtGui.QPainter, words: str, shown: QRectF, theme: Theme, *, 
     metrics = QtGui.QFontMetricsF(painter.font())
     line_px = metrics.height()
     room = QRectF(shown.left() + 5, shown.top() + 1, shown.width() - 10, line_px)
-    text = metrics.elidedText(words, Qt.TextElideMode.ElideRight, room.width())
+    text, width = words, metrics.horizontalAdvance(words)
+    if width > room.width():
+        text = metrics.elidedText(words, Qt.TextElideMode.ElideRight, room.width())
+        width = metrics.horizontalAdvance(text)
     ground = QtGui.QColor(theme.base)
     ground.setAlpha(190)
-    painter.fillRect(
-        QRectF(room.left() - 2, room.top(), metrics.horizontalAdvance(text) + 4, line_px), ground
-    )
+    painter.fillRect(QRectF(room.left() - 2, room.top(), width + 4, line_px), ground)
     painter.setPen(QtGui.QColor(theme.dim if pale else theme.text))
     painter.drawText(room, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, text)
 
