@@ -1,6 +1,6 @@
 """The lanes as a widget: what mouse and keys do to clips, gain curves, markers and the loop."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -8,6 +8,7 @@ from typing import Any
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
 
+from skinsource.base.arrays import Floats
 from skinsource.design import edits
 from skinsource.design.design import Design
 from skinsource.design.view import View
@@ -419,6 +420,15 @@ class LanesView(LanesCanvas):
             (clip.waveform for clip in design.clips if (clip.id,) == chosen), self._last
         )
         self.change(design=design, view=view, lanes=lanes)
+
+    def show_samples(
+        self, waveforms: Mapping[int, Floats], awaited: frozenset[int], sample_rate_hz: float
+    ) -> None:
+        """Show what clips play, on which nothing but the lanes depends."""
+        self.content = replace(
+            self.content, waveforms=waveforms, awaited=awaited, sample_rate_hz=sample_rate_hz
+        )
+        self.item.show_content(self.content, QRectF(self.rect()))
 
     def show_playhead(self, view: View) -> None:
         """Show a view in which the playhead alone has moved."""

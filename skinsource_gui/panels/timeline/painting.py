@@ -564,7 +564,7 @@ class LanesItem(LaneLayer):
         restyled = restyled_clips(before, after)
         for then, now in zip(before.lanes, after.lanes, strict=True):
             old, track = then.track, now.track
-            if ground_of(then) != ground_of(now):
+            if then is not now and ground_of(then) != ground_of(now):
                 self.update(self._strip(now))
             elif (old.colour, old.clips) != (track.colour, track.clips) or not restyled.isdisjoint(
                 clip.id for clip in track.clips
