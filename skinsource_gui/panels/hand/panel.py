@@ -540,7 +540,8 @@ class HandPanel(Panel):
         self.setFocusProxy(self.diagram)
 
     def show_state(self, design: Design, view: View) -> None:
-        old, old_view = self._design, self._view
+        before = () if self._design is None else self._design.inputs
+        shown = self._design and (self._design.limb, self._view.selected_inputs, len(before))
         self._design, self._view = design, view
         if self._elsewhere is not None and self.diagram.state.moving is None:
             # The input may have moved.
@@ -551,9 +552,11 @@ class HandPanel(Panel):
         else:
             self.diagram.show_drawing(drawing_of(design.limb))
         self._stack.setCurrentWidget(self._missing if missing else self.diagram)
-        if old is None or not _looks_same((old, old_view), (design, view)):
-            before = {id(track) for track in old.inputs} if old else set()
-            self._show_inputs(anew=before.isdisjoint(map(id, design.inputs)))
+        both = zip(before, design.inputs, strict=False)
+        if shown != (design.limb, view.selected_inputs, len(design.inputs)) or any(
+            old is not new and _look(old) != _look(new) for old, new in both
+        ):
+            self._show_inputs(anew=set(map(id, before)).isdisjoint(map(id, design.inputs)))
 
     def show_pointed_input(self, input_id: int | None) -> None:
         self._elsewhere = input_id
@@ -649,15 +652,8 @@ class HandPanel(Panel):
         menu.popup(at)
 
 
-def _looks_same(before: tuple[Design, View], after: tuple[Design, View]) -> bool:
-    """Return whether the inputs on the hand look as before; another frequency changes none."""
-    (old, old_view), (new, new_view) = before, after
-    chosen = old_view.selected_inputs == new_view.selected_inputs
-    return (old.limb, old.ids, chosen) == (new.limb, new.ids, True) and all(
-        one is other
-        or (one.location, one.colour, _text(one)) == (other.location, other.colour, _text(other))
-        for one, other in zip(old.inputs, new.inputs, strict=True)
-    )
+def _look(track: Input) -> tuple[object, ...]:
+    return track.id, track.location, track.colour, _text(track)
 
 
 def _titles(track: Input) -> list[str]:
