@@ -71,7 +71,7 @@ _REACH, _EXTREMES_BETA = 24, 5.7
 # linear algebra library starts no threads, which would cost more than they save.
 _STRETCH, _EXTREMES_BATCH = 32, 12
 # Samples of all signals in a block: its points stay in the processor's cache.
-_EXTREMES_BLOCK = 2**14
+_EXTREMES_BLOCK = 2**15
 # Smaller values, relative to the peak, count as silence: the smallest floats are slow.
 _SILENT = 1e-9
 

@@ -538,7 +538,8 @@ class LanesItem(LaneLayer):
         )
         painter.save()
         painter.setClipRect(lanes)
-        shown = [lane for lane in content.lanes if self._strip(lane).intersects(exposed)]
+        top, bottom = exposed.top(), exposed.bottom()
+        shown = [lane for lane in content.lanes if lane.top_px < bottom and lane.bottom_px > top]
         for lane in shown:
             self._paint_ground(painter, lane)
         painter.setPen(QtGui.QPen(QtGui.QColor(theme.grid), 1))
