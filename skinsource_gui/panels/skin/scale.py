@@ -110,9 +110,11 @@ class ColourStrip(QtWidgets.QWidget):
 
     def show_scale(self, scale: ColourScale, marks: tuple[tuple[float, int], ...]) -> None:
         """Show colours and their range, and levels of selected outputs, each in its colour."""
-        if (scale, marks) != (self._scale, self._marks):
-            self._scale, self._marks = scale, marks
+        if scale != self._scale:
             self.update()
+        elif marks != self._marks:
+            self.update(0, 0, self.width(), _MARK_PX)
+        self._scale, self._marks = scale, marks
 
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         theme = current_theme()
@@ -121,7 +123,8 @@ class ColourStrip(QtWidgets.QWidget):
         painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
         painter.setFont(tabular(small_font(self.font())))
         ramp, (low, high) = self._ramp(), self.value_range
-        paint_ramp(painter, ramp, self._scale, theme)
+        if event.rect().bottom() >= _MARK_PX:
+            paint_ramp(painter, ramp, self._scale, theme)
         painter.setPen(QtGui.QPen(QtGui.QColor(theme.base), 0.5))
         for level, rank in self._marks:
             x = ramp.left() + min(max((level - low) / (high - low), 0.0), 1.0) * ramp.width()
