@@ -121,9 +121,9 @@ class ColourStrip(QtWidgets.QWidget):
         painter = QtGui.QPainter(self)
         painter.fillRect(self.rect(), self.palette().window())
         painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
-        painter.setFont(tabular(small_font(self.font())))
         ramp, (low, high) = self._ramp(), self.value_range
         if event.rect().bottom() >= _MARK_PX:
+            painter.setFont(tabular(small_font(self.font())))
             paint_ramp(painter, ramp, self._scale, theme)
         painter.setPen(QtGui.QPen(QtGui.QColor(theme.base), 0.5))
         for level, rank in self._marks:
