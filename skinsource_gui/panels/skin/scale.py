@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import lru_cache
 
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
@@ -72,6 +73,12 @@ def _high_moved(range_db: LevelRange, by_db: float) -> LevelRange:
 _MARK_PX, _RAMP_PX, _GRIP_PX = 7, 10, 14
 
 
+@lru_cache(maxsize=2)
+def _beyond_px(font: QtGui.QFont) -> float:
+    """Return how far the numbers at both ends reach beyond the colours, px."""
+    return QtGui.QFontMetricsF(small_font(font)).horizontalAdvance("−100") / 2.0
+
+
 class ColourStrip(QtWidgets.QWidget):
     """The colours with numbers below and the selected outputs above.
 
@@ -113,7 +120,9 @@ class ColourStrip(QtWidgets.QWidget):
         if scale != self._scale:
             self.update()
         elif marks != self._marks:
-            self.update(0, 0, self.width(), _MARK_PX)
+            places = [self._x_of(level) for level, _ in (*self._marks, *marks)]
+            left, right = min(places) - _MARK_PX, max(places) + _MARK_PX
+            self.update(QRectF(left, 0, right - left, _MARK_PX).toAlignedRect())
         self._scale, self._marks = scale, marks
 
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
@@ -121,13 +130,13 @@ class ColourStrip(QtWidgets.QWidget):
         painter = QtGui.QPainter(self)
         painter.fillRect(self.rect(), self.palette().window())
         painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
-        ramp, (low, high) = self._ramp(), self.value_range
+        ramp = self._ramp()
         if event.rect().bottom() >= _MARK_PX:
             painter.setFont(tabular(small_font(self.font())))
             paint_ramp(painter, ramp, self._scale, theme)
         painter.setPen(QtGui.QPen(QtGui.QColor(theme.base), 0.5))
         for level, rank in self._marks:
-            x = ramp.left() + min(max((level - low) / (high - low), 0.0), 1.0) * ramp.width()
+            x = self._x_of(level)
             painter.setBrush(theme.output_colour(rank))
             tip, back = ramp.top() - 1, ramp.top() - _MARK_PX
             painter.drawPolygon([QPointF(x, tip), QPointF(x - 4, back), QPointF(x + 4, back)])
@@ -135,7 +144,9 @@ class ColourStrip(QtWidgets.QWidget):
         painter.setPen(QtGui.QPen(QtGui.QColor(edge), 1.5))
         painter.setBrush(QtGui.QColor(theme.raised))
         for x in (ramp.left(), ramp.right()):
-            painter.drawRoundedRect(QRectF(x - 3, ramp.top() - 2, 6, _RAMP_PX + 4), 2, 2)
+            handle = QRectF(x - 3, ramp.top() - 2, 6, _RAMP_PX + 4)
+            if handle.adjusted(-1, -1, 1, 1).intersects(QRectF(event.rect())):
+                painter.drawRoundedRect(handle, 2, 2)
         painter.end()
 
     def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
@@ -173,9 +184,12 @@ class ColourStrip(QtWidgets.QWidget):
         else:
             self.range_chosen.emit(moved(self.value_range, step_db))
 
+    def _x_of(self, level: float) -> float:
+        ramp, (low, high) = self._ramp(), self.value_range
+        return ramp.left() + min(max((level - low) / (high - low), 0.0), 1.0) * ramp.width()
+
     def _ramp(self) -> QRectF:
-        # The numbers at both ends reach beyond the colours.
-        beyond = QtGui.QFontMetricsF(small_font(self.font())).horizontalAdvance("−100") / 2.0
+        beyond = _beyond_px(self.font())
         return QRectF(beyond, _MARK_PX, max(self.width() - 2.0 * beyond, 1.0), _RAMP_PX)
 
 

@@ -434,12 +434,14 @@ class Heads(QtWidgets.QListView):
 
     def show_state(self, design: Design, view: View, peaks: Mapping[int, float]) -> None:
         """Show one head for each track; see `heads_of`."""
-        if design.ids != self._design.ids:
+        ids, chosen = self._design.ids, self._view.selected_inputs
+        if design.ids != ids:
             self._cancel()
         self._design, self._view = design, view
         self._shows = True
         self._model.show_state(design, view, peaks)
-        self._show_selection()
+        if (design.ids, view.selected_inputs) != (ids, chosen):
+            self._show_selection()
         self._shows = False
 
     def dataChanged(self, first: QModelIndex, last: QModelIndex, roles: Iterable[int] = ()) -> None:

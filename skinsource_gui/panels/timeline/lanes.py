@@ -23,6 +23,7 @@ from skinsource_gui.panels.timeline.content import (
     Part,
     TimelineContent,
     drawn_clips,
+    loudest_of,
     next_id,
     overlapping,
     part_at,
@@ -583,18 +584,18 @@ class LanesView(Canvas):
             shown_s = held.scale.shown_s
         width = max(self.width() - 2 * _SIDE_PX, 1.0)
         drawn = drawn_clips(content.design, content.waveforms, content.sample_rate_hz, before.drawn)
-        content = replace(
+        # While a clip is computed, which may be the loudest one, the others stay as high.
+        loudest = before.loudest if content.awaited else loudest_of(content.design, drawn)
+        self.content = replace(
             content,
             lengths=lengths,
             scale=TimeScale(shown_s=shown_s, left_px=_SIDE_PX, width_px=width),
             drawn=drawn,
+            loudest=loudest,
             height_px=float(self.height()),
             ruler_px=self.ruler_px,
             gain_tops={strip.lane.track.id: strip.top for strip in held.strips} if held else {},
         )
-        # While a clip is computed, which may be the loudest one, the others stay as high.
-        loudest = before.loudest if content.awaited else content.largest()
-        self.content = replace(content, loudest=loudest)
         rect = QRectF(self.rect())
         for item in (self.item, self.gains, self.overlay):
             item.show_content(self.content, rect)
