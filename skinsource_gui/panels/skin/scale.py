@@ -24,6 +24,7 @@ from skinsource_gui.panels.skin.settings import (
     with_low,
 )
 from skinsource_gui.plots.small_map import ColourScale, paint_ramp
+from skinsource_gui.qt.frames import CachedPicture
 from skinsource_gui.qt.keys import meaning_of
 from skinsource_gui.qt.layouts import in_row
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
@@ -94,6 +95,7 @@ class ColourStrip(QtWidgets.QWidget):
         # The range at the press, where that was on the screen, and what it moves.
         self._held: tuple[LevelRange, float, Change] | None = None
         self._marks: tuple[tuple[float, int], ...] = ()
+        self._picture = CachedPicture()
         self.setObjectName("colour_strip")
         self.setAccessibleName("Range of the colours")
         hint = "Drag an end, or between; double-click: automatic"
@@ -128,12 +130,16 @@ class ColourStrip(QtWidgets.QWidget):
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         theme = current_theme()
         painter = QtGui.QPainter(self)
-        painter.fillRect(self.rect(), self.palette().window())
         painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
-        ramp = self._ramp()
-        if event.rect().bottom() >= _MARK_PX:
-            painter.setFont(tabular(small_font(self.font())))
-            paint_ramp(painter, ramp, self._scale, theme)
+        painter.setFont(tabular(small_font(self.font())))
+        ramp, scale = self._ramp(), self._scale
+        self._picture.paint(
+            painter,
+            QRectF(self.rect()),
+            (scale, theme.name),
+            lambda on_image: paint_ramp(on_image, ramp, scale, theme),
+            self.palette().window().color(),
+        )
         painter.setPen(QtGui.QPen(QtGui.QColor(theme.base), 0.5))
         for level, rank in self._marks:
             x = self._x_of(level)

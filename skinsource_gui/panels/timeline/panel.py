@@ -298,7 +298,7 @@ class TimelinePanel(Panel):
                 or not _play_same(clip, self._computed_clips[clip.id])
             )
             shown = {clip: played for clip, played in shown.items() if clip not in awaited}
-        self.lanes.change(waveforms=shown, awaited=awaited, sample_rate_hz=self._rate_hz)
+        self.lanes.show_samples(waveforms=shown, awaited=awaited, sample_rate_hz=self._rate_hz)
 
     def show_problem(self, reason: str) -> None:
         self._computed_clips, self._waveforms, self._peaks = {}, {}, {}
