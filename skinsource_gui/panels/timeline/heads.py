@@ -3,7 +3,7 @@
 The fader and the meter share one scale in decibels of an amplitude of 1.
 """
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from math import copysign, log10
@@ -153,7 +153,8 @@ class HeadsModel(QAbstractListModel):
             return
         for row, (old, new) in enumerate(zip(before, self.heads, strict=True)):
             if old != new:
-                self.dataChanged.emit(self.index(row), self.index(row))
+                index = self.index(row)
+                self.dataChanged.emit(index, index)
 
     def rowCount(self, parent: Index | None = None) -> int:
         return len(self.heads)
@@ -434,19 +435,19 @@ class Heads(QtWidgets.QListView):
 
     def show_state(self, design: Design, view: View, peaks: Mapping[int, float]) -> None:
         """Show one head for each track; see `heads_of`."""
-        ids, chosen = self._design.ids, self._view.selected_inputs
-        if design.ids != ids:
+        same, chosen = design.ids == self._design.ids, self._view.selected_inputs
+        if not same:
             self._cancel()
         self._design, self._view = design, view
         self._shows = True
         self._model.show_state(design, view, peaks)
-        if (design.ids, view.selected_inputs) != (ids, chosen):
+        if not same or view.selected_inputs != chosen:
             self._show_selection()
         self._shows = False
 
-    def dataChanged(self, first: QModelIndex, last: QModelIndex, roles: Iterable[int] = ()) -> None:
+    def dataChanged(self, first: Index, last: Index, roles: Sequence[int] = ()) -> None:
         # A list would be laid out again, and painted as a whole.
-        QtWidgets.QAbstractItemView.dataChanged(self, first, last, list(roles))
+        QtWidgets.QAbstractItemView.dataChanged(self, first, last, roles)
 
     def updateGeometries(self) -> None:
         super().updateGeometries()

@@ -381,9 +381,10 @@ class TimelinePanel(Panel):
 
     def _place_lanes(self) -> None:
         """Put each lane beside its head."""
-        self.heads.setFixedWidth(self._heads_px)
-        self._corner.setFixedSize(self._heads_px, int(self.lanes.ruler_px))
-        top = int(self.lanes.ruler_px) - self.heads.verticalScrollBar().value()
+        width, ruler_px = self._heads_px, int(self.lanes.ruler_px)
+        self.heads.setFixedWidth(width)
+        self._corner.setFixedSize(width, ruler_px)
+        top = ruler_px - self.heads.verticalScrollBar().value()
         height = row_px(self.heads.fontMetrics().height())
         lanes = lanes_of(self._design, self._view, height, top, self._problems)
         self.lanes.show_state(self._design, self._view, lanes)
