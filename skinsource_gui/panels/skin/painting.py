@@ -344,8 +344,7 @@ class MapPainter:
     def _forget_pictures(self) -> None:
         self._still, self._selection = self._picture_type(), self._picture_type()
         self._hatch, self._marks = self._picture_type(), self._picture_type()
-        self._numbers, self._bar = self._picture_type(), self._picture_type()
-        self._about_bar = None
+        self._numbers, self._about_bar = self._picture_type(), None
 
     def paint(
         self,
@@ -384,11 +383,7 @@ class MapPainter:
                 layout, content.px_per_mm, self._screen_outline, painter.fontMetrics()
             )
         self._paint_selection(painter, content, layout, theme)
-        bar = layout, content.px_per_mm, self._bar_card, theme
-        key = (theme.name, content.px_per_mm)
-        self._bar.paint(
-            painter, layout.room, key, lambda on_image: paint_length_bar(on_image, *bar)
-        )
+        paint_length_bar(painter, layout, content.px_per_mm, self._bar_card, theme)
 
     def _paint_ground(
         self, painter: QtGui.QPainter, content: MapContent, layout: MapLayout, theme: Theme

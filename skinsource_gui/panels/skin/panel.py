@@ -217,8 +217,8 @@ class SkinPanel(Panel):
         self.note.setToolTip(tooltip(content.note) if content.note else "")
         self.note.setVisible(bool(content.note))
         self._show_readout(self.map.readout())
-        self.scrub.setVisible(self.moves)
-        if self.moves:
+        self.scrub.setVisible(moves := self.moves)
+        if moves:
             self._follow_playhead()
 
     def _follow_playhead(self) -> None:

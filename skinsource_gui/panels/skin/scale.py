@@ -150,9 +150,7 @@ class ColourStrip(QtWidgets.QWidget):
         painter.setPen(QtGui.QPen(QtGui.QColor(edge), 1.5))
         painter.setBrush(QtGui.QColor(theme.raised))
         for x in (ramp.left(), ramp.right()):
-            handle = QRectF(x - 3, ramp.top() - 2, 6, _RAMP_PX + 4)
-            if handle.adjusted(-1, -1, 1, 1).intersects(QRectF(event.rect())):
-                painter.drawRoundedRect(handle, 2, 2)
+            painter.drawRoundedRect(QRectF(x - 3, ramp.top() - 2, 6, _RAMP_PX + 4), 2, 2)
         painter.end()
 
     def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:

@@ -107,19 +107,6 @@ class Head:
     peak: float | None
 
 
-def heads_of(design: Design, peaks: Mapping[int, float]) -> list[Head]:
-    """Return the heads of a design; ``peaks``: of what tracks play before their amplitude."""
-    audible = {track.id for track in audible_inputs(design.inputs)}
-    return [
-        Head(
-            track=track,
-            silent=track.id not in audible,
-            peak=abs(track.amplitude) * peaks[track.id] if track.id in peaks else None,
-        )
-        for track in design.inputs
-    ]
-
-
 def text_of(head: Head, design: Design, view: View) -> str:
     """Return what the track plays, how loud, for the tooltip."""
     track, clip = head.track, clip_of(head.track, view)
@@ -143,17 +130,26 @@ class HeadsModel(QAbstractListModel):
         self._design, self._view = Design(limb=""), View()
 
     def show_state(self, design: Design, view: View, peaks: Mapping[int, float]) -> None:
-        """Show other heads; rows of the same tracks stay."""
+        """Show other heads; ``peaks``: of what tracks play before their amplitude."""
+        audible = {track.id for track in audible_inputs(design.inputs)}
         before, same = self.heads, design.ids == self._design.ids
         if not same:
             self.beginResetModel()
-        self._design, self._view, self.heads = design, view, heads_of(design, peaks)
+        self._design, self._view = design, view
+        self.heads = [
+            Head(
+                track=track,
+                silent=track.id not in audible,
+                peak=abs(track.amplitude) * peaks[track.id] if track.id in peaks else None,
+            )
+            for track in design.inputs
+        ]
         if not same:
             self.endResetModel()
             return
         for row, (old, new) in enumerate(zip(before, self.heads, strict=True)):
             if old != new:
-                index = self.index(row)
+                index = self.createIndex(row, 0)
                 self.dataChanged.emit(index, index)
 
     def rowCount(self, parent: Index | None = None) -> int:
@@ -434,7 +430,7 @@ class Heads(QtWidgets.QListView):
         return HeadPlaces.of(rect, self.fontMetrics().height())
 
     def show_state(self, design: Design, view: View, peaks: Mapping[int, float]) -> None:
-        """Show one head for each track; see `heads_of`."""
+        """Show one head for each track; see `HeadsModel.show_state`."""
         same, chosen = design.ids == self._design.ids, self._view.selected_inputs
         if not same:
             self._cancel()
