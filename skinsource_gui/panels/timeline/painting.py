@@ -333,11 +333,6 @@ def ground_of(lane: Lane) -> Hashable:
     return lane.selected, lane.silent, lane.problem
 
 
-def look_of(lane: Lane) -> tuple[object, ...]:
-    """Return what of its track the look of the clips of a lane depends on."""
-    return lane.track.colour, lane.track.clips, lane.track.amplitude, lane.track.gain_curve
-
-
 def restyled_clips(before: TimelineContent, after: TimelineContent) -> set[int]:
     """Return the ids of the clips that are marked otherwise, or drawn from other samples."""
     then, now = before.drawn, after.drawn
@@ -563,7 +558,7 @@ class LanesItem(LaneLayer):
                 self.update(self._strip(now))
             elif (
                 scaled
-                or (then.track is not now.track and look_of(then) != look_of(now))
+                or then.track is not now.track
                 or not restyled.isdisjoint(clip.id for clip in now.track.clips)
             ):
                 self.update(self._strip(now).adjusted(0, _INSIDE_PX, 0, -_INSIDE_PX))
