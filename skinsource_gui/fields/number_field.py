@@ -46,13 +46,14 @@ def fitting_text(
     """
     if spec.unset and value_si == 0.0 and metrics.horizontalAdvance(spec.unset) <= room_px:
         return spec.unset
-    texts = [
-        minus(number_text(value_si, spec.unit, digits)) for digits in range(SHOWN_DIGITS, 0, -1)
-    ]
-    enough = SHOWN_DIGITS - _ENOUGH_DIGITS + 1
-    texts[enough:] = [f"{ROUNDED}{text}" for text in texts[enough:] if text != texts[0]]
-    fitting = (text for text in texts if metrics.horizontalAdvance(text) <= room_px)
-    return next(fitting, NO_ROOM)
+    whole = minus(number_text(value_si, spec.unit))
+    for digits in range(SHOWN_DIGITS, 0, -1):
+        text = minus(number_text(value_si, spec.unit, digits))
+        if digits < _ENOUGH_DIGITS and text != whole:
+            text = f"{ROUNDED}{text}"
+        if metrics.horizontalAdvance(text) <= room_px:
+            return text
+    return NO_ROOM
 
 
 def help_text(spec: NumberSpec) -> str:

@@ -303,6 +303,8 @@ class ActionSet(QObject):
     ) -> None:
         super().__init__(window)
         self._specs, self._document = specs, document
+        asked = {condition for spec in specs for condition in (spec.enabled, spec.checked)}
+        self._conditions = tuple(condition for condition in asked if condition is not None)
         self.by_name = {spec.name: self._action(spec, capabilities, window) for spec in specs}
         for name in sorted({spec.group for spec in specs if spec.group}):
             group = QtGui.QActionGroup(self)
@@ -319,10 +321,7 @@ class ActionSet(QObject):
     def show_state(self) -> None:
         """Enable what can be done now, and show which switches are on."""
         design, view = self._document.design, self._document.view
-        conditions = {spec.enabled for spec in self._specs} | {spec.checked for spec in self._specs}
-        holds = {
-            condition: condition(design, view) for condition in conditions if condition is not None
-        }
+        holds = {condition: condition(design, view) for condition in self._conditions}
         for spec in self._specs:
             if spec.enabled is not None:
                 self.by_name[spec.name].setEnabled(holds[spec.enabled])

@@ -22,7 +22,7 @@ class Events(QObject):
         return False
 
 
-def test_edits_lay_nothing_out_in_the_window(window, qtbot, qapp):
+def test_edits_lay_nothing_out_and_paint_no_more_than_looks_different(window, qtbot, qapp):
     document, changes = window.document, []
     clock = window.status_line.clock
 
@@ -44,3 +44,6 @@ def test_edits_lay_nothing_out_in_the_window(window, qtbot, qapp):
     qapp.removeEventFilter(spy)
     assert changes
     assert [event for event in spy.events if event[1] == "LayoutRequest"] == []
+    painted = {name for name, kind in spy.events if kind == "Paint"}
+    assert "skin_map" in painted
+    assert painted.isdisjoint({"hand_diagram", "range_low_field", "range_high_field"})

@@ -26,6 +26,7 @@ from skinsource.engine.memory import (
 )
 from skinsource.engine.transforms import (
     Channel,
+    driven,
     forward,
     forward_here,
     inverse_here,
@@ -398,7 +399,8 @@ class ExactSpectra:
         """
 
         def spectra(channels: list[Channel]) -> Complexes:
-            return self._responses(taps, name, n_times, channels) * forward(samples, n_times)
+            drive = forward(samples, n_times)
+            return driven(self._responses(taps, name, n_times, channels), drive)
 
         return spectra
 

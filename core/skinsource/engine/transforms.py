@@ -70,6 +70,11 @@ def rows_of(spectrum: Complexes, channels: list[Channel]) -> Complexes:
     return np.array([spectrum[output - 1, axis] for output, axis in channels])
 
 
+def driven(rows: Complexes, drive: Complexes) -> Complexes:
+    """Multiply rows by the spectrum of a drive, (n_bins,), in place."""
+    return np.multiply(rows, drive, out=rows)
+
+
 class ChannelsOnDemand:
     """A vibration as a spectrum, whose channels are transformed back to time when requested.
 
@@ -92,6 +97,8 @@ class ChannelsOnDemand:
         "__weakref__",
         "_active",
         "_exact_spectra",
+        "_latest_spectra",
+        "_latest_traces",
         "_n_fft",
         "_spectra",
         "_trace_spectra",
@@ -111,32 +118,43 @@ class ChannelsOnDemand:
         self._exact_spectra = exact_spectra
         self._traces: dict[Channel, Floats] = {}
         self._trace_spectra: dict[Channel, Complexes] = {}
+        # Those that were requested last, a row for each: mostly they are requested again.
+        self._latest_traces: tuple[list[Channel], Floats] = [], np.zeros(0)
+        self._latest_spectra: tuple[list[Channel], Complexes] = [], np.zeros(0, np.complex128)
 
     def traces(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> Floats:
         """Return the acceleration of some outputs, (n_outputs, n_axes, n_times)."""
         channels = [(output, axis) for output in outputs for axis in axes]
-        missing = [channel for channel in channels if channel not in self._traces]
-        if missing:
-            samples = inverse(self._spectra(missing), self._n_fft)[:, : self._active.size]
-            np.copyto(samples, 0.0, where=~self._active)
-            self._traces.update(zip(missing, samples, strict=True))
-        rows = np.array([self._traces[channel] for channel in channels])
-        return rows.reshape(len(outputs), len(axes), self._active.size)
+        if channels != self._latest_traces[0]:
+            missing = [channel for channel in channels if channel not in self._traces]
+            rows = np.zeros((0, self._active.size))
+            if missing:
+                rows = inverse(self._spectra(missing), self._n_fft)[:, : self._active.size]
+                np.copyto(rows, 0.0, where=~self._active)
+                self._traces.update(zip(missing, rows, strict=True))
+            if missing != channels:
+                rows = np.array([self._traces[channel] for channel in channels])
+            self._latest_traces = channels, rows
+        return self._latest_traces[1].reshape(len(outputs), len(axes), self._active.size)
 
     def trace_spectra(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> Complexes:
         """Return spectra over exactly n_times samples, (n_outputs, n_axes, n_times // 2 + 1)."""
         channels = [(output, axis) for output in outputs for axis in axes]
-        missing = [channel for channel in channels if channel not in self._trace_spectra]
-        if missing:
-            if self._exact_spectra is None:
+        n_bins = self._active.size // 2 + 1
+        if channels != self._latest_spectra[0]:
+            missing = [channel for channel in channels if channel not in self._trace_spectra]
+            rows = np.zeros((0, n_bins), np.complex128)
+            if missing and self._exact_spectra is not None:
+                rows = self._exact_spectra(missing)
+            elif missing:
                 self.traces(outputs, axes)
                 traces = np.array([self._traces[channel] for channel in missing])
-                spectra = forward(traces, self._active.size)
-            else:
-                spectra = self._exact_spectra(missing)
-            self._trace_spectra.update(zip(missing, spectra, strict=True))
-        rows = np.array([self._trace_spectra[channel] for channel in channels], np.complex128)
-        return rows.reshape(len(outputs), len(axes), self._active.size // 2 + 1)
+                rows = forward(traces, self._active.size)
+            self._trace_spectra.update(zip(missing, rows, strict=True))
+            if missing != channels:
+                rows = np.array([self._trace_spectra[channel] for channel in channels])
+            self._latest_spectra = channels, rows
+        return self._latest_spectra[1].reshape(len(outputs), len(axes), n_bins)
 
 
 def run_on_two_threads(tasks: Iterable[Callable[[], None]]) -> None:

@@ -15,7 +15,7 @@ from skinsource.engine.drives import delayed
 from skinsource.engine.gains import EngineMemory, Placed, Responses, Sounding
 from skinsource.engine.spectra import ResponseSpectrum, TotalSpectrum, superpose
 from skinsource.engine.streaming import StreamedVibration, Vibration
-from skinsource.engine.transforms import ChannelsOnDemand, Played, rows_of
+from skinsource.engine.transforms import ChannelsOnDemand, Played, driven, rows_of
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.scaling import Scaling
 
@@ -137,7 +137,7 @@ def edited_channels(
     name = ref(responses.limb), location, responses.scaling == "probe"
     exact = responses.remembered.exact_spectra
     return ChannelsOnDemand(
-        lambda channels: rows_of(values, channels) * edited_spectrum,
+        lambda channels: driven(rows_of(values, channels), edited_spectrum),
         response.n_fft,
         edited_active,
         exact.of(drive.samples, taps, name, edited_active.size),

@@ -4,6 +4,8 @@ The edited voice is the one that the user works on.  The others are summed witho
 sum stays when it changes.  No number depends on which voice is edited.
 """
 
+from weakref import WeakKeyDictionary
+
 import numpy as np
 
 from skinsource.actuators.actuation import Actuation
@@ -73,9 +75,18 @@ def input_waveforms(unit_drives: tuple[Drive | None, ...]) -> tuple[Floats | Non
     return tuple(None if drive is None else _unscaled(drive) for drive in unit_drives)
 
 
+# Kept as long as their drives: what an edit leaves alone stays the same array.
+_UNSCALED: WeakKeyDictionary[Drive, Floats] = WeakKeyDictionary()
+
+
 def _unscaled(drive: Drive) -> Floats:
     # Most long drives have a peak of exactly 1, and are not copied.
-    return drive.samples if drive.factor in (0.0, 1.0) else drive.samples * drive.factor
+    if drive.factor in (0.0, 1.0):
+        return drive.samples
+    samples = _UNSCALED.get(drive)
+    if samples is None:
+        samples = _UNSCALED[drive] = drive.samples * drive.factor
+    return samples
 
 
 def edited_checked(

@@ -22,7 +22,7 @@ from math import ceil
 
 import numpy as np
 import scipy
-from numpy.lib.stride_tricks import sliding_window_view
+from numpy.lib.stride_tricks import as_strided, sliding_window_view
 from numpy.typing import ArrayLike, NDArray
 
 from skinsource.base.arguments import integer, real_array
@@ -71,7 +71,7 @@ _REACH, _EXTREMES_BETA = 24, 5.7
 # linear algebra library starts no threads, which would cost more than they save.
 _STRETCH, _EXTREMES_BATCH = 32, 12
 # Samples of all signals in a block: its points stay in the processor's cache.
-_EXTREMES_BLOCK = 2**14
+_EXTREMES_BLOCK = 2**15
 # Smaller values, relative to the peak, count as silence: the smallest floats are slow.
 _SILENT = 1e-9
 
@@ -538,37 +538,33 @@ def _find_extremes(samples: Singles, low: Singles, high: Singles, *, length: boo
     n_curves, n_axes, n_wide = samples.shape
     n = n_wide - 2 * _REACH + 1
     wide = _STRETCH + 2 * _REACH - 1
-    windows = sliding_window_view(samples, wide, axis=-1)[:, :, ::_STRETCH]
+    shape = (n_curves, n_axes, n // _STRETCH, wide)
+    steps = (*samples.strides[:2], _STRETCH * samples.strides[2], samples.strides[2])
+    windows = as_strided(samples, shape, steps, writeable=False)
     n_rows = n_curves * n_axes * windows.shape[2]
     rows = np.zeros((-(-n_rows // _EXTREMES_BATCH), _EXTREMES_BATCH, wide), np.float32)
     rows.reshape(-1, wide)[:n_rows].reshape(windows.shape)[...] = windows
-    products = np.matmul(rows, _extremes_weights()).reshape(-1, FINER - 1, _STRETCH)[:n_rows]
-    points = products.reshape(*windows.shape[:3], FINER - 1, _STRETCH)
     own = samples[..., _REACH - 1 : _REACH - 1 + n]
-    if length:
-        # Squares are compared, and only the roots of the extremes are computed.
-        between = np.einsum("caspt,caspt->cspt", points, points)
-        values = np.einsum("cat,cat->ct", own, own)
-    else:
-        between, values = points[:, 0], own[:, 0]
-    n_results = low.shape[1]
-    for result, of_two in ((low, np.minimum), (high, np.maximum)):
-        extreme = values.reshape(n_curves, n // _STRETCH, _STRETCH)
-        for k in range(FINER - 1):  # three times as quick as along the axis
-            extreme = of_two(extreme, between[:, :, k])
-        extreme = extreme.reshape(n_curves, n)[:, :n_results]
-        if length:
-            np.sqrt(extreme, out=result)
-        else:
-            result[:] = extreme
+    # Squares of lengths are compared, and only the roots of the extremes are computed.
+    least = np.einsum("cat,cat->ct", own, own) if length else own[:, 0].copy()
+    most = least.copy()
+    products = np.empty((*rows.shape[:2], _STRETCH), np.float32)
+    for weights in _extremes_weights():
+        points = np.matmul(rows, weights, out=products).reshape(-1, _STRETCH)[:n_rows]
+        points = points.reshape(n_curves, n_axes, n)
+        between = np.einsum("cat,cat->ct", points, points) if length else points[:, 0]
+        np.minimum(least, between, out=least)
+        np.maximum(most, between, out=most)
+    for result, extreme in ((low, least), (high, most)):
+        result[:] = (np.sqrt(extreme) if length else extreme)[:, : low.shape[1]]
 
 
 @cache
 def _extremes_weights() -> Singles:
-    """Return the weights of the points of a stretch, (n_samples, (FINER - 1) _STRETCH)."""
+    """Return the weights of the points of a stretch, (FINER - 1, n_samples, _STRETCH)."""
     used = np.arange(_STRETCH + 2 * _REACH - 1) - (_REACH - 1)
     shift = np.arange(1, FINER) / FINER
-    points = (shift[:, np.newaxis] + np.arange(_STRETCH)).ravel()
+    points = shift[:, np.newaxis, np.newaxis] + np.arange(_STRETCH)
     distance = points - used[:, np.newaxis]
     within = np.clip(1.0 - (distance / _REACH) ** 2, 0.0, None)
     weights = (

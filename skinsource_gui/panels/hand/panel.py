@@ -566,7 +566,8 @@ class HandPanel(Panel):
         self.setFocusProxy(self.diagram)
 
     def show_state(self, design: Design, view: View) -> None:
-        before = {id(track) for track in self._design.inputs} if self._design else set()
+        before = () if self._design is None else self._design.inputs
+        shown = self._design and (self._design.limb, self._view.selected_inputs, len(before))
         self._design, self._view = design, view
         if self._elsewhere is not None and self.diagram.state.moving is None:
             # The input may have moved.
@@ -579,7 +580,11 @@ class HandPanel(Panel):
             self.mirror.setChecked(through)
             self.diagram.show_drawing(drawing_of(design.limb, through=through))
         self._stack.setCurrentWidget(self._missing if missing else self.diagram)
-        self._show_inputs(anew=before.isdisjoint(map(id, design.inputs)))
+        both = zip(before, design.inputs, strict=False)
+        if shown != (design.limb, view.selected_inputs, len(design.inputs)) or any(
+            old is not new and _look(old) != _look(new) for old, new in both
+        ):
+            self._show_inputs(anew=set(map(id, before)).isdisjoint(map(id, design.inputs)))
 
     def show_pointed_input(self, input_id: int | None) -> None:
         self._elsewhere = input_id
@@ -700,6 +705,10 @@ class HandPanel(Panel):
         chosen = [track for track in self._design.inputs if track.id in ids] if self._design else []
         fill_inputs_menu(menu, chosen, lambda edit: self._edit(edit, ids), place="hand")
         menu.popup(at)
+
+
+def _look(track: Input) -> tuple[object, ...]:
+    return track.id, track.location, track.colour, _text(track)
 
 
 def _titles(track: Input) -> list[str]:

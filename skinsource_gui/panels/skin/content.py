@@ -135,6 +135,12 @@ class MapContent:
         )
 
     @property
+    def texts(self) -> tuple[object, ...]:
+        """What the texts over the map say, and depend on besides its layout."""
+        moving = self.quantity if self.quantity.moves and self.values is not None else None
+        return self.limb_map is None, self.synthetic, self.fixed, self.message, moving
+
+    @property
     def covered(self) -> "MapContent":
         """The content without anything that was computed, for an audience that guesses first."""
         quantity = replace(self.quantity, name=LEVELS)

@@ -29,7 +29,7 @@ from skinsource_gui.panels.skin.painting import (
 from skinsource_gui.panels.skin.settings import time_text
 from skinsource_gui.plots.outputs import ADDS, OutputPicker, output_at
 from skinsource_gui.plots.small_map import FIXED_MARK, bounds_of, paint_band, paint_ring
-from skinsource_gui.qt.frames import paint_focus_frame
+from skinsource_gui.qt.frames import CachedPicture, Same, paint_focus_frame
 from skinsource_gui.qt.keys import KEYS, claims_shortcut, meaning_of
 from skinsource_gui.qt.theme import Theme, current_theme, tabular
 from skinsource_gui.qt.wheel import FREE, WHOLE, PanZoom
@@ -331,6 +331,7 @@ class SkinMap(QtWidgets.QWidget):
         self.content = MapContent()
         self._painter: MapPainter | None = None
         self._outdated = False
+        self._texts = CachedPicture()
         self.ring: tuple[float, float] | None = None
         self._input_under_pointer: int | None = None
         # The same, or that under the pointer in another panel.
@@ -431,8 +432,14 @@ class SkinMap(QtWidgets.QWidget):
                 paint_band(painter, picker.band, theme)
         painter.setFont(self.stage.letters)
         painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
-        room = QRectF(self.rect())
-        paint_map_texts(painter, self.content, room, theme, outdated=self._outdated)
+        content, room, outdated = self.content, QRectF(self.rect()), self._outdated
+        key = theme.name, Same(self.stage.layout), outdated, *content.texts
+        self._texts.paint(
+            painter,
+            room,
+            key,
+            lambda on_image: paint_map_texts(on_image, content, room, theme, outdated=outdated),
+        )
         if self.hasFocus():
             paint_focus_frame(painter, QRectF(self.rect()), theme)
         painter.end()

@@ -149,8 +149,11 @@ class MeasureLine(QtWidgets.QWidget):
         self, design: Design | None, view: View, settings: SkinSettings, content: MapContent
     ) -> None:
         """Show what the map shows, and how it is looked at."""
+        before = self._content.quantity, self._settings, self._view.axes
         self._design, self._view, self._settings = design, view, settings
         self._content = content
+        if before == (content.quantity, settings, view.axes):
+            return
         self.span.setEnabled(settings.quantity == LEVELS)
         self.rms_window.setVisible(settings.quantity == RMS)
         self.rms_window.set_value(settings.rms_window_s)

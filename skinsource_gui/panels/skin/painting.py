@@ -338,11 +338,13 @@ class MapPainter:
         self._picture_type = picture_type
         self._layout: MapLayout | None = None
         self._screen_outline, self._bar_card = QtGui.QPainterPath(), QRectF()
+        self._about_bar: tuple[float, QtGui.QFont] | None = None
         self._forget_pictures()
 
     def _forget_pictures(self) -> None:
         self._still, self._selection = self._picture_type(), self._picture_type()
         self._hatch, self._marks = self._picture_type(), self._picture_type()
+        self._numbers, self._about_bar = self._picture_type(), None
 
     def paint(
         self,
@@ -374,9 +376,12 @@ class MapPainter:
             )
         if content.inputs:
             self._paint_inputs(painter, content.inputs, pointed_at, layout, theme)
-        self._bar_card = bar_card(
-            layout, content.px_per_mm, self._screen_outline, painter.fontMetrics()
-        )
+        about_bar = content.px_per_mm, painter.font()
+        if about_bar != self._about_bar:
+            self._about_bar = about_bar
+            self._bar_card = bar_card(
+                layout, content.px_per_mm, self._screen_outline, painter.fontMetrics()
+            )
         self._paint_selection(painter, content, layout, theme)
         paint_length_bar(painter, layout, content.px_per_mm, self._bar_card, theme)
 
@@ -459,14 +464,20 @@ class MapPainter:
     ) -> None:
         radius = layout.palmar_radius
         fills = self._fills(layout.unplaced, content, theme)
-        outline = QtGui.QPen(QtGui.QColor(theme.skin_line), 1)
+        painter.setPen(QtGui.QPen(QtGui.QColor(theme.skin_line), 1))
         for number, fill in zip(layout.unplaced, fills, strict=True):
-            centre = QPointF(*layout.points[number - 1])
-            painter.setPen(outline)
             painter.setBrush(fill)
-            painter.drawEllipse(centre, radius, radius)
-            painter.setPen(QtGui.QColor("black" if is_light(fill) else "white"))
-            painter.drawText(square(centre, radius), Qt.AlignmentFlag.AlignCenter, str(number))
+            painter.drawEllipse(QPointF(*layout.points[number - 1]), radius, radius)
+        inks = tuple("black" if is_light(fill) else "white" for fill in fills)
+
+        def paint(on_image: QtGui.QPainter) -> None:
+            for number, ink in zip(layout.unplaced, inks, strict=True):
+                on_image.setPen(QtGui.QColor(ink))
+                place = square(QPointF(*layout.points[number - 1]), radius)
+                on_image.drawText(place, Qt.AlignmentFlag.AlignCenter, str(number))
+
+        card = QRectF(layout.palmar_card.toAlignedRect())
+        self._numbers.paint(painter, card, inks, paint)
 
     def _fills(
         self, outputs: Sequence[int], content: MapContent, theme: Theme

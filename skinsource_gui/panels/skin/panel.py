@@ -14,12 +14,14 @@ from skinsource.design.edits.edit import Refusal
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
 from skinsource.engine.time_rules import block_of
+from skinsource.limbs.own_limbs import facts_of
 from skinsource.perception.sensation import LIMITS, LIMITS_IN_SHORT
 from skinsource_gui.panels.skin.content import (
     MapContent,
     content_of,
     end_s,
     is_whole,
+    marks_of,
     needs_of,
     signals_name,
 )
@@ -82,6 +84,8 @@ class SkinPanel(Panel):
         super().__init__(parent)
         self._design: Design | None = None
         self._view, self.settings = View(), SkinSettings()
+        # The parts of design and view that were shown last.
+        self._shown: tuple[object, ...] = ()
         self._results: Mapping[str, Any] = {}
         self._compared: tuple[Compared, ...] = ()
         self._noisy: tuple[int, ...] = ()
@@ -128,7 +132,12 @@ class SkinPanel(Panel):
         self.settings = settings_of(view, self.name, SkinSettings)
         if not view.snapshots:
             self._compared = ()
-        self._show()
+        shown = view, facts_of(design.limb), marks_of(design, view)
+        if shown != self._shown or self.moves:
+            self._shown = shown
+            self._show()
+        else:  # another waveform changes the map only when that is computed
+            self.measure.show_state(design, view, self.settings, self.content)
 
     def show_playhead(self, view: View) -> None:
         self._view = view
@@ -208,8 +217,8 @@ class SkinPanel(Panel):
         self.note.setToolTip(tooltip(content.note) if content.note else "")
         self.note.setVisible(bool(content.note))
         self._show_readout(self.map.readout())
-        self.scrub.setVisible(self.moves)
-        if self.moves:
+        self.scrub.setVisible(moves := self.moves)
+        if moves:
             self._follow_playhead()
 
     def _follow_playhead(self) -> None:

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import lru_cache
 
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
@@ -23,6 +24,7 @@ from skinsource_gui.panels.skin.settings import (
     with_low,
 )
 from skinsource_gui.plots.small_map import ColourScale, paint_ramp
+from skinsource_gui.qt.frames import CachedPicture
 from skinsource_gui.qt.keys import meaning_of
 from skinsource_gui.qt.layouts import in_row
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
@@ -72,6 +74,12 @@ def _high_moved(range_db: LevelRange, by_db: float) -> LevelRange:
 _MARK_PX, _RAMP_PX, _GRIP_PX = 7, 10, 14
 
 
+@lru_cache(maxsize=2)
+def _beyond_px(font: QtGui.QFont) -> float:
+    """Return how far the numbers at both ends reach beyond the colours, px."""
+    return QtGui.QFontMetricsF(small_font(font)).horizontalAdvance("−100") / 2.0
+
+
 class ColourStrip(QtWidgets.QWidget):
     """The colours with numbers below and the selected outputs above.
 
@@ -87,6 +95,7 @@ class ColourStrip(QtWidgets.QWidget):
         # The range at the press, where that was on the screen, and what it moves.
         self._held: tuple[LevelRange, float, Change] | None = None
         self._marks: tuple[tuple[float, int], ...] = ()
+        self._picture = CachedPicture()
         self.setObjectName("colour_strip")
         self.setAccessibleName("Range of the colours")
         hint = "Drag an end, or between; double-click: automatic"
@@ -110,21 +119,30 @@ class ColourStrip(QtWidgets.QWidget):
 
     def show_scale(self, scale: ColourScale, marks: tuple[tuple[float, int], ...]) -> None:
         """Show colours and their range, and levels of selected outputs, each in its colour."""
-        if (scale, marks) != (self._scale, self._marks):
-            self._scale, self._marks = scale, marks
+        if scale != self._scale:
             self.update()
+        elif marks != self._marks:
+            places = [self._x_of(level) for level, _ in (*self._marks, *marks)]
+            left, right = min(places) - _MARK_PX, max(places) + _MARK_PX
+            self.update(QRectF(left, 0, right - left, _MARK_PX).toAlignedRect())
+        self._scale, self._marks = scale, marks
 
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         theme = current_theme()
         painter = QtGui.QPainter(self)
-        painter.fillRect(self.rect(), self.palette().window())
         painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
         painter.setFont(tabular(small_font(self.font())))
-        ramp, (low, high) = self._ramp(), self.value_range
-        paint_ramp(painter, ramp, self._scale, theme)
+        ramp, scale = self._ramp(), self._scale
+        self._picture.paint(
+            painter,
+            QRectF(self.rect()),
+            (scale, theme.name),
+            lambda on_image: paint_ramp(on_image, ramp, scale, theme),
+            self.palette().window().color(),
+        )
         painter.setPen(QtGui.QPen(QtGui.QColor(theme.base), 0.5))
         for level, rank in self._marks:
-            x = ramp.left() + min(max((level - low) / (high - low), 0.0), 1.0) * ramp.width()
+            x = self._x_of(level)
             painter.setBrush(theme.output_colour(rank))
             tip, back = ramp.top() - 1, ramp.top() - _MARK_PX
             painter.drawPolygon([QPointF(x, tip), QPointF(x - 4, back), QPointF(x + 4, back)])
@@ -170,9 +188,12 @@ class ColourStrip(QtWidgets.QWidget):
         else:
             self.range_chosen.emit(moved(self.value_range, step_db))
 
+    def _x_of(self, level: float) -> float:
+        ramp, (low, high) = self._ramp(), self.value_range
+        return ramp.left() + min(max((level - low) / (high - low), 0.0), 1.0) * ramp.width()
+
     def _ramp(self) -> QRectF:
-        # The numbers at both ends reach beyond the colours.
-        beyond = QtGui.QFontMetricsF(small_font(self.font())).horizontalAdvance("−100") / 2.0
+        beyond = _beyond_px(self.font())
         return QRectF(beyond, _MARK_PX, max(self.width() - 2.0 * beyond, 1.0), _RAMP_PX)
 
 

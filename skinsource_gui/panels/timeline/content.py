@@ -260,6 +260,19 @@ def drawn_clips(
     return drawn
 
 
+def loudest_of(design: Design, drawn: Mapping[int, DrawnClip]) -> float:
+    """Return the largest value that any clip plays on its track."""
+    return max(
+        (
+            abs(clip.gain * track.amplitude) * drawn[clip.id].peak
+            for track in design.inputs
+            for clip in track.clips
+            if clip.id in drawn
+        ),
+        default=0.0,
+    )
+
+
 # Shorter overlaps are rounding errors of clips that follow each other, s.
 _LEAST_S = 1e-9
 
@@ -429,18 +442,6 @@ class TimelineContent:
         lane = next((lane for lane in self.lanes if lane.selected), None)
         y = self.ruler_px / 2 if lane is None else lane.top_px + lane.height_px / 2
         return QPointF(self.scale.x(self.view.playhead_s), y)
-
-    def largest(self) -> float:
-        """Return the largest value that any clip plays on its track."""
-        return max(
-            (
-                abs(clip.gain * track.amplitude) * self.drawn[clip.id].peak
-                for track in self.design.inputs
-                for clip in track.clips
-                if clip.id in self.drawn
-            ),
-            default=0.0,
-        )
 
     @property
     def grid_s(self) -> float:

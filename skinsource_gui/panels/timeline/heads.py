@@ -3,7 +3,7 @@
 The fader and the meter share one scale in decibels of an amplitude of 1.
 """
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from math import copysign, log10
@@ -66,6 +66,8 @@ STEP_DB, _FINE, _COARSE = 1.0, 0.1, 6.0
 Index = QModelIndex | QPersistentModelIndex
 _Key, _Held = Qt.Key, Qt.KeyboardModifier
 _PLACE = "inputs"
+_Role = Qt.ItemDataRole
+_TEXTS = (_Role.DisplayRole, _Role.AccessibleTextRole, _Role.ToolTipRole)
 _EDITS: dict[str, Callable[..., Edit | Refusal]] = {
     "mute": edits.toggle_mute,
     "solo": edits.toggle_solo,
@@ -98,66 +100,57 @@ class Head:
         Whether the track is muted, or another one is solo.
     peak
         The largest value that the track plays, with its amplitude; None: it is not known.
-    name
-        Number and name of the place.
-    text
-        What the track plays, how loud, for the tooltip.
     """
 
     track: Input
     silent: bool
     peak: float | None
-    name: str
-    text: str
 
 
-def heads_of(design: Design, view: View, peaks: Mapping[int, float]) -> list[Head]:
-    """Return the heads of a design; ``peaks``: of what tracks play before their amplitude."""
-    audible = {track.id for track in audible_inputs(design.inputs)}
-    heads = []
-    for track in design.inputs:
-        place, clip = input_name(track.location, design.limb), clip_of(track, view)
-        unit_peak = peaks.get(track.id)
-        peak = None if unit_peak is None else abs(track.amplitude) * unit_peak
-        played = EMPTY
-        if clip is not None:
-            length = duration_text(clip.duration_s)
-            played = f"{clip_text(clip)} · {length}{clips_text(len(track.clips))}"
-        is_factor = is_gain(design, track)
-        level = f"Gain {track.amplitude:g}" if is_factor else amplitude_text(design, track)
-        if peak is not None:
-            level += f", peak {peak:.3g} {amplitude_unit(design)}"
-        heads.append(
-            Head(
-                track=track,
-                silent=track.id not in audible,
-                peak=peak,
-                name=f"{place.number}, {place.name}",
-                text=f"{played}\n{level}",
-            )
-        )
-    return heads
+def text_of(head: Head, design: Design, view: View) -> str:
+    """Return what the track plays, how loud, for the tooltip."""
+    track, clip = head.track, clip_of(head.track, view)
+    played = EMPTY
+    if clip is not None:
+        length = duration_text(clip.duration_s)
+        played = f"{clip_text(clip)} · {length}{clips_text(len(track.clips))}"
+    is_factor = is_gain(design, track)
+    level = f"Gain {track.amplitude:g}" if is_factor else amplitude_text(design, track)
+    if head.peak is not None:
+        level += f", peak {head.peak:.3g} {amplitude_unit(design)}"
+    return f"{played}\n{level}"
 
 
 class HeadsModel(QAbstractListModel):
-    """The heads as rows of a list."""
+    """The heads as rows of a list, of which ``design`` and ``view`` are shown."""
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self.heads: list[Head] = []
+        self._design, self._view = Design(limb=""), View()
 
-    def show_heads(self, heads: list[Head]) -> None:
-        """Show other heads; rows of the same tracks stay."""
-        same = [head.track.id for head in heads] == [head.track.id for head in self.heads]
+    def show_state(self, design: Design, view: View, peaks: Mapping[int, float]) -> None:
+        """Show other heads; ``peaks``: of what tracks play before their amplitude."""
+        audible = {track.id for track in audible_inputs(design.inputs)}
+        before, same = self.heads, design.ids == self._design.ids
         if not same:
             self.beginResetModel()
-        before, self.heads = self.heads, heads
+        self._design, self._view = design, view
+        self.heads = [
+            Head(
+                track=track,
+                silent=track.id not in audible,
+                peak=abs(track.amplitude) * peaks[track.id] if track.id in peaks else None,
+            )
+            for track in design.inputs
+        ]
         if not same:
             self.endResetModel()
             return
-        for row, (old, new) in enumerate(zip(before, heads, strict=True)):
+        for row, (old, new) in enumerate(zip(before, self.heads, strict=True)):
             if old != new:
-                self.dataChanged.emit(self.index(row), self.index(row))
+                index = self.createIndex(row, 0)
+                self.dataChanged.emit(index, index)
 
     def rowCount(self, parent: Index | None = None) -> int:
         return len(self.heads)
@@ -166,13 +159,15 @@ class HeadsModel(QAbstractListModel):
         return super().flags(index) | Qt.ItemFlag.ItemIsEditable
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        if role not in _TEXTS:
+            return None
         head = self.heads[index.row()]
-        if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.AccessibleTextRole):
-            silent = ", silent" if head.silent else ""
-            return f"Input at {head.name}: {head.text.replace(chr(10), ', ')}{silent}"
-        if role == Qt.ItemDataRole.ToolTipRole:
-            return f"{head.name.replace(',', ' ·', 1)}\n{head.text}"
-        return None
+        place = input_name(head.track.location, self._design.limb)
+        text = text_of(head, self._design, self._view)
+        if role == _Role.ToolTipRole:
+            return f"{place.number} · {place.name}\n{text}"
+        silent = ", silent" if head.silent else ""
+        return f"Input at {place.number}, {place.name}: {text.replace(chr(10), ', ')}{silent}"
 
 
 #: Size of a head for text of the usual size, and height of such a line, px.
@@ -435,14 +430,20 @@ class Heads(QtWidgets.QListView):
         return HeadPlaces.of(rect, self.fontMetrics().height())
 
     def show_state(self, design: Design, view: View, peaks: Mapping[int, float]) -> None:
-        """Show one head for each track; see `heads_of`."""
-        if design.ids != self._design.ids:
+        """Show one head for each track; see `HeadsModel.show_state`."""
+        same, chosen = design.ids == self._design.ids, self._view.selected_inputs
+        if not same:
             self._cancel()
         self._design, self._view = design, view
         self._shows = True
-        self._model.show_heads(heads_of(design, view, peaks))
-        self._show_selection()
+        self._model.show_state(design, view, peaks)
+        if not same or view.selected_inputs != chosen:
+            self._show_selection()
         self._shows = False
+
+    def dataChanged(self, first: Index, last: Index, roles: Sequence[int] = ()) -> None:
+        # A list would be laid out again, and painted as a whole.
+        QtWidgets.QAbstractItemView.dataChanged(self, first, last, roles)
 
     def updateGeometries(self) -> None:
         super().updateGeometries()

@@ -23,6 +23,7 @@ from skinsource_gui.panels.timeline.content import (
     Part,
     TimelineContent,
     drawn_clips,
+    loudest_of,
     next_id,
     overlapping,
     part_at,
@@ -582,24 +583,34 @@ class LanesView(Canvas):
         if held and not content.view.time_range_s:
             shown_s = held.scale.shown_s
         width = max(self.width() - 2 * _SIDE_PX, 1.0)
-        drawn = drawn_clips(content.design, content.waveforms, content.sample_rate_hz, before.drawn)
-        content = replace(
+        self.content = replace(
             content,
+            **self._drawn(content),
             lengths=lengths,
             scale=TimeScale(shown_s=shown_s, left_px=_SIDE_PX, width_px=width),
-            drawn=drawn,
             height_px=float(self.height()),
             ruler_px=self.ruler_px,
             gain_tops={strip.lane.track.id: strip.top for strip in held.strips} if held else {},
         )
-        # While a clip is computed, which may be the loudest one, the others stay as high.
-        loudest = before.loudest if content.awaited else content.largest()
-        self.content = replace(content, loudest=loudest)
         rect = QRectF(self.rect())
         for item in (self.item, self.gains, self.overlay):
             item.show_content(self.content, rect)
         self.setAccessibleDescription(self.gain.description())
         self.playhead.show_content(self.content, float(self.height()))
+
+    def show_samples(self, **changes: Any) -> None:
+        """Show what clips play, on which nothing but the lanes depends."""
+        content = replace(self.content, **changes)
+        self.content = replace(content, **self._drawn(content))
+        self.item.show_content(self.content, QRectF(self.rect()))
+
+    def _drawn(self, content: TimelineContent) -> dict[str, Any]:
+        drawn = drawn_clips(
+            content.design, content.waveforms, content.sample_rate_hz, self.content.drawn
+        )
+        # While a clip is computed, which may be the loudest one, the others stay as high.
+        loudest = self.content.loudest if content.awaited else loudest_of(content.design, drawn)
+        return {"drawn": drawn, "loudest": loudest}
 
     def _show_range(self, shown_s: Range | None) -> None:
         # Who zooms during a drag wants to see something else.

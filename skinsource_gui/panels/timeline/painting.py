@@ -28,7 +28,6 @@ from skinsource_gui.panels.timeline.gestures import GesturePreview
 from skinsource_gui.plots.curves import visible_course
 from skinsource_gui.plots.ranges import CachedColumns, Tick, linear_ticks, wave_of
 from skinsource_gui.plots.time_scale import Range, TimeScale
-from skinsource_gui.qt.frames import Same
 from skinsource_gui.qt.theme import Theme, current_theme, dots_in_px, is_on_paper, thin_pen
 
 _BUDGET_BYTES = 48 * 2**20
@@ -254,12 +253,13 @@ def _write(painter: QtGui.QPainter, words: str, shown: QRectF, theme: Theme, *, 
     metrics = QtGui.QFontMetricsF(painter.font())
     line_px = metrics.height()
     room = QRectF(shown.left() + 5, shown.top() + 1, shown.width() - 10, line_px)
-    text = metrics.elidedText(words, Qt.TextElideMode.ElideRight, room.width())
+    text, width = words, metrics.horizontalAdvance(words)
+    if width > room.width():
+        text = metrics.elidedText(words, Qt.TextElideMode.ElideRight, room.width())
+        width = metrics.horizontalAdvance(text)
     ground = QtGui.QColor(theme.base)
     ground.setAlpha(190)
-    painter.fillRect(
-        QRectF(room.left() - 2, room.top(), metrics.horizontalAdvance(text) + 4, line_px), ground
-    )
+    painter.fillRect(QRectF(room.left() - 2, room.top(), width + 4, line_px), ground)
     painter.setPen(QtGui.QColor(theme.dim if pale else theme.text))
     painter.drawText(room, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, text)
 
@@ -333,14 +333,15 @@ def ground_of(lane: Lane) -> Hashable:
     return lane.selected, lane.silent, lane.problem
 
 
-def clips_look_of(content: TimelineContent, lane: Lane) -> tuple[object, ...]:
-    """Return what the look of the clips of a lane depends on."""
-    clips = lane.track.clips
-    ids = [clip.id for clip in clips]
-    marked = [content.selected.intersection(ids), content.awaited.intersection(ids)]
-    played = [Same(content.waveforms.get(clip_id)) for clip_id in ids]
-    drawn = lane.track.amplitude, lane.track.gain_curve, content.loudest
-    return lane.track.colour, clips, marked, set(content.chosen).intersection(ids), played, drawn
+def restyled_clips(before: TimelineContent, after: TimelineContent) -> set[int]:
+    """Return the ids of the clips that are marked otherwise, or drawn from other samples."""
+    then, now = before.drawn, after.drawn
+    return {
+        *before.selected.symmetric_difference(after.selected),
+        *before.awaited.symmetric_difference(after.awaited),
+        *set(before.chosen).symmetric_difference(after.chosen),
+        *(clip for clip in then.keys() | now.keys() if then.get(clip) is not now.get(clip)),
+    }
 
 
 _TICK_PX = 64.0
@@ -527,7 +528,8 @@ class LanesItem(LaneLayer):
         )
         painter.save()
         painter.setClipRect(lanes)
-        shown = [lane for lane in content.lanes if self._strip(lane).intersects(exposed)]
+        top, bottom = exposed.top(), exposed.bottom()
+        shown = [lane for lane in content.lanes if lane.top_px < bottom and lane.bottom_px > top]
         for lane in shown:
             self._paint_ground(painter, lane)
         painter.setPen(QtGui.QPen(QtGui.QColor(theme.grid), 1))
@@ -550,10 +552,15 @@ class LanesItem(LaneLayer):
 
     def _update_lanes(self, before: TimelineContent, after: TimelineContent) -> None:
         """Update the lanes that look different now."""
+        restyled, scaled = restyled_clips(before, after), before.loudest != after.loudest
         for then, now in zip(before.lanes, after.lanes, strict=True):
-            if ground_of(then) != ground_of(now):
+            if then is not now and ground_of(then) != ground_of(now):
                 self.update(self._strip(now))
-            elif clips_look_of(before, then) != clips_look_of(after, now):
+            elif (
+                scaled
+                or then.track is not now.track
+                or not restyled.isdisjoint(clip.id for clip in now.track.clips)
+            ):
                 self.update(self._strip(now).adjusted(0, _INSIDE_PX, 0, -_INSIDE_PX))
 
     def _strip(self, lane: Lane) -> QRectF:

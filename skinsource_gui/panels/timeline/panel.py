@@ -298,7 +298,7 @@ class TimelinePanel(Panel):
                 or not _play_same(clip, self._computed_clips[clip.id])
             )
             shown = {clip: played for clip, played in shown.items() if clip not in awaited}
-        self.lanes.change(waveforms=shown, awaited=awaited, sample_rate_hz=self._rate_hz)
+        self.lanes.show_samples(waveforms=shown, awaited=awaited, sample_rate_hz=self._rate_hz)
 
     def show_problem(self, reason: str) -> None:
         self._computed_clips, self._waveforms, self._peaks = {}, {}, {}
@@ -374,9 +374,10 @@ class TimelinePanel(Panel):
 
     def _place_lanes(self) -> None:
         """Put each lane beside its head."""
-        self.heads.setFixedWidth(self._heads_px)
-        self._corner.setFixedSize(self._heads_px, int(self.lanes.ruler_px))
-        top = int(self.lanes.ruler_px) - self.heads.verticalScrollBar().value()
+        width, ruler_px = self._heads_px, int(self.lanes.ruler_px)
+        self.heads.setFixedWidth(width)
+        self._corner.setFixedSize(width, ruler_px)
+        top = ruler_px - self.heads.verticalScrollBar().value()
         height = row_px(self.heads.fontMetrics().height())
         lanes = lanes_of(self._design, self._view, height, top, self._problems)
         self.lanes.show_state(self._design, self._view, lanes)

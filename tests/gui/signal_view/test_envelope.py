@@ -27,6 +27,18 @@ def curves_of(signal, n_points, n_curves=1):
     return Curves(x=x, y=y, names=names, wave=wave_of(x, y))
 
 
+def test_the_extremes_of_a_wave_are_found_once_for_all_who_draw_it():
+    x = np.arange(300) / RATE_HZ
+    y = tone(x, 90.0)[np.newaxis]
+    first, again, part, other = (
+        wave_of(x, signals).extremes(start, 300)
+        for signals, start in ((y, 0), (y.copy(), 0), (y, 1), (2 * y, 0))
+    )
+    assert again is first
+    assert part.low.shape == (1, 299)
+    assert other.sizes[0, 0] == pytest.approx(2 * first.sizes[0, 0])
+
+
 def envelope(plot, rank, n_windows=40):
     """Highest value in each of some parts of the visible width.
 

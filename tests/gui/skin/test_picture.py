@@ -163,6 +163,35 @@ def test_a_limb_about_which_there_is_something_to_know_says_so_below_the_map(win
     assert window.panel.note.isHidden()
 
 
+LOOKS = {
+    "pale": {"values": np.full(72, -58.0)},
+    "bright": {"values": np.full(72, -12.0)},
+    "outdated": {},
+    "fixed": {"fixed": True},
+    "measured": {"synthetic": False},
+    "message": {"message": "Nothing is heard."},
+    "of another size": {"px_per_mm": 0.5},
+    "of unknown size": {"px_per_mm": 0.0},
+    "without outputs": {"outputs": ()},
+    "as before": {},
+}
+
+
+def test_a_map_that_changed_looks_like_one_that_is_painted_anew(window, qtbot):
+    view = window.panel.map
+    content = replace(view.content, synthetic=True, px_per_mm=1.0)
+    for name, changes in LOOKS.items():
+        view.show_content(replace(content, **changes))
+        view.show_outdated(name == "outdated")
+        anew = SkinMap()
+        qtbot.addWidget(anew)
+        anew.resize(view.size())
+        anew.stage.pan_zoom.fit = view.stage.pan_zoom.fit
+        anew.show_content(view.content)
+        anew.show_outdated(name == "outdated")
+        assert view.grab().toImage() == anew.grab().toImage(), name
+
+
 @pytest.mark.parametrize("size", [(150, 180), (266, 576), (900, 500)])
 @pytest.mark.parametrize("fit", ["whole", "hand"])
 def test_words_above_a_fitted_map_lie_on_no_skin(window, size, fit):
