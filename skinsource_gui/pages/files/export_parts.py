@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QRectF, QSize, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 
 from skinsource.base.errors import SkinSourceError, Stopped
 from skinsource.base.extras import package_of_extra
@@ -21,6 +21,7 @@ from skinsource.export.stimulus_export.preparing import size_text
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.files.exports import FILM, WIRING, DrawerOf, ExportSpec
+from skinsource_gui.pages.page import PictureView
 from skinsource_gui.panels.skin.film import KINDS as FILM_KINDS
 from skinsource_gui.panels.skin.film import (
     MOST_PX,
@@ -105,40 +106,6 @@ class ExportPart(QtWidgets.QWidget):
         self._problem.setVisible(bool(problem))
 
 
-class PreviewImage(QtWidgets.QWidget):
-    """Shows a picture as large as there is room."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self._image = QtGui.QImage()
-        self.setAccessibleName("Preview")
-        self.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Expanding
-        )
-
-    @property
-    def image(self) -> QtGui.QImage:
-        """What is shown."""
-        return self._image
-
-    def sizeHint(self) -> QSize:
-        return QSize(360, 480)
-
-    def show_image(self, image: QtGui.QImage) -> None:
-        """Show another picture."""
-        self._image = image
-        self.update()
-
-    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
-        if self._image.isNull():
-            return
-        size = self._image.size().scaled(self.size(), Qt.AspectRatioMode.KeepAspectRatio)
-        area = QRectF((self.width() - size.width()) / 2, 0, size.width(), size.height())
-        painter = QtGui.QPainter(self)
-        painter.setRenderHint(QtGui.QPainter.RenderHint.SmoothPixmapTransform)
-        painter.drawImage(area, self._image)
-
-
 class FilePart(ExportPart):
     """Pictures, films, tables, data and projects.
 
@@ -180,7 +147,8 @@ class FilePart(ExportPart):
         left = scrolled(fields, "export_fields")
         left.setFixedWidth(FIELDS_PX)
         left.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.image, self.text = PreviewImage(), QtWidgets.QPlainTextEdit()
+        self.image, self.text = PictureView(), QtWidgets.QPlainTextEdit()
+        self.image.setAccessibleName("Preview")
         self.text.setReadOnly(True)
         self.text.setAccessibleName("Preview")
         self.text.setLineWrapMode(QtWidgets.QPlainTextEdit.LineWrapMode.NoWrap)

@@ -87,17 +87,9 @@ def _lacks_outputs(design: Design, view: View) -> str:
     return "" if view.outputs else "No output is selected. Click one on the skin map."
 
 
-def _pack(
-    path: Path,
-    design: Design,
-    view: View,
-    *,
-    progress: Progress,
-    stop: Stop,
-    largest_error: float,
-) -> None:
+def _pack(path: Path, design: Design, view: View, *, largest_error: float, **job: Any) -> None:
     del largest_error  # each table states its own
-    packing.pack(path, design, view, progress=progress, stop=stop)
+    packing.pack(path, design, view, **job)
 
 
 def _wiring(

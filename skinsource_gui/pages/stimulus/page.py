@@ -47,7 +47,6 @@ class ChannelsView(QtWidgets.QWidget):
         self.setObjectName("stimulus_channels")
         self._channels: tuple[ChannelOverview, ...] = ()
         self._colours: Mapping[int, int] = {}
-        self._pale = False
         self.setSizePolicy(
             QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Fixed
         )
@@ -68,20 +67,14 @@ class ChannelsView(QtWidgets.QWidget):
         self, channels: tuple[ChannelOverview, ...], colours: Mapping[int, int]
     ) -> None:
         """Paint ``channels``; ``colours`` has the number of the colour of each input."""
-        self._channels, self._colours, self._pale = channels, colours, False
+        self._channels, self._colours = channels, colours
         lines = [line for channel in channels for line in channel_lines(channel)]
         self.setAccessibleDescription("; ".join(lines))
         self.updateGeometry()
         self.update()
 
-    def set_pale(self, pale: bool) -> None:
-        """Paint the channels pale where they are out of date."""
-        self._pale = pale
-        self.update()
-
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         painter = QtGui.QPainter(self)
-        painter.setOpacity(PALE if self._pale else 1.0)
         for row, channel in enumerate(self._channels):
             top = row * (_ROW_PX + _GAP_PX)
             if event.rect().intersects(QRectF(0, top, self.width(), _ROW_PX).toRect()):
@@ -366,13 +359,10 @@ class StimulusPart(ExportPart):
 
     def _set_pale(self, pale: bool) -> None:
         """Show channels and texts pale where they are out of date."""
-        self.channels.set_pale(pale)
-        for label in (self._summary, self._notes, self._problem):
-            effect = label.graphicsEffect()
-            if not isinstance(effect, QtWidgets.QGraphicsOpacityEffect):
-                effect = QtWidgets.QGraphicsOpacityEffect(label, opacity=PALE)
-                label.setGraphicsEffect(effect)
+        for part in (self.channels, self._summary, self._notes, self._problem):
+            effect = QtWidgets.QGraphicsOpacityEffect(part, opacity=PALE)
             effect.setEnabled(pale)
+            part.setGraphicsEffect(effect)
 
     def _show_refused(self, reason: str) -> None:
         self._ordered = self.prepared = None
