@@ -10,7 +10,6 @@ from skinsource.design.view import View
 from skinsource_gui.panels.compare.content import (
     KINDS,
     Cell,
-    Cells,
     CompareContent,
     Kind,
 )
@@ -53,7 +52,7 @@ class MapsPanel(Panel):
         # Of the design in the window: results, whether they are older than it, why there are none.
         self._results: Mapping[str, Any] = {}
         self._stale, self._problem = False, ""
-        self._cells, self.moving, self.clock = Cells(), MovingMaps(), Clock(self)
+        self.moving, self.clock = MovingMaps(), Clock(self)
         self.clock.ticked.connect(self.move_on)
         self.maps = MapsView(self)
 
@@ -65,7 +64,7 @@ class MapsPanel(Panel):
 
     @property
     def needs_of_snapshots(self) -> frozenset[str]:
-        return self.needs if self.kind.of_snapshots else frozenset()
+        return self.needs if "snapshots" in self.kind.fields else frozenset()
 
     @property
     def needs_on_limbs(self) -> Mapping[Beside, frozenset[str]]:
@@ -121,7 +120,7 @@ class MapsPanel(Panel):
                 self.moving.update(compared, kind.names(compared, view, difference=False))
                 cells = self.moving.cells()
             else:
-                cells = kind.drawn(self._cells, compared, design, view, self.settings)
+                cells = kind.drawn(compared, design, view, self.settings)
         content = CompareContent(
             cells=cells,
             outputs=view.outputs,

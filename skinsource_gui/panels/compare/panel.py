@@ -308,7 +308,7 @@ class ComparePanel(MapsPanel):
 
     def _show_cards(self) -> None:
         """Show a card for each snapshot, and for what is edited where it is none of them."""
-        self._row.setVisible(self.bar.has_room and self.kind.of_snapshots)
+        self._row.setVisible(self.bar.has_room and "snapshots" in self.kind.fields)
         present = None
         if self.design is not None:
             present = shown_snapshot(self.view.snapshots, self.design)
