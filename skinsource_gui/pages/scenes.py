@@ -5,7 +5,7 @@ from html import escape
 
 import numpy as np
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QPoint, QRect, QSize, Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 
 from skinsource.design.labels import limb_label
 from skinsource.limbs.own_limbs import facts_of
@@ -58,7 +58,7 @@ class ScenesPage(ToolPage):
         *,
         limb: str = "",
     ) -> None:
-        super().__init__(parent, "scenes_page", TITLE)
+        super().__init__(parent, "scenes_page", TITLE, _SIZE_PX)
         self._limbs, self._scenes = frozenset(limbs), all_scenes()
         own = [name for name in limbs if facts_of(name).own]
         titles = tuple((name, limb_label(name).title) for name in own)
@@ -96,9 +96,6 @@ class ScenesPage(ToolPage):
         self.buttons.rejected.connect(self.reject)
         self._show_limb()
         self.list.setFocus()
-        place = QRect(QPoint(), QSize(*_SIZE_PX))
-        place.moveCenter(parent.window().geometry().center())
-        self.setGeometry(place)
         fit_by_guess(self)
 
     @property
@@ -115,7 +112,9 @@ class ScenesPage(ToolPage):
         for part in (title, self.played_on):
             part.setVisible(self._any_own)
         # What has no room on a small screen scrolls, so that the buttons below stay visible.
-        columns = in_row(left, (_scrolled(about), 1), gap_px=2 * UNIT_PX)
+        area = scrolled(about, "scene_area")
+        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAsNeeded)
+        columns = in_row(left, (area, 1), gap_px=2 * UNIT_PX)
         in_column((columns, 1), self.buttons, of=self)
         button = self.buttons.button(QtWidgets.QDialogButtonBox.StandardButton.Open)
         button.setDefault(True)
@@ -179,13 +178,6 @@ class ScenesPage(ToolPage):
         # The page closes first: the question about unsaved work appears in front of the window.
         self.accept()
         self.chosen.emit(name, self.played_on.value)
-
-
-def _scrolled(inside: QtWidgets.QWidget) -> QtWidgets.QScrollArea:
-    """Return an area without a frame that scrolls both ways."""
-    area = scrolled(inside, "scene_area")
-    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAsNeeded)
-    return area
 
 
 def picture_of(scene: Scene) -> QtGui.QPixmap:

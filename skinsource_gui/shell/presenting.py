@@ -23,7 +23,7 @@ from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.plots.small_map import with_colours_of
 from skinsource_gui.qt.keys import KEYS, key_text, meaning_of, shortcut_text
 from skinsource_gui.qt.layouts import in_column
-from skinsource_gui.qt.theme import UNIT_PX
+from skinsource_gui.qt.theme import UNIT_PX, scaled
 from skinsource_gui.shell.focus import KeyboardFilter
 from skinsource_gui.shell.workspaces import Workspaces
 from skinsource_gui.state.document import Document
@@ -53,8 +53,7 @@ class NotesWindow(QtWidgets.QWidget):
         self.heading, self.next = QtWidgets.QLabel(self), QtWidgets.QLabel(self)
         self.notes = QtWidgets.QTextBrowser(self)
         self.notes.setOpenExternalLinks(True)
-        large = QtGui.QFont(self.font())
-        large.setPointSizeF(self.font().pointSizeF() * _LARGE)
+        large = scaled(self.font(), _LARGE)
         for part in (self.heading, self.notes, self.next):
             part.setFont(large)
         self.heading.setWordWrap(True)

@@ -44,6 +44,7 @@ from skinsource_gui.fields.units import output_text
 from skinsource_gui.panels.compare.card import card_level_text, played_db, snapshot_title
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.colour_maps import DIVERGING
+from skinsource_gui.plots.pictures import common_title
 from skinsource_gui.plots.small_map import (
     SILENT,
     USUAL_STYLE,
@@ -756,13 +757,8 @@ def _own_parts(titles: Sequence[str]) -> dict[str, str]:
     The parts of a title are between middle dots; those at the beginning that all titles share are
     left out.
     """
-    parts = [title.split(" · ") for title in titles]
-    n_common = 0
-    while parts and all(
-        len(part) > n_common + 1 and part[n_common] == parts[0][n_common] for part in parts
-    ):
-        n_common += 1
-    return {title: " · ".join(each[n_common:]) for title, each in zip(titles, parts, strict=True)}
+    common = common_title([title.rpartition(" · ")[0] for title in titles])
+    return {title: title.removeprefix(f"{common} · ") for title in titles}
 
 
 #: The kinds by their names in the settings.
