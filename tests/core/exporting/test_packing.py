@@ -120,6 +120,8 @@ def test_the_command_packs_a_file_with_its_rig(tmp_path, capsys):
     assert main(["pack", str(design), "--out", str(out), "--rig", str(rig)]) == 0
     assert capsys.readouterr().out == f"{out}\n"
     assert "rig.skinrig" in names(out)
+    pack(out, replace(DESIGN, rig=Rig()), VIEW)
+    assert "rig.skinrig" in names(out)
 
 
 def test_a_citation_names_paper_version_and_limb_and_the_dataset_where_it_was_used():
