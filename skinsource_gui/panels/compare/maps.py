@@ -5,6 +5,7 @@ from typing import Any, ClassVar
 
 from PySide6 import QtGui, QtWidgets
 
+from skinsource.design import edits
 from skinsource.design.design import Design
 from skinsource.design.view import View
 from skinsource_gui.panels.compare.content import (
@@ -55,6 +56,7 @@ class MapsPanel(Panel):
         self.moving, self.clock = MovingMaps(), Clock(self)
         self.clock.ticked.connect(self.move_on)
         self.maps = MapsView(self)
+        self.maps.outputs_chosen.connect(self._choose_outputs)
 
     @property
     def needs(self) -> frozenset[str]:
@@ -154,3 +156,7 @@ class MapsPanel(Panel):
         """Show the maps a moment later."""
         self.moving.advance(seconds)
         self.maps.show_frame(self.moving.cells())
+
+    def _choose_outputs(self, outputs: tuple[int, ...]) -> None:
+        if self.design is not None:
+            self.edited.emit(edits.select_outputs(self.design, self.view, outputs), None)

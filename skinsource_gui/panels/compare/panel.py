@@ -228,9 +228,7 @@ class ComparePanel(MapsPanel):
         for card in self.cards:
             card.requested.connect(self._act)
         self._row = FoldingRow(self.cards, UNIT_PX // 4, left=True, parent=self)
-        self.maps.outputs_chosen.connect(self._choose_outputs)
         self.maps.pointed_at.connect(self._read)
-        self._staleness.changed.connect(self.maps.show_stale)
         self.text_label = NoteLabel("compare_words", self)
         self.copy = CopyButton(self.name, lambda: tab_separated(self.maps.content), self)
         foot = in_row(self.text_label, self.copy, margins=(UNIT_PX, 1, UNIT_PX // 2, 1))
@@ -238,6 +236,7 @@ class ComparePanel(MapsPanel):
         in_column(self.bar, cards, (self.maps, 1), foot, of=self, margins=0, gap_px=0)
         self.setFocusProxy(self.maps)
         self.guessed = self._row, self.maps, self.text_label
+        self.computed = (self.maps,)
         self._show_cards()
 
     def sizeHint(self) -> QSize:
@@ -308,7 +307,3 @@ class ComparePanel(MapsPanel):
     def _read(self, output: int | None) -> None:
         # Maps that move under the pointer cannot be pointed at.
         self.text_label.say(self.maps.content.readout(output), holding=True)
-
-    def _choose_outputs(self, outputs: tuple[int, ...]) -> None:
-        if self.design is not None:
-            self.edited.emit(edits.select_outputs(self.design, self.view, outputs), None)

@@ -175,9 +175,6 @@ def _with_joined_numbers(text: str) -> str:
     return _BEFORE_NUMBER.sub("\N{NO-BREAK SPACE}", text)
 
 
-_PALE = 0.5
-
-
 def paint_content(
     painter: QtGui.QPainter,
     content: CompareContent,
@@ -272,7 +269,6 @@ class MapsView(QtWidgets.QWidget):
 
     def __init__(self, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
-        self._stale = False
         self._places: Places | None = None
         # Of which map the mouse was last.
         self._at = 0
@@ -337,11 +333,6 @@ class MapsView(QtWidgets.QWidget):
         super().changeEvent(event)
         self._places = None
 
-    def show_stale(self, stale: bool) -> None:
-        """Show whether the maps belong to an older design."""
-        self._stale = stale
-        self.update()
-
     def event(self, event: QEvent) -> bool:
         return claims_shortcut(event, self._claims) or super().event(event)
 
@@ -363,18 +354,13 @@ class MapsView(QtWidgets.QWidget):
         painter.end()
 
     def _paint_maps(self, painter: QtGui.QPainter, theme: Theme) -> None:
-        """Draw the maps, paler where they belong to an older design, and the rubber band."""
+        """Draw the maps and the rubber band."""
         content, places, band = self.content, self.places, self.picker.band
-        if self._stale:
-            painter.setPen(QtGui.QColor(theme.dim))
-            painter.drawText(places.head, Qt.AlignmentFlag.AlignVCenter, "Computing…")
         if any(cell.synthetic for cell in content.cells):
             painter.setPen(QtGui.QColor(theme.warning))
             right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
             painter.drawText(places.head, right, "SYNTHETIC")
-        painter.setOpacity(_PALE if self._stale else 1.0)
         paint_content(painter, content, places, theme, self.output)
-        painter.setOpacity(1.0)
         if band is not None:
             paint_band(painter, band, theme)
 
