@@ -543,7 +543,7 @@ COLOURS = ChoiceSpec(
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class PictureOptions:
+class PictureOptions(fields.CheckedModel):
     """What the user is asked before a picture is written.
 
     Attributes
@@ -564,9 +564,6 @@ class PictureOptions:
     height_px: int = fields.number(1800, HEIGHT)
     dpi: int = fields.number(PER_INCH, DPI)
     colours: str = fields.choice(LIGHT.name, COLOURS)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     @property
     def theme(self) -> Theme:

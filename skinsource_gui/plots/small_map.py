@@ -402,7 +402,7 @@ _PANEL = "skin"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class LevelStyle:
+class LevelStyle(fields.CheckedModel):
     """How maps of levels look, whichever panel shows them.
 
     Attributes
@@ -416,9 +416,6 @@ class LevelStyle:
 
     map_range_db: Range | None = fields.interval(None, MAP_RANGE)
     colours: str = fields.choice(VIRIDIS, COLOURS)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
 
 #: The look unless the user chooses another one.

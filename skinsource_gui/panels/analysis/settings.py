@@ -82,26 +82,20 @@ SHOWN = ChoiceSpec(
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class AnalysisSettings:
+class AnalysisSettings(fields.CheckedModel):
     """Which view is ``shown``."""
 
     shown: str = fields.choice(VIEWS[0].name, SHOWN)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
 
 COHERENCE = SwitchSpec(label="Coherence", hint="In place of the magnitude")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class TransferSettings:
+class TransferSettings(fields.CheckedModel):
     """Whether ``coherence`` is drawn in place of the magnitude."""
 
     coherence: bool = fields.switch(False, COHERENCE)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
 
 VELOCITY = SwitchSpec(
@@ -121,7 +115,7 @@ EVERY_OUTPUT = SwitchSpec(
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class LinearitySettings:
+class LinearitySettings(fields.CheckedModel):
     """How outputs are compared with the strengths of inputs.
 
     Attributes
@@ -137,6 +131,3 @@ class LinearitySettings:
     velocity: bool = fields.switch(False, VELOCITY)
     bands: bool = fields.switch(False, BANDS)
     every_output: bool = fields.switch(False, EVERY_OUTPUT)
-
-    def __post_init__(self) -> None:
-        fields.check(self)

@@ -48,7 +48,7 @@ FREQUENCIES = ListSpec(
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class CompareSettings:
+class CompareSettings(fields.CheckedModel):
     """What is compared, and how.
 
     Attributes
@@ -71,9 +71,6 @@ class CompareSettings:
     own_maximum: bool = fields.switch(False, OWN_MAXIMUM)
     limbs: str = fields.text("", LIMBS)
     frequencies_hz: tuple[float, ...] = fields.field(FREQUENCIES, (50.0, 100.0, 200.0, 400.0))
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     def chosen(self, limb: str) -> tuple[str, ...]:
         """Return the names of the limbs that are shown while a design is on ``limb``."""

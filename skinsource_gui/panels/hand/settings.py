@@ -10,7 +10,7 @@ HAND = "hand"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class HandSettings:
+class HandSettings(fields.CheckedModel):
     """How the hand is seen.
 
     Attributes
@@ -22,6 +22,3 @@ class HandSettings:
     mirrored: bool = fields.switch(
         False, SwitchSpec(label="Mirror", hint="Palm seen through the hand, as on the map")
     )
-
-    def __post_init__(self) -> None:
-        fields.check(self)

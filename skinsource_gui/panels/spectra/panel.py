@@ -50,7 +50,7 @@ CURSORS = RangeSpec(label="Cursors", unit="Hz")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class SpectraSettings:
+class SpectraSettings(fields.CheckedModel):
     """How spectra are drawn.
 
     Attributes
@@ -77,9 +77,6 @@ class SpectraSettings:
     averaged: bool = fields.switch(False, AVERAGED)
     frequency_range_hz: Range | None = fields.interval(None, FREQUENCY_RANGE)
     cursors: Range | None = fields.interval(None, CURSORS)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
 
 _HOLD, _LOUDEST = (f"{window_s * 1e3:.0f} ms" for window_s in (HOLD_WINDOW_S, LOUDEST_WINDOW_S))

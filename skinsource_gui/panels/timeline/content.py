@@ -548,13 +548,10 @@ GAIN_CURVES = ListSpec(
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class TimelineSettings:
+class TimelineSettings(fields.CheckedModel):
     """Settings of the timeline: ``gain_curves``, ids of the tracks whose gain curve is shown."""
 
     gain_curves: tuple[int, ...] = fields.field(GAIN_CURVES, ())
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
 
 def shown_gain_curves(view: View) -> frozenset[int]:

@@ -48,7 +48,7 @@ CURSORS = RangeSpec(label="Cursors", unit="s")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class TracesSettings:
+class TracesSettings(fields.CheckedModel):
     """How traces are drawn.
 
     Attributes
@@ -67,9 +67,6 @@ class TracesSettings:
     relative: bool = fields.switch(False, RELATIVE)
     fitted: bool = fields.switch(False, FITTED)
     cursors: Range | None = fields.interval(None, CURSORS)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
 
 # Readings distinguish samples at 1300 Hz.
