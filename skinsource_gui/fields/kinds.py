@@ -85,7 +85,7 @@ class _WaveformEngine(QtGui.QIconEngine):
     def scaledPixmap(
         self, size: QSize, mode: QtGui.QIcon.Mode, state: QtGui.QIcon.State, scale: float
     ) -> QtGui.QPixmap:
-        del size, state  # icons have one size, and look the same on and off
+        # Icons have one size, and look the same on and off.
         per_px = min(max(ceil(scale), 1), _SHARPEST)
         return _drawn(_path_of(self._kind), _colour(mode), per_px)
 
@@ -95,7 +95,6 @@ class _WaveformEngine(QtGui.QIconEngine):
         return self.scaledPixmap(size, mode, state, 1.0)
 
     def actualSize(self, size: QSize, mode: QtGui.QIcon.Mode, state: QtGui.QIcon.State) -> QSize:
-        del mode, state
         return PICTURE_PX.boundedTo(size)
 
     def paint(

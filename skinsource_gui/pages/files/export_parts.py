@@ -89,7 +89,6 @@ class ExportPart(QtWidgets.QWidget):
 
     def files(self, path: Path) -> Iterable[tuple[Path, ...]]:
         """Return the files that are written besides ``path``, each with what belongs to it."""
-        del path
         return ()
 
     def writer(self, path: Path) -> Callable[..., Any]:

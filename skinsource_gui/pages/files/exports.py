@@ -88,7 +88,7 @@ def _lacks_outputs(design: Design, view: View) -> str:
 
 
 def _pack(path: Path, design: Design, view: View, *, largest_error: float, **job: Any) -> None:
-    del largest_error  # each table states its own
+    # Each table states its own.
     packing.pack(path, design, view, **job)
 
 
@@ -102,7 +102,7 @@ def _wiring(
     largest_error: float,
     **wired: Any,
 ) -> None:
-    del view, progress, stop, largest_error  # nothing is predicted
+    # Nothing is predicted.
     export_wiring(design, path, **wired)
 
 

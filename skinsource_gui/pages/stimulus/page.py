@@ -387,7 +387,7 @@ class StimulusPart(ExportPart):
 
 def _write(prepared: Any, path: Path, confirmed: bool, *, largest_error: float, **job: Any) -> Path:
     """Write what was shown; return the first of its files."""
-    del largest_error  # drives are sampled, not predicted
+    # Drives are sampled, not predicted.
     return write_prepared(prepared, path, confirmed=confirmed, **job).files[0]
 
 

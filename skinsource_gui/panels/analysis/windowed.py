@@ -179,6 +179,5 @@ class WindowedView(AnalysisView):
         self.strip.show_time(self._view.playhead_s)
 
     def _change(self, name: str, value: object, gesture: int | None) -> None:
-        del gesture
         changed: dict[str, Any] = {name: value}
         self.view_changed.emit(replace(self._view, **changed))

@@ -481,12 +481,10 @@ class Kind:
 
     def beside(self, settings: CompareSettings, design: Design) -> tuple[Beside, ...]:
         """Return the limbs or frequencies at which the design is predicted."""
-        del settings, design
         return ()
 
     def sides(self, design: Design, results: Mapping[str, Any]) -> Sequence[Compared]:
         """Return the sides from results of the design in the window, which hold its ``needs``."""
-        del design, results
         return ()
 
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
@@ -495,12 +493,10 @@ class Kind:
 
     def reference(self, compared: Sequence[Compared], design: Design, view: View) -> int:
         """Return which of them is in the window; the first where none is."""
-        del compared, design, view
         return 0
 
     def hindrance(self, compared: Sequence[Compared], view: View) -> str:
         """Return why nothing can be compared, in a sentence; empty where something can."""
-        del view
         known = [side for side in compared if side.values is not None]
         return COMPARED_SILENT if known and all(is_silent(side) for side in known) else ""
 

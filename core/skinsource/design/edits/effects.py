@@ -542,7 +542,6 @@ def limit_to_band(design: Design, view: View, ids: Iterable[int]) -> Edit | Refu
 @refusing
 def bound_clip(design: Design, view: View, clip_id: int, sample_rate_hz: float) -> Edit | Refusal:
     """Do as `limit_to_band` for one clip; the sample rate does not matter."""
-    del sample_rate_hz
     return limit_to_band(design, view, (clip_id,))
 
 
