@@ -129,7 +129,8 @@ class WaveformPreview(QtWidgets.QWidget):
         self._has_axis = axis
         self._samples: Floats | None = None
         self._sample_rate_hz = self._height = 1.0
-        self._message = ""
+        #: The message in place of a curve, or "".
+        self.message = ""
         self._colour: int | None = None
         self._flipped, self._problem = False, ""
         self._pale = False
@@ -151,11 +152,6 @@ class WaveformPreview(QtWidgets.QWidget):
         return round(_AXIS_PX * letter_scale(self.font()))
 
     @property
-    def message(self) -> str:
-        """The message in place of a curve, or ""."""
-        return self._message
-
-    @property
     def duration_s(self) -> float | None:
         """Duration of the samples, or None."""
         return None if self._samples is None else self._samples.size / self._sample_rate_hz
@@ -165,16 +161,16 @@ class WaveformPreview(QtWidgets.QWidget):
         old = self._samples
         same = old is samples or (old is not None and np.array_equal(old, samples))
         self._samples = samples
-        if same and not self._message and self._sample_rate_hz == sample_rate_hz:
+        if same and not self.message and self._sample_rate_hz == sample_rate_hz:
             return
-        self._sample_rate_hz, self._message = sample_rate_hz, ""
+        self._sample_rate_hz, self.message = sample_rate_hz, ""
         self._height = max(float(np.abs(samples).max(initial=0.0)), 1.0)
         show_tooltip(self, "")
         self.update()
 
     def show_message(self, message: str) -> None:
         """Show a message instead of a curve."""
-        self._samples, self._message = None, message
+        self._samples, self.message = None, message
         self.setToolTip(message)
         self.update()
 
@@ -196,11 +192,11 @@ class WaveformPreview(QtWidgets.QWidget):
 
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         painter = QtGui.QPainter(self)
-        drawn = not self._message and self._samples is not None and self._samples.size > 0
+        drawn = not self.message and self._samples is not None and self._samples.size > 0
         ground = self.palette().window().color()
         if self._has_axis and not drawn:
             painter.fillRect(self.rect(), ground)
-        if self._message:
+        if self.message:
             painter.setPen(QtGui.QColor(current_theme().dim))
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.drawText(self.rect(), flags, self._fitting_message(flags))
@@ -225,7 +221,7 @@ class WaveformPreview(QtWidgets.QWidget):
 
     def _fitting_message(self, flags: int) -> str:
         # The tooltip has the whole message.
-        shown, words_left = self._message, self._message.split(" ")
+        shown, words_left = self.message, self.message.split(" ")
         room, metrics = self.rect(), self.fontMetrics()
         while words_left and metrics.boundingRect(room, flags, shown).height() > room.height():
             words_left.pop()
@@ -351,8 +347,9 @@ class ClipStrip(QtWidgets.QWidget):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self._lanes: tuple[Lane, ...] = ()
-        self._message = ""
+        #: What is shown, and the message in its place, or "".
+        self.lanes: tuple[Lane, ...] = ()
+        self.message = ""
         self._picture = CachedPicture()
         # Outlines of the clips being painted, by samples and size.
         self._outlines: dict[tuple[int, float, float], QtGui.QPainterPath] = {}
@@ -363,63 +360,53 @@ class ClipStrip(QtWidgets.QWidget):
             QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Expanding
         )
 
-    @property
-    def lanes(self) -> tuple[Lane, ...]:
-        """What is shown."""
-        return self._lanes
-
-    @property
-    def message(self) -> str:
-        """The message in place of lanes, or ""."""
-        return self._message
-
     def show_lanes(self, lanes: tuple[Lane, ...]) -> None:
         """Show these tracks."""
-        self._lanes, self._message = lanes, ""
+        self.lanes, self.message = lanes, ""
         self.updateGeometry()
         self.update()
 
     def show_message(self, message: str) -> None:
         """Show a message instead of tracks."""
-        self._lanes, self._message = (), message
+        self.lanes, self.message = (), message
         self.update()
 
     def minimumSizeHint(self) -> QSize:
-        lanes = max(len(self._lanes), 2)
+        lanes = max(len(self.lanes), 2)
         return QSize(300, round(lanes * _LANE_PX[0]) + _STRIP_AXIS_PX + 4)
 
     def sizeHint(self) -> QSize:
-        lanes = max(len(self._lanes), 3)
+        lanes = max(len(self.lanes), 3)
         return QSize(520, round(lanes * _LANE_PX[1]) + _STRIP_AXIS_PX + 4)
 
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         painter = QtGui.QPainter(self)
-        if self._message:
+        if self.message:
             painter.setPen(QtGui.QColor(current_theme().warning))
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-            painter.drawText(self.rect(), flags, self._message)
+            painter.drawText(self.rect(), flags, self.message)
             return
-        if self._lanes:
-            shown = (current_theme(), self._lanes, self.font().toString())
+        if self.lanes:
+            shown = (current_theme(), self.lanes, self.font().toString())
             area = QRectF(self.rect())
             self._picture.paint(
                 painter, area, shown, self._paint_all, self.palette().window().color()
             )
 
     def _paint_all(self, painter: QtGui.QPainter) -> None:
-        start_s = min(clip.start_s for lane in self._lanes for clip in lane.clips)
-        end_s = max(clip.start_s + clip.duration_s for lane in self._lanes for clip in lane.clips)
+        start_s = min(clip.start_s for lane in self.lanes for clip in lane.clips)
+        end_s = max(clip.start_s + clip.duration_s for lane in self.lanes for clip in lane.clips)
         span_s = max(end_s - start_s, 1e-3)
         plot = QRectF(self.rect()).adjusted(_HEAD_PX, 2, -UNIT_PX, -_STRIP_AXIS_PX)
-        height = min(plot.height() / len(self._lanes), _LANE_PX[1])
-        plot.setHeight(height * len(self._lanes))
+        height = min(plot.height() / len(self.lanes), _LANE_PX[1])
+        plot.setHeight(height * len(self.lanes))
         baseline = plot.bottom() + _STRIP_AXIS_PX - 5
         part_s = (start_s, span_s)
         _paint_time_axis(
             painter, plot, self.fontMetrics(), part_s, _STRIP_TICK_SPACING_PX, baseline
         )
         x_of = partial(_x_at, plot, start_s, span_s)
-        for row, lane in enumerate(self._lanes):
+        for row, lane in enumerate(self.lanes):
             area = QRectF(plot.left(), plot.top() + row * height, plot.width(), height)
             colour = current_theme().input_colour(lane.colour)
             self._paint_head(painter, area, lane, colour)

@@ -46,7 +46,7 @@ from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.worker import Worker, fault_text
 
 #: Width of the fields beside a preview, px.
-FIELDS_PX = 300
+_FIELDS_PX = 300
 # Larger files are not written for a preview, and no more of a table is shown.
 _MOST_BYTES, _HEAD_BYTES = 32_000_000, 10_000
 _PREVIEW = "preview"
@@ -105,6 +105,14 @@ class ExportPart(QtWidgets.QWidget):
         self._problem.setVisible(bool(problem))
 
 
+def scrolled_fields(fields: QtWidgets.QWidget, name: str) -> QtWidgets.QScrollArea:
+    """Return the column of fields beside a preview."""
+    area = scrolled(fields, name)
+    area.setFixedWidth(_FIELDS_PX)
+    area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    return area
+
+
 class FilePart(ExportPart):
     """Pictures, films, tables, data and projects.
 
@@ -143,9 +151,7 @@ class FilePart(ExportPart):
         self._room = in_column(self._choice, self._hint, None, margins=0, gap_px=UNIT_PX)
         fields = QtWidgets.QWidget()
         fields.setLayout(self._room)
-        left = scrolled(fields, "export_fields")
-        left.setFixedWidth(FIELDS_PX)
-        left.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        left = scrolled_fields(fields, "export_fields")
         self.image, self.text = PictureView(), QtWidgets.QPlainTextEdit()
         self.image.setAccessibleName("Preview")
         self.text.setReadOnly(True)

@@ -25,7 +25,7 @@ from skinsource.export.formats.format import ChannelOverview
 from skinsource.export.methods import methods_of
 from skinsource.export.stimulus_export.export import write_prepared, written_files
 from skinsource.export.stimulus_export.preparing import PreparedStimulus, prepare_stimulus
-from skinsource_gui.pages.files.export_parts import FIELDS_PX, ExportPart
+from skinsource_gui.pages.files.export_parts import ExportPart, scrolled_fields
 from skinsource_gui.pages.files.exports import STIMULUS
 from skinsource_gui.pages.stimulus.form import Order, StimulusForm, recall, remembered
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled
@@ -45,20 +45,16 @@ class ChannelsView(QtWidgets.QWidget):
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("stimulus_channels")
-        self._channels: tuple[ChannelOverview, ...] = ()
+        #: The channels that are painted.
+        self.channels: tuple[ChannelOverview, ...] = ()
         self._colours: Mapping[int, int] = {}
         self.setSizePolicy(
             QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Fixed
         )
         self.setAccessibleName("Channels as they will be written")
 
-    @property
-    def channels(self) -> tuple[ChannelOverview, ...]:
-        """The channels that are painted."""
-        return self._channels
-
     def sizeHint(self) -> QSize:
-        return QSize(_TEXT_PX + 2 * _LEAST_PX, len(self._channels) * (_ROW_PX + _GAP_PX))
+        return QSize(_TEXT_PX + 2 * _LEAST_PX, len(self.channels) * (_ROW_PX + _GAP_PX))
 
     def minimumSizeHint(self) -> QSize:
         return QSize(_TEXT_PX + _LEAST_PX, self.sizeHint().height())
@@ -67,7 +63,7 @@ class ChannelsView(QtWidgets.QWidget):
         self, channels: tuple[ChannelOverview, ...], colours: Mapping[int, int]
     ) -> None:
         """Paint ``channels``; ``colours`` has the number of the colour of each input."""
-        self._channels, self._colours = channels, colours
+        self.channels, self._colours = channels, colours
         lines = [line for channel in channels for line in channel_lines(channel)]
         self.setAccessibleDescription("; ".join(lines))
         self.updateGeometry()
@@ -75,7 +71,7 @@ class ChannelsView(QtWidgets.QWidget):
 
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         painter = QtGui.QPainter(self)
-        for row, channel in enumerate(self._channels):
+        for row, channel in enumerate(self.channels):
             top = row * (_ROW_PX + _GAP_PX)
             if event.rect().intersects(QRectF(0, top, self.width(), _ROW_PX).toRect()):
                 self._paint_text(painter, channel, top)
@@ -282,9 +278,7 @@ class StimulusPart(ExportPart):
         self._worker.close()
 
     def _lay_out(self) -> None:
-        left = scrolled(self.form, "stimulus_fields")
-        left.setFixedWidth(FIELDS_PX)
-        left.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        left = scrolled_fields(self.form, "stimulus_fields")
         pictures = scrolled(self.channels, "stimulus_scroll")
         pictures.setAccessibleName("Channels; arrow keys scroll")
         columns = in_row(left, (pictures, 1), gap_px=2 * UNIT_PX)

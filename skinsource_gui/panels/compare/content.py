@@ -186,10 +186,7 @@ class CompareContent:
         drawn = [cell for cell in self.cells if cell.small is not None]
         if output is None or not drawn:
             return self.about
-        texts = [cell.value_text(output) for cell in drawn]
-        values = " · ".join(texts)
-        if all(text.endswith(" dB") for text in texts):
-            values = f"{values.replace(' dB', '')} dB"
+        values = " · ".join(cell.value_text(output) for cell in drawn)
         if any(cell.maximum_db is not None for cell in drawn):
             values = f"{values} re each map's maximum"
         return f"{output_text(output, drawn[0].limb)}: {values}"
@@ -398,13 +395,8 @@ def _why_equal(side: Compared, base: Compared) -> str:
 
 def _reached_db(drawn: Sequence[Floats]) -> Range | None:
     """Return the smallest and the largest of all values; None where there is none."""
-    known = [levels for levels in drawn if levels.size]
-    if not known:
-        return None
-    return (
-        min(float(levels.min()) for levels in known),
-        max(float(levels.max()) for levels in known),
-    )
+    values = np.concatenate([np.empty(0), *drawn])
+    return (float(values.min()), float(values.max())) if values.size else None
 
 
 def _levels_db(side: Compared) -> Floats:

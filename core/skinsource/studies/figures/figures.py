@@ -40,6 +40,7 @@ from skinsource.export.tables import windows_table
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.signals.analysis.statistics import BIN_HZ, band_rms
 from skinsource.signals.map_range import MAP_RANGE_DB
+from skinsource.signals.projection import magnitude
 from skinsource.signals.resampling import finer
 from skinsource.signals.sampling import NEAR
 from skinsource.signals.spectra import MEAN_OF_BINS, mean_of_bins
@@ -51,7 +52,6 @@ from skinsource.studies.figures.sheet import (
     field_of,
     frequency_of,
     levels_of_values,
-    magnitudes_at,
     normal_of,
 )
 from skinsource.studies.scenes.opened_scene import Condition, OpenedScene
@@ -477,8 +477,8 @@ def pulse_traces(opened: OpenedScene) -> Drawn:
     height_mm = 9.0 * len(rows)
     sheet = Sheet(opened, height_mm + _FRAMES_MM + 20.0, maps=True)
     instants = _pulse_samples(opened)
-    magnitudes = magnitudes_at(opened.design, instants)
-    levels = [levels_of_values(opened.design, decibels(magnitude)) for magnitude in magnitudes]
+    magnitudes = magnitude(field)[:, instants].T
+    levels = [levels_of_values(opened.design, decibels(each)) for each in magnitudes]
     with style():
         width_mm = WIDTH_MM - _LEFT_MM - _RIGHT_MM
         ax = sheet.axes(_LEFT_MM, _FRAMES_MM + 14.0, width_mm, height_mm)
@@ -493,8 +493,8 @@ def pulse_traces(opened: OpenedScene) -> Drawn:
     shown = field[np.array(outputs) - 1][..., within]
     columns = {"time_s": time_s[within], **_columns_of_axes(outputs, axes, shown)}
     frames = {"output": np.arange(1.0, magnitudes.shape[1] + 1.0)}
-    for instant, magnitude in zip(instants, magnitudes, strict=True):
-        frames[f"{1e3 * time_s[instant]:.3f}_ms_magnitude_m_per_s2"] = magnitude
+    for instant, values in zip(instants, magnitudes, strict=True):
+        frames[f"{1e3 * time_s[instant]:.3f}_ms_magnitude_m_per_s2"] = values
     return Drawn(sheet=sheet, tables={"": columns, "-frames": frames})
 
 
@@ -555,8 +555,8 @@ def axis_spectra(opened: OpenedScene, n_bins: int = 1) -> Drawn:
     for axis in axes:
         view = replace(opened.view, axes=axis)
         spectra = evaluate(opened.design, "selected_spectra", view=view)["selected_spectra"]
-        frequency_hz, magnitude = spectra
-        by_axis.append(mean_of_bins(magnitude, n_bins))
+        frequency_hz, of_axis = spectra
+        by_axis.append(mean_of_bins(of_axis, n_bins))
     low_hz, high_hz = facts_of(opened.design.limb).band_hz or (0.0, np.inf)
     within = (frequency_hz >= low_hz) & (frequency_hz <= high_hz)
     of_outputs = np.stack(by_axis, axis=1)[..., within]
