@@ -25,6 +25,7 @@ from skinsource.studies.scenes.opened_scene import (
     Scene,
     opened_on,
     reason_against,
+    with_designs,
 )
 
 FOLDER, DESCRIPTIONS = "scenes", "scenes.toml"
@@ -163,7 +164,7 @@ def opened_plainly(
     if limb:
         return opened_on(of_file, limb)
     limbs = frozenset(available_limbs() if available is None else available)
-    opened = of_file.with_designs(lambda design: _on_limbs(design, limbs))
+    opened = with_designs(of_file, lambda design: _on_limbs(design, limbs))
     return replace(opened, synthetic=opened.conditions != of_file.conditions)
 
 

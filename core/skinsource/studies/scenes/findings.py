@@ -13,7 +13,7 @@ from skinsource.base.errors import SkinSourceError
 from skinsource.design.design import Design
 from skinsource.engine.evaluation import evaluate
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
-from skinsource.studies.scenes.opened_scene import OpenedScene
+from skinsource.studies.scenes.opened_scene import OpenedScene, with_designs
 
 _HIGH_HZ = 200.0
 
@@ -33,7 +33,7 @@ def told(opened: OpenedScene) -> OpenedScene:
     def changed(design: Design) -> Design:
         return replace(design, notes=design.notes.replace(opened.scene.notes, scene.notes, 1))
 
-    return replace(opened.with_designs(changed), scene=scene)
+    return replace(with_designs(opened, changed), scene=scene)
 
 
 def _at_the_ends(opened: OpenedScene, text: Callable[[Floats, float, int, int], str]) -> str:

@@ -123,16 +123,6 @@ class OpenedScene:
     synthetic: bool
     chosen: str = ""
 
-    def with_designs(self, change: Callable[[Design], Design]) -> "OpenedScene":
-        """Return it with each of its designs changed."""
-        snapshots = (replace(each, design=change(each.design)) for each in self.view.snapshots)
-        return replace(
-            self,
-            design=change(self.design),
-            view=replace(self.view, snapshots=tuple(snapshots)),
-            conditions=tuple(replace(each, design=change(each.design)) for each in self.conditions),
-        )
-
     @property
     def note(self) -> str:
         """Note for its readers; empty where the limbs are those of the paper."""
@@ -142,6 +132,17 @@ class OpenedScene:
             f"{NOT_INSTALLED} This is computed on a SYNTHETIC limb, which need not do what the "
             "sentence says."
         )
+
+
+def with_designs(opened: OpenedScene, change: Callable[[Design], Design]) -> OpenedScene:
+    """Return a scene with each of its designs changed."""
+    snapshots = (replace(each, design=change(each.design)) for each in opened.view.snapshots)
+    return replace(
+        opened,
+        design=change(opened.design),
+        view=replace(opened.view, snapshots=tuple(snapshots)),
+        conditions=tuple(replace(each, design=change(each.design)) for each in opened.conditions),
+    )
 
 
 # Units of the motion of probes, at the end of a label.
@@ -213,14 +214,15 @@ def opened_on(opened: OpenedScene, limb: str) -> OpenedScene:
         )
 
     pairs = zip(opened.conditions, labels, strict=True)
-    return replace(
+    moved = replace(
         opened,
         scene=scene,
         view=_view_on(view, design, facts, places),
         conditions=tuple(replace(condition, label=label) for condition, label in pairs),
         synthetic=facts.synthetic,
         chosen=note,
-    ).with_designs(on_limb)
+    )
+    return with_designs(moved, on_limb)
 
 
 def _places_of(designs: tuple[Design, ...]) -> tuple[int, ...]:
