@@ -72,6 +72,7 @@ class ExportPart(QtWidgets.QWidget):
     def __init__(self, name: str) -> None:
         super().__init__()
         self.setObjectName(f"{name}_part")
+        self._worker = Worker(f"skinsource-{name}", self)
         self._summary = page_label(f"{name}_summary")
         self._problem = page_label(f"{name}_problem", tone="error")
         for label in (self._summary, self._problem):
@@ -97,7 +98,7 @@ class ExportPart(QtWidgets.QWidget):
 
     def close_worker(self) -> None:
         """Stop computing."""
-        raise NotImplementedError
+        self._worker.close()
 
     def _say(self, summary: str, problem: str = "") -> None:
         self._summary.setText(summary)
@@ -140,7 +141,6 @@ class FilePart(ExportPart):
         self._spec = specs[0]
         self._design, self._view = design, view
         self._drawer_of, self._kept, self._wired = drawer_of, picture_options, wired
-        self._worker = Worker("skinsource-preview", self)
         options = tuple((spec.name, spec.title) for spec in specs)
         self._choice = ChoiceField(ChoiceSpec(label="What", options=options))
         self._choice.setObjectName("export_what")
@@ -210,9 +210,6 @@ class FilePart(ExportPart):
                 save_drawing, path, draw, options.width_px, options.height_px, dpi=options.dpi
             )
         return partial(self._write(), path, **self._more())
-
-    def close_worker(self) -> None:
-        self._worker.close()
 
     def _write(self) -> Callable[..., Any]:
         if self._spec.write is None:

@@ -32,7 +32,7 @@ from skinsource_gui.qt.buttons import page_button, page_label, scrolled
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.overlays import PALE, Staleness
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
-from skinsource_gui.state.worker import Worker, fault_text
+from skinsource_gui.state.worker import fault_text
 
 _ROW_PX, _GAP_PX = 58, 6
 _TEXT_PX = 208
@@ -227,7 +227,6 @@ class StimulusPart(ExportPart):
         self._copy.clicked.connect(self._copy_methods)
         self._lay_out()
         self._design, self._view, self._stem = design, view, stem
-        self._worker = Worker("skinsource-stimulus", self)
         self.form.changed.connect(self._order)
         self.form.refused.connect(self._show_refused)
         self._confirm.toggled.connect(self._show_readiness)
@@ -273,9 +272,6 @@ class StimulusPart(ExportPart):
 
     def writer(self, path: Path) -> Callable[..., Any]:
         return partial(_write, self.prepared, path, self._confirm.isChecked())
-
-    def close_worker(self) -> None:
-        self._worker.close()
 
     def _lay_out(self) -> None:
         left = scrolled_fields(self.form, "stimulus_fields")
