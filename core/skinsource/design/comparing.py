@@ -212,17 +212,6 @@ def region_levels_db(rms: ArrayLike) -> dict[str, float]:
     }
 
 
-def mean_and_spread(levels_db: Sequence[float]) -> tuple[float, float]:
-    """Return the mean of levels in dB and their sample standard deviation.
-
-    The deviation of a single level is NaN.
-    """
-    values: Floats = finite_array("levels_db", levels_db)
-    if values.ndim != 1 or not values.size:
-        raise InvalidInputError(f"levels_db has shape {values.shape}, expected (n_people,)")
-    return float(values.mean()), float(values.std(ddof=1)) if values.size > 1 else float("nan")
-
-
 #: Numbers under which the user stores snapshots.
 NUMBERS: tuple[int, ...] = (1, 2, 3, 4)
 #: Number of the edited design that was not stored when another one was shown.

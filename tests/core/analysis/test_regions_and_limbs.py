@@ -8,7 +8,6 @@ import pytest
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.comparing import (
     REGION_OUTPUTS,
-    mean_and_spread,
     mean_and_spread_over,
     region_levels_db,
     related_limbs,
@@ -42,13 +41,6 @@ def test_the_level_of_a_region_is_the_root_of_its_mean_square():
     assert region_levels_db(np.zeros(72))["Digits"] == -200.0
     with pytest.raises(InvalidInputError, match="published limbs"):
         region_levels_db(np.ones(31))
-
-
-def test_the_spread_of_people_is_that_of_a_sample():
-    mean, spread = mean_and_spread([-20.0, -22.0, -27.0])
-    assert mean == pytest.approx(-23.0)
-    assert spread == pytest.approx(np.sqrt((9 + 1 + 16) / 2))
-    assert np.isnan(mean_and_spread([-20.0])[1])
 
 
 def test_beside_a_limb_stand_those_of_its_kind_or_own_ones_with_the_same_outputs(user_data):
