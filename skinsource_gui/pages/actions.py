@@ -185,7 +185,6 @@ class FileDrops(QObject):
         return True
 
     def _leave(self, event: QEvent) -> bool:
-        del event
         for panel in self._panels:
             panel.show_drop(None)
         return True

@@ -58,7 +58,6 @@ class _GroupAxis(Axis):
     labels: tuple[str, ...]
 
     def ticks(self, length_px: float, each_px: float) -> tuple[Tick, ...]:
-        del length_px, each_px
         return tuple(Tick(value=rank + 0.5, label=label) for rank, label in enumerate(self.labels))
 
 
@@ -194,7 +193,6 @@ def check_rows(
         for number, row in enumerate(rows):
 
             def tell(done: int, total: int, text: str, before: int = number) -> None:
-                del total
                 progress(before * _STEPS + done, len(rows) * _STEPS, text)
 
             recorded = (

@@ -3,13 +3,46 @@
 from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
 
-from PySide6 import QtWidgets
-from PySide6.QtCore import Qt
+from PySide6 import QtGui, QtWidgets
+from PySide6.QtCore import QRectF, QSize, Qt
 
 from skinsource.base.quoting import sentence
 from skinsource_gui.qt.buttons import page_button, page_label
 from skinsource_gui.qt.labels import set_table_look
 from skinsource_gui.qt.theme import set_tone
+
+
+class PictureView(QtWidgets.QWidget):
+    """Shows a picture as large as there is room.
+
+    Attributes
+    ----------
+    image
+        The picture.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.image = QtGui.QImage()
+        expanding = QtWidgets.QSizePolicy.Policy.Expanding
+        self.setSizePolicy(expanding, expanding)
+
+    def sizeHint(self) -> QSize:
+        return QSize(360, 480)
+
+    def show_image(self, image: QtGui.QImage) -> None:
+        """Show another picture."""
+        self.image = image
+        self.update()
+
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        if self.image.isNull():
+            return
+        size = self.image.size().scaled(self.size(), Qt.AspectRatioMode.KeepAspectRatio)
+        area = QRectF((self.width() - size.width()) / 2, 0, size.width(), size.height())
+        painter = QtGui.QPainter(self)
+        painter.setRenderHint(QtGui.QPainter.RenderHint.SmoothPixmapTransform)
+        painter.drawImage(area, self.image)
 
 
 class ToolPage(QtWidgets.QDialog):

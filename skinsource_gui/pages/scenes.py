@@ -5,7 +5,7 @@ from html import escape
 
 import numpy as np
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QPoint, QRect, QSize, QSizeF, Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 
 from skinsource.design.labels import limb_label
 from skinsource.limbs.own_limbs import facts_of
@@ -13,7 +13,7 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource.studies.scenes.catalog import all_scenes, opened_plainly, why_not_on
 from skinsource.studies.scenes.opened_scene import Scene
 from skinsource_gui.fields.choice_field import ChoiceField
-from skinsource_gui.pages.page import ToolPage
+from skinsource_gui.pages.page import PictureView, ToolPage
 from skinsource_gui.qt.buttons import scrolled
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.resources import resource_folder
@@ -21,47 +21,8 @@ from skinsource_gui.qt.screen_fit import fit_by_guess
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 from skinsource_gui.state.engine import too_large
 
-_MARGIN_PX = 8
 _LEAST_PX = (360, 220)
 _KEEP = Qt.AspectRatioMode.KeepAspectRatio
-
-
-class ScenePicture(QtWidgets.QLabel):
-    """Shows a picture on its ground, as large as there is room."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self._picture = QtGui.QPixmap()
-        self.setObjectName("scene_picture")
-        self.setMinimumSize(*_LEAST_PX)
-        self.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.setMargin(_MARGIN_PX)
-        self.setBackgroundRole(QtGui.QPalette.ColorRole.Base)
-        self.setAutoFillBackground(True)
-        # The picture fills its room, but the page does not scroll to show it larger.
-        ignored = QtWidgets.QSizePolicy.Policy.Ignored
-        self.setSizePolicy(ignored, ignored)
-
-    def show_picture(self, picture: QtGui.QPixmap, text: str) -> None:
-        """Show another picture; a screen reader reads ``text``."""
-        self._picture = picture
-        self.setAccessibleName(text)
-        self._fit()
-
-    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._fit()
-
-    def _fit(self) -> None:
-        ratio = self.devicePixelRatioF()
-        picture = self._picture.scaled(
-            (QSizeF(self.contentsRect().size()) * ratio).toSize(),
-            _KEEP,
-            Qt.TransformationMode.SmoothTransformation,
-        )
-        picture.setDevicePixelRatio(ratio)
-        self.setPixmap(picture)
-
 
 TITLE = "Scenes"
 _SIZE_PX = (1120, 650)
@@ -122,7 +83,7 @@ class ScenesPage(ToolPage):
         *,
         limb: str = "",
     ) -> None:
-        super().__init__(parent, "scenes_page", TITLE)
+        super().__init__(parent, "scenes_page", TITLE, _SIZE_PX)
         self._limbs, self._scenes = frozenset(limbs), all_scenes()
         own = [name for name in limbs if facts_of(name).own]
         titles = tuple((name, limb_label(name).title) for name in own)
@@ -139,7 +100,8 @@ class ScenesPage(ToolPage):
         self.list.setFixedWidth(_LIST_PX)
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.list.setSpacing(1)
-        self.picture = ScenePicture()
+        self.picture = PictureView()
+        self.picture.setMinimumSize(*_LEAST_PX)
         self.text = SceneText()
         self.buttons = QtWidgets.QDialogButtonBox(
             QtWidgets.QDialogButtonBox.StandardButton.Open
@@ -155,9 +117,6 @@ class ScenesPage(ToolPage):
         self.buttons.rejected.connect(self.reject)
         self._show_limb()
         self.list.setFocus()
-        place = QRect(QPoint(), QSize(*_SIZE_PX))
-        place.moveCenter(parent.window().geometry().center())
-        self.setGeometry(place)
         fit_by_guess(self)
 
     @property
@@ -174,7 +133,9 @@ class ScenesPage(ToolPage):
         for part in (title, self.played_on):
             part.setVisible(self._any_own)
         # What has no room on a small screen scrolls, so that the buttons below stay visible.
-        columns = in_row(left, (_scrolled(about), 1), gap_px=2 * UNIT_PX)
+        area = scrolled(about, "scene_area")
+        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAsNeeded)
+        columns = in_row(left, (area, 1), gap_px=2 * UNIT_PX)
         in_column((columns, 1), self.buttons, of=self)
         button = self.buttons.button(QtWidgets.QDialogButtonBox.StandardButton.Open)
         button.setDefault(True)
@@ -208,7 +169,8 @@ class ScenesPage(ToolPage):
             return
         scene, reason = self.scene, self._reasons[self.scene.name]
         self.buttons.button(QtWidgets.QDialogButtonBox.StandardButton.Open).setEnabled(not reason)
-        self.picture.show_picture(picture_of(scene), scene.title)
+        self.picture.show_image(picture_of(scene).toImage())
+        self.picture.setAccessibleName(scene.title)
         lines = [
             f"<b>{escape(scene.heading)}</b>",
             escape(scene.notes.partition("\n")[0]),
@@ -237,13 +199,6 @@ class ScenesPage(ToolPage):
         # The page closes first: the question about unsaved work appears in front of the window.
         self.accept()
         self.chosen.emit(name, self.played_on.value)
-
-
-def _scrolled(inside: QtWidgets.QWidget) -> QtWidgets.QScrollArea:
-    """Return an area without a frame that scrolls both ways."""
-    area = scrolled(inside, "scene_area")
-    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAsNeeded)
-    return area
 
 
 def picture_of(scene: Scene) -> QtGui.QPixmap:

@@ -336,7 +336,6 @@ class Figure(QtWidgets.QWidget):
 
     def read(self, at: QPointF) -> str:
         """Return what the cursor reads at a place; "" for nothing."""
-        del at
         return ""
 
     def keys_area(self) -> QRectF:

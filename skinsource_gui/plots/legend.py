@@ -226,18 +226,14 @@ class LegendStrip(QtWidgets.QWidget):
         self.setObjectName("legend")
         self.setAccessibleName("Curves and readings")
         self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Fixed)
-        self._text = LegendText()
+        #: The content.
+        self.text = LegendText()
         self._n_lines = 1
-
-    @property
-    def text(self) -> LegendText:
-        """The content."""
-        return self._text
 
     def say(self, text: LegendText) -> None:
         """Show ``text``."""
-        if text != self._text:
-            self._text = text
+        if text != self.text:
+            self.text = text
             self.setAccessibleDescription(text.lines())
             self._make_room()
             self.update()
@@ -259,12 +255,12 @@ class LegendStrip(QtWidgets.QWidget):
 
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.ToolTip and isinstance(event, QtGui.QHelpEvent):
-            QtWidgets.QToolTip.showText(event.globalPos(), self._text.lines(), self)
+            QtWidgets.QToolTip.showText(event.globalPos(), self.text.lines(), self)
             return True
         return super().event(event)
 
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
-        if not self._text.names:
+        if not self.text.names:
             return
         painter, layout = QtGui.QPainter(self), self.text_layout
         painter.setFont(self.text_font)
@@ -276,21 +272,21 @@ class LegendStrip(QtWidgets.QWidget):
             painter.resetTransform()
             painter.translate(0, line * advance)
             end = self._paint_entry(painter, QRect(x, 0, 0, row_px), rank, detail)
-        hidden = len(self._text.names) - len(places)
+        hidden = len(self.text.names) - len(places)
         if hidden:
             self._write(painter, QRect(end, 0, 0, row_px), f"+{hidden}", current_theme().dim)
         painter.resetTransform()
-        if self._text.where:
+        if self.text.where:
             painter.setPen(QtGui.QColor(current_theme().text))
             room = QRect(0, last * advance, self.width() - UNIT_PX // 2, row_px)
-            painter.drawText(room, _AT_RIGHT, layout.where(self._text.where, detail))
+            painter.drawText(room, _AT_RIGHT, layout.where(self.text.where, detail))
         painter.end()
 
     @property
     def text_layout(self) -> LegendLayout:
         """The layout for the present size."""
         metrics = QtGui.QFontMetrics(self.text_font)
-        return LegendLayout(self._text, metrics, self.width())
+        return LegendLayout(self.text, metrics, self.width())
 
     @property
     def _line_px(self) -> int:
@@ -304,7 +300,7 @@ class LegendStrip(QtWidgets.QWidget):
 
     def _paint_entry(self, painter: QtGui.QPainter, place: QRect, rank: int, detail: Detail) -> int:
         """Paint an entry at the left end of ``place``; return where the next one begins."""
-        text, theme, metrics = self._text, current_theme(), painter.fontMetrics()
+        text, theme, metrics = self.text, current_theme(), painter.fontMetrics()
         name, x = text.names[rank], place.x()
         end = x + self.text_layout.entry_px(rank, detail)
         by_axis = text.by_axis

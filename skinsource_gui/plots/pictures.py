@@ -1,4 +1,4 @@
-"""Pictures for print and for slides: their sizes, files, captions, and the dialog that asks.
+"""Pictures for print and for slides: their sizes, files, captions, and the form that asks.
 
 A picture is drawn by a function, so that a page keeps lines and letters.  Its file is written whole
 or not at all.
@@ -47,9 +47,7 @@ from skinsource.studies import scenes
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.inputs import duration_text, full_label
 from skinsource_gui.fields.units import minus
-from skinsource_gui.qt.buttons import page_label
-from skinsource_gui.qt.layouts import in_column
-from skinsource_gui.qt.theme import LIGHT, THEMES, Theme, on_paper, set_tone, theme_label
+from skinsource_gui.qt.theme import LIGHT, THEMES, Theme, on_paper, theme_label
 
 #: Pixels in an inch of a page or a drawing, as in CSS.
 PER_INCH = 96
@@ -687,46 +685,8 @@ class PictureForm(QtWidgets.QWidget):
             self._form.setRowVisible(cell, name not in self.options.unused)
 
 
-class PictureDialog(QtWidgets.QDialog):
-    """Asks for the options of the picture of a plot; ``about`` goes to its `PictureForm`."""
-
-    def __init__(
-        self, options: PictureOptions, parent: QtWidgets.QWidget | None = None, **about: Any
-    ) -> None:
-        super().__init__(parent)
-        self.setWindowTitle("Picture")
-        self.form, self.remark_label = PictureForm(options, **about), page_label("picture_remark")
-        buttons = QtWidgets.QDialogButtonBox(QtWidgets.QDialogButtonBox.StandardButton.Cancel)
-        self._save = buttons.addButton("Save as…", QtWidgets.QDialogButtonBox.ButtonRole.AcceptRole)
-        self._save.setDefault(True)
-        buttons.accepted.connect(self.accept)
-        buttons.rejected.connect(self.reject)
-        in_column(self.form, self.remark_label, None, buttons, of=self)
-        self.form.changed.connect(self._show_remark)
-        self._show_remark()
-
-    def _show_remark(self) -> None:
-        remark = self.form.remark
-        set_tone(self.remark_label, "error" if remark.refuses else "")
-        self.remark_label.setText(remark.text)
-        self._save.setEnabled(not remark.refuses)
-
-
 def _specs(options: PictureOptions) -> dict[str, Spec]:
     """Return the specifications of all fields: content first, size last."""
     usual, every = specs_of(PictureOptions), specs_of(options)
     names = [*(name for name in every if name not in usual), *usual]
     return {name: every[name] for name in names}
-
-
-def ask_picture_options(
-    parent: QtWidgets.QWidget, options: PictureOptions, **about: Any
-) -> PictureOptions | None:
-    """Let the user change ``options``; return None if the dialog is cancelled.
-
-    ``about`` are the other arguments of `PictureForm`.
-    """
-    dialog = PictureDialog(options, parent, **about)
-    accepted = dialog.exec() == QtWidgets.QDialog.DialogCode.Accepted
-    dialog.deleteLater()
-    return dialog.form.options if accepted else None

@@ -129,6 +129,7 @@ class WaveformPreview(QtWidgets.QWidget):
         self._has_axis = axis
         self._samples: Floats | None = None
         self._sample_rate_hz = self._height = 1.0
+        #: The message in place of a curve, or "".
         self.message = ""
         self._colour: int | None = None
         self._flipped, self._problem = False, ""
@@ -346,6 +347,7 @@ class ClipStrip(QtWidgets.QWidget):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
+        #: What is shown, and the message in its place, or "".
         self.lanes: tuple[Lane, ...] = ()
         self.message = ""
         self._picture = CachedPicture()

@@ -30,8 +30,7 @@ from skinsource.export.tables import CsvTable
 from skinsource_gui.plots.curves import Curves, PlotTexts
 from skinsource_gui.plots.legend import PEAK, LegendStrip, LegendText, along_axes
 from skinsource_gui.plots.pictures import (
-    PictureOptions,
-    ask_picture_options,
+    Draw,
     caption_px,
     drawn_image,
     lines_of,
@@ -239,35 +238,18 @@ class SignalExports(QObject):
         self.caption: Callable[[], str] = str
         self.lines: Callable[[], Sequence[str]] = tuple
         self.as_stored: Callable[[], AbstractContextManager[None]] = nullcontext
-        self._options: PictureOptions | None = None
 
     def copy_picture(self) -> None:
         """Put a picture on the clipboard."""
-        size, draw = usual_size(self._plot), partial(draw_signals, plot=self._plot)
-        caption = self.caption()
-        height = size.height() + caption_px(caption, size.width(), size.height())
         with self.as_stored():
-            picture = drawn_image(with_caption(draw, caption), size.width(), height)
+            picture = drawn_image(*self._picture())
         QtWidgets.QApplication.clipboard().setImage(picture)
 
     def save_picture(self) -> None:
-        """Ask for size, colours and a file, and write a picture to it."""
-        size = usual_size(self._plot)
-        usual = PictureOptions(width_px=size.width(), height_px=size.height())
-        caption = self.caption()
-        page = {"shape": (size.width(), size.height()), "below": partial(caption_px, caption)}
-        options = ask_picture_options(self._parent, self._options or usual, **page)
-        if options is None:
-            return
-        path = self._ask("Save picture", f"{self._plot.objectName()}{options.kind}", _PICTURES)
-        if path is None:
-            return
-        # Unless the user changed the size, the next picture follows the plot.
-        self._options = None if replace(options, colours=usual.colours) == usual else options
-        draw = with_caption(partial(draw_signals, plot=self._plot), caption)
-        draw = partial(draw, theme=options.theme)
-        width, height = options.width_px, options.height_px
-        self._write(path, partial(save_drawing, path, draw, width, height, title=self._title))
+        """Ask for a file, and write a picture of the usual size to it."""
+        path = self._ask("Save picture", f"{self._plot.objectName()}.png", _PICTURES)
+        if path is not None:
+            self._write(path, partial(save_drawing, path, *self._picture(), title=self._title))
 
     def save_data(self) -> None:
         """Ask for a file, and write the curves to it as a table."""
@@ -275,6 +257,13 @@ class SignalExports(QObject):
         if path is not None:
             lines = self.lines()
             self._write(path, partial(save_table, path, self._plot, self._title, lines))
+
+    def _picture(self) -> tuple[Draw, int, int]:
+        """Return how a picture is drawn, and its width and height."""
+        size, caption = usual_size(self._plot), self.caption()
+        height = size.height() + caption_px(caption, size.width(), size.height())
+        draw = with_caption(partial(draw_signals, plot=self._plot), caption)
+        return draw, size.width(), height
 
     def _ask(self, title: str, name: str, kinds: str) -> Path | None:
         chosen, kind = QtWidgets.QFileDialog.getSaveFileName(
@@ -337,6 +326,8 @@ class SignalView(QtWidgets.QWidget):
         )
         in_column(self.toolbar, self.legend, (self.plot, 1), of=self, margins=0, gap_px=0)
         self.exports = SignalExports(self.plot, accessible_name, self)
+        #: A panel of the window has the export dialog ask for more.
+        self.save_picture: Callable[[], None] = self.exports.save_picture
         self._in_menu: list[QtWidgets.QToolButton] = []
         self._staleness = lateness or Staleness(self)
         self._staleness.changed.connect(self._mark_stale)
@@ -438,7 +429,7 @@ class SignalView(QtWidgets.QWidget):
         for text, export in (
             *((text, self._copy_measured) for text in measured),
             ("Copy picture", self.exports.copy_picture),
-            ("Save picture as…", self.exports.save_picture),
+            ("Save picture as…", self.save_picture),
             ("Export data…", self.exports.save_data),
         ):
             action = menu.addAction(text)

@@ -188,25 +188,22 @@ class SmallMap:
         return map_range_db(() if self.levels_db is None else self.levels_db)
 
 
-class SmallMaps:
-    """Makes small maps of results."""
+def small_map_of(results: Mapping[str, Any]) -> SmallMap:
+    """Return the map of ``results``; only ``limb_map`` is required.
 
-    def map_of(self, results: Mapping[str, Any]) -> SmallMap:
-        """Return the map of ``results``; only ``limb_map`` is required.
-
-        Parameters
-        ----------
-        results
-            Quantities by name, such as ``output_levels_db``, ``surface`` and
-            ``surface_levels_db`` with ``limb_data``.
-        """
-        surface = results.get("surface")
-        levels = results.get("surface_levels_db")
-        plain = SmallMap(limb_map=results["limb_map"], levels_db=results.get("output_levels_db"))
-        if surface is None or levels is None or "limb_data" not in results:
-            return plain
-        field = field_image(surface, results["limb_data"])
-        return replace(plain, field=field, field_levels_db=levels)
+    Parameters
+    ----------
+    results
+        Quantities by name, such as ``output_levels_db``, ``surface`` and
+        ``surface_levels_db`` with ``limb_data``.
+    """
+    surface = results.get("surface")
+    levels = results.get("surface_levels_db")
+    plain = SmallMap(limb_map=results["limb_map"], levels_db=results.get("output_levels_db"))
+    if surface is None or levels is None or "limb_data" not in results:
+        return plain
+    field = field_image(surface, results["limb_data"])
+    return replace(plain, field=field, field_levels_db=levels)
 
 
 @lru_cache(maxsize=8)

@@ -326,11 +326,6 @@ class FoldingRow(QtWidgets.QWidget):
         self.setMinimumHeight(self._grid.minimumSize().height())
         self.updateGeometry()
 
-    def px_of(self, columns: int) -> int:
-        """Return the width for ``columns`` widgets in a row, or for all if there are fewer."""
-        count = min(sum(not widget.isHidden() for widget in self._widgets), columns)
-        return count * (self._widest_px + self._spacing_px) - self._spacing_px
-
     @property
     def _widest_px(self) -> int:
         return max((widget.minimumSizeHint().width() for widget in self._widgets), default=0)

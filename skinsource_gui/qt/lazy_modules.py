@@ -49,5 +49,4 @@ def leave_sources_unread() -> bool:
 
 
 def _uses_default_spelling(module: ModuleType) -> bool:
-    del module
     return True

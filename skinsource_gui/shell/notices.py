@@ -137,7 +137,6 @@ class Notice(QObject):
         return super().eventFilter(watched, event)
 
     def _fit(self, event: QEvent) -> None:
-        del event
         if self.text:
             self._place()
 

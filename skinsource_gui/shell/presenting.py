@@ -3,6 +3,7 @@
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
@@ -10,18 +11,19 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from shiboken6 import isValid
 
-from skinsource.base.errors import SkinSourceError
+from skinsource.base.errors import DesignFileError, SkinSourceError
 from skinsource.design.design import Design
 from skinsource.design.design_file import SUFFIX, open_design
 from skinsource.design.panel_settings import STAGE
 from skinsource.design.show_file import ShowEntry, UnreadEntry, open_show
+from skinsource.design.view import View
 from skinsource.studies import scenes
 from skinsource_gui import pages
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.plots.small_map import with_colours_of
 from skinsource_gui.qt.keys import KEYS, key_text, meaning_of, shortcut_text
 from skinsource_gui.qt.layouts import in_column
-from skinsource_gui.qt.theme import UNIT_PX
+from skinsource_gui.qt.theme import UNIT_PX, scaled
 from skinsource_gui.shell.focus import KeyboardFilter
 from skinsource_gui.shell.workspaces import Workspaces
 from skinsource_gui.state.document import Document
@@ -44,9 +46,6 @@ class NotesWindow(QtWidgets.QWidget):
         What is presented in: keys pressed here are meant for it.
     """
 
-    #: It was closed by hand.
-    closed = Signal()
-
     def __init__(self, window: QtWidgets.QWidget) -> None:
         super().__init__(window, Qt.WindowType.Window)
         self.setObjectName("notes_window")
@@ -54,8 +53,7 @@ class NotesWindow(QtWidgets.QWidget):
         self.heading, self.next = QtWidgets.QLabel(self), QtWidgets.QLabel(self)
         self.notes = QtWidgets.QTextBrowser(self)
         self.notes.setOpenExternalLinks(True)
-        large = QtGui.QFont(self.font())
-        large.setPointSizeF(self.font().pointSizeF() * _LARGE)
+        large = scaled(self.font(), _LARGE)
         for part in (self.heading, self.notes, self.next):
             part.setFont(large)
         self.heading.setWordWrap(True)
@@ -80,10 +78,6 @@ class NotesWindow(QtWidgets.QWidget):
         if others:
             self.move(others[0].availableGeometry().center() - self.rect().center())
         self.show()
-
-    def closeEvent(self, event: QtGui.QCloseEvent) -> None:
-        super().closeEvent(event)
-        self.closed.emit()
 
 
 _OVERRIDE, _PRESSED = QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress
@@ -115,6 +109,9 @@ class PresentingKeys(KeyboardFilter):
         self.follow(False)
         self.deleteLater()
 
+    def wanted(self, focused: QtWidgets.QWidget | None) -> QtWidgets.QWidget | None:
+        return focused or QtWidgets.QApplication.activeWindow()
+
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() not in (_OVERRIDE, _PRESSED) or not isinstance(event, QtGui.QKeyEvent):
             return super().eventFilter(watched, event)
@@ -139,22 +136,42 @@ def _belongs_to_presenter(watched: QObject, meaning: str) -> bool:
     if meaning in ("next", "previous"):
         return True
     # A number counts as a text only while it is typed.
-    typing = isinstance(watched, _TEXTS) and getattr(watched, "editing", True)
+    typing = (
+        isinstance(watched, _TEXTS)
+        and not watched.isReadOnly()
+        and getattr(watched, "editing", True)
+    )
     return not typing and not QtWidgets.QApplication.mouseButtons()
 
 
-#: One scene of a list: the file of a design, an entry of a show, or the name of a scene of the
-#: paper.
-Step = Path | ShowEntry | UnreadEntry | str
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One scene of a list.
+
+    Attributes
+    ----------
+    title
+        What it is called before it is opened.
+    opened
+        Returns design and view.
+    """
+
+    title: str
+    opened: Callable[[], tuple[Design, View]]
 
 
 def steps_of_folder(folder: Path) -> tuple[Step, ...]:
     """Return the designs of a folder in the natural order of their names: 1, 2, 10."""
+
+    def opened(path: Path) -> tuple[Design, View]:
+        content = open_design(path)
+        return content.design, content.view
+
     try:
         paths = [path for path in folder.iterdir() if path.suffix == SUFFIX]
     except OSError:
         return ()
-    return tuple(sorted(paths, key=_natural))
+    return tuple(Step(path.stem, partial(opened, path)) for path in sorted(paths, key=_natural))
 
 
 def _natural(path: Path) -> list[tuple[int, str]]:
@@ -162,18 +179,18 @@ def _natural(path: Path) -> list[tuple[int, str]]:
     return [(int(part), "") if part.isdecimal() else (-1, part) for part in parts]
 
 
-def steps_of_paper() -> tuple[Step, ...]:
-    """Return the scenes of the paper, in the order of the figures."""
-    return tuple(scene.name for scene in scenes.all_scenes())
+def steps_of_show(entries: Sequence[ShowEntry | UnreadEntry]) -> tuple[Step, ...]:
+    """Return the designs of a show; one that cannot be read says why when it is opened."""
 
+    def opened(entry: ShowEntry | UnreadEntry) -> tuple[Design, View]:
+        if isinstance(entry, UnreadEntry):
+            raise DesignFileError(entry.problem)
+        return entry.presented
 
-def step_title(step: Step) -> str:
-    """Return what a scene of a list is called before it is opened."""
-    if isinstance(step, UnreadEntry):
-        return "An entry that cannot be read"
-    if isinstance(step, ShowEntry):
-        return step.title
-    return step.stem if isinstance(step, Path) else scenes.scene(step).heading
+    return tuple(
+        Step(getattr(entry, "title", "An entry that cannot be read"), partial(opened, entry))
+        for entry in entries
+    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -255,13 +272,13 @@ class Presenter(QObject):
         panels.each(lambda panel: panel.show_covered(self.covered))
         self._focused: QtWidgets.QWidget | None = None
         self._steps: tuple[Step, ...] = ()
+        self._entries: tuple[ShowEntry | UnreadEntry, ...] = ()
         self._at = -1
         # The scene that is open, as it was when it was presented: what is turned in it meanwhile is
         # not kept.  None: there is work in it that is asked about.
         self._unchanged: WholeScene | None = None
         self._opening = False
         self._notes: NotesWindow | None = None
-        self._keys: list[QtGui.QShortcut] = []
         self._presenting_keys: PresentingKeys | None = None
         document.jumped.connect(self._look)
 
@@ -284,9 +301,6 @@ class Presenter(QObject):
         # Keys of menus that are away would be dead; here Space moves no actuator.
         window.addActions([each for name, each in self._actions().items() if name != "play"])
         window.setWindowState(window.windowState() | Qt.WindowState.WindowFullScreen)
-        for keyboard in (window, self._notes):
-            if keyboard is not None:
-                self._listen(keyboard)
         self._presenting_keys = PresentingKeys(self._handlers(), self)
         self._made[STAGE].setFocus()
         following = KEYS["presenting"].gestures["next"].shown
@@ -300,10 +314,6 @@ class Presenter(QObject):
         self.presenting, self._unchanged = False, None
         for action in self._actions().values():
             window.removeAction(action)
-        for key in self._keys:
-            key.setEnabled(False)
-            key.deleteLater()
-        self._keys.clear()
         if self._presenting_keys is not None:
             self._presenting_keys.end()
             self._presenting_keys = None
@@ -341,14 +351,13 @@ class Presenter(QObject):
     def open_show(self, entries: Sequence[ShowEntry | UnreadEntry], at: int = 0) -> None:
         """Put one of some designs on the stage; the others come before and after it."""
         if entries and (self._unchanged is not None or self._files.may_lose_changes()):
-            self._steps = tuple(entries)
+            self._entries, self._steps = tuple(entries), steps_of_show(entries)
             self._open(at)
 
     def make_show(self) -> "ShowPage":
         """Open the page on which the show that is open, or a new one, is changed."""
-        known = [step for step in self._steps if isinstance(step, (ShowEntry, UnreadEntry))]
-        path = self._show_path if known else None
-        page = pages.ShowPage(self._document, self._preferences, self._window, path, known)
+        path, entries = self._show_path if self._entries else None, self._entries
+        page = pages.ShowPage(self._document, self._preferences, self._window, path, entries)
         page.presented.connect(self.open_show)
         page.saved.connect(self._note_saved)
         page.show()
@@ -364,7 +373,7 @@ class Presenter(QObject):
 
     def note_scene(self, name: str) -> None:
         """A scene of the paper was opened elsewhere: the next one comes after it."""
-        self._steps = steps_of_paper()
+        self._steps, self._entries = self._steps_of_paper(), ()
         self._at = [scene.name for scene in scenes.all_scenes()].index(name)
 
     def show_notes(self) -> None:
@@ -372,8 +381,6 @@ class Presenter(QObject):
         if self._notes is None:
             self._notes = NotesWindow(self._window)
             self._notes.addAction(self._actions()["present"])
-            if self.presenting:
-                self._listen(self._notes)
         self._show_notes()
         self._notes.show_beside(self._window)
 
@@ -395,18 +402,13 @@ class Presenter(QObject):
             "levels": stage.show_levels,
         }
 
-    def _listen(self, widget: QtWidgets.QWidget) -> None:
-        for name, do in self._handlers().items():
-            for text in KEYS["presenting"].gestures[name].keys:
-                key = QtGui.QShortcut(QtGui.QKeySequence(text), widget)
-                key.activated.connect(do)
-                self._keys.append(key)
-
     def _go(self, by: int) -> None:
         if not self._steps:
             path = self._document.path
-            self._steps = (() if path is None else steps_of_folder(path.parent)) or steps_of_paper()
-            stems = [step_title(step) for step in self._steps]
+            self._steps = (
+                () if path is None else steps_of_folder(path.parent)
+            ) or self._steps_of_paper()
+            stems = [step.title for step in self._steps]
             here = "" if path is None else path.stem
             self._at = stems.index(here) if here in stems else -1
         target = self._at + by
@@ -417,28 +419,28 @@ class Presenter(QObject):
         if self._unchanged is not None or self._files.may_lose_changes():
             self._open(target)
 
+    def _steps_of_paper(self) -> tuple[Step, ...]:
+        """Return the scenes of the paper, in the order of the figures."""
+
+        def opened(name: str) -> tuple[Design, View]:
+            scene = scenes.open_scene(name)
+            # Colours chosen in front of an audience stay.
+            return scene.design, with_colours_of(scene.view, self._document.view)
+
+        return tuple(
+            Step(scene.heading, partial(opened, scene.name)) for scene in scenes.all_scenes()
+        )
+
     def _open(self, number: int) -> None:
         step = self._steps[number]
         # One that does not open is passed by with the next key.
         self._at = number
         try:
-            if isinstance(step, UnreadEntry):
-                self.failed.emit(f"Scene {number + 1}: {step.problem}")
-                return
-            if isinstance(step, ShowEntry):
-                design, view = step.presented
-            elif isinstance(step, Path):
-                content = open_design(step)
-                design, view = content.design, content.view
-            else:
-                opened = scenes.open_scene(step)
-                # Colours chosen in front of an audience stay.
-                view = with_colours_of(opened.view, self._document.view)
-                design = opened.design
+            design, view = step.opened()
         except SkinSourceError as error:
-            self.failed.emit(str(error))
+            self.failed.emit(f"Scene {number + 1}: {error}")
             return
-        title = (scenes.title_of(design) if design.title else "") or step_title(step)
+        title = (scenes.title_of(design) if design.title else "") or step.title
         left = "" if self._unchanged is None else self._unchanged.left(self._document)
         self._opening = True
         self._document.start_over(design, view, None, scene=title)
@@ -452,13 +454,13 @@ class Presenter(QObject):
     def _look(self) -> None:
         # With another design the history is empty; with a step of it, it is not.
         if not self._opening and self._document.undo_stack.count() == 0:
-            self._unchanged, self._steps, self._at = None, (), -1
+            self._unchanged, self._steps, self._entries, self._at = None, (), (), -1
 
     def _show_notes(self) -> None:
         if self._notes is None:
             return
         design, following = self._document.design, self._at + 1
-        titles = [step_title(step) for step in self._steps]
+        titles = [step.title for step in self._steps]
         heading = titles[self._at] if 0 <= self._at < len(titles) else design.title or "Notes"
         after = titles[following] if 0 < following < len(titles) else ""
         self._notes.show_scene(heading, design.notes, after)

@@ -203,7 +203,6 @@ class Engine(QObject):
         return self._superseded.is_set() and perf_counter() - self._started_s > _ABANDONED_AFTER_S
 
     def _receive(self, outcome: Outcome | None, stopped: Exception | None) -> None:
-        del stopped
         ended, self._running, self._future = self._running, None, None
         if outcome is None and ended is not None:
             # Abandoned: it waits again, unless a newer request has its place.

@@ -142,7 +142,6 @@ class Panel(ShowsStaleness):
 
     def showing(self, view: str) -> AbstractContextManager[None]:
         """Return a context in which it shows one of its views, if it has some; "": as it is."""
-        del view
         return nullcontext()
 
     def show_snapshots(self, compared: Sequence[Compared]) -> None:
@@ -191,7 +190,6 @@ class Panel(ShowsStaleness):
 
     def drop_place(self, at: QPoint) -> DropPlace | None:
         """Return where something that is dropped at ``at`` goes; None: nowhere in particular."""
-        del at
         return None
 
     def show_drop(self, at: QPoint | None) -> None:
@@ -269,7 +267,6 @@ class OutputsPanel(Panel):
 
 def _nowhere(at: QPoint | None) -> None:
     """Return None: without a window there is no other panel."""
-    del at
 
 
 @dataclass(frozen=True, slots=True)

@@ -81,10 +81,9 @@ def test_a_gain_of_one_changes_nothing_and_too_large_ones_are_refused():
         loudest_db([])
 
 
-@given(mine=levels, theirs=levels, gain=st.floats(0.01, 100.0))
-def test_differences_turn_their_sign_when_designs_change_places(mine, theirs, gain):
-    there = difference_db(mine, theirs, gain=gain)
-    back = difference_db(theirs + 20 * np.log10(gain), mine)
+@given(mine=levels, theirs=levels)
+def test_differences_turn_their_sign_when_designs_change_places(mine, theirs):
+    there, back = difference_db(mine, theirs), difference_db(theirs, mine)
     np.testing.assert_allclose(there, -back, rtol=0, atol=1e-9)
     assert np.abs(there).max() <= 60.0 + 1e-9
 
@@ -94,10 +93,6 @@ def test_what_lies_far_below_the_loudest_makes_no_difference():
     theirs = np.array([-6.0, -20.0, -70.0, -50.0, np.nan])
     expected = [6.0, -10.0, 0.0, -10.0, np.nan]
     np.testing.assert_array_equal(difference_db(mine, theirs), expected)
-    # A tenth as loud: 6 dB below becomes 26.
-    difference = difference_db(mine, theirs, gain=0.1)
-    np.testing.assert_allclose(difference, [26.0, 10.0, 0.0, 0.0, np.nan], atol=1e-12)
-    np.testing.assert_allclose(difference_db(mine, theirs, loudest_db=-40.0)[2], -30.0)
 
 
 def test_a_snapshot_takes_the_place_of_the_one_with_its_number_and_stands_last():

@@ -2,7 +2,6 @@ import os
 import threading
 from dataclasses import replace
 
-import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -71,21 +70,6 @@ def gate(write_with):
 
 def part(window, kind, name):
     return window.findChild(kind, name)
-
-
-def test_traces_levels_and_field_hold_the_present_design(window, wait, answers, tmp_path):
-    for name in ("traces.csv", "levels.csv", "field.npz"):
-        answers["save"] = str(tmp_path / name)
-        export(window, name.split(".")[0])
-    wait()
-    lines = (tmp_path / "traces.csv").read_text(encoding="utf-8").splitlines()
-    assert any("SYNTHETIC" in line for line in lines)
-    assert "time_s,output_29_m_per_s2,output_52_m_per_s2" in lines
-    assert len((tmp_path / "levels.csv").read_text().splitlines()) > 72
-    with np.load(tmp_path / "field.npz", allow_pickle=False) as archive:
-        assert archive["acceleration_m_per_s2"].shape[:2] == (72, 3)
-    assert "field.npz" in window.statusBar().currentMessage()
-    assert window.preferences.folder == tmp_path
 
 
 def test_a_preview_begins_as_the_file_and_lists_what_an_archive_holds(

@@ -1,18 +1,15 @@
-"""Films of the skin map, and packs of all that belongs to a design, from the window."""
+"""Films of the skin map, from the window."""
 
 import sys
-import zipfile
-from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtWidgets import QFileDialog, QLabel
 
-from skinsource.actuators.rigs import Rig, RigChannel, save_rig
 from skinsource_gui.panels.skin.film import FilmOptions
-from tests.gui.exporting import export, press, shown
+from tests.gui.exporting import press, shown
 
 
-def test_a_film_asks_for_its_size_and_a_pack_takes_the_rig_of_the_design(
+def test_a_film_asks_for_its_size_and_begins_with_it_the_next_time(
     window, qtbot, monkeypatch, write_with, tmp_path
 ):
     given, suggested, answers = [], [], {}
@@ -48,18 +45,6 @@ def test_a_film_asks_for_its_size_and_a_pack_takes_the_rig_of_the_design(
     assert (part.form.options.width_px, part.form.options.height_px) == (640, 480)
     window.exports.end()
     assert len(given) == 1
-    path = tmp_path / "two.skinrig"
-    rig = Rig(channels=(RigChannel(place=1), RigChannel(place=7, output=2)))
-    save_rig(path, rig)
-    design = window.document.design
-    wired = tuple(replace(track, location=7) for track in design.inputs)
-    window.document.edit("Wire", replace(design, inputs=wired, rig=rig))
-    answers["save"] = str(tmp_path / "all.zip")
-    export(window, "pack")
-    wait()
-    with zipfile.ZipFile(tmp_path / "all.zip") as archive:
-        assert archive.read("rig.skinrig") == path.read_bytes()
-        assert {"figure.svg", "figure.pdf"} <= set(archive.namelist())
 
 
 def test_a_film_that_cannot_be_written_says_so_before_anything_is_asked(window, monkeypatch):

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skinsource.base.arguments import finite_array, positive_number, real_array
+from skinsource.base.arguments import finite_array, real_array
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import FLOOR_DB, decibels
 from skinsource.base.errors import InvalidInputError
@@ -68,34 +68,19 @@ def match_text(gain: float) -> str:
     return f"{text}, matched" if text else ""
 
 
-def difference_db(
-    levels_db: Floats,
-    other_db: Floats,
-    *,
-    gain: float = 1.0,
-    loudest_db: float | None = None,
-    depth_db: float = DEPTH_DB,
-) -> Floats:
+def difference_db(levels_db: Floats, other_db: Floats) -> Floats:
     """Return how much louder one design is than another, in dB, of the same shape.
 
     Parameters
     ----------
     levels_db, other_db
         Levels at the same places, any shape; NaN outside an outline stays NaN.
-    gain
-        Factor with which the other one is played.
-    loudest_db
-        The loudest level of both; by default the largest of these.
-    depth_db
-        Levels farther below the loudest are raised to this depth, so that silence does not give
-        differences of 200 dB.
+
+    Levels farther than 60 dB below the loudest are raised to this depth, so that silence does not
+    give differences of 200 dB.
     """
-    positive_number("gain", gain)
-    played = other_db + 20.0 * np.log10(gain)
-    if loudest_db is None:
-        loudest_db = float(np.nanmax([np.nanmax(levels_db), np.nanmax(played)]))
-    floor = loudest_db - depth_db
-    return np.maximum(levels_db, floor) - np.maximum(played, floor)
+    floor = float(np.nanmax([np.nanmax(levels_db), np.nanmax(other_db)])) - DEPTH_DB
+    return np.maximum(levels_db, floor) - np.maximum(other_db, floor)
 
 
 def scale_end_db(*differences_db: ArrayLike) -> float:
@@ -154,17 +139,14 @@ def same_outputs(limb: str, other: str) -> bool:
     )
 
 
-def mean_and_spread_over(
-    levels_db: ArrayLike, *, depth_db: float = DEPTH_DB
-) -> tuple[Floats, Floats]:
+def mean_and_spread_over(levels_db: ArrayLike) -> tuple[Floats, Floats]:
     """Return mean and standard deviation, (n_outputs,), of levels over limbs or designs, in dB.
 
     Parameters
     ----------
     levels_db : (n, n_outputs)
-        Level of each output on each; two at least.
-    depth_db
-        Levels farther below the loudest of all are raised to this depth, as in `difference_db`.
+        Level of each output on each; two at least.  Levels far below the loudest of all are raised
+        as in `difference_db`.
 
     Returns
     -------
@@ -181,7 +163,7 @@ def mean_and_spread_over(
             f"levels_db has shape {levels.shape}, expected finite levels (n, n_outputs) of at "
             "least two limbs or designs"
         )
-    audible = np.maximum(levels, levels.max() - depth_db)
+    audible = np.maximum(levels, levels.max() - DEPTH_DB)
     return audible.mean(axis=0), audible.std(axis=0, ddof=1)
 
 
@@ -228,17 +210,6 @@ def region_levels_db(rms: ArrayLike) -> dict[str, float]:
         name: float(decibels(np.sqrt(power[np.array(outputs) - 1].mean())))
         for name, outputs in REGION_OUTPUTS.items()
     }
-
-
-def mean_and_spread(levels_db: Sequence[float]) -> tuple[float, float]:
-    """Return the mean of levels in dB and their sample standard deviation.
-
-    The deviation of a single level is NaN.
-    """
-    values: Floats = finite_array("levels_db", levels_db)
-    if values.ndim != 1 or not values.size:
-        raise InvalidInputError(f"levels_db has shape {values.shape}, expected (n_people,)")
-    return float(values.mean()), float(values.std(ddof=1)) if values.size > 1 else float("nan")
 
 
 #: Numbers under which the user stores snapshots.

@@ -191,8 +191,6 @@ def _second_thread() -> ThreadPoolExecutor:
     return ThreadPoolExecutor(1, thread_name_prefix="skinsource-sums")
 
 
-#: Outputs whose spectra, for stimuli of a second, stay in the cache of a core.
-OUTPUTS_AT_ONCE = 18
 # Complex numbers of which a few arrays stay in the cache of a core.
 _NUMBERS_AT_ONCE = 2**15
 

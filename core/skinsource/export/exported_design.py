@@ -6,12 +6,10 @@ wrong it can be.
 
 import hashlib
 import math
-import os
 from collections.abc import Callable, Collection, Iterable, Iterator
 from contextlib import contextmanager
-from io import BufferedRandom, FileIO
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, BinaryIO
+from typing import Any, BinaryIO
 
 import numpy as np
 import scipy
@@ -35,10 +33,6 @@ from skinsource.limbs.limb import Limb
 from skinsource.limbs.scaling import Scaling
 from skinsource.perception.validity import findings_lines
 from skinsource.version import __version__
-
-if TYPE_CHECKING:
-    from _typeshed import ReadableBuffer
-
 
 #: Samples that are written together.
 PIECE_SAMPLES = 1536
@@ -310,9 +304,6 @@ class Export:
         self.write(path, ExportedDesign(design, view, progress, stop, largest_error))
 
 
-_BYTES_BETWEEN_SYNCS = 8 * 2**20
-
-
 @contextmanager
 def output_file(path: Path, stop: Stop) -> Iterator[BinaryIO]:
     """Give an open file that replaces ``path`` at the end, whole or not at all.
@@ -325,29 +316,6 @@ def output_file(path: Path, stop: Stop) -> Iterator[BinaryIO]:
         ``stop`` said so at the end.
     """
     with replacing(path) as temporary:
-        with steadily_written(temporary) as file:
+        with temporary.open("w+b") as file:
             yield file
         stop_if(stop)
-
-
-def steadily_written(path: Path) -> BinaryIO:
-    """Open ``path`` for writing; the data is synchronised with the disk now and then."""
-    return BufferedRandom(_SteadyFile(path, "w+b"))
-
-
-class _SteadyFile(FileIO):
-    """A file that is synchronised with the disk now and then.
-
-    At the end little is left to synchronise, so that the user can stop it at any time: nothing
-    stops the flush of a gigabyte.
-    """
-
-    _unsynced = 0
-
-    def write(self, data: "ReadableBuffer") -> int:
-        written = super().write(data)
-        self._unsynced += written
-        if self._unsynced >= _BYTES_BETWEEN_SYNCS:
-            os.fsync(self.fileno())
-            self._unsynced = 0
-        return written

@@ -401,6 +401,23 @@ def draw_map(
     return image
 
 
+def draw_maps(
+    places: Sequence[Any],
+    levels: Sequence[Levels],
+    colours: Range,
+    titles: Sequence[str],
+    *,
+    signed: bool = False,
+    part: Part = "arm",
+) -> Any:
+    """Draw maps side by side, the last with a bar of mm, and return an image for a colour bar."""
+    image = None
+    for ax, level, title in zip(places, levels, titles, strict=True):
+        bar: Bar = "drawn" if ax is places[-1] else "room"
+        image = draw_map(ax, level, colours, title=title, signed=signed, bar=bar, part=part)
+    return image
+
+
 def _draw_field(ax: Any, levels: Levels, colours: Range, colour_map: str) -> tuple[Any, Any]:
     """Draw the interpolated map, clipped to the outline; return image and outline."""
     surface, limb = levels.surface, levels.limb
@@ -862,6 +879,23 @@ class WindowedLevels:
     noisy_outputs_of_windows: tuple[tuple[int, ...], ...]
     windows_in_noise: tuple[bool, ...]
 
+    def maps(self, n: int) -> tuple[list[Levels], list[str]]:
+        """Return the levels of the first ``n`` windows, and their titles."""
+        levels = [
+            Levels(
+                limb=self.limb_data,
+                surface=self.surface,
+                values=values,
+                places=self.places,
+                noisy=noisy,
+            )
+            for values, noisy in zip(
+                decibels(self.rms_of_windows[:n]), self.noisy_outputs_of_windows, strict=False
+            )
+        ]
+        bounds_ms = 1e3 * np.asarray(self.windows.bounds_s(self.sample_rate_hz)[:n])
+        return levels, [f"{begin:.0f} to {end:.0f} ms" for begin, end in bounds_ms]
+
 
 def windowed_levels(
     design: Design, view: View | None = None, *, count: int | None, window_s: float | None
@@ -970,23 +1004,10 @@ def draw_strip(
     figure: Any, maps: list[Any], windowed: WindowedLevels, range_db: Range | None
 ) -> None:
     """Draw the first windows into ``maps``, and a colour bar beside the last one."""
-    levels_db = decibels(windowed.rms_of_windows)
-    colours = common_range(levels_db) if range_db is None else range_db
-    bounds = windowed.windows.bounds_s(windowed.sample_rate_hz)
-    image = None
-    for k, ax in enumerate(maps):
-        levels = Levels(
-            limb=windowed.limb_data,
-            surface=windowed.surface,
-            values=levels_db[k],
-            places=windowed.places,
-            noisy=windowed.noisy_outputs_of_windows[k],
-        )
-        begin, end = (1e3 * bound for bound in bounds[k])
-        title = f"{begin:.0f} to {end:.0f} ms"
-        image = draw_map(
-            ax, levels, colours, title=title, bar="room" if k < len(maps) - 1 else "drawn"
-        )
+    levels, titles = windowed.maps(len(maps))
+    if range_db is None:
+        range_db = common_range(decibels(windowed.rms_of_windows))
+    image = draw_maps(maps, levels, range_db, titles)
     last = maps[-1].get_position()
     bar = figure.add_axes((last.x1 + 0.015, last.y0 + 0.15 * last.height, 0.012, 0.7 * last.height))
     figure.colorbar(image, cax=bar).set_label(_LEVEL)

@@ -17,7 +17,7 @@ from skinsource.design.labels import limb_label
 from skinsource.engine.stimulus import Channel, in_order, stimulus_of, with_sync
 from skinsource.export import plot
 from skinsource.export.stimulus_export.options import StimulusOptions
-from skinsource.export.stimulus_export.preparing import actuator_at
+from skinsource.export.stimulus_export.preparing import actuator_at, wiring_of
 from skinsource.limbs.catalog import limb_of
 
 # A4 upright.
@@ -73,15 +73,12 @@ def export_wiring(
     drives = with_sync(drives) if options.sync else drives
     if options.channel_map:
         drives = in_order(drives, options.channel_map)
-    wired = design.rig if rig is None and actuation is None else rig
-    wired = None if wired == "none" else wired
-    actuation = design.actuation if actuation is None else actuation
-    actuation = None if actuation == "none" else actuation
+    wired, actuators = wiring_of(design, rig, actuation)
     with plot.style():
         figure = plot.new_figure(*_PAGE_MM)
         title = design.title or Path(path).stem
         figure.text(0.08, 0.96, f"Wiring of {title}", fontsize=12, parse_math=False)
-        _draw_table(figure.add_axes((0.08, 0.04, 0.84, 0.4)), drives.channels, wired, actuation)
+        _draw_table(figure.add_axes((0.08, 0.04, 0.84, 0.4)), drives.channels, wired, actuators)
         _draw_hand(figure.add_axes((0.08, 0.46, 0.84, 0.46)), drives.channels, design.limb)
     write_bytes(Path(path), plot.figure_content(figure, kind))
 

@@ -22,7 +22,7 @@ from skinsource.design.design import Design
 from skinsource.design.design_file import DesignFile, open_design
 from skinsource.design.recovery import Found, Session, UnsavedWork
 from skinsource.design.view import View
-from skinsource_gui.plots.small_map import SmallMap, SmallMaps, paint_small_map
+from skinsource_gui.plots.small_map import SmallMap, paint_small_map, small_map_of
 from skinsource_gui.qt.theme import LIGHT
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import Engine
@@ -37,13 +37,12 @@ class WorkPicture:
     """Draws the latest prediction, with the inputs of the present design."""
 
     def __init__(self) -> None:
-        self._maps = SmallMaps()
         self._map: SmallMap | None = None
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         """Remember the map of the results that the panels show now."""
         if "limb_map" in results:
-            self._map = self._maps.map_of(results)
+            self._map = small_map_of(results)
 
     def image(self, design: Design) -> QtGui.QImage:
         """Return a picture of ``design``; an empty image before anything was predicted."""

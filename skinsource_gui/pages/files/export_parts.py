@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QRectF, QSize, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 
 from skinsource.base.errors import SkinSourceError, Stopped
 from skinsource.base.extras import package_of_extra
@@ -21,6 +21,7 @@ from skinsource.export.stimulus_export.preparing import size_text
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.files.exports import FILM, WIRING, DrawerOf, ExportSpec
+from skinsource_gui.pages.page import PictureView
 from skinsource_gui.panels.skin.film import KINDS as FILM_KINDS
 from skinsource_gui.panels.skin.film import (
     MOST_PX,
@@ -45,7 +46,7 @@ from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.worker import Worker, fault_text
 
 #: Width of the fields beside a preview, px.
-FIELDS_PX = 300
+_FIELDS_PX = 300
 # Larger files are not written for a preview, and no more of a table is shown.
 _MOST_BYTES, _HEAD_BYTES = 32_000_000, 10_000
 _PREVIEW = "preview"
@@ -71,6 +72,7 @@ class ExportPart(QtWidgets.QWidget):
     def __init__(self, name: str) -> None:
         super().__init__()
         self.setObjectName(f"{name}_part")
+        self._worker = Worker(f"skinsource-{name}", self)
         self._summary = page_label(f"{name}_summary")
         self._problem = page_label(f"{name}_problem", tone="error")
         for label in (self._summary, self._problem):
@@ -88,7 +90,6 @@ class ExportPart(QtWidgets.QWidget):
 
     def files(self, path: Path) -> Iterable[tuple[Path, ...]]:
         """Return the files that are written besides ``path``, each with what belongs to it."""
-        del path
         return ()
 
     def writer(self, path: Path) -> Callable[..., Any]:
@@ -97,7 +98,7 @@ class ExportPart(QtWidgets.QWidget):
 
     def close_worker(self) -> None:
         """Stop computing."""
-        raise NotImplementedError
+        self._worker.close()
 
     def _say(self, summary: str, problem: str = "") -> None:
         self._summary.setText(summary)
@@ -105,38 +106,12 @@ class ExportPart(QtWidgets.QWidget):
         self._problem.setVisible(bool(problem))
 
 
-class PreviewImage(QtWidgets.QWidget):
-    """Shows a picture as large as there is room."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self._image = QtGui.QImage()
-        self.setAccessibleName("Preview")
-        self.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Expanding
-        )
-
-    @property
-    def image(self) -> QtGui.QImage:
-        """What is shown."""
-        return self._image
-
-    def sizeHint(self) -> QSize:
-        return QSize(360, 480)
-
-    def show_image(self, image: QtGui.QImage) -> None:
-        """Show another picture."""
-        self._image = image
-        self.update()
-
-    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
-        if self._image.isNull():
-            return
-        size = self._image.size().scaled(self.size(), Qt.AspectRatioMode.KeepAspectRatio)
-        area = QRectF((self.width() - size.width()) / 2, 0, size.width(), size.height())
-        painter = QtGui.QPainter(self)
-        painter.setRenderHint(QtGui.QPainter.RenderHint.SmoothPixmapTransform)
-        painter.drawImage(area, self._image)
+def scrolled_fields(fields: QtWidgets.QWidget, name: str) -> QtWidgets.QScrollArea:
+    """Return the column of fields beside a preview."""
+    area = scrolled(fields, name)
+    area.setFixedWidth(_FIELDS_PX)
+    area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    return area
 
 
 class FilePart(ExportPart):
@@ -166,7 +141,6 @@ class FilePart(ExportPart):
         self._spec = specs[0]
         self._design, self._view = design, view
         self._drawer_of, self._kept, self._wired = drawer_of, picture_options, wired
-        self._worker = Worker("skinsource-preview", self)
         options = tuple((spec.name, spec.title) for spec in specs)
         self._choice = ChoiceField(ChoiceSpec(label="What", options=options))
         self._choice.setObjectName("export_what")
@@ -177,10 +151,9 @@ class FilePart(ExportPart):
         self._room = in_column(self._choice, self._hint, None, margins=0, gap_px=UNIT_PX)
         fields = QtWidgets.QWidget()
         fields.setLayout(self._room)
-        left = scrolled(fields, "export_fields")
-        left.setFixedWidth(FIELDS_PX)
-        left.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.image, self.text = PreviewImage(), QtWidgets.QPlainTextEdit()
+        left = scrolled_fields(fields, "export_fields")
+        self.image, self.text = PictureView(), QtWidgets.QPlainTextEdit()
+        self.image.setAccessibleName("Preview")
         self.text.setReadOnly(True)
         self.text.setAccessibleName("Preview")
         self.text.setLineWrapMode(QtWidgets.QPlainTextEdit.LineWrapMode.NoWrap)
@@ -237,9 +210,6 @@ class FilePart(ExportPart):
                 save_drawing, path, draw, options.width_px, options.height_px, dpi=options.dpi
             )
         return partial(self._write(), path, **self._more())
-
-    def close_worker(self) -> None:
-        self._worker.close()
 
     def _write(self) -> Callable[..., Any]:
         if self._spec.write is None:

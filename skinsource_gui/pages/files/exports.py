@@ -87,17 +87,9 @@ def _lacks_outputs(design: Design, view: View) -> str:
     return "" if view.outputs else "No output is selected. Click one on the skin map."
 
 
-def _pack(
-    path: Path,
-    design: Design,
-    view: View,
-    *,
-    progress: Progress,
-    stop: Stop,
-    largest_error: float,
-) -> None:
-    del largest_error  # each table states its own
-    packing.pack(path, design, view, progress=progress, stop=stop)
+def _pack(path: Path, design: Design, view: View, *, largest_error: float, **job: Any) -> None:
+    # Each table states its own.
+    packing.pack(path, design, view, **job)
 
 
 def _wiring(
@@ -110,7 +102,7 @@ def _wiring(
     largest_error: float,
     **wired: Any,
 ) -> None:
-    del view, progress, stop, largest_error  # nothing is predicted
+    # Nothing is predicted.
     # Imported when it is used: the start of the studio does not wait for formats.
     importlib.import_module("skinsource.export.wiring").export_wiring(design, path, **wired)
 

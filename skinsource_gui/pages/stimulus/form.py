@@ -149,11 +149,6 @@ def time_spec(design: Design) -> ChoiceSpec:
     return ChoiceSpec(label="Time", options=tuple(options), hint="The part of the design")
 
 
-def end_s(design: Design) -> float:
-    """Return when the last clip ends."""
-    return max((clip.end_s for clip in design.clips), default=1.0)
-
-
 def time_number(label: str, longest_s: float) -> NumberSpec:
     """Return the specification of a time of at most ``longest_s``."""
     return NumberSpec(label=label, unit="s", minimum=0.0, maximum=longest_s, step=0.005)
@@ -319,7 +314,7 @@ class StimulusForm(QtWidgets.QWidget):
             "time": ChoiceField(time_spec(design)),
             "scale": ChoiceField(SCALE),
         }
-        longest_s = end_s(design)
+        longest_s = max((clip.end_s for clip in design.clips), default=1.0)
         self._numbers = {
             "other_rate": NumberField(OTHER_RATE),
             "from": NumberField(time_number("From", longest_s)),

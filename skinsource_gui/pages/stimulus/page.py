@@ -25,14 +25,14 @@ from skinsource.export.formats.format import ChannelOverview
 from skinsource.export.methods import methods_of
 from skinsource.export.stimulus_export.export import write_prepared, written_files
 from skinsource.export.stimulus_export.preparing import PreparedStimulus, prepare_stimulus
-from skinsource_gui.pages.files.export_parts import FIELDS_PX, ExportPart
+from skinsource_gui.pages.files.export_parts import ExportPart, scrolled_fields
 from skinsource_gui.pages.files.exports import STIMULUS
 from skinsource_gui.pages.stimulus.form import Order, StimulusForm, recall, remembered
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.overlays import PALE, Staleness
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
-from skinsource_gui.state.worker import Worker, fault_text
+from skinsource_gui.state.worker import fault_text
 
 _ROW_PX, _GAP_PX = 58, 6
 _TEXT_PX = 208
@@ -45,21 +45,16 @@ class ChannelsView(QtWidgets.QWidget):
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("stimulus_channels")
-        self._channels: tuple[ChannelOverview, ...] = ()
+        #: The channels that are painted.
+        self.channels: tuple[ChannelOverview, ...] = ()
         self._colours: Mapping[int, int] = {}
-        self._pale = False
         self.setSizePolicy(
             QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Fixed
         )
         self.setAccessibleName("Channels as they will be written")
 
-    @property
-    def channels(self) -> tuple[ChannelOverview, ...]:
-        """The channels that are painted."""
-        return self._channels
-
     def sizeHint(self) -> QSize:
-        return QSize(_TEXT_PX + 2 * _LEAST_PX, len(self._channels) * (_ROW_PX + _GAP_PX))
+        return QSize(_TEXT_PX + 2 * _LEAST_PX, len(self.channels) * (_ROW_PX + _GAP_PX))
 
     def minimumSizeHint(self) -> QSize:
         return QSize(_TEXT_PX + _LEAST_PX, self.sizeHint().height())
@@ -68,21 +63,15 @@ class ChannelsView(QtWidgets.QWidget):
         self, channels: tuple[ChannelOverview, ...], colours: Mapping[int, int]
     ) -> None:
         """Paint ``channels``; ``colours`` has the number of the colour of each input."""
-        self._channels, self._colours, self._pale = channels, colours, False
+        self.channels, self._colours = channels, colours
         lines = [line for channel in channels for line in channel_lines(channel)]
         self.setAccessibleDescription("; ".join(lines))
         self.updateGeometry()
         self.update()
 
-    def set_pale(self, pale: bool) -> None:
-        """Paint the channels pale where they are out of date."""
-        self._pale = pale
-        self.update()
-
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         painter = QtGui.QPainter(self)
-        painter.setOpacity(PALE if self._pale else 1.0)
-        for row, channel in enumerate(self._channels):
+        for row, channel in enumerate(self.channels):
             top = row * (_ROW_PX + _GAP_PX)
             if event.rect().intersects(QRectF(0, top, self.width(), _ROW_PX).toRect()):
                 self._paint_text(painter, channel, top)
@@ -238,7 +227,6 @@ class StimulusPart(ExportPart):
         self._copy.clicked.connect(self._copy_methods)
         self._lay_out()
         self._design, self._view, self._stem = design, view, stem
-        self._worker = Worker("skinsource-stimulus", self)
         self.form.changed.connect(self._order)
         self.form.refused.connect(self._show_refused)
         self._confirm.toggled.connect(self._show_readiness)
@@ -285,13 +273,8 @@ class StimulusPart(ExportPart):
     def writer(self, path: Path) -> Callable[..., Any]:
         return partial(_write, self.prepared, path, self._confirm.isChecked())
 
-    def close_worker(self) -> None:
-        self._worker.close()
-
     def _lay_out(self) -> None:
-        left = scrolled(self.form, "stimulus_fields")
-        left.setFixedWidth(FIELDS_PX)
-        left.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        left = scrolled_fields(self.form, "stimulus_fields")
         pictures = scrolled(self.channels, "stimulus_scroll")
         pictures.setAccessibleName("Channels; arrow keys scroll")
         columns = in_row(left, (pictures, 1), gap_px=2 * UNIT_PX)
@@ -366,13 +349,10 @@ class StimulusPart(ExportPart):
 
     def _set_pale(self, pale: bool) -> None:
         """Show channels and texts pale where they are out of date."""
-        self.channels.set_pale(pale)
-        for label in (self._summary, self._notes, self._problem):
-            effect = label.graphicsEffect()
-            if not isinstance(effect, QtWidgets.QGraphicsOpacityEffect):
-                effect = QtWidgets.QGraphicsOpacityEffect(label, opacity=PALE)
-                label.setGraphicsEffect(effect)
+        for part in (self.channels, self._summary, self._notes, self._problem):
+            effect = QtWidgets.QGraphicsOpacityEffect(part, opacity=PALE)
             effect.setEnabled(pale)
+            part.setGraphicsEffect(effect)
 
     def _show_refused(self, reason: str) -> None:
         self._ordered = self.prepared = None
@@ -397,7 +377,7 @@ class StimulusPart(ExportPart):
 
 def _write(prepared: Any, path: Path, confirmed: bool, *, largest_error: float, **job: Any) -> Path:
     """Write what was shown; return the first of its files."""
-    del largest_error  # drives are sampled, not predicted
+    # Drives are sampled, not predicted.
     return write_prepared(prepared, path, confirmed=confirmed, **job).files[0]
 
 

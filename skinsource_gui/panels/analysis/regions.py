@@ -12,7 +12,6 @@ from PySide6.QtCore import QEvent, QSize, Qt
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.design.comparing import (
     REGION_OUTPUTS,
-    mean_and_spread,
     region_levels_db,
     related_limbs,
 )
@@ -99,7 +98,7 @@ def columns_of_people(people: Sequence[Compared]) -> list[Column]:
     computing = any(person.values is None and not person.problem for person in people)
     if len(known) > 1 and not computing:
         by_region = np.array(known).T
-        pairs = [mean_and_spread(levels) for levels in by_region]
+        means, spreads = by_region.mean(axis=1), by_region.std(axis=1, ddof=1)
         # Silence is not a level, so that there is no spread around it.
         audible = [bool(np.all(levels > FLOOR_DB)) for levels in by_region]
         over_people = f"over {len(known)} people, dB"
@@ -107,7 +106,7 @@ def columns_of_people(people: Sequence[Compared]) -> list[Column]:
             Column(
                 title="Mean",
                 hint=f"Mean {over_people} re 1 m/s²",
-                numbers=tuple(mean for mean, _ in pairs),
+                numbers=tuple(means.tolist()),
                 full_title=f"Mean over {len(known)} people",
             )
         )
@@ -119,7 +118,7 @@ def columns_of_people(people: Sequence[Compared]) -> list[Column]:
                 full_title=f"Standard deviation {over_people}",
                 numbers=tuple(
                     spread if is_audible else float("nan")
-                    for (_, spread), is_audible in zip(pairs, audible, strict=True)
+                    for spread, is_audible in zip(spreads.tolist(), audible, strict=True)
                 ),
             )
         )

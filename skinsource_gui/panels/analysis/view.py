@@ -105,7 +105,7 @@ class FigureView(AnalysisView):
         self, painter: QtGui.QPainter, width: int, height: int, theme: Theme = LIGHT
     ) -> None:
         """Draw figure and text for a page or a slide, without the controls; size in px."""
-        del theme  # the figure has the colours of the theme in use
+        # The figure has the colours of the theme in use.
         # Text grows with the picture, and is not smaller than on the screen.
         scale = min(width / max(self.width(), 1), height / max(self.height(), 1))
         scale = max(scale, 1.0)

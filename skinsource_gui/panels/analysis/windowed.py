@@ -23,7 +23,7 @@ from skinsource_gui.panels.analysis.window_strip import (
     strip_layout,
     windows_heading,
 )
-from skinsource_gui.plots.small_map import SmallMaps, level_style
+from skinsource_gui.plots.small_map import level_style, small_map_of
 from skinsource_gui.qt.fitting import FoldingRow, grouped
 from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, on_paper
@@ -44,7 +44,6 @@ class WindowedView(AnalysisView):
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._design: Design | None = None
-        self._maps = SmallMaps()
         self.strip = StripView(self)
         self.cells = {
             "windows_cut": FieldCell("windows_cut", WINDOWS_CUT, self, edited=self._change),
@@ -111,7 +110,7 @@ class WindowedView(AnalysisView):
         maps = {"surface_levels_db": results["surface_of_windows_db"], **results}
         content = WindowedContent(
             design=self._design,
-            small=self._maps.map_of(maps),
+            small=small_map_of(maps),
             windows=results["windows"],
             sample_rate_hz=results["sample_rate_hz"],
             levels_db=levels,
@@ -188,6 +187,5 @@ class WindowedView(AnalysisView):
         self.strip.show_time(self._view.playhead_s)
 
     def _change(self, name: str, value: object, gesture: int | None) -> None:
-        del gesture
         changed: dict[str, Any] = {name: value}
         self.view_changed.emit(replace(self._view, **changed))

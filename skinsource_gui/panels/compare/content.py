@@ -44,6 +44,7 @@ from skinsource_gui.fields.units import output_text
 from skinsource_gui.panels.compare.card import card_level_text, played_db, snapshot_title
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.colour_maps import DIVERGING
+from skinsource_gui.plots.pictures import common_title
 from skinsource_gui.plots.small_map import (
     SILENT,
     USUAL_STYLE,
@@ -51,10 +52,10 @@ from skinsource_gui.plots.small_map import (
     LevelStyle,
     Range,
     SmallMap,
-    SmallMaps,
     level_style,
     scale_of_levels,
     scale_of_own,
+    small_map_of,
     with_matched,
 )
 from skinsource_gui.qt.questions import copied_level
@@ -185,10 +186,7 @@ class CompareContent:
         drawn = [cell for cell in self.cells if cell.small is not None]
         if output is None or not drawn:
             return self.about
-        texts = [cell.value_text(output) for cell in drawn]
-        values = " · ".join(texts)
-        if all(text.endswith(" dB") for text in texts):
-            values = f"{values.replace(' dB', '')} dB"
+        values = " · ".join(cell.value_text(output) for cell in drawn)
         if any(cell.maximum_db is not None for cell in drawn):
             values = f"{values} re each map's maximum"
         return f"{output_text(output, drawn[0].limb)}: {values}"
@@ -201,174 +199,155 @@ _LEAST_DB = 0.05
 Names = tuple[str, ...]
 
 
-class Cells:
-    """Makes the maps; the pixels of each are made once."""
+def of_levels(
+    compared: Sequence[Compared],
+    names: Sequence[Names],
+    style: LevelStyle = USUAL_STYLE,
+    *,
+    own: bool = False,
+) -> tuple[Cell, ...]:
+    """Return a map of the levels of each, in the same colours over the same range.
 
-    def __init__(self) -> None:
-        self._maps: dict[str, SmallMaps] = {}
-        self._before: dict[str, SmallMaps] = {}
+    ``own``: relative to its own loudest output.
+    """
+    known = [_levels_db(side) for side in compared if side.values is not None]
+    loudest = np.array([levels.max() for levels in known])
+    scale = scale_of_own(style) if own else scale_of_levels(loudest, style)
+    pairs = zip(compared, names, strict=True)
+    return tuple(_levels(side, name, scale, own=own) for side, name in pairs)
 
-    def of_levels(
-        self, compared: Sequence[Compared], names: Sequence[Names], style: LevelStyle = USUAL_STYLE
-    ) -> tuple[Cell, ...]:
-        """Return a map of the levels of each, in the same colours over the same range."""
-        self._begin()
-        known = [_levels_db(side) for side in compared if side.values is not None]
-        loudest = np.array([levels.max() for levels in known])
-        scale = scale_of_levels(loudest, style)
-        return tuple(
-            self._levels(side, name, scale) for side, name in zip(compared, names, strict=True)
+
+def of_differences(
+    compared: Sequence[Compared], names: Sequence[Names], reference: int
+) -> tuple[Cell, ...]:
+    """Return a map of how much louder each of the others is than the one at ``reference``."""
+    base, of_base = compared[reference], names[reference]
+    cells = [
+        _difference(side, of_one, base, of_base)
+        for k, (side, of_one) in enumerate(zip(compared, names, strict=True))
+        if k != reference
+    ]
+    drawn = [cell.values_db for cell in cells if cell.values_db is not None]
+    end, reached = scale_end_db(*drawn), _reached_db(drawn)
+    scale = ColourScale(
+        range_db=(-end, end),
+        text_below="dB",
+        colours=DIVERGING,
+        signed=True,
+        reached_db=reached,
+    )
+    return tuple(cell if cell.small is None else replace(cell, scale=scale) for cell in cells)
+
+
+def of_spread(
+    compared: Sequence[Compared],
+    names: Sequence[Names],
+    reference: int,
+    style: LevelStyle = USUAL_STYLE,
+) -> tuple[Cell, ...]:
+    """Return mean and standard deviation over all that have the outputs of ``reference``."""
+    base = compared[reference]
+    limb = _limb(base)
+    pairs = zip(compared, names, strict=True)
+    comparable = [(side, name) for side, name in pairs if same_outputs(limb, _limb(side))]
+    # Silence is no level that others could lie about.
+    audible = [(side, name) for side, name in comparable if side.values and not is_silent(side)]
+    known = [side for side, _ in audible]
+    # A mean of those that happen to be known already would change by itself.
+    computing = any(side.values is None and not side.problem for side, _ in comparable)
+    if base.values is None or computing or len(known) < 2:
+        too_few = (
+            "A mean takes two at least that are not silent and have outputs at the same places."
         )
-
-    def of_own_maxima(
-        self,
-        compared: Sequence[Compared],
-        names: Sequence[Names],
-        style: LevelStyle = USUAL_STYLE,
-    ) -> tuple[Cell, ...]:
-        """Return a map of the levels of each, relative to its own loudest output."""
-        self._begin()
-        scale, pairs = scale_of_own(style), zip(compared, names, strict=True)
-        return tuple(self._levels(side, name, scale, own=True) for side, name in pairs)
-
-    def of_differences(
-        self, compared: Sequence[Compared], names: Sequence[Names], reference: int
-    ) -> tuple[Cell, ...]:
-        """Return a map of how much louder each of the others is than the one at ``reference``."""
-        self._begin()
-        base, of_base = compared[reference], names[reference]
-        cells = [
-            self._difference(side, of_one, base, of_base)
-            for k, (side, of_one) in enumerate(zip(compared, names, strict=True))
-            if k != reference
-        ]
-        drawn = [cell.values_db for cell in cells if cell.values_db is not None]
-        end, reached = scale_end_db(*drawn), _reached_db(drawn)
-        scale = ColourScale(
-            range_db=(-end, end),
-            text_below="dB",
-            colours=DIVERGING,
-            signed=True,
-            reached_db=reached,
+        problem = base.problem or next(
+            (side.problem for side, _ in comparable if side.problem), too_few
         )
-        return tuple(cell if cell.small is None else replace(cell, scale=scale) for cell in cells)
-
-    def of_spread(
-        self,
-        compared: Sequence[Compared],
-        names: Sequence[Names],
-        reference: int,
-        style: LevelStyle = USUAL_STYLE,
-    ) -> tuple[Cell, ...]:
-        """Return mean and standard deviation over all that have the outputs of ``reference``."""
-        self._begin()
-        base = compared[reference]
-        limb = _limb(base)
-        pairs = zip(compared, names, strict=True)
-        comparable = [(side, name) for side, name in pairs if same_outputs(limb, _limb(side))]
-        # Silence is no level that others could lie about.
-        audible = [(side, name) for side, name in comparable if side.values and not is_silent(side)]
-        known = [side for side, _ in audible]
-        # A mean of those that happen to be known already would change by itself.
-        computing = any(side.values is None and not side.problem for side, _ in comparable)
-        if base.values is None or computing or len(known) < 2:
-            too_few = (
-                "A mean takes two at least that are not silent and have outputs at the same places."
-            )
-            problem = base.problem or next(
-                (side.problem for side, _ in comparable if side.problem), too_few
-            )
-            return (Cell(headings=("",), limb=limb, text="" if computing else problem),)
-        mean, spread = mean_and_spread_over([_levels_db(side) for side in known])
-        called = [name for _, name in audible]
-        what = _of_all(called, len(compared))
-        stale = any(side.is_stale for side in known)
-        noisy = _noisy(*known)
-        common: dict[str, Any] = {
-            "limb": limb,
-            "stale": stale,
-            "synthetic": any(_synthetic(side) for side in known),
-        }
-        of_mean = scale_of_levels(mean, style)
-        of_spread = ColourScale(
-            range_db=(0.0, scale_end_db(spread)),
-            text_below="dB",
-            colours=style.colours,
-            reached_db=_reached_db([spread]),
-        )
-        return (
-            Cell(
-                headings=(*(f"Mean {phrase}" for phrase in what), "Mean"),
-                small=self._map("mean", base, mean, noisy),
-                scale=of_mean,
-                **common,
+        return (Cell(headings=("",), limb=limb, text="" if computing else problem),)
+    mean, spread = mean_and_spread_over([_levels_db(side) for side in known])
+    called = [name for _, name in audible]
+    what = _of_all(called, len(compared))
+    stale = any(side.is_stale for side in known)
+    noisy = _noisy(*known)
+    common: dict[str, Any] = {
+        "limb": limb,
+        "stale": stale,
+        "synthetic": any(_synthetic(side) for side in known),
+    }
+    of_mean = scale_of_levels(mean, style)
+    spread_scale = ColourScale(
+        range_db=(0.0, scale_end_db(spread)),
+        text_below="dB",
+        colours=style.colours,
+        reached_db=_reached_db([spread]),
+    )
+    return (
+        Cell(
+            headings=(*(f"Mean {phrase}" for phrase in what), "Mean"),
+            small=_map(base, mean, noisy),
+            scale=of_mean,
+            **common,
+        ),
+        Cell(
+            headings=(
+                *(f"Standard deviation {phrase}" for phrase in what),
+                *(f"Spread {phrase}" for phrase in what),
+                "Spread",
             ),
-            Cell(
-                headings=(
-                    *(f"Standard deviation {phrase}" for phrase in what),
-                    *(f"Spread {phrase}" for phrase in what),
-                    "Spread",
-                ),
-                small=self._map("spread", base, spread, noisy),
-                scale=of_spread,
-                **common,
-            ),
-        )
+            small=_map(base, spread, noisy),
+            scale=spread_scale,
+            **common,
+        ),
+    )
 
-    def _difference(self, side: Compared, names: Names, base: Compared, of_base: Names) -> Cell:
-        headings = _minus(names, of_base)
-        cell = Cell(headings=headings, limb=_limb(side), stale=side.is_stale or base.is_stale)
-        if problem := side.problem or base.problem:
-            return replace(cell, text=problem)
-        if not same_outputs(_limb(side), _limb(base)):
-            return replace(cell, text=ELSEWHERE)
-        if side.values is None or base.values is None:
-            return cell
-        if is_silent(side) or is_silent(base):
-            return replace(cell, text=SILENCE)
-        levels = difference_db(_levels_db(side), _levels_db(base))
-        both = _synthetic(side) or _synthetic(base)
-        small = self._map(headings[0], side, levels, _noisy(side, base))
-        if np.abs(levels).max() < _LEAST_DB:
-            equal = f"{names[-1]} equals {of_base[-1]}"
-            headings = (f"{equal}: {_why_equal(side, base)}", equal)
-        return replace(cell, headings=headings, small=small, synthetic=both)
 
-    def _levels(
-        self, side: Compared, names: Names, scale: ColourScale, *, own: bool = False
-    ) -> Cell:
-        cell = Cell(headings=names, limb=_limb(side), text=side.problem, stale=side.is_stale)
-        if side.values is None:
-            return cell
-        small, maximum_db = self._map(names[0], side, None, _noisy(side)), None
-        if own and not is_silent(side):
-            maximum_db = float(_levels_db(side).max())
-            small = _relative(small, maximum_db)
-        return replace(
-            cell,
-            small=small,
-            scale=scale,
-            maximum_db=maximum_db,
-            design=side.snapshot.design,
-            synthetic=_synthetic(side),
-        )
+def _difference(side: Compared, names: Names, base: Compared, of_base: Names) -> Cell:
+    headings = _minus(names, of_base)
+    cell = Cell(headings=headings, limb=_limb(side), stale=side.is_stale or base.is_stale)
+    if problem := side.problem or base.problem:
+        return replace(cell, text=problem)
+    if not same_outputs(_limb(side), _limb(base)):
+        return replace(cell, text=ELSEWHERE)
+    if side.values is None or base.values is None:
+        return cell
+    if is_silent(side) or is_silent(base):
+        return replace(cell, text=SILENCE)
+    levels = difference_db(_levels_db(side), _levels_db(base))
+    both = _synthetic(side) or _synthetic(base)
+    small = _map(side, levels, _noisy(side, base))
+    if np.abs(levels).max() < _LEAST_DB:
+        equal = f"{names[-1]} equals {of_base[-1]}"
+        headings = (f"{equal}: {_why_equal(side, base)}", equal)
+    return replace(cell, headings=headings, small=small, synthetic=both)
 
-    def _begin(self) -> None:
-        self._before, self._maps = self._maps, {}
 
-    def _map(
-        self, key: str, side: Compared, levels_db: Floats | None, noisy: tuple[int, ...]
-    ) -> SmallMap:
-        """Return a map on the limb of ``side``: of its levels as they are shown, or of others."""
-        values: dict[str, Any] = dict(side.values or {})
-        if levels_db is not None:
-            values["output_levels_db"] = levels_db
-            values["surface_levels_db"] = values["surface"].interpolate(levels_db)
-        elif side.gain != 1.0:
-            values["output_levels_db"] = _levels_db(side)
-            values["surface_levels_db"] = values["surface_levels_db"] + gain_db(side)
-        self._maps[key] = maps = self._before.pop(key, None) or SmallMaps()
-        return replace(maps.map_of(values), noisy=noisy)
+def _levels(side: Compared, names: Names, scale: ColourScale, *, own: bool = False) -> Cell:
+    cell = Cell(headings=names, limb=_limb(side), text=side.problem, stale=side.is_stale)
+    if side.values is None:
+        return cell
+    small, maximum_db = _map(side, None, _noisy(side)), None
+    if own and not is_silent(side):
+        maximum_db = float(_levels_db(side).max())
+        small = _relative(small, maximum_db)
+    return replace(
+        cell,
+        small=small,
+        scale=scale,
+        maximum_db=maximum_db,
+        design=side.snapshot.design,
+        synthetic=_synthetic(side),
+    )
+
+
+def _map(side: Compared, levels_db: Floats | None, noisy: tuple[int, ...]) -> SmallMap:
+    """Return a map on the limb of ``side``: of its levels as they are shown, or of others."""
+    values: dict[str, Any] = dict(side.values or {})
+    if levels_db is not None:
+        values["output_levels_db"] = levels_db
+        values["surface_levels_db"] = values["surface"].interpolate(levels_db)
+    elif side.gain != 1.0:
+        values["output_levels_db"] = _levels_db(side)
+        values["surface_levels_db"] = values["surface_levels_db"] + gain_db(side)
+    return replace(small_map_of(values), noisy=noisy)
 
 
 def _relative(small: SmallMap, maximum_db: float) -> SmallMap:
@@ -416,13 +395,8 @@ def _why_equal(side: Compared, base: Compared) -> str:
 
 def _reached_db(drawn: Sequence[Floats]) -> Range | None:
     """Return the smallest and the largest of all values; None where there is none."""
-    known = [levels for levels in drawn if levels.size]
-    if not known:
-        return None
-    return (
-        min(float(levels.min()) for levels in known),
-        max(float(levels.max()) for levels in known),
-    )
+    values = np.concatenate([np.empty(0), *drawn])
+    return (float(values.min()), float(values.max())) if values.size else None
 
 
 def _levels_db(side: Compared) -> Floats:
@@ -485,15 +459,12 @@ class Kind:
         Names of the choices above the maps that apply, beside "Of" itself.
     needs
         As of a panel.
-    of_snapshots
-        Whether the sides are snapshots.
     own
         Whether the sides come from the results of the design in the window.
     """
 
     fields: ClassVar[frozenset[str]] = frozenset()
     needs: ClassVar[frozenset[str]] = LEVELS
-    of_snapshots: ClassVar[bool] = False
     own: ClassVar[bool] = False
 
     def moving(self, limb: str) -> str:
@@ -502,12 +473,10 @@ class Kind:
 
     def beside(self, settings: CompareSettings, design: Design) -> tuple[Beside, ...]:
         """Return the limbs or frequencies at which the design is predicted."""
-        del settings, design
         return ()
 
     def sides(self, design: Design, results: Mapping[str, Any]) -> Sequence[Compared]:
         """Return the sides from results of the design in the window, which hold its ``needs``."""
-        del design, results
         return ()
 
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
@@ -516,12 +485,10 @@ class Kind:
 
     def reference(self, compared: Sequence[Compared], design: Design, view: View) -> int:
         """Return which of them is in the window; the first where none is."""
-        del compared, design, view
         return 0
 
     def hindrance(self, compared: Sequence[Compared], view: View) -> str:
         """Return why nothing can be compared, in a sentence; empty where something can."""
-        del view
         known = [side for side in compared if side.values is not None]
         return COMPARED_SILENT if known and all(is_silent(side) for side in known) else ""
 
@@ -539,39 +506,23 @@ class Kind:
         return settings.shown if "shown" in self.fields else "levels"
 
     def drawn(
-        self,
-        cells: Cells,
-        compared: Sequence[Compared],
-        design: Design,
-        view: View,
-        settings: CompareSettings,
+        self, compared: Sequence[Compared], design: Design, view: View, settings: CompareSettings
     ) -> tuple[Cell, ...]:
         """Return the maps of the sides; their scales show by how much levels are matched."""
-        maps = self._cells(cells, compared, design, view, settings)
+        shown, style = self.shown(settings), level_style(view)
+        names = self.names(compared, view, difference=shown == "difference")
+        reference = self.reference(compared, design, view)
+        if shown == "levels":
+            maps = of_levels(compared, names, style, own=settings.own_maximum)
+        elif shown == "difference":
+            maps = of_differences(compared, names, reference)
+        else:
+            maps = of_spread(compared, names, reference, style)
         matched = matched_text(compared) or display_gain_text(design, view)
         return tuple(
             cell if cell.scale is None else replace(cell, scale=with_matched(cell.scale, matched))
             for cell in maps
         )
-
-    def _cells(
-        self,
-        cells: Cells,
-        compared: Sequence[Compared],
-        design: Design,
-        view: View,
-        settings: CompareSettings,
-    ) -> tuple[Cell, ...]:
-        shown = self.shown(settings)
-        names = self.names(compared, view, difference=shown == "difference")
-        if shown == "levels" and settings.own_maximum:
-            return cells.of_own_maxima(compared, names, level_style(view))
-        if shown == "levels":
-            return cells.of_levels(compared, names, level_style(view))
-        reference = self.reference(compared, design, view)
-        if shown == "difference":
-            return cells.of_differences(compared, names, reference)
-        return cells.of_spread(compared, names, reference, level_style(view))
 
 
 #: Quantities for each axis, and the quantities of a map that they stand in for.
@@ -728,7 +679,6 @@ class OfSnapshots(Kind):
     """Snapshots of the present design, and designs of files; their levels can be matched."""
 
     fields: ClassVar[frozenset[str]] = frozenset({"shown", "snapshots"})
-    of_snapshots: ClassVar[bool] = True
 
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
         return snapshot_names(compared, view.axes, with_limbs=difference)
@@ -795,13 +745,8 @@ def _own_parts(titles: Sequence[str]) -> dict[str, str]:
     The parts of a title are between middle dots; those at the beginning that all titles share are
     left out.
     """
-    parts = [title.split(" · ") for title in titles]
-    n_common = 0
-    while parts and all(
-        len(part) > n_common + 1 and part[n_common] == parts[0][n_common] for part in parts
-    ):
-        n_common += 1
-    return {title: " · ".join(each[n_common:]) for title, each in zip(titles, parts, strict=True)}
+    common = common_title([title.rpartition(" · ")[0] for title in titles])
+    return {title: title.removeprefix(f"{common} · ") for title in titles}
 
 
 #: The kinds by their names in the settings.

@@ -5,12 +5,12 @@ from typing import Any, ClassVar
 
 from PySide6 import QtGui, QtWidgets
 
+from skinsource.design import edits
 from skinsource.design.design import Design
 from skinsource.design.view import View
 from skinsource_gui.panels.compare.content import (
     KINDS,
     Cell,
-    Cells,
     CompareContent,
     Kind,
 )
@@ -53,9 +53,10 @@ class MapsPanel(Panel):
         # Of the design in the window: results, whether they are older than it, why there are none.
         self._results: Mapping[str, Any] = {}
         self._stale, self._problem = False, ""
-        self._cells, self.moving, self.clock = Cells(), MovingMaps(), Clock(self)
+        self.moving, self.clock = MovingMaps(), Clock(self)
         self.clock.ticked.connect(self.move_on)
         self.maps = MapsView(self)
+        self.maps.outputs_chosen.connect(self._choose_outputs)
 
     @property
     def needs(self) -> frozenset[str]:
@@ -65,7 +66,7 @@ class MapsPanel(Panel):
 
     @property
     def needs_of_snapshots(self) -> frozenset[str]:
-        return self.needs if self.kind.of_snapshots else frozenset()
+        return self.needs if "snapshots" in self.kind.fields else frozenset()
 
     @property
     def needs_on_limbs(self) -> Mapping[Beside, frozenset[str]]:
@@ -121,7 +122,7 @@ class MapsPanel(Panel):
                 self.moving.update(compared, kind.names(compared, view, difference=False))
                 cells = self.moving.cells()
             else:
-                cells = kind.drawn(self._cells, compared, design, view, self.settings)
+                cells = kind.drawn(compared, design, view, self.settings)
         content = CompareContent(
             cells=cells,
             outputs=view.outputs,
@@ -155,3 +156,7 @@ class MapsPanel(Panel):
         """Show the maps a moment later."""
         self.moving.advance(seconds)
         self.maps.show_frame(self.moving.cells())
+
+    def _choose_outputs(self, outputs: tuple[int, ...]) -> None:
+        if self.design is not None:
+            self.edited.emit(edits.select_outputs(self.design, self.view, outputs), None)

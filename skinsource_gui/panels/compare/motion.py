@@ -10,7 +10,7 @@ from skinsource.engine.loops import PICTURES_PER_PERIOD, SHOWN_HZ, Loop, loop_of
 from skinsource_gui.panels.compare.content import Cell, Names, moving_name
 from skinsource_gui.plots.colour_maps import DIVERGING, VIRIDIS
 from skinsource_gui.plots.ranges import SteadyRange
-from skinsource_gui.plots.small_map import ColourScale, SmallMaps
+from skinsource_gui.plots.small_map import ColourScale, small_map_of
 from skinsource_gui.state.compared import Compared
 
 # Colours reach their ends at this share of the largest acceleration, which under the actuator is
@@ -43,7 +43,6 @@ class MovingMaps:
         self.turns: list[float] = []
         self.slow_motion, self.made = 1.0, 0
         self._cells: tuple[Cell, ...] = ()
-        self._surfaces: list[SmallMaps] = []
         self._compared: Sequence[Compared] = ()
         self._range = SteadyRange()
 
@@ -54,7 +53,6 @@ class MovingMaps:
         if [known is None for known in self.loops] != before:
             # Those that are known at last begin together with the others.
             self.turns = [0.0] * len(compared)
-            self._surfaces = [SmallMaps() for _ in compared]
         loops = [known for known in self.loops if known is not None]
         self.slow_motion = max((loop.slow_motion for loop, _ in loops), default=1.0)
         end = _SHARE_OF_LARGEST * max((loop.largest * gain for loop, gain in loops), default=0.0)
@@ -108,7 +106,7 @@ class MovingMaps:
         loop, gain = known
         return replace(
             cell,
-            small=self._surfaces[k].map_of(side.values),
+            small=small_map_of(side.values),
             scale=scale,
             design=design,
             synthetic=bool(side.values["limb_data"].synthetic),

@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any, ClassVar
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QRectF, QSize, Qt, Signal
 
 from skinsource.design import edits
 from skinsource.design.comparing import (
@@ -37,7 +37,7 @@ from skinsource_gui.panels.compare.settings import (
 from skinsource_gui.panels.compare.view import paint_page
 from skinsource_gui.plots.figure import NoteLabel
 from skinsource_gui.qt.buttons import tool_button
-from skinsource_gui.qt.fitting import ButtonRow, FoldingRow, VisibleHeight, shrinking_fonts
+from skinsource_gui.qt.fitting import ButtonRow, FoldingRow, VisibleHeight
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, on_paper, tabular
@@ -101,14 +101,14 @@ class LimbsButton(QtWidgets.QToolButton):
         self.limbs_chosen.emit(without if name in self._chosen else (*self._chosen, name))
 
 
-# Where fewer lines of text fit, so many choices share a row, and rows are few.
-_LINES_WITH_ROOM, _CHOICES_IN_ROW = 14, 2
+# Where fewer lines of text fit, the maps need the room.
+_LINES_WITH_ROOM = 14
 
 
 class ChoicesBar(QtWidgets.QWidget):
     """The choices above the maps; a choice emits another view.
 
-    Where the maps below need the room, the text is smaller, so that two choices share a row.
+    Where the maps below need the room, what menus and keys do for snapshots is left to them.
 
     Attributes
     ----------
@@ -148,16 +148,16 @@ class ChoicesBar(QtWidgets.QWidget):
         self.frequencies.edited.connect(lambda numbers, _: self._change(frequencies_hz=numbers))
         hint = "Show snapshots as loud as each other at their loudest output"
         self.match = tool_button(self, "compare_match", "Match levels", hint, checkable=True)
-        self.match.clicked.connect(partial(self._request, "match_levels"))
+        self.match.clicked.connect(partial(self.action_requested.emit, "match_levels"))
         hint = "Show the other one of the last two that were shown"
         self.toggle = tool_button(self, "compare_toggle", "A/B (X)", hint)
-        self.toggle.clicked.connect(partial(self._request, "toggle_snapshots"))
+        self.toggle.clicked.connect(partial(self.action_requested.emit, "toggle_snapshots"))
         hint = "Keep the design of a file as a snapshot, and show it here"
         self.file = tool_button(self, "compare_file", "From file…", hint)
-        self.file.clicked.connect(partial(self._request, "take_snapshot"))
-        self._parts = self.of, self.shown, self.own_maximum, self.limbs, self.frequencies
+        self.file.clicked.connect(partial(self.action_requested.emit, "take_snapshot"))
+        parts = self.of, self.shown, self.own_maximum, self.limbs, self.frequencies
         self._of_snapshots = ButtonRow((self.match, self.toggle, self.file))
-        self._row = FoldingRow(self._parts, UNIT_PX // 2)
+        self._row = FoldingRow(parts, UNIT_PX // 2)
         self._in_sight = VisibleHeight(parent)
         self._in_sight.changed.connect(self._check_room)
         margins = UNIT_PX // 2, 1, UNIT_PX // 2, 1
@@ -192,33 +192,10 @@ class ChoicesBar(QtWidgets.QWidget):
             self._fit()
             self.room_changed.emit()
 
-    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
-        super().resizeEvent(event)
-        if event.size().width() != event.oldSize().width():
-            self._fit()
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.FontChange:
-            self._fit()
-
     def _fit(self) -> None:
-        """Write as large as leaves few rows, where there shall be no more; else as usual.
-
-        Without room, what menus and keys do for snapshots is left to them.
-        """
         of_snapshots = self.has_room and "snapshots" in KINDS[self.settings.of].fields
         self._of_snapshots.setVisible(of_snapshots)
-        around = self.contentsMargins().left() + self.contentsMargins().right() + UNIT_PX
-        for font in shrinking_fonts(self.font()) if not self.has_room else (self.font(),):
-            for part in self._parts:
-                part.setFont(font)
-            self._row.fold()
-            if self._row.px_of(_CHOICES_IN_ROW) <= self.width() - around:
-                return
-
-    def _request(self, action: str) -> None:
-        self.action_requested.emit(action)
+        self._row.fold()
 
     def _change(self, **changes: Any) -> None:
         settings = replace(self.settings, **changes)
@@ -251,9 +228,7 @@ class ComparePanel(MapsPanel):
         for card in self.cards:
             card.requested.connect(self._act)
         self._row = FoldingRow(self.cards, UNIT_PX // 4, left=True, parent=self)
-        self.maps.outputs_chosen.connect(self._choose_outputs)
         self.maps.pointed_at.connect(self._read)
-        self._staleness.changed.connect(self.maps.show_stale)
         self.text_label = NoteLabel("compare_words", self)
         self.copy = CopyButton(self.name, lambda: tab_separated(self.maps.content), self)
         foot = in_row(self.text_label, self.copy, margins=(UNIT_PX, 1, UNIT_PX // 2, 1))
@@ -261,6 +236,7 @@ class ComparePanel(MapsPanel):
         in_column(self.bar, cards, (self.maps, 1), foot, of=self, margins=0, gap_px=0)
         self.setFocusProxy(self.maps)
         self.guessed = self._row, self.maps, self.text_label
+        self.computed = (self.maps,)
         self._show_cards()
 
     def sizeHint(self) -> QSize:
@@ -308,7 +284,7 @@ class ComparePanel(MapsPanel):
 
     def _show_cards(self) -> None:
         """Show a card for each snapshot, and for what is edited where it is none of them."""
-        self._row.setVisible(self.bar.has_room and self.kind.of_snapshots)
+        self._row.setVisible(self.bar.has_room and "snapshots" in self.kind.fields)
         present = None
         if self.design is not None:
             present = shown_snapshot(self.view.snapshots, self.design)
@@ -331,7 +307,3 @@ class ComparePanel(MapsPanel):
     def _read(self, output: int | None) -> None:
         # Maps that move under the pointer cannot be pointed at.
         self.text_label.say(self.maps.content.readout(output), holding=True)
-
-    def _choose_outputs(self, outputs: tuple[int, ...]) -> None:
-        if self.design is not None:
-            self.edited.emit(edits.select_outputs(self.design, self.view, outputs), None)

@@ -224,7 +224,6 @@ class StagePanel(MapsPanel):
             label.setWordWrap(True)
             label.setTextFormat(Qt.TextFormat.PlainText)
         self.maps.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.maps.outputs_chosen.connect(self._choose_outputs)
         self.knob.edited.connect(self._turn)
         self.guessed = self.maps, self.strip
         self.setFocusProxy(self.knob)
@@ -380,10 +379,6 @@ class StagePanel(MapsPanel):
             ids = self.view.selected_inputs or (self._track.id,)
             outcome = edits.change_field(self.design, self.view, ids, self._turned, value)
             self.edited.emit(outcome, gesture)
-
-    def _choose_outputs(self, outputs: tuple[int, ...]) -> None:
-        if self.design is not None:
-            self.edited.emit(edits.select_outputs(self.design, self.view, outputs), None)
 
 
 def _frequencies(specs: Mapping[str, Spec]) -> dict[str, NumberSpec]:

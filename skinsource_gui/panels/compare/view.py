@@ -12,6 +12,7 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from skinsource.base.arrays import Floats
 from skinsource_gui.panels.compare.content import Cell, CompareContent
 from skinsource_gui.plots.colour_maps import colour_table
+from skinsource_gui.plots.curves import fitting
 from skinsource_gui.plots.figure import shrunk
 from skinsource_gui.plots.outputs import OutputPicker
 from skinsource_gui.plots.small_map import (
@@ -119,8 +120,6 @@ _CENTRE = Qt.AlignmentFlag.AlignCenter
 _MOST_LINES = 4
 # A number stays with what it numbers.
 _BEFORE_NUMBER = re.compile(r" (?=\d)")
-# Of a line of letters broken anywhere, so much is surely filled.
-_FILLED = 0.9
 
 
 def places_for(room: QRectF, content: CompareContent, font: QtGui.QFont) -> Places:
@@ -145,10 +144,8 @@ def paint_heading(painter: QtGui.QPainter, wordings: Sequence[str], room: QRectF
     if fitted is not None:
         painter.drawText(inner, wraps, _with_joined_numbers(fitted))
         return
-    lines = max(round(room.height() / metrics.height()), 1)
-    width = inner.width() * (1.0 if lines == 1 else _FILLED * lines)
-    text = metrics.elidedText(wordings[-1], Qt.TextElideMode.ElideRight, width)
-    painter.drawText(inner, _CENTRE | Qt.TextFlag.TextWrapAnywhere, text)
+    text = metrics.elidedText(wordings[-1], Qt.TextElideMode.ElideRight, inner.width())
+    painter.drawText(inner, _CENTRE, text)
 
 
 def bold(font: QtGui.QFont) -> QtGui.QFont:
@@ -176,9 +173,6 @@ def _inner(metrics: QtGui.QFontMetricsF, room: QRectF) -> QRectF:
 
 def _with_joined_numbers(text: str) -> str:
     return _BEFORE_NUMBER.sub("\N{NO-BREAK SPACE}", text)
-
-
-_PALE = 0.5
 
 
 def paint_content(
@@ -243,23 +237,16 @@ def _paint_cell(
         painter.setFont(plain)
         return
     painter.setPen(QtGui.QColor(theme.text if pointed_at is not None else theme.dim))
-    values, width = cell.value_texts(pointed_at), place.value.width()
-    painter.setFont(shrunk(plain, values[-1:], width - 0.5 * painter.fontMetrics().height()))
-    painter.drawText(place.value, _CENTRE, fitting(painter, values, width))
+    values = cell.value_texts(pointed_at)
+    room_px = place.value.width() - 0.5 * painter.fontMetrics().height()
+    painter.setFont(shrunk(plain, values[-1:], room_px))
+    value = fitting(values, QtGui.QFontMetricsF(painter.font()), room_px) or values[-1]
+    painter.drawText(place.value, _CENTRE, value)
     painter.setFont(plain)
     table = colour_table(cell.scale.colours)
     paint_small_map(painter, place.map, cell.small, cell.design, theme, cell.scale.range_db, table)
     paint_rings(painter, cell.small, place.map, content.outputs, theme, pointed_at)
     paint_small_bar(painter, place.map, cell.small, cell.limb, theme)
-
-
-def fitting(painter: QtGui.QPainter, wordings: Sequence[str], width: float) -> str:
-    """Return the first wording that has room; each is shorter than the one before."""
-    metrics = painter.fontMetrics()
-    width -= 0.5 * metrics.height()
-    fits = (wording for wording in wordings if metrics.horizontalAdvance(wording) <= width)
-    shortest = metrics.elidedText(wordings[-1], Qt.TextElideMode.ElideRight, int(width))
-    return next(fits, shortest)
 
 
 # Those keys of the skin map that are about outputs.
@@ -282,7 +269,6 @@ class MapsView(QtWidgets.QWidget):
 
     def __init__(self, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
-        self._stale = False
         self._places: Places | None = None
         # Of which map the mouse was last.
         self._at = 0
@@ -347,11 +333,6 @@ class MapsView(QtWidgets.QWidget):
         super().changeEvent(event)
         self._places = None
 
-    def show_stale(self, stale: bool) -> None:
-        """Show whether the maps belong to an older design."""
-        self._stale = stale
-        self.update()
-
     def event(self, event: QEvent) -> bool:
         return claims_shortcut(event, self._claims) or super().event(event)
 
@@ -373,18 +354,13 @@ class MapsView(QtWidgets.QWidget):
         painter.end()
 
     def _paint_maps(self, painter: QtGui.QPainter, theme: Theme) -> None:
-        """Draw the maps, paler where they belong to an older design, and the rubber band."""
+        """Draw the maps and the rubber band."""
         content, places, band = self.content, self.places, self.picker.band
-        if self._stale:
-            painter.setPen(QtGui.QColor(theme.dim))
-            painter.drawText(places.head, Qt.AlignmentFlag.AlignVCenter, "Computing…")
         if any(cell.synthetic for cell in content.cells):
             painter.setPen(QtGui.QColor(theme.warning))
             right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
             painter.drawText(places.head, right, "SYNTHETIC")
-        painter.setOpacity(_PALE if self._stale else 1.0)
         paint_content(painter, content, places, theme, self.output)
-        painter.setOpacity(1.0)
         if band is not None:
             paint_band(painter, band, theme)
 

@@ -364,7 +364,6 @@ def export_animation(
         As `skinsource.export.video`.
     """
     # Nobody computes with the pixels of a frame.
-    del largest_error
     options = options or film_options(design, view, _usual_size())
     view = options.view_of(view)
     settings = settings_of(view, SKIN, SkinSettings)

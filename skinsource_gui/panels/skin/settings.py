@@ -205,7 +205,6 @@ def with_range(settings: SkinSettings, chosen: Range | None) -> SkinSettings:
 
 def has_colours(name: str, design: Design, view: View) -> bool:
     """Return whether levels are shown in these colours."""
-    del design
     return settings_of(view, SKIN, SkinSettings).colours == name
 
 

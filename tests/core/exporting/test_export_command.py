@@ -8,9 +8,6 @@ import soundfile
 import skinsource as ss
 from skinsource.cli.command_line import main
 
-#: Formats that cannot hold a drive as it is.
-LOSSY = ("c-header", "drv2605l", "bos1901", "drv2665", "haptic", "ahap", "pwle")
-
 
 @pytest.fixture
 def saved(design, tmp_path):
@@ -35,24 +32,6 @@ def test_it_writes_the_file_and_its_sidecar_and_says_where_and_that_it_is_uncali
     about = soundfile.info(out)
     assert (about.samplerate, about.channels, about.subtype) == (44_100, 2, "FLOAT")
     assert json.loads((tmp_path / "drive.wav.json").read_text())["rate_hz"] == 44_100
-
-
-@pytest.mark.parametrize("name", ss.export_formats())
-def test_every_format_takes_a_rate_or_ignores_it_and_says_what_it_loses(
-    saved, tmp_path, capsys, name
-):
-    out = tmp_path / "out"
-    assert main(["export", str(saved), "--format", name, "--rate", "8000", "--out", str(out)]) == 0
-    lines = [line for line in capsys.readouterr().out.splitlines() if line.startswith("  ")]
-    assert out.exists()
-    about = json.loads((tmp_path / "out.json").read_text())
-    assert about["format"] == name
-    assert about["calibration"].startswith("uncalibrated")
-    expected = [about[key].rstrip(".") for key in ("edges", "loses", "calibration")]
-    summary, *others = [line.strip().rstrip(".").lower() for line in lines]
-    assert others == [sentence.lower() for sentence in expected if sentence]
-    assert about["equalised"].lower() in summary
-    assert bool(about["loses"]) == (name in LOSSY)
 
 
 def test_options_reach_the_file(saved, tmp_path, capsys):

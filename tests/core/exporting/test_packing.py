@@ -9,7 +9,7 @@ from dataclasses import replace
 import pytest
 
 import skinsource as ss
-from skinsource.actuators.rigs import Rig, save_rig
+from skinsource.actuators.rigs import Rig, RigChannel, save_rig
 from skinsource.base.errors import MissingExtraError, Stopped, StorageError
 from skinsource.cli.command_line import main
 from skinsource.design.design_file import open_design, save_design
@@ -119,6 +119,8 @@ def test_the_command_packs_a_file_with_its_rig(tmp_path, capsys):
     save_rig(rig, Rig())
     assert main(["pack", str(design), "--out", str(out), "--rig", str(rig)]) == 0
     assert capsys.readouterr().out == f"{out}\n"
+    assert "rig.skinrig" in names(out)
+    pack(out, replace(DESIGN, rig=Rig(channels=(RigChannel(place=7),))), VIEW)
     assert "rig.skinrig" in names(out)
 
 

@@ -44,11 +44,6 @@ def test_the_words_name_the_channel_what_is_lost_and_what_to_do(two, tmp_path):
     )
 
 
-def test_confirming_what_clips_is_not_accepting_a_loss(two, tmp_path):
-    with pytest.raises(NotConfirmedError, match="loses"):
-        ss.export_stimulus(two, tmp_path / "a.wav", rate_hz=1000, confirmed=True)
-
-
 def test_what_is_accepted_is_written_and_told(two, tmp_path):
     path = tmp_path / "a.wav"
     done = ss.export_stimulus(two, path, rate_hz=1000, options=ACCEPTED)
@@ -106,14 +101,6 @@ def test_what_is_cut_off_is_not_lost_to_the_rate(tmp_path, duration_s, rate_hz, 
     )
     done = ss.export_stimulus(steady, tmp_path / "c.wav", rate_hz=rate_hz, options=part)
     assert done.loses == ""
-
-
-def test_what_is_faded_out_is_not_lost(tmp_path):
-    both = design_of(ss.track(7, tone(100.0, 0.5)), ss.track(7, tone(500.0, 0.02), onset_s=0.98))
-    options = ss.StimulusOptions(fade_out_s=0.5)
-    plain = ss.export_stimulus(both, tmp_path / "a.wav", rate_hz=900)
-    assert "loses 0.1" in plain.loses
-    assert ss.export_stimulus(both, tmp_path / "b.wav", rate_hz=900, options=options).loses == ""
 
 
 def test_each_file_tells_of_its_own_channel(two, tmp_path):

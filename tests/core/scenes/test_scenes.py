@@ -125,17 +125,6 @@ def test_the_missing_panels_of_the_paper_are_listed_with_the_reason():
     assert not missing.keys() & set(NAMES)
 
 
-def test_the_strengths_cite_the_panel_that_shows_them_and_what_was_measured():
-    for name in ("5B", "5B-2"):
-        known = ss.scenes.scene(name)
-        assert known.source.endswith("Fig. 5B")
-        assert "80 mm/s" in known.measured
-    measured = {name: ss.scenes.scene(name).measured for name in ("5D", "5E", "5F")}
-    assert "0.99" in measured["5D"]
-    assert "-40 dB" in measured["5E"]
-    assert "above 0.99" in measured["5F"]
-
-
 def test_the_numbers_of_a_sentence_are_those_of_the_limb_that_is_open():
     opened = ss.scenes.open_scene("2F", available=("synthetic-3",))
     levels = [

@@ -83,16 +83,6 @@ def test_what_a_limb_lacks_is_said(user_data):
     assert reasons("lab-1")["1E"] == "It compares axes, and this limb measures along z alone."
 
 
-def test_a_published_limb_that_is_chosen_keeps_places_and_outputs():
-    opened = ss.scenes.open_scene("2F", limb="synthetic-2")
-    paper = ss.scenes.open_scene("2F", available=())
-    assert {condition.design.limb for condition in opened.conditions} == {"synthetic-2"}
-    assert opened.design.inputs == paper.design.inputs
-    assert opened.view.outputs == paper.view.outputs
-    assert opened.synthetic
-    assert opened.note.startswith("This is Synthetic 2")
-
-
 def test_the_commands_take_a_limb(user_data, tmp_path, capsys):
     installed()
     assert main(["scenes", "--limb", "lab-1"]) == 0

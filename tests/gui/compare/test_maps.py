@@ -15,7 +15,12 @@ from skinsource.design.panel_settings import with_settings
 from skinsource.design.view import View
 from skinsource.engine.evaluation import evaluate
 from skinsource.signals.map_range import MAP_RANGE_DB, map_range_db
-from skinsource_gui.panels.compare.content import Cells, snapshot_names
+from skinsource_gui.panels.compare.content import (
+    of_differences,
+    of_levels,
+    of_spread,
+    snapshot_names,
+)
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.plots.small_map import paint_small_map, tick_text
 from skinsource_gui.qt.theme import LIGHT
@@ -343,10 +348,10 @@ def painted(small):
 def test_what_is_mostly_noise_is_hatched_on_each_map_and_on_what_is_made_of_several(qapp):
     pair = [compared(1, noisy=(3, 70)), compared(2, noisy=(70, 71))]
     names = [("one",), ("two",)]
-    first, second = Cells().of_levels(pair, names)
+    first, second = of_levels(pair, names)
     assert (first.small.noisy, second.small.noisy) == ((3, 70), (70, 71))
-    [difference] = Cells().of_differences(pair, names, 0)
+    [difference] = of_differences(pair, names, 0)
     assert difference.small.noisy == (3, 70, 71)
-    assert [cell.small.noisy for cell in Cells().of_spread(pair, names, 0)] == [(3, 70, 71)] * 2
-    [quiet, _] = Cells().of_levels([compared(1, noisy=()), pair[1]], names)
+    assert [cell.small.noisy for cell in of_spread(pair, names, 0)] == [(3, 70, 71)] * 2
+    [quiet, _] = of_levels([compared(1, noisy=()), pair[1]], names)
     assert painted(first.small) != painted(quiet.small)

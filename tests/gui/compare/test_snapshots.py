@@ -10,13 +10,11 @@ from PySide6.QtWidgets import QApplication, QFileDialog
 
 import skinsource as ss
 from skinsource.design import edits
-from skinsource.design.comparing import loudest_db
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import open_design, save_design
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.panels.compare.content import tab_separated
-from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.state.compared import ELSEWHERE, SILENCE
 from tests.core.own_limbs.lab_bench import installed
 from tests.gui.compare.compare_bench import (
@@ -29,7 +27,6 @@ from tests.gui.compare.compare_bench import (
     edit,
     levels,
     shown,
-    shown_levels,
     two_places,
 )
 
@@ -56,33 +53,6 @@ def test_keys_store_show_and_toggle_and_arrangements_have_moved(window, qtbot, s
     assert window.docks["hand"].isVisible()
     QTest.keyClick(window, KEY.Key_2, ALT)
     assert not window.docks["hand"].isVisible()
-
-
-def test_snapshots_are_shown_as_loud_as_each_other(window, settle):
-    window.do("match_levels")
-    window.do("store_snapshot_1")
-    two_places(window)
-    window.do("store_snapshot_2")
-    settle()
-    assert loudest_db(levels(window.document.design)) > -5.0
-    stored = window.document.view.snapshots
-    window.do("toggle_snapshots")
-    settle()
-    assert window.document.design == stored[0].design
-    window.do("toggle_snapshots")
-    settle()
-    assert len(window.document.design.inputs) == 2
-    matched = loudest_db(shown_levels(window))
-    assert matched == pytest.approx(loudest_db(levels(stored[0].design)), abs=1e-6)
-    by_db = round(matched - loudest_db(levels(stored[1].design)), 1)
-    message = f"Snapshot 2 is shown \N{MINUS SIGN}{-by_db:.1f} dB, matched. "
-    assert window.statusBar().currentMessage().startswith(message)
-    # To and fro changes nothing more.
-    shown_before = window.document.design
-    for _ in range(2):
-        window.do("toggle_snapshots")
-        settle()
-    assert window.document.design == shown_before
 
 
 def test_an_edit_while_levels_are_predicted_is_not_lost(window, settle):
@@ -315,20 +285,6 @@ def test_a_design_of_a_file_is_kept_as_a_snapshot_and_the_present_one_stays_open
     window.do("take_snapshot")
     assert "Forget one first" in window.notice.text
     assert document.view.snapshots == snapshots
-
-
-def test_a_file_with_settings_of_the_former_panel_opens_without_harm(
-    window, panel, settle, tmp_path
-):
-    former = ("side_by_side", (("of", "axes"), ("own_maximum", True)))
-    path = tmp_path / "a.skinsource"
-    save_design(path, window.document.design, View(panels=(former,)))
-    window.files.open(path)
-    settle()
-    assert window.notice.text == ""
-    assert former in window.document.view.panels
-    assert panel.bar.settings == CompareSettings()
-    assert "Store the design" in panel.maps.content.message
 
 
 def test_a_snapshot_is_predicted_once_however_long_one_edits(window, panel, settle, requests):

@@ -21,7 +21,6 @@ from PySide6.QtWidgets import (
     QMessageBox,
 )
 
-from skinsource_gui.plots.pictures import PictureDialog
 from tests.gui.wheel import NOTCH, turn_wheel
 
 NONE, SHIFT = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier
@@ -201,12 +200,9 @@ class Hands:
         return self.one_of(offered[:-1]) if self.chance(0.85) else offered[-1]
 
     def _end_waiting(self) -> None:
-        """End what waits in a loop of its own: the menu of a button, the choices for a picture."""
-        waiting = QApplication.activeModalWidget()
+        """End what waits in a loop of its own: the menu of a button."""
         if QApplication.activePopupWidget() is not None:
             self.choose_of_popup()
-        elif isinstance(waiting, PictureDialog):
-            waiting.accept()
 
 
 def _surface(widget):

@@ -26,7 +26,7 @@ def test_scenes_are_the_designs_of_the_folder_in_their_order(studio):
 def test_files_of_a_folder_come_in_natural_order(tmp_path):
     for name in ("10 sweep", "2 two", "1 tap"):
         (tmp_path / f"{name}.skinsource").touch()
-    assert [path.stem for path in steps_of_folder(tmp_path)] == ["1 tap", "2 two", "10 sweep"]
+    assert [step.title for step in steps_of_folder(tmp_path)] == ["1 tap", "2 two", "10 sweep"]
 
 
 def test_a_file_that_does_not_open_is_passed_by(studio, folder):

@@ -107,14 +107,6 @@ def test_six_maps_cost_as_many_interpolations_a_frame_and_no_prediction(stage, q
     assert not window.engine.busy
 
 
-def test_a_tone_loops_without_a_seam(stage, qtbot):
-    complete(stage, qtbot, 1)
-    (loop, _), *_ = stage.moving.loops
-    begin = stage.maps.content.cells[0].values_db
-    tick(stage, loop.duration_s * stage.moving.slow_motion)
-    np.testing.assert_allclose(stage.maps.content.cells[0].values_db, begin, atol=1e-9)
-
-
 def test_the_knob_turns_the_frequency_while_the_maps_go_on(stage, qtbot):
     window = stage.window()
     complete(stage, qtbot, 1)

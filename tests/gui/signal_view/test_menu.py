@@ -1,15 +1,12 @@
 """The menu of a plot, and what it gives away."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QContextMenuEvent, QImage
+from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QMenu
 
-from skinsource_gui.plots import signal_view
 from skinsource_gui.qt.theme import DARK, LIGHT
 from tests.gui.signal_view.bench import TIME, waves
 
@@ -32,14 +29,9 @@ def choose(signals, text):
 
 @pytest.fixture
 def save_to(monkeypatch, tmp_path):
-    """Answer the questions for size and colours, as they are unless given, and for a file."""
+    """Answer the question for a file."""
 
-    def answer(name, kind="", **options):
-        monkeypatch.setattr(
-            signal_view,
-            "ask_picture_options",
-            lambda _, usual, **page: replace(usual, **options),
-        )
+    def answer(name, kind=""):
         path = tmp_path / name
         monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), kind))
         return path
@@ -78,21 +70,6 @@ def test_the_picture_on_the_clipboard_is_light_large_and_has_a_legend(signals, u
     # The plot on the screen stays as it is.
     assert signals.plot.grab().toImage().pixelColor(1, 1).name() == DARK.base
     assert signals.plot.crosshair.index == 100
-
-
-def test_a_picture_has_the_size_and_the_colours_that_were_asked_for(signals, save_to):
-    size = 300, 900
-    signals.show_curves(waves(3), synthetic=True)
-    path = save_to("traces.png", width_px=size[0], height_px=size[1], colours="dark")
-    choose(signals, "Save picture")
-    picture = QImage(str(path))
-    assert (picture.width(), picture.height()) == size
-    corners = {picture.pixelColor(x, y).name() for x in (0, size[0] - 1) for y in (0, size[1] - 1)}
-    assert corners == {DARK.base}
-    # All of it is in the picture, and fills it.
-    assert {picture.pixelColor(x, size[1] - 1).name() for x in range(size[0])} == {DARK.base}
-    lower = [picture.pixelColor(x, int(0.8 * size[1])).name() for x in range(size[0])]
-    assert len(set(lower[size[0] // 2 :])) > 1
 
 
 @pytest.mark.parametrize("kind", ["amplitude", "level"])

@@ -4,7 +4,6 @@ from dataclasses import replace
 from functools import partial
 
 import pytest
-from PySide6.QtWidgets import QPushButton
 
 import skinsource as ss
 from skinsource.design.panel_settings import settings_of, with_settings
@@ -21,7 +20,7 @@ from skinsource_gui.panels.skin.film import (
 )
 from skinsource_gui.panels.skin.layout import VisiblePart
 from skinsource_gui.panels.skin.settings import SkinSettings
-from skinsource_gui.plots.pictures import PictureDialog, PictureOptions
+from skinsource_gui.plots.pictures import PictureForm, PictureOptions
 
 DESIGN = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Tap()),))
 ZOOMED = View(time_range_s=(0.05, 0.15))
@@ -36,12 +35,10 @@ def shown(quantity, view=ZOOMED, slow_motion=1.0, **settings):
 @pytest.fixture
 def form(qtbot):
     view = shown("z", slow_motion=100.0)
-    dialog = PictureDialog(
-        film_options(DESIGN, view, SIZES), remark=partial(film_remark, DESIGN, view)
-    )
-    qtbot.addWidget(dialog)
-    dialog.show()
-    return dialog
+    form = PictureForm(film_options(DESIGN, view, SIZES), remark=partial(film_remark, DESIGN, view))
+    qtbot.addWidget(form)
+    form.show()
+    return form
 
 
 def choose(form, name, option):
@@ -49,7 +46,7 @@ def choose(form, name, option):
 
 
 def remark(form):
-    return form.remark_label.text().replace("\N{NO-BREAK SPACE}", " ")
+    return form.remark.text.replace("\N{NO-BREAK SPACE}", " ")
 
 
 @pytest.mark.parametrize(
@@ -100,20 +97,19 @@ def test_length_frames_and_size_follow_what_is_chosen(form):
 def test_what_cannot_be_written_says_why_and_cannot_be_saved(qtbot):
     long = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Tone(duration_s=60.0)),))
     view = shown("z", View(), slow_motion=200.0)
-    form = PictureDialog(film_options(long, view, SIZES), remark=partial(film_remark, long, view))
+    form = PictureForm(film_options(long, view, SIZES), remark=partial(film_remark, long, view))
     qtbot.addWidget(form)
     form.show()
-    save = next(button for button in form.findChildren(QPushButton) if button.text() == "Save as…")
     assert "expected at most 36000: 10 minutes" in remark(form)
-    assert not save.isEnabled()
+    assert form.remark.refuses
     choose(form, "pace", "5")
     choose(form, "quantity", "rms")
     assert remark(form).startswith("All of the response: about ")
     assert remark(form).endswith("Zoom the traces to film a part.")
-    assert save.isEnabled()
-    form.form._edit("width_px", 5000.0, None)
+    assert not form.remark.refuses
+    form._edit("width_px", 5000.0, None)
     assert "expected at most 4096 on a side" in remark(form)
-    assert not save.isEnabled()
+    assert form.remark.refuses
 
 
 def test_along_z_cannot_be_saved_of_a_limb_that_is_not_measured_so(monkeypatch):

@@ -32,11 +32,6 @@ def desk(make_desk, design):
     return make_desk(design, selected(design))
 
 
-@pytest.fixture
-def window(open_window, design):
-    return open_window(design, selected(design))
-
-
 def opened(actions, qtbot):
     """The page, once it shows what would be exported."""
     qtbot.waitExposed(actions.page)
@@ -50,13 +45,6 @@ def page(desk, qtbot):
     desk.exports.show("stimulus")
     yield opened(desk.exports, qtbot)
     desk.exports.end()
-
-
-@pytest.fixture
-def page_in_window(window, qtbot):
-    window.do("export_stimulus")
-    yield opened(window.exports, qtbot)
-    window.exports.end()
 
 
 @pytest.fixture

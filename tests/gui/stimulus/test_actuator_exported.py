@@ -1,6 +1,5 @@
 """Exports start with what the design has chosen, whether or not predictions go through it."""
 
-import json
 from dataclasses import replace
 
 import pytest
@@ -9,8 +8,6 @@ import skinsource as ss
 from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.design.view import View
 from skinsource_gui.pages.stimulus.form import StimulusForm, recall, remembered
-from tests.gui.stimulus.conftest import opened
-from tests.gui.stimulus.stimulus_bench import choose, export, label
 
 DESIGN = ss.Design(
     limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Gabor(200.0, cycles=8.0), onset_s=0.1),)
@@ -40,35 +37,6 @@ def order_of(form):
     form.changed.connect(changes.append)
     form.emit_order()
     return changes[-1]
-
-
-def test_it_starts_with_what_the_design_has_and_another_choice_is_free(open_window, qtbot, save_as):
-    window = open_window(chosen(RegularisedInverse()))
-    window.do("export_stimulus")
-    page = opened(window.exports, qtbot)
-    needed = "lead-in 0.1 s, tail 0.1 s, as the equaliser needs."
-    equalised = f"equalised for {TITLE} (regularised inverse), {needed}"
-    assert label(page, "summary").endswith(equalised)
-    assert page.form.field("lead_in").value_si == page.form.field("tail").value_si == 0.1
-    assert page.form.field("actuator").currentText() == f"{TITLE} (of the design)"
-    path = save_as("volts.wav")
-    export(window, page, qtbot)
-    metadata = json.loads((path.parent / "volts.wav.json").read_text())
-    assert metadata["equalised"] == f"Equalised for {TITLE} (regularised inverse)"
-    assert metadata["unit"] == "V"
-    assert [actuator["name"] for actuator in metadata["actuator"]] == [TITLE]
-    # The next page starts there again, and another choice is free.
-    window.do("export_stimulus")
-    page = opened(window.exports, qtbot)
-    choose(page, qtbot, "equaliser", "none")
-    assert label(page, "summary").endswith(f"{RAW}, for {TITLE}.")
-    assert page.form.field("lead_in").value_si == 0.0
-    choose(page, qtbot, "equaliser", "minimum")
-    assert "equalised for" in label(page, "summary")
-    choose(page, qtbot, "actuator", "none")
-    assert label(page, "summary").endswith(f"{RAW}.")
-    assert not page.form.field("equaliser").isVisible()
-    page.window().reject()
 
 
 def test_changed_parameters_and_equaliser_go_with_it(form_on):

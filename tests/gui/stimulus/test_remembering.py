@@ -6,10 +6,6 @@ from PySide6.QtWidgets import QFileDialog
 import skinsource as ss
 from skinsource.design.view import View
 from skinsource_gui.pages.stimulus.form import StimulusForm, recall, remembered
-from skinsource_gui.pages.stimulus.page import (
-    StimulusPart,
-    calibration_of,
-)
 
 WAIT = {"timeout": 30_000}
 DESIGN = ss.Design(
@@ -58,33 +54,6 @@ def test_choices_of_a_format_are_kept_with_it(form, other):
     recall(other, remembered(form))
     assert other.chosen == form.chosen
     assert other.chosen[name] == last
-
-
-def test_full_scale_in_volts_without_a_rig_is_what_shall_be(qtbot):
-    design = ss.Design(
-        limb="synthetic-1", inputs=DESIGN.inputs, actuation=ss.Actuation(actuators=(COIL,))
-    )
-    page = StimulusPart(design, View())
-    qtbot.addWidget(page)
-    qtbot.waitUntil(lambda: page.ready and not page.busy, **WAIT)
-    prepared = page.prepared
-    assert prepared.drives.unit == "V"
-    assert " V, not equalised (volts of the design), for coil" in prepared.summary
-    assert calibration_of(prepared).startswith("Uncalibrated: choose a rig")
-    page.close_worker()
-
-
-def test_a_design_that_is_predicted_through_an_equaliser_starts_with_that(qtbot):
-    equaliser = ss.equalising.RegularisedInverse(boost_db=12.0)
-    through = ss.Actuation(actuators=(COIL,), equaliser=equaliser)
-    design = ss.Design(limb="synthetic-1", inputs=DESIGN.inputs, actuation=through)
-    form = StimulusForm(design, View())
-    qtbot.addWidget(form)
-    assert form.field("equaliser").currentText() == "That of the design"
-    assert orders(form).equaliser == equaliser
-    # The rig that says full scale is missing, so the page asks for it.
-    form.field("advanced").click()
-    assert not form.field("scale").isHidden()
 
 
 def test_a_name_without_an_ending_gets_all_of_it_and_the_format_is_remembered(

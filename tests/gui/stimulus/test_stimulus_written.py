@@ -13,29 +13,6 @@ from tests.gui.stimulus.conftest import opened
 from tests.gui.stimulus.stimulus_bench import WAIT_MS, choose, export, label
 
 
-def test_the_bytes_that_are_told_are_those_of_the_file(page, desk, qtbot, save_as):
-    n_bytes = page.prepared.n_bytes
-    path = save_as("drive.wav")
-    export(desk, page, qtbot)
-    assert abs(path.stat().st_size - n_bytes) < 300
-
-
-def test_what_was_looked_at_is_written_with_its_sidecar(
-    page_in_window, window, qtbot, save_as, design
-):
-    choose(page_in_window, qtbot, "samples", "pcm24")
-    choose(page_in_window, qtbot, "rate", "44100")
-    path = save_as("drive.wav")
-    export(window, page_in_window, qtbot)
-    about = soundfile.info(path)
-    assert (about.samplerate, about.channels, about.subtype) == (44_100, 2, "PCM_24")
-    metadata = json.loads((path.parent / "drive.wav.json").read_text())
-    assert metadata["rate_hz"] == 44_100
-    assert "Saved" in window.statusBar().currentMessage()
-    assert window.document.design is design or window.document.design == design
-    assert window.document.undo_stack.count() == 0
-
-
 def test_from_the_page_to_the_file_each_clip_is_sampled_once(
     desk, qtbot, save_as, monkeypatch, design
 ):

@@ -700,7 +700,6 @@ def bound_clip(design: Design, view: View, clip_id: int, sample_rate_hz: float) 
     >>> print(edit.label)
     Limit the band of clip at 7 (II pad)
     """
-    del sample_rate_hz
     return limit_to_band(design, view, (clip_id,))
 
 

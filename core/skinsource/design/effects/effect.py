@@ -82,7 +82,6 @@ class KeepsTime(CheckedModel):
 
     def shift_before(self, shift_s: float, duration_s: float, sample_rate_hz: float) -> float:
         """Return ``shift_s`` itself."""
-        del duration_s, sample_rate_hz
         return shift_s
 
 

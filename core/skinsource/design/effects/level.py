@@ -66,7 +66,6 @@ class Envelope(KeepsTime):
         duration_s: float | None = None,
     ) -> Floats:
         """Return the samples at their levels, (n_times,)."""
-        del duration_s
         return samples * self.values_at(own_times(samples.size, sample_rate_hz, shift_s))
 
 
@@ -174,7 +173,6 @@ class Rectify(KeepsTime):
         duration_s: float | None = None,
     ) -> Floats:
         """Return the rectified samples, (n_times,)."""
-        del sample_rate_hz, shift_s, duration_s
         return np.abs(samples) if self.wave == "full" else np.maximum(samples, 0.0)
 
 
@@ -222,7 +220,6 @@ class SoftClip(KeepsTime):
         duration_s: float | None = None,
     ) -> Floats:
         """Return the limited samples, (n_times,)."""
-        del sample_rate_hz, shift_s, duration_s
         return self.level * np.tanh(samples * (self.drive / self.level))
 
 

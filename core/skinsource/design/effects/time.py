@@ -64,7 +64,6 @@ class Repeat(fields.CheckedModel):
 
     def shift_before(self, shift_s: float, duration_s: float, sample_rate_hz: float) -> float:
         """Return the same shift, which is that of the first repetition."""
-        del duration_s, sample_rate_hz
         return shift_s
 
     def applied(
@@ -205,7 +204,6 @@ class Stretch(fields.CheckedModel):
 
     def shift_before(self, shift_s: float, duration_s: float, sample_rate_hz: float) -> float:
         """Return 0, since the result is computed at any shift; or the shift for a factor of 1."""
-        del sample_rate_hz
         return shift_s if self.factor_of(duration_s) == 1.0 else 0.0
 
     def applied(
@@ -297,7 +295,6 @@ class Trim(fields.CheckedModel):
 
     def shift_before(self, shift_s: float, duration_s: float, sample_rate_hz: float) -> float:
         """Return the shift of the samples before, whose time 0 lies ``start_s`` earlier."""
-        del duration_s
         _, shift = sample_and_rest((shift_s - self.start_s) * sample_rate_hz)
         return shift / sample_rate_hz
 

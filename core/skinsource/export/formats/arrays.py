@@ -15,7 +15,7 @@ from skinsource.base.job import silent, stop_if
 from skinsource.design.design import Design
 from skinsource.design.view import View
 from skinsource.engine.quantities import new_graph, sources
-from skinsource.export.exported_design import ExportedDesign, steadily_written
+from skinsource.export.exported_design import ExportedDesign
 from skinsource.export.formats.format import Choices, Facts, StimulusFile, StimulusFormat
 from skinsource.export.tables import NpzArchive
 from skinsource.limbs.limb import Limb
@@ -153,7 +153,7 @@ class Npz(_Arrays):
     def write(self, file: StimulusFile, path: Path) -> Facts:
         """Write the file."""
         stimulus = file.stimulus
-        with steadily_written(path) as output, NpzArchive(output) as archive:
+        with path.open("w+b") as output, NpzArchive(output) as archive:
             archive.put("drive", np.ascontiguousarray(stimulus.samples.T))
             archive.put("sample_rate_hz", np.array(stimulus.sample_rate_hz))
             archive.put("full_scale", np.array(file.full_scale))

@@ -13,7 +13,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.export.exported_design import steadily_written
 from skinsource.export.formats.format import (
     SAMPLES,
     Choices,
@@ -72,7 +71,7 @@ class Wav(StimulusFormat):
         if integer_kind:
             quantised, facts = file.integers(integer_kind)
             values = quantised.values
-        with steadily_written(path) as output:
+        with path.open("w+b") as output:
             output.write(_head(file, sample_bytes, n_bytes))
             for times in file.blocks(_BLOCK):
                 output.write(_packed(values[:, times], sample_bytes, integer_kind))

@@ -212,12 +212,10 @@ class StimulusFormat(ABC):
 
     def response_bytes(self, design: Design) -> int:
         """Return how many bytes the predicted response takes, where that is written too."""
-        del design
         return 0
 
     def sent(self, stimulus: Stimulus, choices: Choices) -> Stimulus:
         """Return what the device is told: the samples, or amplitudes at their own rate."""
-        del choices
         return stimulus
 
     def check_equaliser(self, actuator: str, model: Actuator | None) -> None:
@@ -236,22 +234,18 @@ class StimulusFormat(ABC):
 
     def rounds(self, choices: Choices) -> bool:
         """Return whether whole numbers are written, so that dither is possible."""
-        del choices
         return False
 
     def loses(self, choices: Choices) -> str:
         """Return a sentence on the part of the drive that is not in the file; "": all is."""
-        del choices
         return ""
 
     def companion_path(self, path: Path) -> Path | None:
         """Return the path of a small file that belongs to it besides the sidecar; None: none."""
-        del path
         return None
 
     def companion_content(self, facts: Facts) -> bytes:
         """Return the content of that file."""
-        del facts
         return b""
 
     def file_rate_hz(self, rate_hz: int | None) -> int | None:

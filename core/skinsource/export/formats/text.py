@@ -11,7 +11,6 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import stop_if
 from skinsource.base.quoting import sentence
 from skinsource.base.work import counted
-from skinsource.export.exported_design import steadily_written
 from skinsource.export.formats.format import (
     SAMPLES,
     Choices,
@@ -75,7 +74,7 @@ class Csv(StimulusFormat):
             columns = ["time_s", *(f"{name}_of_full_scale" for name in file.channel_names)]
         elif layout == "keysight":
             columns = [f"Y{number}" for number in range(1, n_channels + 1)]
-        with steadily_written(path) as output:
+        with path.open("w+b") as output:
             if layout == "keysight":
                 output.write(f"SampleRate = {file.rate_hz}\n".encode())
             if columns:
@@ -156,7 +155,7 @@ def write_header(
             for channel in file.stimulus.channels
         ),
     ]
-    with steadily_written(path) as output:
+    with path.open("w+b") as output:
         output.write(("\n".join(lines) + "\n").encode("ascii"))
         for name, row in zip(names, values, strict=True):
             output.write(

@@ -317,7 +317,9 @@ def prepare_stimulus(
         possible.
     """
     choices = format.chosen(options.choices)
-    rig, equaliser = _chosen(design, actuation, rig, equaliser)
+    rig, at_places = wiring_of(design, rig, actuation)
+    equaliser = equaliser_of(design) if equaliser is None else equaliser
+    equaliser = None if equaliser == "none" else equaliser
     cut = _cut_ends(options)
     # Ringing before time 0, and after the end, is kept where nothing is cut off or faded.
     rings_before = not cut and options.fade_in_s == 0.0
@@ -347,8 +349,6 @@ def prepare_stimulus(
         stop_if(stop)
         drives = stage(drives)
     stop_if(stop)
-    at_places = design.actuation if actuation is None else actuation
-    at_places = None if at_places == "none" else at_places
     for channel in drives.channels if equaliser is not None else ():
         if channel.place is not None:
             format.check_equaliser(*actuator_at(channel.place, rig, at_places))
@@ -412,18 +412,16 @@ def prepare_stimulus(
     )
 
 
-def _chosen(
+def wiring_of(
     design: Design,
-    actuation: Actuation | Literal["none"] | None,
     rig: Rig | Literal["none"] | None,
-    equaliser: Equaliser | Literal["none"] | None,
-) -> tuple[Rig | None, Equaliser | None]:
-    """Return rig and equaliser: those of the design where no others are asked for."""
+    actuation: Actuation | Literal["none"] | None,
+) -> tuple[Rig | None, Actuation | None]:
+    """Return rig and actuators: those of the design where no others are asked for."""
     if rig is None and actuation is None:
         rig = design.rig
-    if equaliser is None:
-        equaliser = equaliser_of(design)
-    return None if rig == "none" else rig, None if equaliser == "none" else equaliser
+    actuation = design.actuation if actuation is None else actuation
+    return None if rig == "none" else rig, None if actuation == "none" else actuation
 
 
 def actuator_at(

@@ -23,16 +23,14 @@ from skinsource.export.plot import (
     DIM,
     HATCHED,
     INK,
-    Bar,
     Levels,
     PlotRow,
     Range,
-    WindowedLevels,
     annotate_scale,
     common_range,
     common_size,
     draw_extent,
-    draw_map,
+    draw_maps,
     draw_rows,
     levels_of,
     style,
@@ -42,6 +40,7 @@ from skinsource.export.tables import windows_table
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.signals.analysis.statistics import BIN_HZ, band_rms
 from skinsource.signals.map_range import MAP_RANGE_DB
+from skinsource.signals.projection import magnitude
 from skinsource.signals.resampling import finer
 from skinsource.signals.sampling import NEAR
 from skinsource.signals.spectra import MEAN_OF_BINS, mean_of_bins
@@ -53,7 +52,6 @@ from skinsource.studies.figures.sheet import (
     field_of,
     frequency_of,
     levels_of_values,
-    magnitudes_at,
     normal_of,
 )
 from skinsource.studies.scenes.opened_scene import Condition, OpenedScene
@@ -355,11 +353,9 @@ def maps_figure(
     left_mm = (WIDTH_MM - _BAR_ROOM_MM - room_mm) / 2.0
     with style():
         places = sheet.row_of_axes(len(levels), left_mm, 2.0, room_mm, _HEIGHT_MM - 8.0)
-        image = None
-        for k, (ax, level, title) in enumerate(zip(places, levels, titles, strict=True)):
-            bar: Bar = "drawn" if k == len(levels) - 1 else "room"
-            shown = replace(level, values=level.values - tops_db[k])
-            image = draw_map(ax, shown, colours, title=title, bar=bar)
+        pairs = zip(levels, tops_db, strict=True)
+        shown = [replace(level, values=level.values - top_db) for level, top_db in pairs]
+        image = draw_maps(places, shown, colours, titles)
         sheet.colour_bar(image, left_mm + room_mm + 2.0, 24.0, 50.0, unit)
     columns = {"output": np.arange(1.0, levels[0].values.size + 1.0)}
     for level, top_db, title in zip(levels, tops_db, titles, strict=True):
@@ -390,19 +386,20 @@ def tone_frames(opened: OpenedScene) -> Drawn:
     limit = _SHARE_OF_PEAK * float(np.abs(along_z).max())
     sheet = Sheet(opened, 84.0, maps=True)
     with style():
-        image: Any = None
         places = sheet.row_of_axes(_N_FRAMES, 4.0, 2.0, 146.0, 76.0)
-        for k, (ax, values) in enumerate(zip(places, normal, strict=True)):
-            bar: Bar = "drawn" if k == _N_FRAMES - 1 else "room"
-            title = f"{1e3 * time_s[instants[k]]:.1f} ms"
-            shown = levels_of_values(opened.design, values)
-            image = draw_map(ax, shown, (-limit, limit), title=title, signed=True, bar=bar)
+        shown = [levels_of_values(opened.design, values) for values in normal]
+        titles = _instant_titles(time_s[instants])
+        image = draw_maps(places, shown, (-limit, limit), titles, signed=True)
         label = f"z, m/s²; colours end at {_SHARE_OF_PEAK:.0%} of the peak"
         sheet.colour_bar(image, 153.0, 20.0, 48.0, label)
     columns = {"output": np.arange(1.0, normal.shape[1] + 1.0)}
     for instant, values in zip(instants, normal, strict=True):
         columns[f"z at {1e3 * time_s[instant]:.3f} ms (m/s²)"] = values
     return Drawn(sheet=sheet, tables={"": columns})
+
+
+def _instant_titles(time_s: Floats) -> list[str]:
+    return [f"{1e3 * instant_s:.1f} ms" for instant_s in time_s]
 
 
 # Of each design: its train, maps of its windows, and their extents.
@@ -426,7 +423,9 @@ def train_windows(opened: OpenedScene) -> Drawn:
             train = sheet.axes(left_mm, bottom_mm + 94.0, width_mm, 12.0)
             _draw_stimulus(train, condition, n * window_s)
             places = sheet.row_of_axes(n, left_mm, bottom_mm + 28.0, width_mm, 62.0)
-            image = _draw_windows(places, windowed)
+            levels, titles = windowed.maps(n)
+            levels = [replace(each, values=each.values - each.values.max()) for each in levels]
+            image = draw_maps(places, levels, _RELATIVE_RANGE_DB, titles)
             bar = left_mm + width_mm + 2.0, bottom_mm + 36.0, 44.0
             sheet.colour_bar(image, *bar, "dB re the loudest output of each")
             draw_extent(sheet.axes(left_mm, bottom_mm + 5.0, width_mm, 16.0), windowed, n)
@@ -437,24 +436,6 @@ def train_windows(opened: OpenedScene) -> Drawn:
             suffix = f"-{condition.label.lower()}" if k else ""
             tables[suffix] = dict(zip(header, np.transpose(rows), strict=True))
     return Drawn(sheet=sheet, tables=tables)
-
-
-def _draw_windows(places: Sequence[Any], windowed: WindowedLevels) -> Any:
-    levels_db = decibels(windowed.rms_of_windows)
-    for k, (ax, bounds_s) in enumerate(
-        zip(places, windowed.windows.bounds_s(windowed.sample_rate_hz), strict=True)
-    ):
-        levels = Levels(
-            limb=windowed.limb_data,
-            surface=windowed.surface,
-            values=levels_db[k] - levels_db[k].max(),
-            places=windowed.places,
-            noisy=windowed.noisy_outputs_of_windows[k],
-        )
-        title = f"{1e3 * bounds_s[0]:.0f} to {1e3 * bounds_s[1]:.0f} ms"
-        bar: Bar = "drawn" if k == len(places) - 1 else "room"
-        image = draw_map(ax, levels, _RELATIVE_RANGE_DB, title=title, bar=bar)
-    return image
 
 
 def _draw_stimulus(ax: Any, condition: Condition, until_s: float) -> None:
@@ -496,8 +477,8 @@ def pulse_traces(opened: OpenedScene) -> Drawn:
     height_mm = 9.0 * len(rows)
     sheet = Sheet(opened, height_mm + _FRAMES_MM + 20.0, maps=True)
     instants = _pulse_samples(opened)
-    magnitudes = magnitudes_at(opened.design, instants)
-    levels = [levels_of_values(opened.design, decibels(magnitude)) for magnitude in magnitudes]
+    magnitudes = magnitude(field)[:, instants].T
+    levels = [levels_of_values(opened.design, decibels(each)) for each in magnitudes]
     with style():
         width_mm = WIDTH_MM - _LEFT_MM - _RIGHT_MM
         ax = sheet.axes(_LEFT_MM, _FRAMES_MM + 14.0, width_mm, height_mm)
@@ -505,18 +486,15 @@ def pulse_traces(opened: OpenedScene) -> Drawn:
         ax.set_xlabel("Time (ms)")
         annotate_scale(ax, "each row relative to its peak")
         colours = common_range(*(level.values for level in levels))
-        image = None
         places = sheet.row_of_axes(len(instants), 12.0, 1.0, 146.0, _FRAMES_MM - 6.0)
-        for place, level, instant in zip(places, levels, instants, strict=True):
-            bar: Bar = "drawn" if instant == instants[-1] else "room"
-            title = f"{1e3 * time_s[instant]:.1f} ms"
-            image = draw_map(place, level, colours, title=title, bar=bar, part="hand")
+        titles = _instant_titles(time_s[instants])
+        image = draw_maps(places, levels, colours, titles, part="hand")
         sheet.colour_bar(image, 160.0, 4.0, _FRAMES_MM - 14.0, "magnitude, dB re 1 m/s²")
     shown = field[np.array(outputs) - 1][..., within]
     columns = {"time_s": time_s[within], **_columns_of_axes(outputs, axes, shown)}
     frames = {"output": np.arange(1.0, magnitudes.shape[1] + 1.0)}
-    for instant, magnitude in zip(instants, magnitudes, strict=True):
-        frames[f"{1e3 * time_s[instant]:.3f}_ms_magnitude_m_per_s2"] = magnitude
+    for instant, values in zip(instants, magnitudes, strict=True):
+        frames[f"{1e3 * time_s[instant]:.3f}_ms_magnitude_m_per_s2"] = values
     return Drawn(sheet=sheet, tables={"": columns, "-frames": frames})
 
 
@@ -577,8 +555,8 @@ def axis_spectra(opened: OpenedScene, n_bins: int = 1) -> Drawn:
     for axis in axes:
         view = replace(opened.view, axes=axis)
         spectra = evaluate(opened.design, "selected_spectra", view=view)["selected_spectra"]
-        frequency_hz, magnitude = spectra
-        by_axis.append(mean_of_bins(magnitude, n_bins))
+        frequency_hz, of_axis = spectra
+        by_axis.append(mean_of_bins(of_axis, n_bins))
     low_hz, high_hz = facts_of(opened.design.limb).band_hz or (0.0, np.inf)
     within = (frequency_hz >= low_hz) & (frequency_hz <= high_hz)
     of_outputs = np.stack(by_axis, axis=1)[..., within]

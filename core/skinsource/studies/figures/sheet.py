@@ -27,7 +27,6 @@ from skinsource.export.plot import (
 )
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.perception.validity import Judged, in_full
-from skinsource.signals.projection import magnitude
 from skinsource.studies.scenes.opened_scene import OpenedScene
 
 
@@ -100,12 +99,6 @@ def frequency_of(clip: Clip) -> float:
     if not isinstance(clip.waveform, Tone):
         raise TypeError(f"{clip.waveform} is no tone")
     return clip.waveform.frequency_hz
-
-
-def magnitudes_at(design: Design, instants: list[int]) -> Floats:
-    """Return the length of the acceleration at some samples, (n_instants, n_outputs), in m/s²."""
-    _, field = field_of(design)
-    return magnitude(field)[:, instants].T
 
 
 def levels_of_values(design: Design, values: Floats) -> Levels:

@@ -13,7 +13,6 @@ from skinsource.base.assets import data_folder
 from skinsource.base.errors import InvalidInputError, SkinSourceError
 from skinsource.base.quoting import quoted
 from skinsource.design.amplitudes import ARBITRARY_UNIT, amplitude_unit
-from skinsource.design.comparing import Snapshot
 from skinsource.design.design import Design
 from skinsource.design.design_file import SUFFIX, DesignFile, open_design
 from skinsource.limbs.catalog import available_limbs
@@ -26,6 +25,7 @@ from skinsource.studies.scenes.opened_scene import (
     Scene,
     opened_on,
     reason_against,
+    with_designs,
 )
 
 FOLDER, DESCRIPTIONS = "scenes", "scenes.toml"
@@ -153,29 +153,19 @@ def opened_plainly(
     """Return a scene as `open_scene`, without what is computed on its limb."""
     known = scene(name)
     content = open_design(path_of(known.name))
-    if limb:
-        return opened_on(known, compared(content), content.design, content.view, limb)
-    limbs = frozenset(available_limbs() if available is None else available)
-    snapshots = tuple(
-        Snapshot(number=snapshot.number, design=_on_limbs(snapshot.design, limbs))
-        for snapshot in content.view.snapshots
-    )
-    design = _on_limbs(content.design, limbs)
-    view = replace(content.view, snapshots=snapshots)
-    designs = compared(DesignFile(design=design, view=view))
-    return OpenedScene(
+    pairs = zip(known.labels, compared(content), strict=True)
+    of_file = OpenedScene(
         scene=known,
-        design=design,
-        view=view,
-        conditions=tuple(
-            Condition(label=label, design=design)
-            for label, design in zip(known.labels, designs, strict=True)
-        ),
-        synthetic=any(
-            design.limb != original.limb
-            for design, original in zip(designs, compared(content), strict=True)
-        ),
+        design=content.design,
+        view=content.view,
+        conditions=tuple(Condition(label=label, design=design) for label, design in pairs),
+        synthetic=False,
     )
+    if limb:
+        return opened_on(of_file, limb)
+    limbs = frozenset(available_limbs() if available is None else available)
+    opened = with_designs(of_file, lambda design: _on_limbs(design, limbs))
+    return replace(opened, synthetic=opened.conditions != of_file.conditions)
 
 
 def compared(content: DesignFile) -> tuple[Design, ...]:

@@ -13,7 +13,7 @@ from skinsource.base.errors import SkinSourceError
 from skinsource.design.design import Design
 from skinsource.engine.evaluation import evaluate
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
-from skinsource.studies.scenes.opened_scene import Condition, OpenedScene
+from skinsource.studies.scenes.opened_scene import OpenedScene, with_designs
 
 _HIGH_HZ = 200.0
 
@@ -33,21 +33,7 @@ def told(opened: OpenedScene) -> OpenedScene:
     def changed(design: Design) -> Design:
         return replace(design, notes=design.notes.replace(opened.scene.notes, scene.notes, 1))
 
-    view = opened.view
-    snapshots = tuple(
-        replace(snapshot, design=changed(snapshot.design)) for snapshot in view.snapshots
-    )
-    conditions = tuple(
-        Condition(label=condition.label, design=changed(condition.design))
-        for condition in opened.conditions
-    )
-    return replace(
-        opened,
-        scene=scene,
-        design=changed(opened.design),
-        view=replace(view, snapshots=snapshots),
-        conditions=conditions,
-    )
+    return replace(with_designs(opened, changed), scene=scene)
 
 
 def _at_the_ends(opened: OpenedScene, text: Callable[[Floats, float, int, int], str]) -> str:

@@ -5,7 +5,7 @@ played at places that the limb has, and shown at outputs from near to far.  The 
 paper need not hold there.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -134,6 +134,17 @@ class OpenedScene:
         )
 
 
+def with_designs(opened: OpenedScene, change: Callable[[Design], Design]) -> OpenedScene:
+    """Return a scene with each of its designs changed."""
+    snapshots = (replace(each, design=change(each.design)) for each in opened.view.snapshots)
+    return replace(
+        opened,
+        design=change(opened.design),
+        view=replace(opened.view, snapshots=tuple(snapshots)),
+        conditions=tuple(replace(each, design=change(each.design)) for each in opened.conditions),
+    )
+
+
 # Units of the motion of probes, at the end of a label.
 PROBE_UNITS = ("m/s²", "mm/s")
 
@@ -160,25 +171,16 @@ def reason_against(designs: tuple[Design, ...], view: View, limb: str) -> str:
     return _unplayable(designs, facts)
 
 
-def opened_on(
-    known: Scene, designs: tuple[Design, ...], design: Design, view: View, limb: str
-) -> OpenedScene:
-    """Return a scene on a limb.
-
-    Parameters
-    ----------
-    known, designs
-        The scene, and the designs that it compares.
-    design, view
-        Design and view of its file.
-    limb
-        Name of the limb.
+def opened_on(opened: OpenedScene, limb: str) -> OpenedScene:
+    """Return a scene, given as its file has it, on a limb.
 
     Raises
     ------
     InvalidInputError
         The scene does not apply there.
     """
+    known, design, view = opened.scene, opened.design, opened.view
+    designs = tuple(condition.design for condition in opened.conditions)
     reason = reason_against(designs, view, limb)
     if reason:
         raise InvalidInputError(f"the scene {known.name} does not apply on {limb}. {reason}")
@@ -211,20 +213,16 @@ def opened_on(
             notes=f"{scene.notes}\n{note}",
         )
 
-    snapshots = tuple(
-        replace(snapshot, design=on_limb(snapshot.design)) for snapshot in view.snapshots
-    )
-    return OpenedScene(
+    pairs = zip(opened.conditions, labels, strict=True)
+    moved = replace(
+        opened,
         scene=scene,
-        design=on_limb(design),
-        view=replace(_view_on(view, design, facts, places), snapshots=snapshots),
-        conditions=tuple(
-            Condition(label=label, design=on_limb(design))
-            for label, design in zip(labels, designs, strict=True)
-        ),
+        view=_view_on(view, design, facts, places),
+        conditions=tuple(replace(condition, label=label) for condition, label in pairs),
         synthetic=facts.synthetic,
         chosen=note,
     )
+    return with_designs(moved, on_limb)
 
 
 def _places_of(designs: tuple[Design, ...]) -> tuple[int, ...]:
