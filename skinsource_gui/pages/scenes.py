@@ -22,7 +22,6 @@ from skinsource_gui.qt.theme import UNIT_PX, current_theme
 from skinsource_gui.state.engine import too_large
 
 _LEAST_PX = (360, 220)
-_KEEP = Qt.AspectRatioMode.KeepAspectRatio
 
 TITLE = "Scenes"
 _SIZE_PX = (1120, 650)

@@ -11,9 +11,7 @@ from skinsource.cli import (
     check_command,
     design_commands,
     export_command,
-    figure_commands,
     limb_commands,
-    pack_command,
     rig_commands,
     scene_commands,
     sweep_commands,
@@ -25,9 +23,9 @@ from skinsource.version import __version__
 # Modules that add the commands, by the groups of the help page.  Each command sets ``run``, a
 # function from the parsed arguments to the exit code.
 _COMMAND_MODULES = {
-    "designs": (design_commands, pack_command, check_command),
+    "designs": (design_commands, check_command),
     "stimuli for actuators": (export_command, sweep_commands, rig_commands),
-    "figures of the paper": (scene_commands, figure_commands),
+    "figures of the paper": (scene_commands,),
     "limbs": (limb_commands, dataset_commands),
     "this program": (bench_command,),
 }

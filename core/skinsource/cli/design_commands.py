@@ -1,13 +1,15 @@
-"""``skinsource show``, ``render`` and ``film``: show, compute and film design files."""
+"""``skinsource show``, ``render``, ``film`` and ``pack``: show, compute, film and collect design files."""
 
 import argparse
 import sys
 from pathlib import Path
 from typing import Any
 
+from skinsource.actuators.rigs import open_rig
 from skinsource.base.arrays import Floats
+from skinsource.base.errors import InvalidInputError
 from skinsource.base.files import make_folder
-from skinsource.base.quoting import escaped
+from skinsource.base.quoting import escaped, printable
 from skinsource.base.work import counted
 from skinsource.design.amplitudes import amplitude_note, amplitude_text, is_gain
 from skinsource.design.clips import Clip
@@ -19,6 +21,7 @@ from skinsource.engine.evaluation import evaluate
 from skinsource.export import plot
 from skinsource.export.exported_design import ExportedDesign
 from skinsource.export.map_files import write_map, write_map_picture
+from skinsource.export.packing import pack
 from skinsource.export.tables import write_levels, write_traces
 from skinsource.limbs.dataset.commands import ProgressBar, WithTimeLeft
 from skinsource.limbs.locations import input_name, output_name
@@ -27,7 +30,7 @@ from skinsource.perception.validity import Judged, in_short
 
 
 def add_to(subparsers: Any) -> None:
-    """Add the commands ``show``, ``render`` and ``film``."""
+    """Add the commands ``show``, ``render``, ``film`` and ``pack``."""
     show = subparsers.add_parser(
         "show",
         help="show what is in a design file, and its levels",
@@ -74,6 +77,7 @@ def add_to(subparsers: Any) -> None:
     )
     show.set_defaults(run=_show)
     render.set_defaults(run=_render)
+    _add_pack(subparsers)
 
 
 def _show(arguments: argparse.Namespace) -> int:
@@ -177,3 +181,31 @@ def _level_lines(design: Design, view: View, levels_db: Floats) -> list[str]:
         name = output_name(number, design.limb).name
         lines.append(f"  {number:6}  {level_db:12.1f}  {name}".rstrip())
     return lines
+
+
+def _add_pack(subparsers: Any) -> None:
+    """Add the command ``pack``."""
+    parser = subparsers.add_parser(
+        "pack",
+        help="put a design file and all that belongs to it into one zip",
+        description="Writes design, stimulus, map, levels and traces, what to cite, and the "
+        "versions and digests of all that went in, into one zip file.",
+    )
+    parser.add_argument("design", type=Path, metavar="DESIGN", help="a .skinsource file")
+    parser.add_argument("--out", type=Path, required=True, metavar="FILE", help="the zip to write")
+    parser.add_argument("--rig", type=Path, metavar="FILE", help="a .skinrig file: what is wired")
+    parser.set_defaults(run=_pack)
+
+
+def _pack(arguments: argparse.Namespace) -> int:
+    if arguments.out.suffix.lower() != ".zip":
+        raise InvalidInputError(
+            f"{printable(arguments.out.name)} is no name of a zip file. Call it *.zip."
+        )
+    content = open_design(arguments.design)
+    rig = None if arguments.rig is None else open_rig(arguments.rig)
+    view = view_on(content.design.limb, content.view)
+    make_folder(arguments.out.parent)
+    pack(arguments.out, content.design, view, rig=rig)
+    sys.stdout.write(f"{arguments.out}\n")
+    return 0

@@ -1,4 +1,4 @@
-"""``skinsource scenes``: list the panels of the paper's figures, or write them as designs."""
+"""``skinsource scenes`` and ``figures``: panels of the paper, as designs and drawn."""
 
 import argparse
 import sys
@@ -7,11 +7,21 @@ from typing import Any
 
 from skinsource.base.files import make_folder
 from skinsource.design.design_file import save_design
-from skinsource.studies.scenes.catalog import all_scenes, missing_panels, open_scene, why_not_on
+from skinsource.export.plot import SYNTHETIC
+from skinsource.limbs.catalog import available_limbs
+from skinsource.limbs.dataset.commands import ProgressBar
+from skinsource.studies.figures.writing import write_figures
+from skinsource.studies.scenes.catalog import (
+    all_scenes,
+    missing_panels,
+    names,
+    open_scene,
+    why_not_on,
+)
 
 
 def add_to(subparsers: Any) -> None:
-    """Add the command ``scenes``."""
+    """Add the commands ``scenes`` and ``figures``."""
     parser = subparsers.add_parser(
         "scenes",
         help="list the scenes of the paper, or write one as a design file",
@@ -29,6 +39,7 @@ def add_to(subparsers: Any) -> None:
     )
     parser.add_argument("--out", type=Path, metavar="PATH", help="the .skinsource file to write")
     parser.set_defaults(run=_scenes, parser=parser)
+    _add_figures(subparsers)
 
 
 def _scenes(arguments: argparse.Namespace) -> int:
@@ -51,4 +62,40 @@ def _scenes(arguments: argparse.Namespace) -> int:
         make_folder(arguments.out.parent)
         save_design(arguments.out, opened.design, opened.view)
         sys.stdout.write(f"{arguments.out}\n")
+    return 0
+
+
+def _add_figures(subparsers: Any) -> None:
+    """Add the command ``figures``."""
+    parser = subparsers.add_parser(
+        "figures",
+        help="draw the figures of the scenes: PNG, SVG, PDF and their numbers",
+        description="Draws the panels of the paper's figures that can be computed, on the measured "
+        "limbs where they are installed, else on synthetic ones, and says so. Needs the extra "
+        '"plot".',
+    )
+    parser.add_argument("--out", type=Path, required=True, metavar="FOLDER", help="where to write")
+    parser.add_argument(
+        "--only", nargs="+", default=(), metavar="NAME", help="only these scenes, such as 2F"
+    )
+    parser.add_argument(
+        "--limb",
+        default="",
+        metavar="NAME",
+        help="draw them on this limb, such as one that was imported: those that apply there",
+    )
+    parser.set_defaults(run=_figures)
+
+
+def _figures(arguments: argparse.Namespace) -> int:
+    with ProgressBar(sys.stderr) as bar:
+        written = write_figures(arguments.out, arguments.only, limb=arguments.limb, progress=bar)
+    for name in names() if arguments.limb and not arguments.only else ():
+        reason = why_not_on(name, arguments.limb)
+        if reason:
+            sys.stderr.write(f"skinsource: {name} was not drawn. {reason}\n")
+    if not arguments.limb and not any(name.startswith("measured") for name in available_limbs()):
+        sys.stderr.write(f"skinsource: {SYNTHETIC}; see skinsource dataset fetch\n")
+    for path in written:
+        sys.stdout.write(f"{path}\n")
     return 0
