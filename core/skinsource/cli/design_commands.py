@@ -1,4 +1,4 @@
-"""``skinsource show``, ``render``, ``film`` and ``pack``: show, compute, film and collect design files."""
+"""``skinsource show``, ``render``, ``film`` and ``pack``: what is in a design file, and its results."""
 
 import argparse
 import sys
