@@ -1,4 +1,4 @@
-"""``skinsource show``, ``render``, ``film`` and ``pack``: what is in a design file, and its results."""
+"""``skinsource show``, ``render``, ``film`` and ``pack``: a design file, and what follows from it."""
 
 import argparse
 import sys
