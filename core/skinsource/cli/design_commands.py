@@ -1,4 +1,4 @@
-"""``skinsource show``, ``render``, ``film`` and ``pack``: a design file, and what follows from it."""
+"""``skinsource show``, ``render``, ``film`` and ``pack``: a design file, and its results."""
 
 import argparse
 import sys
