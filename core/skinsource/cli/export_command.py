@@ -4,7 +4,7 @@ import argparse
 import sys
 from dataclasses import fields
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.actuators.rigs import Rig, open_rig
@@ -13,7 +13,7 @@ from skinsource.cli.help_format import HelpFormatter
 from skinsource.design.design_file import open_design
 from skinsource.export.formats import FORMATS, export_formats
 from skinsource.export.stimulus_export.export import export_stimulus
-from skinsource.export.stimulus_export.options import StimulusOptions
+from skinsource.export.stimulus_export.options import Nothing, StimulusOptions
 from skinsource.export.wiring import export_wiring
 
 _TIME_OPTIONS = {
@@ -151,7 +151,7 @@ def _options(arguments: argparse.Namespace) -> StimulusOptions:
     return StimulusOptions(**{name: value for name, value in given.items() if value is not None})
 
 
-def _rig(arguments: argparse.Namespace) -> Rig | Literal["none"] | None:
+def _rig(arguments: argparse.Namespace) -> Rig | Nothing | None:
     if arguments.rig is None:
         return None
     return "none" if str(arguments.rig) == "none" else open_rig(arguments.rig)
@@ -188,7 +188,7 @@ def _export(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _equaliser(arguments: argparse.Namespace) -> RegularisedInverse | Literal["none"] | None:
+def _equaliser(arguments: argparse.Namespace) -> RegularisedInverse | Nothing | None:
     if arguments.equalise in (None, "none"):
         return arguments.equalise
     boost = {} if arguments.boost is None else {"boost_db": arguments.boost}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 from skinsource.actuators.actuation import Actuation
 from skinsource.actuators.rigs import Rig
@@ -16,7 +16,7 @@ from skinsource.design.design import Design
 from skinsource.design.labels import limb_label
 from skinsource.engine.stimulus import Channel, in_order, stimulus_of, with_sync
 from skinsource.export import plot
-from skinsource.export.stimulus_export.options import StimulusOptions
+from skinsource.export.stimulus_export.options import Nothing, StimulusOptions
 from skinsource.export.stimulus_export.preparing import actuator_at, wiring_of
 from skinsource.limbs.catalog import limb_of
 
@@ -32,8 +32,8 @@ def export_wiring(
     path: FilePath,
     *,
     options: StimulusOptions | None = None,
-    rig: Rig | Literal["none"] | None = None,
-    actuation: Actuation | Literal["none"] | None = None,
+    rig: Rig | Nothing | None = None,
+    actuation: Actuation | Nothing | None = None,
 ) -> None:
     """Write a page that says where each channel of an exported stimulus goes.
 

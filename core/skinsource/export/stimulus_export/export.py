@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Literal
 
 from skinsource.actuators.actuation import Actuation
 from skinsource.actuators.equalising import Equaliser
@@ -19,7 +18,7 @@ from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.design.design import Design
 from skinsource.engine.stimulus import Stage
 from skinsource.export.formats import format_of
-from skinsource.export.stimulus_export.options import StimulusOptions
+from skinsource.export.stimulus_export.options import Nothing, StimulusOptions
 from skinsource.export.stimulus_export.preparing import Limit, PreparedStimulus, prepare_stimulus
 from skinsource.export.stimulus_export.sidecar import sidecar_of, sidecar_path
 
@@ -72,9 +71,9 @@ def export_stimulus(
     full_scale: float | None = None,
     options: StimulusOptions | None = None,
     confirmed: bool = False,
-    actuation: Actuation | Literal["none"] | None = None,
-    rig: Rig | Literal["none"] | None = None,
-    equaliser: Equaliser | Literal["none"] | None = None,
+    actuation: Actuation | Nothing | None = None,
+    rig: Rig | Nothing | None = None,
+    equaliser: Equaliser | Nothing | None = None,
     stages: Sequence[Stage] = (),
     limits: Sequence[Limit] = (),
     progress: Progress = silent,

@@ -9,6 +9,9 @@ from typing import Literal
 from skinsource.base.arguments import one_of, real_number
 from skinsource.base.errors import InvalidInputError
 
+#: Asks for no actuator, rig or equaliser, not even for that of the design.
+Nothing = Literal["none"]
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StimulusOptions:

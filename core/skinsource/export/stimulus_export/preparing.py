@@ -41,7 +41,7 @@ from skinsource.engine.stimulus import (
     with_sync,
 )
 from skinsource.export.formats.format import ChannelOverview, StimulusFile, StimulusFormat
-from skinsource.export.stimulus_export.options import StimulusOptions
+from skinsource.export.stimulus_export.options import Nothing, StimulusOptions
 from skinsource.signals.resampling import half_transition, passed
 from skinsource.specs import models
 from skinsource.specs.codec import without_samples
@@ -284,9 +284,9 @@ def prepare_stimulus(
     *,
     stages: Sequence[Stage] = (),
     limits: Sequence[Limit] = (),
-    actuation: Actuation | Literal["none"] | None = None,
-    rig: Rig | Literal["none"] | None = None,
-    equaliser: Equaliser | Literal["none"] | None = None,
+    actuation: Actuation | Nothing | None = None,
+    rig: Rig | Nothing | None = None,
+    equaliser: Equaliser | Nothing | None = None,
     progress: Progress = silent,
     stop: Stop = never,
 ) -> PreparedStimulus:
@@ -414,8 +414,8 @@ def prepare_stimulus(
 
 def wiring_of(
     design: Design,
-    rig: Rig | Literal["none"] | None,
-    actuation: Actuation | Literal["none"] | None,
+    rig: Rig | Nothing | None,
+    actuation: Actuation | Nothing | None,
 ) -> tuple[Rig | None, Actuation | None]:
     """Return rig and actuators: those of the design where no others are asked for."""
     if rig is None and actuation is None:
