@@ -460,7 +460,7 @@ def _positions(axis: XAxis, values: Range) -> Range:
 
 
 #: Up to so many samples in a column of pixels, each is drawn.
-MOST_IN_COLUMN = 4
+MOST_IN_COLUMN = 8
 # Samples of an axis up to which it is compared with the one before.
 _MOST_COMPARED = 2**15
 # A stroke that is shorter than this part of what its neighbours cover is a gap, not a notch.
@@ -628,11 +628,11 @@ def in_rows(y_px: Floats, ratio: float) -> Floats:
 
 
 def without_notches(strokes: Floats) -> Floats:
-    """Return strokes with notches of one or two columns in their edges filled.
+    """Return strokes with notches of one column in their edges filled.
 
-    Where a column contains less than a period of an oscillation it misses the crest, one column by
-    more and another by less: a comb that is not in the signal.  Single crests and gaps keep their
-    width (a morphological closing).
+    Where a column contains a little less than a period of an oscillation it misses the crest, one
+    column by more and another by less: a comb that is not in the signal.  Wider valleys are those
+    of waves; single crests and gaps keep their width (a morphological closing).
 
     Parameters
     ----------
@@ -656,8 +656,8 @@ def without_notches(strokes: Floats) -> Floats:
 
 
 def _closed(edges: Floats) -> Floats:
-    """Return upper edges, (n_edges, n_columns), with valleys of up to two columns filled."""
-    wide = np.empty((len(edges), edges.shape[-1] + 4))
-    wide[:, 2:-2], wide[:, :2], wide[:, -2:] = edges, edges[:, :1], edges[:, -1:]
-    raised = np.maximum(np.maximum(wide[:, :-2], wide[:, 1:-1]), wide[:, 2:])
-    return np.minimum(np.minimum(raised[:, :-2], raised[:, 1:-1]), raised[:, 2:])
+    """Return upper edges, (n_edges, n_columns), with valleys of one column filled."""
+    wide = np.pad(edges, ((0, 0), (1, 1)), mode="edge")
+    raised = np.maximum(wide[:, :-1], wide[:, 1:])
+    closed: Floats = np.minimum(raised[:, :-1], raised[:, 1:])
+    return closed
