@@ -53,8 +53,10 @@ def output_text(number: int, limb: str = "") -> str:
 SHOWN_DIGITS = 6
 EDITED_DIGITS = 12
 
-#: Times from this length on are shown in seconds.
+#: Time axes from this length on are in seconds.
 LONG_S = 1.0
+# Numbers only from this length on: who types 300 after 1200 means milliseconds again.
+_LONG_NUMBER_S = 10.0
 
 # A number and its unit, if any; a unit does not begin with a digit or a sign.
 _NUMBER = re.compile(
@@ -120,9 +122,9 @@ _LONG_TIMES = DisplayUnit("s", spellings={"ms": _MILLI, **_TIMES})
 def display_unit(unit: str, value_si: float = 0.0) -> DisplayUnit:
     """Return the display unit of values in the SI unit ``unit``; an unknown unit is its own.
 
-    Times are shown in milliseconds, and from one second on in seconds.
+    Times are shown in milliseconds, and from ten seconds on in seconds.
     """
-    if unit == "s" and abs(value_si) >= LONG_S:
+    if unit == "s" and abs(value_si) >= _LONG_NUMBER_S:
         return _LONG_TIMES
     return _DISPLAY_UNITS.get(unit) or DisplayUnit(unit)
 

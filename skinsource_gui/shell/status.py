@@ -130,14 +130,14 @@ _OLDER = "The panels show the design before the last edits"
 
 
 def shown_text(design: Design, view: View) -> str:
-    """Return what the skin map shows, and how many inputs are felt where some are not."""
+    """Return what the skin map shows, and how many inputs play where some do not."""
     predicted = f"Predicted {_PREDICTED[settings_of(view, SKIN, SkinSettings).quantity]}"
     through = " through actuators" if design.actuated else ""
     inputs, audible = len(design.inputs), len(audible_inputs(design.inputs))
     if not inputs:
         return "No input yet"
-    felt = "" if audible == inputs else f" · {audible} of {inputs} inputs felt"
-    return f"{predicted}{through}, back of the hand{felt}"
+    playing = "" if audible == inputs else f" · {audible} of {inputs} inputs play"
+    return f"{predicted}{through}, back of the hand{playing}"
 
 
 class StatusLine(FittingLabel):

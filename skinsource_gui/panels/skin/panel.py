@@ -127,6 +127,10 @@ class SkinPanel(Panel):
     def sizeHint(self) -> QSize:
         return QSize(420, 640)
 
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
+        # A word above the map may have the focus.
+        self.map.keyPressEvent(event)
+
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
         self.settings = settings_of(view, self.name, SkinSettings)

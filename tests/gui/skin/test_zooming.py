@@ -58,13 +58,15 @@ def test_a_drag_with_the_middle_button_pans(window):
     assert window.views == []
 
 
-@pytest.mark.parametrize("way", ["Z", "button", "double click"])
-def test_there_are_three_ways_between_the_hand_and_the_hand_with_its_arm(window, way):
+@pytest.mark.parametrize("way", ["Z", "Z on a word", "button", "double click"])
+def test_there_are_ways_between_the_hand_and_the_hand_with_its_arm(window, way):
     view, arm = window.panel.map, window.panel.measure.arm
     room = QRectF(view.rect())
     for fit in (HAND, WHOLE, HAND):
         if way == "Z":
             QTest.keyClick(view, Qt.Key.Key_Z)
+        elif way == "Z on a word":
+            QTest.keyClick(window.panel.measure.quantity, Qt.Key.Key_Z)
         elif way == "button":
             QTest.mouseClick(arm, LEFT)
         else:
