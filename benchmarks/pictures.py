@@ -6,6 +6,7 @@ make pictures     (writes build/pictures; open them and look; and docs/window.pn
 import os
 import sys
 import tempfile
+from dataclasses import replace
 from pathlib import Path
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
@@ -15,6 +16,7 @@ import numpy as np
 import soundfile
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage, QPixmap
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from window_figures import print_figures
 
@@ -29,6 +31,7 @@ from skinsource_gui.app.app import make_application
 from skinsource_gui.pages.importing.form import OverviewStrip
 from skinsource_gui.plots.colour_maps import colour_table
 from skinsource_gui.shell.window import MainWindow
+from skinsource_gui.state.document import NEW_VIEW
 from skinsource_gui.state.preferences import Preferences, start_design
 
 SIZES = ((1366, 768), (1920, 1080))
@@ -96,7 +99,7 @@ def main() -> int:
     """Write all pictures."""
     make_application()
     FOLDER.mkdir(parents=True, exist_ok=True)
-    view = View(outputs=(29, 33, 61), axes="z", selected_inputs=(1,))
+    view = replace(NEW_VIEW, outputs=(29, 33, 61), axes="z", selected_inputs=(1,))
     readme_picture(readme_design(), view)
     for name, (design, view, arrangement) in scenes().items():
         for theme in ("light", "dark"):
@@ -118,7 +121,8 @@ def readme_picture(design: Design, view: View) -> None:
         window.do("arrange_design")
         QApplication.processEvents()
         window.catch_up()
-        QApplication.processEvents()
+        # Conditions are judged a moment later.
+        QTest.qWait(1500)
         with_few_colours(window.grab().toImage()).save(str(README_PICTURE), quality=0)
         window.close()
         print(README_PICTURE)
