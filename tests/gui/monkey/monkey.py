@@ -40,8 +40,9 @@ _TIDIED_EVERY = 20
 #: Larger designs are taken back: what is tried is what can be done, not how long it may take.
 _LONGEST_S, _MOST_INPUTS, _MOST_CLIPS = 8.0, 8, 60
 _TOLERANCE_DB = 1e-6
-#: What may be made late and kept, in objects: pages, menus, rows of a list.
-KEPT_LATE = 250
+#: What may be made late and kept, in objects: pages, menus, rows of a list, and the largest panel,
+#: Output, which has 210.
+KEPT_LATE = 300
 #: Threads that may be made late and kept: what plays has one, and what reads responses of a rig.
 THREADS_LATE = 2
 
