@@ -142,7 +142,7 @@ def strokes_of(y, per_column):
 
 
 @pytest.mark.parametrize("frequency_hz", [95.0, 250.0, 333.0])
-@pytest.mark.parametrize("per_column", [5, 8, 20])
+@pytest.mark.parametrize("per_column", [9, 14, 20])
 def test_the_edges_of_a_dense_tone_are_as_even_as_the_tone(frequency_hz, per_column):
     y = np.sin(2 * np.pi * frequency_hz * np.arange(200 * per_column) / 1300)
     filled = without_notches(strokes_of(y, per_column)).reshape(-1, 2)[3:-3]
