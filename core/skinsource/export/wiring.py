@@ -76,8 +76,8 @@ def export_wiring(
     wired, actuators = wiring_of(design, rig, actuation)
     with plot.style():
         figure = plot.new_figure(*_PAGE_MM)
-        title = design.title or Path(path).stem
-        figure.text(0.08, 0.96, f"Wiring of {title}", fontsize=12, parse_math=False)
+        title = f"Wiring of {design.title}" if design.title else "Wiring"
+        figure.text(0.08, 0.96, title, fontsize=12, parse_math=False)
         _draw_table(figure.add_axes((0.08, 0.04, 0.84, 0.4)), drives.channels, wired, actuators)
         _draw_hand(figure.add_axes((0.08, 0.46, 0.84, 0.46)), drives.channels, design.limb)
     write_bytes(Path(path), plot.figure_content(figure, kind))

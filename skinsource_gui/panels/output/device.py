@@ -33,7 +33,7 @@ from skinsource_gui.qt.tooltips import show_tooltip
 from skinsource_gui.state.playing import Played
 
 _NUMBER_PX, _OUTPUT_NUMBER_PX, _METER_PX = 88, 56, 8
-_SYSTEM = "What the system plays on"
+_SYSTEM = "System default"
 _BETWEEN = "\n"
 _DELAY = NumberSpec(
     label="Delay",
@@ -136,12 +136,17 @@ class DeviceFields(QObject):
 def _form(*rows: tuple[Any, ...]) -> QtWidgets.QWidget:
     """Return rows of a label, a field and perhaps a button; a list takes the room that is left."""
     widget = QtWidgets.QWidget()
-    form = QtWidgets.QFormLayout(widget)
-    form.setContentsMargins(0, 0, 0, 0)
-    for label, field, *buttons in rows:
+    # As high as its rows, in a low panel too.
+    widget.setSizePolicy(QtWidgets.QSizePolicy.Policy.Preferred, QtWidgets.QSizePolicy.Policy.Fixed)
+    grid = QtWidgets.QGridLayout(widget)
+    grid.setContentsMargins(0, 0, 0, 0)
+    for row, (title, field, *buttons) in enumerate(rows):
         wide = isinstance(field, ChoiceField)
-        field.setObjectName(f"{label.lower()}_field")
-        form.addRow(label, in_row((field, int(wide)), *buttons, *([] if wide else [None])))
+        field.setObjectName(f"{title.lower()}_field")
+        label = QtWidgets.QLabel(title)
+        label.setBuddy(field)
+        grid.addWidget(label, row, 0)
+        grid.addLayout(in_row((field, int(wide)), *buttons, *([] if wide else [None])), row, 1)
     return widget
 
 

@@ -136,7 +136,11 @@ class MeasureLine(QtWidgets.QWidget):
         self.rms_window.setAccessibleName(RMS_WINDOW.label)
         self.rms_window.setToolTip(tooltip(RMS_WINDOW.label, RMS_WINDOW.hint))
         self.arm = tool_button(
-            self, "map_arm", "Arm", f"Show hand and arm ({key_text('skin', 'arm')})", checkable=True
+            self,
+            "map_arm",
+            "Whole arm",
+            f"Show hand and arm ({key_text('skin', 'arm')})",
+            checkable=True,
         )
         self._words = (self.quantity, self.axes, self.span, self.unit)
         row = (self.quantity, self.axes, self.span, self.rms_window, self.unit)

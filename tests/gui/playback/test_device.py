@@ -27,7 +27,7 @@ def text_of(panel, name):
 def test_it_looks_for_devices_when_it_is_first_seen(sound, player, panel, qtbot):
     offered = [panel.fields.device.itemText(k) for k in range(panel.fields.device.count())]
     assert offered == [
-        "What the system plays on", "Two (Made up, 2 outputs)", "Eight (Made up, 8 outputs)",
+        "System default", "Two (Made up, 2 outputs)", "Eight (Made up, 8 outputs)",
     ]  # fmt: skip
     qtbot.waitUntil(lambda: player.settings.rates_hz == (44_100, 48_000), **WAIT)
     rate = panel.fields.cells["sample_rate_hz"].field
