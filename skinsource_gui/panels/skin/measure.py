@@ -165,7 +165,9 @@ class MeasureLine(QtWidgets.QWidget):
 
     def minimumSizeHint(self) -> QSize:
         # With less room, words are hidden; the actions that Ctrl+K finds stay.
-        least = self.quantity.sizeHint().width() + self.arm.sizeHint().width()
+        metrics = self.arm.fontMetrics()
+        narrower = metrics.horizontalAdvance(self.arm.text()) - metrics.horizontalAdvance("Arm")
+        least = self.quantity.sizeHint().width() + self.arm.sizeHint().width() - narrower
         return QSize(least, super().minimumSizeHint().height())
 
     def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
@@ -199,6 +201,8 @@ class MeasureLine(QtWidgets.QWidget):
             (what, shorter, over.split(" ", 1)[-1], short_unit),
             (what, shorter, "", self._content.quantity.matched),
         )
+        wide = self.width() > 5 * self.arm.fontMetrics().horizontalAdvance("Whole arm")
+        self.arm.setText("Whole arm" if wide else "Arm")
         others = (part for part in (self.rms_window, self.arm) if not part.isHidden())
         room = self.width() - sum(part.sizeHint().width() for part in others)
         fitting = (words for words in shortened if self._width_of(words) <= room)
