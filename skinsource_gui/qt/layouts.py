@@ -3,6 +3,7 @@
 from typing import TypeVar
 
 from PySide6 import QtWidgets
+from PySide6.QtCore import QRect, QSize, Qt
 
 #: A widget or a layout, with its share of the spare room if it gets some; None: empty room.
 Part = (
@@ -63,3 +64,100 @@ def _filled(
         else:
             layout.addWidget(item, share)
     return layout
+
+
+class FlowLayout(QtWidgets.QLayout):
+    """Puts widgets beside each other, and in further rows where there is no room for them.
+
+    Parameters
+    ----------
+    of
+        The widget that it lays out.
+    gap_px
+        Space between widgets.
+    shares
+        Whether those of a row share its width; else each has the width that it likes.
+    """
+
+    def __init__(self, of: QtWidgets.QWidget, gap_px: int, *, shares: bool = False) -> None:
+        super().__init__(of)
+        self._items: list[QtWidgets.QLayoutItem] = []
+        self._shares = shares
+        self.setContentsMargins(0, 0, 0, 0)
+        self.setSpacing(gap_px)
+
+    def insert(self, index: int, widget: QtWidgets.QWidget) -> None:
+        """Insert a widget before the one of that index."""
+        self.addChildWidget(widget)
+        self._items.insert(index, QtWidgets.QWidgetItem(widget))
+        self.invalidate()
+
+    def addItem(self, item: QtWidgets.QLayoutItem) -> None:
+        self._items.append(item)
+
+    def count(self) -> int:
+        return len(self._items)
+
+    def itemAt(self, index: int) -> QtWidgets.QLayoutItem | None:
+        return self._items[index] if 0 <= index < len(self._items) else None
+
+    def takeAt(self, index: int) -> QtWidgets.QLayoutItem:
+        return self._items.pop(index)
+
+    def expandingDirections(self) -> Qt.Orientation:
+        return Qt.Orientation(0)
+
+    def hasHeightForWidth(self) -> bool:
+        return True
+
+    def heightForWidth(self, width: int) -> int:
+        return self._lay_out(QRect(0, 0, width, 0), moves=False)
+
+    def setGeometry(self, room: QRect) -> None:
+        super().setGeometry(room)
+        self._lay_out(room, moves=True)
+
+    def sizeHint(self) -> QSize:
+        return self._size([item.sizeHint() for item in self._shown], in_row=True)
+
+    def minimumSize(self) -> QSize:
+        return self._size([item.minimumSize() for item in self._shown], in_row=False)
+
+    @property
+    def _shown(self) -> list[QtWidgets.QLayoutItem]:
+        return [item for item in self._items if not item.isEmpty()]
+
+    def _size(self, sizes: list[QSize], *, in_row: bool) -> QSize:
+        widths = [size.width() for size in sizes]
+        gaps_px = self.spacing() * (len(sizes) - 1)
+        width = sum(widths) + gaps_px if in_row else max(widths, default=0)
+        margins = self.contentsMargins()
+        size = QSize(width, max((size.height() for size in sizes), default=0))
+        return size.grownBy(margins)
+
+    def _lay_out(self, room: QRect, *, moves: bool) -> int:
+        """Place the widgets in ``room`` if it ``moves`` them; return the height that they need."""
+        inside, gap_px = room.marginsRemoved(self.contentsMargins()), self.spacing()
+        rows: list[list[tuple[QtWidgets.QLayoutItem, QSize]]] = []
+        free_px = 0
+        for item in self._shown:
+            size = item.minimumSize() if self._shares else item.sizeHint()
+            if not rows or size.width() + gap_px > free_px:
+                rows.append([])
+                free_px = inside.width() + gap_px
+            rows[-1].append((item, size))
+            free_px -= size.width() + gap_px
+        top = inside.top()
+        for row in rows:
+            high = max(size.height() for _, size in row)
+            left, used_px = inside.left(), sum(size.width() + gap_px for _, size in row) - gap_px
+            more_px = max(inside.width() - used_px, 0) // len(row) if self._shares else 0
+            for item, size in row:
+                width = min(size.width() + more_px, item.maximumSize().width(), inside.width())
+                if moves:
+                    item.setGeometry(
+                        QRect(left, top + (high - size.height()) // 2, width, size.height())
+                    )
+                left += width + gap_px
+            top += high + gap_px
+        return max(top - gap_px - room.top(), 0) + self.contentsMargins().bottom()

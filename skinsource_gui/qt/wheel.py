@@ -20,14 +20,6 @@ def areas_around(widget: QtWidgets.QWidget) -> Iterator[QtWidgets.QScrollArea]:
         parent = parent.parentWidget()
 
 
-def bars_px(widget: QtWidgets.QWidget) -> int:
-    """Return the width of the scroll bars around a widget."""
-    return sum(
-        max(area.maximumViewportSize().width() - area.viewport().width(), 0)
-        for area in areas_around(widget)
-    )
-
-
 def scroll_to(widget: QtWidgets.QWidget) -> None:
     """Scroll the areas around a widget until it is visible."""
     for area in areas_around(widget):

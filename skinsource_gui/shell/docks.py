@@ -15,7 +15,6 @@ from PySide6.QtCore import QChildEvent, QEvent, QObject, QPoint, QRectF, Qt, QTi
 from shiboken6 import isValid
 
 from skinsource_gui.qt.buttons import passing_menu
-from skinsource_gui.qt.fitting import SteadyArea
 from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.theme import Theme, current_theme, drawn_icon
 from skinsource_gui.qt.window_events import WindowEvents
@@ -87,7 +86,8 @@ class Dock(QtWidgets.QDockWidget):
         self._no_title = QtWidgets.QWidget(self)
         self.setTitleBarWidget(self._no_title)
         self.setObjectName(name)
-        self._area = area = SteadyArea()
+        self._area = area = QtWidgets.QScrollArea()
+        area.setWidgetResizable(True)
         area.setObjectName(f"{name}_area")
         area.setFrameShape(QtWidgets.QFrame.Shape.NoFrame)
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)

@@ -121,6 +121,11 @@ class Panel(ShowsStaleness):
         #: screen; called with None at the end.  Set by the window.
         self.held_over: Callable[[QPoint | None], DropPlace | None] = _nowhere
 
+    def heightForWidth(self, width: int) -> int:
+        # A dock scrolls only where there is less than the least height.
+        layout = self.layout()
+        return -1 if layout is None else layout.minimumHeightForWidth(width)
+
     @property
     def needs(self) -> frozenset[str]:
         """Names of the quantities that `show_results` draws."""

@@ -1,11 +1,9 @@
-"""Labels, lines and areas that adapt to their room, and pictures that are kept."""
+"""Labels that adapt to their room, and pictures that are kept."""
 
 import pytest
-from PySide6.QtCore import QEvent, QObject, QRectF, QSize
+from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QImage, QPainter
-from PySide6.QtWidgets import QApplication, QVBoxLayout, QWidget
 
-from skinsource_gui.qt.fitting import SteadyArea
 from skinsource_gui.qt.frames import CachedPicture
 from skinsource_gui.qt.labels import FittingLabel
 from skinsource_gui.qt.overlays import Staleness
@@ -42,69 +40,6 @@ def test_only_what_is_stale_for_a_while_is_called_so_and_it_ends_at_once(qapp, q
     assert changes == [True, False]
     for each in (staleness, other):
         each.deleteLater()
-
-
-_TURNS = 30
-
-
-class LowerWhereNarrower(QWidget):
-    """As words are that are written smaller where there is less room."""
-
-    def minimumSizeHint(self):
-        return QSize(50, 100 if self.width() >= 200 else 90)
-
-    def resizeEvent(self, event):
-        self.updateGeometry()
-
-
-class Counted(QObject):
-    """How often a widget got another size."""
-
-    times = 0
-
-    def eventFilter(self, watched, event):
-        self.times += event.type() == QEvent.Type.Resize
-        return False
-
-
-@pytest.fixture(params=["inside", "itself"])
-def area(qtbot, request):
-    content, area = LowerWhereNarrower(), SteadyArea()
-    qtbot.addWidget(area)
-    if request.param == "inside":
-        panel = QWidget()
-        around = QVBoxLayout(panel)
-        around.setContentsMargins(0, 0, 0, 0)
-        around.addWidget(content)
-        content = panel
-    area.setFrameShape(SteadyArea.Shape.NoFrame)
-    area.setWidget(content)
-    area.resize(400, 300)
-    area.show()
-    qtbot.waitExposed(area)
-    return area
-
-
-def turn(times=_TURNS):
-    for _ in range(times):
-        QApplication.processEvents()
-
-
-def test_a_bar_beside_which_there_is_room_and_without_it_none_stays_until_another_room(area):
-    area.resize(204, 95)
-    turn()
-    counted = Counted()
-    area.viewport().installEventFilter(counted)
-    area.verticalScrollBar().installEventFilter(counted)
-    turn()
-    assert counted.times == 0
-    assert area.verticalScrollBar().isVisible()
-    area.resize(400, 300)
-    turn()
-    assert not area.verticalScrollBar().isVisible()
-    area.resize(400, 80)
-    turn()
-    assert area.verticalScrollBar().isVisible()
 
 
 ROOM = QRectF(2, 3, 8, 6)

@@ -44,9 +44,10 @@ from skinsource_gui.panels.analysis.settings import (
 )
 from skinsource_gui.panels.analysis.view import FigureView
 from skinsource_gui.qt.buttons import tool_button
-from skinsource_gui.qt.fitting import ButtonRow
+from skinsource_gui.qt.fitting import FoldingRow
 from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.questions import tab_separated
+from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.compared import SILENT, Compared
 
 _STORED_ALONE = "snapshots alone"
@@ -208,7 +209,7 @@ class LinearityView(FigureView):
             EVERY_OUTPUT, lambda on: self.change_settings(every_output=on)
         )
         self._switches = self.velocity, self.bands, self.every_output
-        self.choices.addWidget(ButtonRow(self._switches, self), 1)
+        self.choices.addWidget(FoldingRow(self._switches, UNIT_PX // 2, left=True), 1)
         self.heads.addWidget(self.about)
         self.say_instead(_how_to_start())
 

@@ -70,8 +70,7 @@ class AnalysisPanel(Panel):
         margins = UNIT_PX // 2, 1, UNIT_PX // 2, 1
         choice = in_row((self.choice, 1), self.copy, margins=margins, gap_px=UNIT_PX // 2)
         answer = in_row((self.answer, 1), margins=(UNIT_PX, 1, UNIT_PX, 2))
-        self._head = in_column(choice, answer, margins=0, gap_px=0)
-        self._column = in_column(self._head, of=self, margins=0, gap_px=0)
+        self._column = in_column(choice, answer, of=self, margins=0, gap_px=0)
         self.view = self._made(AnalysisSettings().shown)
         self._show_view(self.view)
 
@@ -102,13 +101,6 @@ class AnalysisPanel(Panel):
     def _fit_answer(self) -> None:
         # In the largest letters, the room is that of the view.
         self.answer.setHidden(letter_scale(self.font()) > _LARGE_LETTERS)
-
-    def heightForWidth(self, width: int) -> int:
-        # The view shrinks before it has to be scrolled.
-        layout = self.view.layout()
-        least = 0 if layout is None else layout.minimumHeightForWidth(width)
-        least = max(least, self.view.minimumSizeHint().height(), self.view.minimumHeight())
-        return self._head.minimumHeightForWidth(width) + least
 
     def show_state(self, design: Design, view: View) -> None:
         self._state = design, view

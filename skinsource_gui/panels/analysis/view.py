@@ -51,10 +51,6 @@ class AnalysisView(OutputsPanel):
     def show_staleness(self, stale: bool) -> None:
         super().show_staleness(stale and not self.message)
 
-    def hasHeightForWidth(self) -> bool:
-        # The panel asks for the least height itself, see `AnalysisPanel.heightForWidth`.
-        return False
-
     def _follow_staleness(self, stale: bool) -> None:
         super()._follow_staleness(stale)
         self.copy_changed.emit()

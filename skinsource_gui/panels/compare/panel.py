@@ -37,7 +37,7 @@ from skinsource_gui.panels.compare.settings import (
 from skinsource_gui.panels.compare.view import paint_page
 from skinsource_gui.plots.figure import NoteLabel
 from skinsource_gui.qt.buttons import tool_button
-from skinsource_gui.qt.fitting import ButtonRow, FoldingRow, VisibleHeight
+from skinsource_gui.qt.fitting import FoldingRow, VisibleHeight
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, on_paper, tabular
@@ -156,7 +156,9 @@ class ChoicesBar(QtWidgets.QWidget):
         self.file = tool_button(self, "compare_file", "From file…", hint)
         self.file.clicked.connect(partial(self.action_requested.emit, "take_snapshot"))
         parts = self.of, self.shown, self.own_maximum, self.limbs, self.frequencies
-        self._of_snapshots = ButtonRow((self.match, self.toggle, self.file))
+        self._of_snapshots = FoldingRow(
+            (self.match, self.toggle, self.file), UNIT_PX // 2, left=True
+        )
         self._row = FoldingRow(parts, UNIT_PX // 2)
         self._in_sight = VisibleHeight(parent)
         self._in_sight.changed.connect(self._check_room)
@@ -195,7 +197,6 @@ class ChoicesBar(QtWidgets.QWidget):
     def _fit(self) -> None:
         of_snapshots = self.has_room and "snapshots" in KINDS[self.settings.of].fields
         self._of_snapshots.setVisible(of_snapshots)
-        self._row.fold()
 
     def _change(self, **changes: Any) -> None:
         settings = replace(self.settings, **changes)
@@ -294,7 +295,6 @@ class ComparePanel(MapsPanel):
             side = sides.get(card.number)
             card.setVisible(card.number != EDITED or side is not None)
             card.show_snapshot(side, present=side is not None and card.number == in_window)
-        self._row.fold()
 
     def _act(self, number: int, what: str) -> None:
         if what == "store":

@@ -58,10 +58,10 @@ from skinsource_gui.qt.buttons import (
     Swatch,
     mute_button,
     page_label,
+    scrolled,
     solo_button,
     tool_button,
 )
-from skinsource_gui.qt.fitting import SteadyArea
 from skinsource_gui.qt.labels import HOW_TO_SELECT_INPUT, FittingLabel, how_to_add
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
@@ -493,11 +493,8 @@ class InspectorPanel(Panel):
         fold = Fold("track_fold", "Track", track)
         parts = fields.grid, self._chain, fold, track, None
         in_column(*parts, of=inside, margins=(UNIT_PX, 0, UNIT_PX, UNIT_PX), gap_px=UNIT_PX // 4)
-        self._scroll = scroll = SteadyArea()
-        scroll.setObjectName("inspector_fields")
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._scroll = scroll = scrolled(inside, "inspector_fields")
         scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        scroll.setWidget(inside)
         self._editor = QtWidgets.QWidget()
         picture = in_row((self._preview, 1), self._draw, margins=0, gap_px=UNIT_PX // 2)
         top = in_column(self._heading, picture, fields.head, margins=sides, gap_px=UNIT_PX // 4)

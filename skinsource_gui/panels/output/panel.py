@@ -46,8 +46,7 @@ from skinsource_gui.panels.output.figures import (
 )
 from skinsource_gui.panels.output.settings import OutputSettings
 from skinsource_gui.plots.response_view import ResponseView
-from skinsource_gui.qt.buttons import page_button, page_label, tool_button
-from skinsource_gui.qt.fitting import SteadyArea
+from skinsource_gui.qt.buttons import page_button, page_label, scrolled, tool_button
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.panel import Panel
@@ -366,12 +365,7 @@ class OutputPanel(Panel):
         self._content = QtWidgets.QWidget()
         margins = (UNIT_PX, UNIT_PX // 2, UNIT_PX // 2, UNIT_PX)
         in_column(*parts, of=self._content, margins=margins, gap_px=UNIT_PX // 2)
-        scroll = SteadyArea()
-        scroll.setObjectName("output_scroll")
-        scroll.setFrameShape(SteadyArea.Shape.NoFrame)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        scroll.setWidget(self._content)
-        in_column(scroll, of=self, margins=0)
+        in_column(scrolled(self._content, "output_scroll"), of=self, margins=0)
 
     def _show_settings(self) -> None:
         design, settings = self._design, self._settings
