@@ -34,14 +34,10 @@ class PlotToolbar(QtWidgets.QWidget):
         self._buttons: list[QtWidgets.QToolButton] = []
         self._layouts = QtWidgets.QButtonGroup(self)
         self._layout_buttons: dict[str, QtWidgets.QToolButton] = {}
-        self._everything = self._button("show-all", "Show all", "Leave the zoom (key 0)", at=0)
+        self._everything = self._button("show-all", "Fit", "Leave the zoom (key 0)", at=0)
         self._everything.setCheckable(False)
         self._everything.clicked.connect(self.everything_requested)
         self._everything.setVisible(False)
-        # It comes and goes while the user turns the wheel: it never makes the row fold.
-        policy = self._everything.sizePolicy()
-        policy.setRetainSizeWhenHidden(True)
-        self._everything.setSizePolicy(policy)
         for name, text, hint in _LAYOUTS:
             self.add_layout(name, text, hint)
         self._layouts.buttonClicked.connect(self._choose_layout)

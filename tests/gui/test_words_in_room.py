@@ -47,12 +47,11 @@ def test_buttons_take_more_rows_where_words_have_no_room(view, width, n_rows):
         assert button.width() >= button.sizeHint().width()
 
 
-def test_in_any_room_they_settle_and_leaving_a_zoom_moves_none(view):
+def test_in_any_room_they_settle_and_the_way_out_of_a_zoom_moves_none(view):
     for width in (*range(300, 1200, 47), *range(1200, 300, -59)):
         settle(view, width)
-        before, height = places(view), view.toolbar.height()
+        before = places(view)
         view.toolbar.show_state(layout="overlaid", zoomed=True)
         settle(view, width)
         assert places(view).items() > before.items()
-        assert view.toolbar.height() == height
         view.toolbar.show_state(layout="overlaid", zoomed=False)
