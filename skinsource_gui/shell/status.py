@@ -1,9 +1,12 @@
 """The status bar: what is shown, running jobs, and notes; times and error are kept too."""
 
+import math
+from collections import deque
 from collections.abc import Sequence
 from dataclasses import replace
 from time import perf_counter
 
+import numpy as np
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 
@@ -23,13 +26,11 @@ from skinsource_gui.panels.skin.settings import (
     Z,
 )
 from skinsource_gui.qt.buttons import page_button
-from skinsource_gui.qt.error_label import error_text
 from skinsource_gui.qt.labels import FittingLabel
 from skinsource_gui.qt.layouts import in_row
 from skinsource_gui.qt.overlays import Overlay, Staleness
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone, tabular
 from skinsource_gui.qt.window_events import WindowEvents
-from skinsource_gui.state.edit_times import EditTimes, summary
 from skinsource_gui.state.engine import Engine, Outcome, Purpose, Request
 from skinsource_gui.state.job_runner import JobProgress, JobRunner
 
@@ -67,6 +68,65 @@ class Accuracy(QObject):
             return
         if outcome.values and outcome.request.given == self._shown.given:
             self.checked.emit(outcome.values["trace_error"])
+
+
+def error_text(error: TraceError) -> str:
+    """Return a short text of estimate and bound."""
+    return f"error ≈ {rounded_up(error.estimate)}, at most {rounded_up(error.bound)}"
+
+
+def rounded_up(error: float) -> str:
+    """Return ``error`` rounded up to one digit, so that it never looks smaller than it is."""
+    # No error in float64 is smaller than one rounding.
+    error = max(error, float(np.finfo(np.float64).eps))
+    exponent = math.floor(math.log10(error))
+    digit = math.ceil(error / 10.0**exponent - 1e-9)
+    return f"{digit}e{exponent}" if digit < 10 else f"1e{exponent + 1}"
+
+
+#: Edits that are remembered.
+MOST_EDITS = 100
+_MS = 1e3
+_A_SECOND_MS = 1000.0
+
+
+class EditTimes:
+    """Times of the last edits, oldest first."""
+
+    def __init__(self) -> None:
+        self._seconds: deque[float] = deque(maxlen=MOST_EDITS)
+
+    def note(self, seconds: float) -> None:
+        """Store a time."""
+        self._seconds.append(seconds)
+
+    def seconds(self) -> tuple[float, ...]:
+        """Return the stored times."""
+        return tuple(self._seconds)
+
+
+def summary(seconds: tuple[float, ...]) -> str:
+    """Return a sentence on several times; "" where there are none."""
+    if not seconds:
+        return ""
+    count = "Last edit" if len(seconds) == 1 else f"Last {len(seconds)} edits"
+    return (
+        f"{count}: median {milliseconds(float(np.median(seconds)))}, 95 % within "
+        f"{milliseconds(most_within(seconds))}, slowest {milliseconds(max(seconds))}."
+    )
+
+
+def most_within(seconds: tuple[float, ...]) -> float:
+    """Return the time within which 95 % of ``seconds`` are, one of those that occurred."""
+    return sorted(seconds)[-(-95 * len(seconds) // 100) - 1]
+
+
+def milliseconds(seconds: float) -> str:
+    """Return a text such as ``0.4 ms``, ``12 ms`` or ``1.3 s``."""
+    shown = seconds * _MS
+    if shown >= _A_SECOND_MS:
+        return f"{seconds:.1f} s"
+    return f"{shown:.0f} ms" if shown >= 9.95 else f"{shown:.1f} ms"
 
 
 class EditClock(QObject):

@@ -137,23 +137,6 @@ def shared(whole: int, shares: Sequence[int], least: Sequence[int]) -> list[int]
     return parts
 
 
-# What panels were called in layouts and scenes of before.
-_FORMER = {"actuator": "output", "playback": "output"}
-
-
-def _renamed(content: bytes) -> bytes:
-    """Return a layout with the present names of panels."""
-    for former, name in _FORMER.items():
-        content = content.replace(_stored_name(former), _stored_name(name))
-    return content
-
-
-def _stored_name(name: str) -> bytes:
-    """Return a name as Qt stores it in layouts."""
-    text = name.encode("utf-16-be")
-    return len(text).to_bytes(4, "big") + text
-
-
 #: For each dock, whether it is hidden, floating, and in sight.
 _State = dict[str, tuple[bool, bool, bool]]
 
@@ -280,7 +263,6 @@ class Workspaces(QObject):
 
     def bring(self, panel: str) -> None:
         """Bring a panel into sight without moving others."""
-        panel = _FORMER.get(panel, panel)
         if panel in self._docks:
             self._docks[panel].bring_forward()
 
@@ -292,7 +274,7 @@ class Workspaces(QObject):
         """Restore the layout ``content`` of this window; do nothing where it is empty."""
         if content:
             with self._arranging():
-                self._window.restoreState(QByteArray(_renamed(content)))
+                self._window.restoreState(QByteArray(content))
             self._settling.stop()
             self._moved = True
 

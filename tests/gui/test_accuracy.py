@@ -2,7 +2,7 @@
 
 import pytest
 
-from skinsource_gui.qt.error_label import rounded_up
+from skinsource_gui.shell.status import rounded_up
 
 
 @pytest.fixture

@@ -11,7 +11,7 @@ from skinsource.design.design import track
 from skinsource.design.panel_settings import with_settings
 from skinsource.engine.gains import TraceError
 from skinsource_gui.panels.skin.settings import SENSATION, SkinSettings
-from skinsource_gui.state.edit_times import summary
+from skinsource_gui.shell.status import summary
 
 
 @pytest.fixture

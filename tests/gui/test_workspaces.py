@@ -13,7 +13,7 @@ from skinsource_gui.plots.axis import Axis
 from skinsource_gui.plots.plot import Plot
 from skinsource_gui.shell.docks import Dock
 from skinsource_gui.shell.window import MainWindow
-from skinsource_gui.shell.workspaces import WORKSPACES, _stored_name, shared
+from skinsource_gui.shell.workspaces import WORKSPACES, shared
 from tests.gui.dock_bench import in_sight
 from tests.gui.shared_window import rest
 
@@ -336,16 +336,3 @@ def test_another_workspace_leaves_the_keyboard_with_the_panels(window, qtbot, se
     settle()
     focused = QApplication.focusWidget()
     assert any(window.panel(panel).isAncestorOf(focused) for panel in in_sight(window))
-
-
-@pytest.mark.parametrize("former", ["actuator", "playback"])
-def test_a_layout_with_a_former_name_of_a_panel_shows_the_panel(window, settle, former):
-    window.workspaces.bring(former)
-    assert window.docks["output"].isVisible()
-    settle()
-    present = window.workspaces.content()
-    window.docks["output"].hide()
-    old = present.replace(_stored_name("output"), _stored_name(former))
-    assert old != present
-    window.workspaces.put(old)
-    assert window.docks["output"].isVisible()

@@ -27,7 +27,6 @@ from skinsource_gui import pages
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.panels.skin.film import SIZE_PX, export_animation
 from skinsource_gui.plots.pictures import ALL_VISIBLE, PANEL_IN_USE, Picture, PictureOptions
-from skinsource_gui.qt.error_label import VISIBLE
 from skinsource_gui.qt.questions import ask_to_replace, ask_yes
 from skinsource_gui.state.services import Services
 
@@ -225,6 +224,8 @@ EXPORTS: tuple[ExportSpec, ...] = (
 )
 
 
+#: A visible error, relative to the largest sample.
+VISIBLE = 1e-3
 _log = logging.getLogger(__name__)
 
 

@@ -38,7 +38,7 @@ from skinsource_gui.fields.units import minus
 from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.plots.curves import CurveName, Curves
 from skinsource_gui.plots.ranges import XAxis
-from skinsource_gui.plots.response_view import ResponseView
+from skinsource_gui.plots.signal_view import ResponseView
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX

@@ -45,7 +45,7 @@ from skinsource_gui.panels.output.figures import (
     response_curves,
 )
 from skinsource_gui.panels.output.settings import OutputSettings
-from skinsource_gui.plots.response_view import ResponseView
+from skinsource_gui.plots.signal_view import ResponseView
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled, tool_button
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
