@@ -10,8 +10,7 @@ from PySide6.QtCore import QEvent, QModelIndex, QObject, QPersistentModelIndex, 
 from skinsource_gui.pages.files.file_actions import RecentFiles
 from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.layouts import in_column
-from skinsource_gui.shell.actions import MENUS
-from skinsource_gui.shell.actions.spec import ActionSpec
+from skinsource_gui.shell.actions import MENUS, ActionSpec
 from skinsource_gui.state.document import Document
 
 #: Opens the first menu.

@@ -12,8 +12,7 @@ from skinsource.version import __version__
 from skinsource_gui import pages
 from skinsource_gui.qt.keys import KEYS, MOUSE, native_text
 from skinsource_gui.qt.layouts import in_column
-from skinsource_gui.shell.actions import ACTIONS
-from skinsource_gui.shell.actions.spec import ActionSpec
+from skinsource_gui.shell.actions import ACTIONS, ActionSpec
 from skinsource_gui.shell.menus import BESIDES, Palette
 from skinsource_gui.shell.status import StatusLine
 from skinsource_gui.state.services import Services

@@ -3,8 +3,7 @@ from dataclasses import replace
 import pytest
 from PySide6.QtGui import QKeySequence, QShortcut
 
-from skinsource_gui.shell.actions import ACTIONS, MENUS
-from skinsource_gui.shell.actions.spec import ActionSpec
+from skinsource_gui.shell.actions import ACTIONS, MENUS, ActionSpec
 
 
 def test_conditions_follow_the_document(window):

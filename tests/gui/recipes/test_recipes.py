@@ -66,14 +66,16 @@ class LoudestPanel(Panel):
     def show_results(self, results):
         self.words.setText(f"{results['loudest_level_db']:.{self.settings.digits}f} dB")
 '''
-ACTION = """    action(
-        "silence_all",
-        "Silence all",
-        "Mute every input",
-        "Ctrl+Alt+M",
-        edit=lambda design, view: edits.mute_inputs(design, view, design.ids, True),
-        enabled=_has_inputs,
-    ),
+ACTION = """[Edit.silence_all]
+text = "Silence all"
+hint = "Mute every input"
+keys = "Ctrl+Alt+M"
+
+"""
+ACTION_EDIT = """\
+    "silence_all": lambda design, view: edits.mute_inputs(design, view, design.ids, True),
+"""
+ACTION_ENABLED = """    "silence_all": lambda design, view: bool(design.inputs),
 """
 CLICKS = '''
 """A train of clicks."""
@@ -250,9 +252,11 @@ def test_each_recipe_leads_to_what_it_says(copy, tmp_path):
         '    PanelSpec(panel=LazyPanel("loudest", "Loudest output"), settings=LoudestSettings),\n'
     )
     insert(panels, '    PanelSpec(panel=LazyPanel("inspector"', line)
-    # An action: an entry.
-    edit_menu = studio / "shell" / "actions" / "edit_menu.py"
-    insert(edit_menu, '    action(\n        "shift_input_up"', ACTION)
+    # An action: an entry, its edit and its condition.
+    insert(copy / "resources" / "actions.toml", "[Edit.shift_input_up]", ACTION)
+    actions = studio / "shell" / "actions.py"
+    insert(actions, '    "shift_input_up": _of_inputs(', ACTION_EDIT)
+    insert(actions, '    "select_no_outputs": lambda _, view', ACTION_ENABLED)
     # A waveform: a file and a name in MORE; a field: a line.
     write(library / "design" / "waveforms" / "clicks.py", CLICKS)
     kinds = library / "design" / "waveforms" / "__init__.py"

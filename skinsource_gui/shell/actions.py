@@ -1,0 +1,313 @@
+"""The table of actions: menus, shortcuts, what edits they make, and when they can be done.
+
+Menus and their words stand in ``resources/actions.toml``.
+"""
+
+import tomllib
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+from skinsource.design import edits
+from skinsource.design.clips import Clip
+from skinsource.design.comparing import NUMBERS
+from skinsource.design.design import Design, Input
+from skinsource.design.edits.cutting import last_fade
+from skinsource.design.edits.edit import Edit, Refusal, leading_clip
+from skinsource.design.view import View
+from skinsource_gui.pages.files.exports import EXPORTS
+from skinsource_gui.panels.skin.settings import has_colours, use_colours
+from skinsource_gui.panels.timeline.clipboard import copy_clips, cut_clips, paste_clips
+from skinsource_gui.panels.timeline.content import chosen_clips
+from skinsource_gui.plots.small_map import COLOURS
+from skinsource_gui.qt.keys import KEYS, SHORTCUTS, key_text
+from skinsource_gui.qt.resources import read_text
+from skinsource_gui.shell.workspaces import WORKSPACES
+from skinsource_gui.state.job_runner import selected_train
+
+#: Whether something can be done, or is on, now.
+Condition = Callable[[Design, View], bool]
+#: Makes the edit from the design and the view.
+MakeEdit = Callable[[Design, View], Edit | Refusal]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ActionSpec:
+    """One thing that can be done.
+
+    It is either a ``command`` or an ``edit``.
+
+    Attributes
+    ----------
+    name
+        Name of the action, the same for ever.
+    text
+        What the menu says.
+    menu
+        Menu it stands in, which the table of menus says; "" for the palette alone.
+    submenu
+        The one in that menu it stands in; in the menu itself where there is none.
+    short
+        What its button says in the bar, where that is less.
+    hint
+        What it does, in a sentence.
+    keys
+        Shortcuts, first the one that is shown.
+    key_elsewhere
+        The key that does it where that belongs to a panel: said beside it in the menu.
+    keywords
+        Other words by which the palette finds it.
+    command
+        ``"capability.method"``: who does it, and what it is called there.
+    argument
+        What the command is told, if anything.
+    edit
+        Makes the edit from the design and the view.
+    enabled
+        Whether it can be done now; always when not given.
+    checked
+        Whether it is on now; no switch when not given.
+    separated
+        Whether a line stands before it.
+    group
+        Of the switches with the same group, one is on.
+    """
+
+    name: str
+    text: str
+    hint: str
+    keys: tuple[str, ...] = ()
+    key_elsewhere: str = ""
+    menu: str = ""
+    submenu: str = ""
+    short: str = ""
+    keywords: str = ""
+    command: str = ""
+    argument: str = ""
+    edit: MakeEdit | None = None
+    enabled: Condition | None = None
+    checked: Condition | None = None
+    separated: bool = False
+    group: str = ""
+
+    def __post_init__(self) -> None:
+        if bool(self.command) == (self.edit is not None):
+            raise ValueError(f"action {self.name}: expected either a command or an edit")
+
+
+def _clips(design: Design, view: View) -> list[Clip]:
+    return [design.clip(id) for id in chosen_clips(design, view)]
+
+
+def _inputs(design: Design, view: View) -> list[Input]:
+    return [track for track in design.inputs if track.id in view.selected_inputs]
+
+
+def _are(of: Callable[[Design, View], Sequence[Any]], hold: Callable[[Any], object]) -> Condition:
+    """Return whether there are some of them, and something holds for all."""
+
+    def are(design: Design, view: View) -> bool:
+        chosen = of(design, view)
+        return bool(chosen) and all(map(hold, chosen))
+
+    return are
+
+
+def _on(
+    chosen: Callable[[Design, View], Sequence[int]],
+    edit: Callable[..., Edit | Refusal],
+    *more: object,
+) -> MakeEdit:
+    """Return an edit of what is chosen."""
+    return lambda design, view: edit(design, view, chosen(design, view), *more)
+
+
+_of_clips = partial(_on, chosen_clips)
+_of_inputs = partial(_on, lambda _, view: view.selected_inputs)
+# Length of a fade that a menu adds, s.
+_FADE_S = 0.02
+
+
+def _fades(clip: Clip) -> tuple[float, float]:
+    fade = last_fade(clip.effects)
+    return (0.0, 0.0) if fade is None else (fade.in_s, fade.out_s)
+
+
+def _faded(end: int) -> Condition:
+    return _are(_clips, lambda clip: _fades(clip)[end])
+
+
+def _fade(end: int, design: Design, view: View) -> Edit | Refusal:
+    """Fade the beginning (0) or the end (1) of all chosen clips, or none of them."""
+    to_s = 0.0 if _faded(end)(design, view) else _FADE_S
+    before, label = design, ""
+    for id in chosen_clips(design, view):
+        lengths_s = list(_fades(design.clip(id)))
+        lengths_s[end] = min(to_s, design.clip(id).duration_s / 2)
+        outcome = edits.fade_clip(design, view, id, *lengths_s)
+        if isinstance(outcome, Refusal):
+            return outcome
+        design, label = outcome.design, "Fade clips" if label else outcome.label
+    if design is before:
+        return Refusal(sentence="No clip is selected; click one in the timeline.")
+    return Edit(label=label, design=design, view=view)
+
+
+# Names of colours, by what they are called in names of actions.
+_COLOURS = {name.lower().replace("-", "_"): name for name, _ in COLOURS.options}
+#: By name of an action, the edit that it makes.
+EDITS: dict[str, MakeEdit] = {
+    "cut_clips": cut_clips,
+    "copy_clips": copy_clips,
+    "paste_clips": paste_clips,
+    "add_input": edits.add_input,
+    "duplicate_input": _of_inputs(edits.duplicate_inputs),
+    "remove_input": _of_inputs(edits.remove_inputs),
+    "mute_input": _of_inputs(edits.toggle_mute),
+    "solo_input": _of_inputs(edits.toggle_solo),
+    "shift_input_up": _of_inputs(partial(edits.shift_inputs, down=False)),
+    "shift_input_down": _of_inputs(partial(edits.shift_inputs, down=True)),
+    "select_all_inputs": edits.select_all_inputs,
+    "clear_inputs": edits.clear_inputs,
+    "select_no_outputs": lambda design, view: edits.select_outputs(design, view, ()),
+    "match_levels": lambda design, view: edits.match_levels(design, view, not view.levels_matched),
+    "keep_match_gain": edits.keep_match_gain,
+    "split_clips": lambda design, view: edits.split_clips(
+        design, view, chosen_clips(design, view), view.playhead_s
+    ),
+    "fade_in": partial(_fade, 0),
+    "fade_out": partial(_fade, 1),
+    "repeat_clips": _of_clips(edits.repeat_clips, 2),
+    "duplicate_clips": _of_clips(edits.duplicate_clips),
+    "mute_clips": _of_clips(edits.toggle_mute_clips),
+    "remove_clips": _of_clips(edits.remove_clips),
+    "limit_to_band": _of_clips(edits.limit_to_band),
+    "remove_delay": lambda design, view: edits.remove_delay(design, view, not view.delay_removed),
+    **{f"use_{word}_colours": partial(use_colours, name) for word, name in _COLOURS.items()},
+}
+
+
+def _when(condition: Condition, *names: str) -> dict[str, Condition]:
+    return dict.fromkeys(names, condition)
+
+
+def _has_snapshot(number: int) -> Condition:
+    return lambda _, view: any(snapshot.number == number for snapshot in view.snapshots)
+
+
+_OF_INPUTS = "duplicate_input", "remove_input", "mute_input", "solo_input"
+_OF_CLIPS = "split_clips", "fade_in", "fade_out", "repeat_clips", "duplicate_clips", "mute_clips"
+#: By name of an action, whether it can be done now; others always can.
+ENABLED: dict[str, Condition] = {
+    **_when(lambda design, _: bool(design.clips), "cut_clips", "copy_clips", "save_to_library"),
+    **_when(lambda _, view: bool(view.selected_inputs), *_OF_INPUTS),
+    **_when(lambda _, view: bool(view.selected_inputs), "shift_input_up", "shift_input_down"),
+    **_when(lambda design, _: bool(design.inputs), "select_all_inputs", "clear_inputs"),
+    "select_no_outputs": lambda _, view: bool(view.outputs),
+    **{f"show_snapshot_{number}": _has_snapshot(number) for number in NUMBERS},
+    "toggle_snapshots": lambda _, view: bool(view.snapshots),
+    "keep_match_gain": lambda design, view: view.match_gain(design) != 1.0,
+    **_when(
+        lambda design, view: leading_clip(design, view) is not None,
+        *("draw_clip", "shape_envelope", "stretch_clip"),
+    ),
+    **_when(
+        lambda design, view: bool(chosen_clips(design, view)),
+        *(*_OF_CLIPS, "remove_clips", "limit_to_band"),
+    ),
+    "equalise_on_skin": lambda design, view: selected_train(design, view) is not None,
+    "match_tracks": lambda design, view: len(set(view.selected_inputs) & set(design.ids)) > 1,
+}
+#: By name of a switch, whether it is on now.
+CHECKED: dict[str, Condition] = {
+    "mute_input": _are(_inputs, lambda track: track.muted),
+    "solo_input": _are(_inputs, lambda track: track.solo),
+    "match_levels": lambda _, view: view.levels_matched,
+    "fade_in": _faded(0),
+    "fade_out": _faded(1),
+    "mute_clips": _are(_clips, lambda clip: clip.muted),
+    "remove_delay": lambda _, view: view.delay_removed,
+    **{f"use_{word}_colours": partial(has_colours, name) for word, name in _COLOURS.items()},
+}
+# What an entry of the file stands there for, once for each.
+_EACH: dict[str, list[dict[str, str]]] = {
+    "": [{}],
+    "snapshot": [{"number": str(number)} for number in NUMBERS],
+    "workspace": [
+        {"name": each.name, "text": each.text, "hint": each.hint, "shortcut": each.key}
+        for each in WORKSPACES
+    ],
+    "colours": [
+        {"name": word, "title": title, "hint": COLOURS.hint}
+        for word, (_, title) in zip(_COLOURS, COLOURS.options, strict=True)
+    ],
+}
+
+
+class _KeyTexts:
+    """Texts of keys by ``place.name``, for the hints of the file."""
+
+    def __init__(self, text: Callable[[str, str], str]) -> None:
+        self._text = text
+
+    def __getitem__(self, path: str) -> str:
+        return self._text(*path.split("."))
+
+
+_TEXTS = {
+    "key": _KeyTexts(key_text),
+    "shown": _KeyTexts(lambda place, name: KEYS[place].gestures[name].shown),
+}
+
+
+def _read(menu: str, entries: Mapping[str, Mapping[str, Any]]) -> Iterator[ActionSpec]:
+    """Yield the actions of a menu."""
+    for pattern, entry in entries.items():
+        for rank, each in enumerate(_EACH[entry.get("each", "")]):
+            row = {
+                name: text.format(**each, **_TEXTS) if isinstance(text, str) else text
+                for name, text in entry.items()
+            }
+            name = pattern.format(**each)
+            command, _, argument = row.get("command", "").partition(" ")
+            yield ActionSpec(
+                name=name,
+                text=row["text"],
+                hint=row["hint"],
+                keys=tuple(row.get("keys", "").split()),
+                key_elsewhere=_TEXTS["key"][row["key_of"]] if "key_of" in row else "",
+                menu=menu,
+                submenu=row.get("submenu", ""),
+                short=row.get("short", ""),
+                keywords=row.get("words", ""),
+                command=command,
+                argument=argument,
+                edit=EDITS.get(name),
+                enabled=ENABLED.get(name),
+                checked=CHECKED.get(name),
+                separated="separated" in row and rank == 0,
+                group=row.get("group", ""),
+            )
+
+
+_TABLE: dict[str, dict[str, dict[str, Any]]] = tomllib.loads(read_text("actions.toml"))
+#: The menus, in their order.
+MENUS = tuple(_TABLE)
+#: All actions, in the order of the menus; what the palette alone has comes last.
+ACTIONS: tuple[ActionSpec, ...] = (
+    *(spec for menu, entries in _TABLE.items() for spec in _read(menu, entries)),
+    *(
+        ActionSpec(
+            name=f"export_{export.name}",
+            text=export.text,
+            hint=export.hint,
+            keys=export.keys,
+            keywords=f"save write {export.keywords}",
+            command="exports.show",
+            argument=export.name,
+        )
+        for export in EXPORTS
+    ),
+)
+SHORTCUTS.update({spec.name: spec.keys for spec in ACTIONS})
