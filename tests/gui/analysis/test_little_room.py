@@ -6,7 +6,7 @@ from PySide6.QtCore import QRectF
 import skinsource as ss
 from skinsource.design.design import Design, track
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
-from skinsource_gui.panels.analysis.window_strip import (
+from skinsource_gui.panels.analysis.windowed import (
     CURVES,
     curve_names,
     least_height,

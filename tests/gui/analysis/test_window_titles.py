@@ -8,7 +8,7 @@ from PySide6.QtCore import QRectF
 import skinsource as ss
 from skinsource.design.design import Design, track
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
-from skinsource_gui.panels.analysis.window_strip import strip_layout, window_titles
+from skinsource_gui.panels.analysis.windowed import strip_layout, window_titles
 from tests.gui.analysis.analysis_bench import analysis
 
 TRAIN = Design(limb="synthetic-4", inputs=(track(7, WaveletTrain()),))
