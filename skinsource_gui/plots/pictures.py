@@ -110,6 +110,16 @@ _MM_IN_INCH = 25.4
 _INCHES_IN_METRE = 1 / 0.0254
 
 
+def png_of(picture: QtGui.QImage | QtGui.QPixmap) -> bytes:
+    """Return ``picture`` as PNG; empty for an empty picture."""
+    buffer = QBuffer()
+    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
+    # The stubs of PySide ask for bytes, which it does not take.
+    image: Any = picture
+    image.save(buffer, "PNG")
+    return bytes(buffer.data().data())
+
+
 def save_picture(path: Path, picture: QtGui.QImage | QtGui.QPixmap) -> None:
     """Write ``picture`` to ``path`` as PNG.
 
@@ -118,12 +128,7 @@ def save_picture(path: Path, picture: QtGui.QImage | QtGui.QPixmap) -> None:
     StorageError
         The folder cannot be written, or the disk is full.
     """
-    buffer = QBuffer()
-    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
-    # The stubs of PySide ask for bytes, which it does not take.
-    image: Any = picture
-    image.save(buffer, "PNG")
-    write_bytes(path, bytes(buffer.data().data()))
+    write_bytes(path, png_of(picture))
 
 
 def save_drawing(

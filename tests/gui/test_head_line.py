@@ -1,4 +1,4 @@
-"""The one line above the panels: what stands in it, and the list of steps under the undo arrow."""
+"""The one line above the panels: what stands in it and says it, and the list of undo steps."""
 
 import time
 from pathlib import Path
@@ -8,10 +8,13 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QMenu, QToolButton, QWidget
 
 from skinsource.design.design import Design, track
+from skinsource.design.labels import CHOICES
 from skinsource.design.view import View
+from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.shell.actions import MENUS
-from skinsource_gui.shell.bars import StepsMenu
+from skinsource_gui.shell.bars import SetupBar, StepsMenu
 from skinsource_gui.state.document import Document
+from skinsource_gui.state.preferences import start_design
 
 
 class Bench:
@@ -160,3 +163,34 @@ def test_the_steps_stand_under_the_undo_arrow_and_in_the_edit_menu(window):
     window.document.edit("Louder", window.document.design.with_input(0, amplitude=2.0))
     steps.aboutToShow.emit()
     assert steps.actions()[0].text().startswith("Louder\t")
+
+
+@pytest.fixture
+def bar(qtbot):
+    bar = SetupBar(Document(start_design("synthetic-1")))
+    qtbot.addWidget(bar)
+    return bar
+
+
+def test_every_choice_and_every_value_of_it_is_explained_in_the_words_of_the_page(bar):
+    fields = {field.accessibleName(): field for field in bar.findChildren(ChoiceField)}
+    for _, label, sentence, entries in CHOICES[:1]:
+        field = fields.pop(label)
+        assert " ".join(field.toolTip().split()) == f"{label} {sentence}"
+        for index, word in enumerate(entries):
+            hint = field.itemData(index, Qt.ItemDataRole.ToolTipRole)
+            assert (field.itemData(index), field.itemText(index)) == (word.name, word.title)
+            assert " ".join(hint.split()) == word.sentence
+    assert not fields
+
+
+def test_what_the_measure_line_offers_is_found_by_its_words(bar):
+    document, asked = bar._document, []
+    for view, enabled in ((View(axes="xyz"), True), (View(axes="z"), False)):
+        document.look(view)
+        found = {action.text(): action for action in bar.choices(bar)}
+        assert found["Method: Magnitude"].isEnabled() == enabled
+        for name in ("Levels: Loudest 100 ms", "Axes: x, y"):
+            found[name].trigger()
+            asked.append((document.view.axes, document.view.span))
+    assert asked[:2] == [("xyz", "loudest"), ("xy", "loudest")]

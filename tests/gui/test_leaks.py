@@ -1,13 +1,21 @@
-"""What comes and goes leaves nothing behind: no actions, dialogs, timers, widgets, threads."""
+"""What comes and goes leaves nothing behind: no actions, timers, widgets, threads, no garbage."""
 
 import gc
+import os
+import sys
 import threading
+import weakref
 from collections import Counter
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QAbstractAnimation, QCoreApplication, QEvent, QObject, Qt, QTimer
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QApplication, QDialog, QMenu, QWidget
+
+from skinsource.base.allocation import give_freed_memory_back
+from skinsource.base.run_limited import resident_bytes
+from skinsource_gui.app.app import GarbageCollector
 
 #: What each leaves behind is there so many times.
 OPENINGS = 4
@@ -104,3 +112,97 @@ def test_edits_workspaces_and_themes_that_come_and_go_leave_nothing(window, sett
     for _ in range(2):
         there_and_back()
     assert alive() - before == Counter()
+
+
+class Cycle:
+    """Something that only a collection frees; it tells in which thread."""
+
+    def __init__(self, threads):
+        self.itself = self
+        self.threads = threads
+
+    def __del__(self):
+        self.threads.append(threading.current_thread())
+
+
+@pytest.fixture
+def collector(qapp):
+    owner = QObject()
+    gc.collect()
+    yield GarbageCollector(owner)
+    owner.deleteLater()
+
+
+def make_garbage(threads, count=1000):
+    for _ in range(count):
+        Cycle(threads)
+
+
+def test_a_worker_that_makes_garbage_does_not_collect_it(collector, qtbot):
+    threads = []
+    worker = threading.Thread(target=make_garbage, args=(threads,))
+    worker.start()
+    worker.join()
+    assert threads == []
+    qtbot.waitUntil(lambda: len(threads) == 1000)
+    assert set(threads) == {threading.main_thread()}
+
+
+def test_where_nothing_is_new_nothing_is_looked_through(collector):
+    gc.collect()
+    assert collector.collect_what_is_due() is None
+
+
+def test_older_objects_are_looked_through_seldom_and_never_while_something_is_dragged(
+    collector, monkeypatch
+):
+    # Not the real buttons: tests before this one may have left another one down.
+    pressed = [Qt.MouseButton.NoButton]
+    monkeypatch.setattr(QApplication, "mouseButtons", lambda: pressed[0])
+    generations = []
+
+    def collect(times):
+        for _ in range(times):
+            make_garbage([])
+            generations.append(collector.collect_what_is_due())
+
+    collect(120)
+    assert (generations.count(0), generations.count(1), generations.count(2)) == (110, 10, 0)
+    pressed[0] = Qt.MouseButton.LeftButton
+    collect(22)
+    assert 2 not in generations
+    pressed[0] = Qt.MouseButton.NoButton
+    collect(11)
+    assert generations[-11:].count(2) == 1
+
+
+def test_a_window_that_was_closed_is_freed_with_its_panels_graphs_and_worker(make_window):
+    window = make_window()
+    engine = window.engine
+    held = [weakref.ref(owner) for owner in (window, engine, window.document, *window.panels)]
+    graphs = [weakref.ref(graph) for graph in engine._graphs.values()]
+    assert graphs
+    window.document.mark_saved(window.document.path)
+    window.close()
+    window.deleteLater()
+    opened = gc.get_referrers(window)
+    for referrer in opened:
+        if isinstance(referrer, list) and window in referrer:
+            referrer.remove(window)
+    del window, engine, opened, referrer
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    QApplication.processEvents()
+    gc.collect()
+    assert [ref() for ref in graphs] == [None]
+    assert [type(ref()).__name__ for ref in held if ref() is not None] == []
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="only glibc keeps freed memory")
+def test_memory_that_was_freed_between_small_blocks_goes_back_to_the_system():
+    rows = [(np.ones(2**13), np.ones(2)) for _ in range(2000)]
+    small = [row[1] for row in rows]
+    before = resident_bytes(os.getpid())
+    del rows
+    give_freed_memory_back()
+    assert resident_bytes(os.getpid()) < before - 50e6
+    assert len(small) == 2000

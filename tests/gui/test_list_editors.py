@@ -1,8 +1,10 @@
-"""Lists of numbers and points, typed."""
+"""Lists of numbers and points, typed; tables."""
+
+from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QTextCursor
+from PySide6.QtGui import QKeySequence, QShortcut, QTextCursor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QToolButton
 
@@ -16,6 +18,7 @@ from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.list_editors import GlideCurve, SweepDialog
 from skinsource_gui.fields.text_field import LiveText
 from skinsource_gui.fields.units import numbers_text, points_text, read_numbers, read_points
+from skinsource_gui.shell.actions import ACTIONS, MENUS, ActionSpec
 
 FREQUENCIES = specs_of(WaveletTrain)["frequencies_hz"]
 POINTS = specs_of(Glide)["points"]
@@ -186,3 +189,40 @@ def test_times_of_points_are_shown_short_and_stay_exact_when_others_are_typed(qt
     # Rounded, these would be one.
     cell.set_value(((0.509010598, 1.0), (0.509010599, 0.0)))
     assert cell.field.line.text() == "509.010598 1; 509.010599 0"
+
+
+def test_conditions_follow_the_document(window):
+    enabled = {name: action.isEnabled for name, action in window.actions_by_name.items()}
+    assert enabled["select_no_outputs"]()
+    assert enabled["mute_input"]()
+    window.document.look(replace(window.document.view, outputs=(), selected_inputs=()))
+    assert not enabled["select_no_outputs"]()
+    assert not enabled["mute_input"]()
+    assert enabled["clear_inputs"]()
+    window.do("clear_inputs")
+    assert not enabled["clear_inputs"]()
+
+
+def test_an_action_is_a_command_or_an_edit_not_both_and_not_neither():
+    fields = {"name": "a", "text": "A", "hint": "A"}
+    for more in ({}, {"command": "files.new", "edit": lambda design, view: None}):
+        with pytest.raises(ValueError, match="either a command or an edit"):
+            ActionSpec(**fields, **more)
+
+
+def test_each_menu_opens_with_a_letter_of_its_own_and_the_first_with_f10(window, qtbot):
+    bar = window.menuBar()
+    keys = [QKeySequence.mnemonic(action.text()) for action in bar.actions()]
+    assert QKeySequence() not in keys
+    others = [QKeySequence(key) for spec in ACTIONS for key in spec.keys]
+    assert len(set(keys) - set(others)) == len(keys) == len(MENUS)
+    (key,) = [
+        shortcut
+        for shortcut in bar.findChildren(QShortcut)
+        if shortcut.key() == QKeySequence("F10")
+    ]
+    assert key.key() not in others
+    key.activated.emit()
+    menu = bar.actions()[0].menu()
+    qtbot.waitUntil(menu.isVisible)
+    menu.close()

@@ -1,4 +1,4 @@
-"""What mouse and keys mean on any map whose outputs are selected."""
+"""What mouse, wheel and keys mean on any map or axis."""
 
 import numpy as np
 import pytest
@@ -6,6 +6,8 @@ from PySide6.QtCore import QEvent, QObject, QPointF, Qt
 from PySide6.QtGui import QKeyEvent, QMouseEvent
 
 from skinsource_gui.plots.outputs import OutputPicker
+from skinsource_gui.plots.time_scale import TimeScale, range_by_wheel
+from tests.gui.wheel import wheel_event
 
 POINTS = np.array([[10.0, 10.0], [60.0, 10.0], [np.nan, np.nan]])
 MIDDLE, UNPLACED = QPointF(35, 10), (3,)
@@ -81,3 +83,40 @@ def test_escape_gives_up_a_frame_before_it_selects_nothing(picker):
     assert (picker.choices, picker.band) == ([], None)
     assert press(picker, Qt.Key.Key_Escape)
     assert picker.choices == [()]
+
+
+SCALE = TimeScale(shown_s=(0.4, 0.6), left_px=10.0, width_px=200.0)
+HELD = Qt.KeyboardModifier
+
+
+def turned(x, y, held=HELD.NoModifier, at_px=60.0, whole_s=(0.0, 1.0)):
+    at = QPointF(at_px, 5.0)
+    event = wheel_event(at, at, (x, y), held)
+    return range_by_wheel(event, SCALE, whole_s)
+
+
+@pytest.mark.parametrize(
+    ("turn", "held"),
+    [
+        ((0, 120), HELD.NoModifier),
+        ((0, 120), HELD.ControlModifier),
+        ((120, 0), HELD.ControlModifier),
+    ],
+)
+def test_a_notch_zooms_around_the_pointer(qapp, turn, held):
+    low, high = turned(*turn, held)
+    assert high - low == pytest.approx(0.2 / 1.2)
+    # A quarter of the width lies left of the pointer, before and after.
+    assert low + 0.25 * (high - low) == pytest.approx(0.45)
+
+
+@pytest.mark.parametrize(
+    ("turn", "held"), [((0, -120), HELD.ShiftModifier), ((-120, 0), HELD.NoModifier)]
+)
+def test_with_shift_or_sideways_it_goes_along_the_time(qapp, turn, held):
+    assert turned(*turn, held) == pytest.approx((0.42, 0.62))
+
+
+def test_it_ends_where_the_time_does_and_at_the_whole(qapp):
+    assert turned(-12000, 0) == pytest.approx((0.8, 1.0))
+    assert turned(0, -12000) is None

@@ -1,15 +1,19 @@
-"""Two studios on one file: the second looks, and saves under another name."""
+"""Two studios on one file: the second looks; settings lie in the folder for settings."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
+from PySide6.QtCore import QByteArray
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 
 from skinsource.base import lock
+from skinsource.base.assets import config_folder
 from skinsource.base.lock import Lock, read_owner, this_process, to_bytes
 from skinsource.design.design import Design, Input
 from skinsource.design.design_file import open_design, save_design
 from skinsource_gui.pages.files import file_actions
+from skinsource_gui.state.preferences import Preferences, settings_path
 
 OTHER = replace(this_process(), pid=4_000_000, user="ana")
 ELSEWHERE = replace(OTHER, host="lab-3")
@@ -120,3 +124,30 @@ def test_a_file_that_cannot_be_saved_keeps_the_lock_of_the_one_that_is_open(
     answers["save"] = str(tmp_path / "absent" / "a.skinsource")
     assert not window.files.ask_and_save()
     assert read_owner(Lock(path).path) == this_process()
+
+
+@pytest.fixture
+def config(tmp_path, monkeypatch) -> Path:
+    folder = tmp_path / "config"
+    monkeypatch.setenv("SKINSOURCE_CONFIG", str(folder))
+    return folder
+
+
+def test_a_folder_for_settings_of_its_own_isolates_them(config):
+    assert settings_path() == config / "studio.ini"
+    assert not config.exists()
+
+
+def test_whoever_sets_the_data_folder_has_everything_in_it(user_data, monkeypatch):
+    monkeypatch.delenv("SKINSOURCE_CONFIG", raising=False)
+    assert user_data in config_folder().parents
+    monkeypatch.delenv("SKINSOURCE_DATA")
+    assert config_folder().name == "skinsource"
+
+
+@pytest.mark.parametrize("stored", [QByteArray(b"abc"), 5, {"a": 1}, None])
+def test_recent_files_that_are_no_list_of_names_are_none(tmp_path, stored):
+    preferences = Preferences(tmp_path / "studio.ini")
+    preferences.settings.setValue("recent", stored)
+    assert all(isinstance(name, str) for name in preferences.recent_names)
+    assert len(preferences.recent_names) <= 1

@@ -1,9 +1,26 @@
-"""Colours change while the studio is open, in all that is seen; pens of outputs differ."""
+"""Colours change while the studio is open, in all that is seen; drop-down lists, as they look."""
 
-from PySide6.QtWidgets import QApplication
+from collections import Counter
 
-from skinsource_gui.qt.theme import THEMES
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QAbstractSlider,
+    QAbstractSpinBox,
+    QApplication,
+    QComboBox,
+    QLineEdit,
+    QVBoxLayout,
+    QWidget,
+)
+
+from skinsource.specs.spec import ChoiceSpec
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.qt.theme import THEMES, current_theme
 from skinsource_gui.shell.panels import PANELS
+from tests.gui.hand.bench import contrast
 
 #: What is known of the sound card comes at any time.
 # The stage is in motion.
@@ -55,3 +72,55 @@ def test_thirty_two_outputs_differ_in_colour_or_strokes():
         assert len({(pen.color().name(), tuple(pen.dashPattern())) for pen in pens}) == 32
         # The first of them have whole lines.
         assert all(not pens[rank].dashPattern() for rank in range(8))
+
+
+SPEC = ChoiceSpec(label="Size", options=(("s", "Small"), ("m", "Medium"), ("l", "Large")))
+READABLE = 4.5
+
+
+@pytest.fixture(params=["light", "dark"])
+def field(request, qtbot, use_theme):
+    use_theme(THEMES[request.param])
+    parent = QWidget()
+    qtbot.addWidget(parent)
+    field = ChoiceField(SPEC)
+    QVBoxLayout(parent).addWidget(field)
+    parent.show()
+    qtbot.waitExposed(parent)
+    field.showPopup()
+    qtbot.waitUntil(lambda: field.view().isVisible())
+    yield field
+    field.hidePopup()
+
+
+def entry_colours(field, row):
+    """Ground of an entry, and the pixel on it that stands out most: the ink of its words."""
+    view = field.view()
+    area = view.visualRect(view.model().index(row, 0)).adjusted(3, 3, -3, -3)
+    picture = view.viewport().grab(area).toImage()
+    counted = Counter(
+        picture.pixel(x, y) for y in range(picture.height()) for x in range(picture.width())
+    )
+    ground = QColor(counted.most_common(1)[0][0])
+    ink = max((QColor(argb) for argb in counted), key=lambda colour: contrast(colour, ground))
+    return ground, ink
+
+
+def test_the_highlighted_entry_can_be_read_and_stands_out(field):
+    for _ in range(2):
+        QTest.keyClick(field.view(), Qt.Key.Key_Down)
+    QApplication.processEvents()
+    assert field.view().currentIndex().row() == 2
+    ground, ink = entry_colours(field, 2)
+    assert contrast(ink, ground) >= READABLE
+    assert ground.name() == current_theme().accent
+
+
+def test_the_wheel_alone_gives_the_focus_to_nothing_that_it_would_change(window):
+    """Qt gives the focus before it delivers the wheel, which sent events do not do."""
+    for widget in window.findChildren(QWidget):
+        if isinstance(widget, QComboBox | QAbstractSpinBox | QLineEdit | QAbstractSlider):
+            assert (
+                not widget.focusPolicy() & Qt.FocusPolicy.WheelFocus & ~Qt.FocusPolicy.StrongFocus
+            )
+    assert window.findChildren(ChoiceField)

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from PySide6 import QtGui
-from PySide6.QtCore import QBuffer, QByteArray, QObject, QRectF, QSize, QTimer, Signal
+from PySide6.QtCore import QObject, QRectF, QSize, QTimer, Signal
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.files import path_text
@@ -22,6 +22,7 @@ from skinsource.design.design import Design
 from skinsource.design.design_file import DesignFile, open_design
 from skinsource.design.recovery import Found, Session, UnsavedWork
 from skinsource.design.view import View
+from skinsource_gui.plots.pictures import png_of
 from skinsource_gui.plots.small_map import SmallMap, paint_small_map, small_map_of
 from skinsource_gui.qt.theme import LIGHT
 from skinsource_gui.state.document import Document
@@ -55,19 +56,6 @@ class WorkPicture:
         paint_small_map(painter, area, self._map, design, LIGHT)
         painter.end()
         return image
-
-
-def png_of(image: QtGui.QImage) -> bytes:
-    """Return an image as PNG; empty for an empty image."""
-    if image.isNull():
-        return b""
-    content = QByteArray()
-    buffer = QBuffer(content)
-    buffer.open(QBuffer.OpenModeFlag.WriteOnly)
-    # The stubs of PySide ask for bytes, which PySide itself does not accept.
-    saved: Any = image
-    saved.save(buffer, "PNG")
-    return bytes(content.data())
 
 
 #: Delay of the first copy after the first unsaved edit: no copy holds any of the work yet.

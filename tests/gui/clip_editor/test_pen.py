@@ -1,15 +1,17 @@
-"""The pen of the clip editor: what is drawn is what plays."""
+"""The pen of the clip editor can be reached from anywhere, and what is drawn is what plays."""
 
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QMessageBox
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMessageBox, QToolButton
 
 from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input
+from skinsource.design.design import Design, Input, track
 from skinsource.design.waveforms.samples import Drawn, Recording
 from skinsource.design.waveforms.tones import Tone
 from skinsource.specs.samples import Samples
+from skinsource_gui.panels.clip_editor.tools import Pen
 from tests.gui.clip_editor.bench import RATE_HZ, RIGHT, SHIFT, Bench
 
 
@@ -113,3 +115,30 @@ def test_a_pen_draws_as_far_as_a_loud_recording_goes(qtbot, questions):
     bench.drag((0.05, 5.0), (0.1, 5.0))
     assert isinstance(bench.clip.waveform, Drawn)
     assert bench.drawn[round(0.07 * RATE_HZ)] == pytest.approx(5.0, abs=0.1)
+
+
+@pytest.fixture
+def studio(open_window):
+    def make(waveform):
+        return open_window(Design(limb="synthetic-1", inputs=(track(7, waveform),)))
+
+    return make
+
+
+def pen_is_taken(window):
+    return isinstance(window.panel("clip_editor")._canvas.tool, Pen)
+
+
+def test_the_clip_panel_leads_to_the_pen_and_so_does_the_action(studio, qtbot):
+    window = studio(Drawn())
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    button = window.panel("inspector").findChild(QToolButton, "draw_button")
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    editor = window.panel("clip_editor")
+    assert editor.isVisible()
+    assert pen_is_taken(window)
+    assert editor.isAncestorOf(QApplication.focusWidget())
+    editor.use("look")
+    window.do("draw_clip")
+    assert pen_is_taken(window)

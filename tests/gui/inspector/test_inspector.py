@@ -1,5 +1,6 @@
-"""Buttons and preview of the inspector, and the way of the keys through it."""
+"""Buttons and preview of the inspector, pixel by pixel, and the way of the keys through it."""
 
+import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -7,6 +8,7 @@ from PySide6.QtWidgets import QPushButton
 
 from skinsource.design.waveforms.pulses import Noise
 from skinsource.design.waveforms.samples import Recording
+from skinsource_gui.plots.preview import WaveformPreview
 from skinsource_gui.qt.buttons import LetterButton
 from skinsource_gui.shell.focus import tab_stops
 
@@ -77,3 +79,40 @@ def test_tab_leads_through_the_fields_in_reading_order(bench):
         *("low_hz_field", "high_hz_field", "window_field"),
         *("effects_fold", "add_effect", "track_fold"),
     ]
+
+
+@pytest.fixture
+def preview(qtbot):
+    widget = WaveformPreview(axis=True)
+    qtbot.addWidget(widget)
+    widget.resize(420, 140)
+    widget.set_look(0)
+    widget.show()
+    return widget
+
+
+def test_one_loud_sample_in_a_minute_is_seen(preview):
+    samples = np.zeros(78_000)
+    samples[41_234] = 1.0
+    preview.show_samples(samples, 1300.0)
+    picture = preview.grab().toImage()
+    # Right of the middle, just below the top.
+    drawn = [column for column in range(420) if picture.pixelColor(column, 20).blue() > 150]
+    inked = [column for column in drawn if picture.pixelColor(column, 20).red() < 120]
+    assert inked
+    assert all(215 <= column <= 225 for column in inked)
+
+
+@pytest.mark.parametrize("n_samples", [600, 2600])
+def test_a_tone_whose_samples_miss_its_peak_reaches_it(preview, n_samples):
+    preview.show_samples(np.sin(0.5 * np.pi * np.arange(n_samples) + np.pi / 4), 1300.0)
+    picture = preview.grab().toImage()
+    # Samples alone end 18 px below the top.
+    highest = 140 - 18 - 2
+    for x in range(100, 300, 10):
+        inked = [
+            y
+            for y in range(highest // 2)
+            if any(picture.pixelColor(x + k, y).red() < 120 for k in range(5))
+        ]
+        assert min(inked) <= 8

@@ -1,9 +1,13 @@
+"""Devices: which are used, what they are given; a long design takes a while before it plays."""
+
+import threading
 from dataclasses import replace
 
 import numpy as np
 import pytest
 from PySide6.QtWidgets import QLabel, QToolButton
 
+from skinsource.lab.playing import mixer
 from skinsource.lab.playing.devices import Output
 
 WAIT = {"timeout": 20_000}
@@ -127,3 +131,52 @@ def test_rows_follow_the_places_of_the_design(sound, studio, panel):
     studio.document.edit("Remove", replace(design, inputs=()))
     assert panel.rows.rows == []
     assert "No place is in use" in text_of(panel, "output_words")
+
+
+@pytest.fixture
+def armed(sound, arm):
+    """Actuators that are armed before mixes take long."""
+    arm()
+
+
+@pytest.fixture
+def made(monkeypatch):
+    """Lets a mix be made once it is set, at the latest at the end of the test."""
+    ready, mix = threading.Event(), mixer.Mixer.mix
+
+    def slowly(self, *given, **more):
+        assert ready.wait(20)
+        return mix(self, *given, **more)
+
+    monkeypatch.setattr(mixer.Mixer, "mix", slowly)
+    yield ready
+    ready.set()
+
+
+def test_it_is_said_that_sound_is_prepared_until_it_plays(
+    sound, studio, player, qtbot, armed, made
+):
+    button = studio.playback.button
+    studio.do("play_on_actuators")
+    assert button.text().endswith("Preparing…")
+    assert studio.playback.bar.play.accessibleName() == "Stop"
+    made.set()
+    qtbot.waitUntil(lambda: player.now is not None, **WAIT)
+    assert button.text().endswith("Actuators playing")
+    player.stop_at_once()
+    qtbot.waitUntil(lambda: not player.playing, **WAIT)
+    assert button.text().endswith("Actuators off")
+
+
+def test_what_is_played_after_something_was_cancelled_is_what_is_heard(
+    sound, studio, player, qtbot, armed, made
+):
+    for _ in range(3):
+        studio.do("play_on_actuators")
+    assert player.preparing
+    made.set()
+    qtbot.waitUntil(lambda: player.now is not None, **WAIT)
+    assert len(sound.streams) == 1
+    assert not player.preparing
+    player.stop_at_once()
+    qtbot.waitUntil(lambda: not player.playing, **WAIT)

@@ -1,4 +1,4 @@
-"""The gallery of scenes, and what the window shows of one that is opened."""
+"""The gallery of scenes, on limbs of a lab as well, and what the window shows of one."""
 
 import struct
 
@@ -16,6 +16,7 @@ from skinsource_gui.qt.theme import current_theme
 from skinsource_gui.shell.appearance import LARGEST_TEXT
 from skinsource_gui.shell.panels import PANELS
 from skinsource_gui.shell.workspaces import WORKSPACES
+from tests.core.own_limbs.lab_bench import installed
 
 
 def texts_of(content: bytes) -> dict[str, str]:
@@ -171,3 +172,57 @@ def test_in_the_dark_pictures_have_the_ground_of_the_theme_and_maps_their_colour
     assert len(coloured) > 50
     for at in coloured:
         assert abs(dark.pixelColor(*at).green() - plain.pixelColor(*at).green()) <= 1
+
+
+OPEN = QDialogButtonBox.StandardButton.Open
+
+
+@pytest.fixture
+def lab_window(user_data, open_window):
+    installed()
+    return open_window(ss.Design(limb="synthetic-1"))
+
+
+def selected(page, name):
+    page.list.setCurrentRow(ss.scenes.names().index(name))
+
+
+def test_a_scene_is_opened_on_a_limb_of_ones_own(lab_window, qtbot):
+    window, messages = lab_window, []
+    window.scenes.done.connect(messages.append)
+    page = window.scenes.show()
+    assert page.played_on.shown_text == "The limbs of the paper"
+    page.played_on.choose("lab-1")
+    selected(page, "2F")
+    assert "Opens on Lab 1." in page.text.text()
+    assert "played at its places 1 in place of 8, 2 in place of 13" in page.text.text()
+    page.buttons.button(OPEN).click()
+    qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
+    window.catch_up()
+    opened = ss.scenes.open_scene("2F", limb="lab-1")
+    assert window.document.design == opened.design
+    assert window.document.view == opened.view
+    assert not window.document.modified
+    assert window.notice.text == ""
+    assert messages[-1] == "Opened 2F · Two inputs interfere, on Lab 1"
+    again = window.scenes.show()
+    assert (again.played_on.value, again.scene.name) == ("lab-1", "2F")
+    again.reject()
+
+
+def test_a_scene_that_does_not_apply_says_why_and_is_not_opened(lab_window):
+    before = lab_window.document.design
+    page = lab_window.scenes.show()
+    page.played_on.choose("lab-1")
+    selected(page, "1G")
+    assert "Does not apply on Lab 1: It compares 4 people" in page.text.text()
+    assert not page.buttons.button(OPEN).isEnabled()
+    page._choose()
+    assert lab_window.document.design is before
+    rows = dict(zip(ss.scenes.names(), map(page.list.item, range(page.list.count())), strict=True))
+    assert rows["1G"].foreground().color() != rows["1F"].foreground().color()
+    assert "It compares 4 people" in rows["1G"].toolTip()
+    page.played_on.choose("")
+    assert page.buttons.button(OPEN).isEnabled()
+    assert "Opens on Synthetic 1" in page.text.text()
+    page.reject()

@@ -1,4 +1,4 @@
-"""What the view of signals draws, and where."""
+"""What the view of signals draws, and where, and what a legend has room for."""
 
 from dataclasses import replace
 from functools import partial
@@ -7,14 +7,15 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from PySide6.QtCore import QPointF
-from PySide6.QtGui import QFontMetricsF
+from PySide6.QtGui import QFont, QFontMetrics, QFontMetricsF
 
 from skinsource.signals.resampling import FINER, finer
 from skinsource_gui.plots.curves import Curves, output_names
+from skinsource_gui.plots.legend import LegendLayout, LegendText
 from skinsource_gui.plots.pictures import save_drawing
 from skinsource_gui.plots.ranges import wave_of
 from skinsource_gui.plots.signal_view import draw_signals
-from skinsource_gui.qt.theme import LIGHT
+from skinsource_gui.qt.theme import LIGHT, UNIT_PX
 from tests.gui.signal_view.bench import TIME, drawn, header_of, waves
 
 
@@ -195,3 +196,32 @@ def test_words_above_that_are_too_long_for_a_line_are_broken(signals, tmp_path):
     assert "published ones" in drawing
     assert long not in drawing
     assert drawing.count("responses.mat") == 4
+
+
+NAMES = output_names(tuple(range(1, 41)), "synthetic-1")
+
+
+@pytest.mark.parametrize("width", [60, 200, 500, 900, 4000])
+@pytest.mark.parametrize("reads", [False, True])
+def test_as_many_curves_are_written_as_fit_beside_how_many_do_not(qapp, width, reads):
+    text = LegendText(names=NAMES, unit="m/s²", reading_room="−0.123")
+    if reads:
+        text = LegendText(
+            names=NAMES,
+            unit="m/s²",
+            where="12 ms",
+            where_room="1234.5 ms",
+            readings=("0.1",) * len(NAMES),
+            reading_room="−0.123",
+        )
+    metrics = QFontMetrics(QFont())
+    layout = LegendLayout(text, metrics, width)
+    detail, fitting = layout.fitting()
+    where = metrics.horizontalAdvance(layout.where(text.where_room, detail)) if reads else 0
+    room = width - UNIT_PX - where
+    entries = [layout.entry_px(rank, detail) for rank in range(len(NAMES))]
+    if fitting < len(NAMES):
+        room -= metrics.horizontalAdvance("+00")
+        assert sum(entries[: fitting + 1]) > room
+    assert fitting == 0 or sum(entries[:fitting]) <= room
+    assert detail.reading == reads

@@ -1,9 +1,10 @@
-"""Clips come from the head of the timeline: the first ones within few clicks."""
+"""Clips come from the head of the timeline within few clicks, and go to places of the hand."""
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QToolButton
+from PySide6.QtWidgets import QApplication, QToolButton
 
 from skinsource.design import edits
 from skinsource.design.clips import Clip
@@ -13,6 +14,7 @@ from skinsource.design.waveforms.samples import Drawn
 from skinsource.design.waveforms.tones import Tone
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource_gui.panels.clip_editor.tools import Pen
+from tests.gui.timeline.bench import LEFT, NONE, TWO_TRACKS
 
 
 @pytest.fixture
@@ -82,3 +84,63 @@ def test_a_new_clip_begins_at_the_playhead_or_behind_the_last_one_of_its_track()
     assert onset(0.25) == 0.25
     assert onset(0.1) == onset(0.4) == 0.7
     assert onset(0.1, track=2) == 0.1
+
+
+NO_BUTTON = Qt.MouseButton.NoButton
+
+
+@pytest.fixture
+def window(open_window):
+    return open_window(TWO_TRACKS, View(selected_inputs=(1,), selected_clips=(1,)))
+
+
+@pytest.fixture
+def lanes(window):
+    return window.panel("timeline").lanes
+
+
+@pytest.fixture
+def stage(window):
+    return window.panel("hand").diagram.stage
+
+
+def send(lanes, kind, at):
+    """A real event of the mouse, which the lanes hold wherever it goes."""
+    button = NO_BUTTON if kind == QEvent.Type.MouseMove else LEFT
+    buttons = NO_BUTTON if kind == QEvent.Type.MouseButtonRelease else LEFT
+    event = QMouseEvent(kind, at, QPointF(lanes.mapToGlobal(at)), button, buttons, NONE)
+    QApplication.sendEvent(lanes.viewport(), event)
+
+
+def carry(window, lanes, clip, site):
+    """Press on a clip and go to a place, and on to it again as hands tremble."""
+    start = next(box.rect.center() for box in lanes.content.boxes if box.clip.id == clip)
+    diagram = window.panel("hand").diagram
+    end = QPointF(lanes.mapFromGlobal(diagram.mapToGlobal(diagram.site_centre(site))))
+    send(lanes, QEvent.Type.MouseButtonPress, start)
+    for part in (0.02, 0.3, 0.7, 1.0, 1.0):
+        send(lanes, QEvent.Type.MouseMove, start + part * (end - start))
+    return end
+
+
+def tracks(window):
+    return [
+        (track.location, [clip.id for clip in track.clips])
+        for track in window.document.design.inputs
+    ]
+
+
+def test_a_clip_is_dragged_onto_a_place_with_a_track_in_one_step(window, lanes, stage):
+    document = window.document
+    end = carry(window, lanes, 2, 3)
+    assert stage.state.target == 3
+    # Until it is dropped everything is as it was.
+    assert document.design == TWO_TRACKS
+    send(lanes, QEvent.Type.MouseButtonRelease, end)
+    assert tracks(window) == [(7, [1, 3]), (3, [4, 2])]
+    assert document.design.clip(2).onset_s == 0.3
+    assert stage.state.target is None
+    assert document.undo_stack.count() == 1
+    document.undo_stack.undo()
+    assert document.design == TWO_TRACKS
+    assert document.view.selected_clips == (2,)

@@ -1,4 +1,4 @@
-"""Selected clips are copied, cut and pasted from the menu, wherever the keyboard is."""
+"""The Clip menu does with the selected clips what keys do on the timeline, wherever these are."""
 
 from dataclasses import replace
 
@@ -6,10 +6,15 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QAbstractButton, QApplication
+from PySide6.QtWidgets import QAbstractButton, QApplication, QInputDialog
 
 from skinsource.design import edits
+from skinsource.design.design import Design, track
+from skinsource.design.effects.level import BandLimit, Fade
+from skinsource.design.view import View
+from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.qt.keys import key_text
 from tests.gui.timeline.bench import CONTROL
 
 
@@ -86,3 +91,67 @@ def test_they_work_with_the_timeline_hidden_and_say_what_was_pasted_where(active
     active.document.edit("Empty", replace(active.document.design, inputs=()))
     assert not active.actions_by_name["copy_clips"].isEnabled()
     assert not active.actions_by_name["cut_clips"].isEnabled()
+
+
+TONE = Tone(100.0, duration_s=0.2)
+
+
+@pytest.fixture
+def two_clips(open_window):
+    design = Design(limb="synthetic-1", inputs=(track(7, TONE), track(3, TONE, onset_s=0.1)))
+    view = View(selected_inputs=(1, 2), selected_clips=(1, 2), playhead_s=0.15)
+    return open_window(design, view)
+
+
+def effects(window):
+    return [[type(effect) for effect in clip.effects] for clip in window.document.design.clips]
+
+
+def test_each_entry_acts_on_all_selected_clips_in_one_step(two_clips):
+    window, document = two_clips, two_clips.document
+    for name, clips in (("split_clips", 4), ("repeat_clips", 4), ("duplicate_clips", 4)):
+        window.do(name)
+        assert len(document.design.clips) == clips, name
+        window.do("undo")
+    window.do("mute_clips")
+    assert all(clip.muted for clip in document.design.clips)
+    assert window.actions_by_name["mute_clips"].isChecked()
+    window.do("limit_to_band")
+    assert effects(window) == [[BandLimit], [BandLimit]]
+    assert [clip.waveform for clip in document.design.clips] == [TONE, TONE]
+    window.do("remove_clips")
+    assert document.design.clips == ()
+    assert not window.actions_by_name["split_clips"].isEnabled()
+
+
+def test_fades_come_and_go_and_leave_the_other_end(two_clips):
+    window, document = two_clips, two_clips.document
+    window.do("fade_in")
+    window.do("fade_out")
+    assert effects(window) == [[Fade], [Fade]]
+    assert {(clip.effects[0].in_s, clip.effects[0].out_s) for clip in document.design.clips} == {
+        (0.02, 0.02)
+    }
+    assert document.undo_stack.count() == 2
+    # An effect behind that moves nothing in time leaves the fade what it is.
+    window.do("limit_to_band")
+    window.do("fade_in")
+    assert [clip.effects[0].in_s for clip in document.design.clips] == [0.0, 0.0]
+    assert [clip.effects[0].out_s for clip in document.design.clips] == [0.02, 0.02]
+    assert not window.actions_by_name["fade_in"].isChecked()
+
+
+def test_a_clip_is_stretched_to_a_typed_length(two_clips, monkeypatch):
+    monkeypatch.setattr(QInputDialog, "getDouble", lambda *_: (300.0, True))
+    two_clips.do("stretch_clip")
+    last = two_clips.document.design.clip(2)
+    assert (last.onset_s, last.duration_s) == (0.1, pytest.approx(0.3))
+
+
+def test_the_menu_says_the_keys_of_the_timeline(two_clips):
+    assert two_clips.actions_by_name["split_clips"].text() == (
+        f"Split at playhead\t{key_text('timeline', 'split')}"
+    )
+    view = replace(two_clips.document.view, selected_inputs=(), selected_clips=())
+    two_clips.document.look(view)
+    assert not two_clips.actions_by_name["match_tracks"].isEnabled()
