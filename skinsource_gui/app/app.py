@@ -16,7 +16,7 @@ from skinsource.base.assets import user_folder
 from skinsource.base.crash_log import CrashLog
 from skinsource.base.files import make_folder
 from skinsource.limbs.catalog import available_limbs, default_limb
-from skinsource_gui.qt.screen_fit import fit_by_guess
+from skinsource_gui.qt.windows import fit_by_guess
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.playing import device_is_stuck
 from skinsource_gui.state.preferences import Preferences, settings_path, start_design

@@ -36,7 +36,7 @@ from skinsource_gui import pages
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.plots.small_map import with_colours_of
 from skinsource_gui.qt.frames import DropPlace
-from skinsource_gui.qt.window_events import WindowEvents
+from skinsource_gui.qt.windows import WindowEvents
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.panel import Panel, PanelRegistry
 from skinsource_gui.state.playing import Player

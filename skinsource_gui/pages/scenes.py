@@ -17,8 +17,8 @@ from skinsource_gui.pages.page import PictureView, ToolPage
 from skinsource_gui.qt.buttons import scrolled
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.resources import resource_folder
-from skinsource_gui.qt.screen_fit import fit_by_guess
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
+from skinsource_gui.qt.windows import fit_by_guess
 from skinsource_gui.state.engine import too_large
 
 _LEAST_PX = (360, 220)

@@ -9,8 +9,8 @@ from skinsource.base.quoting import printable
 from skinsource.design.design import Design
 from skinsource.limbs.own_limbs import missing_limb
 from skinsource.studies import scenes
-from skinsource_gui.qt.screen_fit import fitted
 from skinsource_gui.qt.theme import THEMES, apply_theme
+from skinsource_gui.qt.windows import fitted
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
 

@@ -17,7 +17,7 @@ from shiboken6 import isValid
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.theme import Theme, current_theme, drawn_icon
-from skinsource_gui.qt.window_events import WindowEvents
+from skinsource_gui.qt.windows import WindowEvents
 from skinsource_gui.shell.focus import focus_into
 from skinsource_gui.state.panel import Panel, PanelRegistry
 

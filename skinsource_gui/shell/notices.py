@@ -20,7 +20,7 @@ from skinsource_gui.qt.buttons import page_button, page_label, tool_button
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import ask_yes
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
-from skinsource_gui.qt.window_events import WindowEvents
+from skinsource_gui.qt.windows import WindowEvents
 from skinsource_gui.shell.status import Accuracy, StatusLine
 from skinsource_gui.state.conductor import UNPLAYABLE
 from skinsource_gui.state.document import Document

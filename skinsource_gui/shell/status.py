@@ -30,7 +30,7 @@ from skinsource_gui.qt.labels import FittingLabel
 from skinsource_gui.qt.layouts import in_row
 from skinsource_gui.qt.overlays import Overlay, Staleness
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone, tabular
-from skinsource_gui.qt.window_events import WindowEvents
+from skinsource_gui.qt.windows import WindowEvents
 from skinsource_gui.state.engine import Engine, Outcome, Purpose, Request
 from skinsource_gui.state.job_runner import JobProgress, JobRunner
 

@@ -10,7 +10,7 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QByteArray, QEvent, QObject, QSize, Qt, QTimer, Signal
 
 from skinsource.design.panel_settings import STAGE
-from skinsource_gui.qt.window_events import WindowEvents
+from skinsource_gui.qt.windows import WindowEvents
 from skinsource_gui.shell.appearance import Appearance
 from skinsource_gui.shell.docks import Dock, KeyboardKeeper
 from skinsource_gui.state.preferences import Preferences

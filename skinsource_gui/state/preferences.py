@@ -15,7 +15,7 @@ from skinsource.design.design import Design, track
 from skinsource.design.waveforms.tones import Tone
 from skinsource.limbs.catalog import available_limbs
 from skinsource.limbs.own_limbs import facts_of
-from skinsource_gui.qt.window_events import WindowEvents
+from skinsource_gui.qt.windows import WindowEvents
 from skinsource_gui.state.document import Document
 
 #: Unsaved work is kept as often, unless something else is wanted.

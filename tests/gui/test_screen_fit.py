@@ -5,7 +5,7 @@ from PySide6.QtCore import QMargins, QRect
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication, QWidget
 
-from skinsource_gui.qt.screen_fit import fit_by_guess, fitted
+from skinsource_gui.qt.windows import fit_by_guess, fitted
 from skinsource_gui.shell.appearance import place_in_sight
 from skinsource_gui.shell.presenting import NotesWindow
 from skinsource_gui.shell.window import MainWindow

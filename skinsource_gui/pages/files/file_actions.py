@@ -30,7 +30,7 @@ from skinsource.design.show_file import SHOW_SUFFIX
 from skinsource.limbs.catalog import available_limbs, default_limb
 from skinsource.specs.image import MAX_IMAGE_BYTES
 from skinsource_gui.qt.questions import ask_to_replace, ask_to_save, ask_yes
-from skinsource_gui.qt.window_events import WindowEvents
+from skinsource_gui.qt.windows import WindowEvents
 from skinsource_gui.state.document import NEW_VIEW, Document
 from skinsource_gui.state.preferences import Preferences
 

@@ -25,7 +25,8 @@ from skinsource.studies.checking import (
     strengths_of,
     superposition,
 )
-from skinsource_gui.panels.analysis.linearity_content import (
+from skinsource_gui.panels.analysis.linearity_diagram import (
+    DiagramsPicture,
     StrengthUnit,
     diagrams_of_proportion,
     diagrams_of_superposition,
@@ -35,7 +36,6 @@ from skinsource_gui.panels.analysis.linearity_content import (
     proportion_text,
     superposition_text,
 )
-from skinsource_gui.panels.analysis.linearity_diagram import DiagramsPicture
 from skinsource_gui.panels.analysis.settings import (
     BANDS,
     EVERY_OUTPUT,

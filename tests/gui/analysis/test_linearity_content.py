@@ -5,7 +5,7 @@ import pytest
 
 from skinsource.studies.checking import proportion, superposition
 from skinsource_gui.panels.analysis.linearity import table_text
-from skinsource_gui.panels.analysis.linearity_content import (
+from skinsource_gui.panels.analysis.linearity_diagram import (
     diagrams_of_proportion,
     diagrams_of_superposition,
     of_amplitudes,

@@ -7,8 +7,8 @@ import pytest
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QFont, QFontMetricsF, QImage, QPainter
 
-from skinsource_gui.panels.analysis.linearity_content import Curve
 from skinsource_gui.panels.analysis.linearity_diagram import (
+    Curve,
     places_of_labels,
     x_with_room_for_labels,
 )

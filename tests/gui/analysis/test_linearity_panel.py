@@ -16,7 +16,7 @@ from skinsource.design.view import View
 from skinsource.engine.evaluation import evaluate
 from skinsource.perception.validity import probe_velocity
 from skinsource.studies.checking import Proportion, Superposition
-from skinsource_gui.panels.analysis.linearity_content import diagrams_of_proportion, of_amplitudes
+from skinsource_gui.panels.analysis.linearity_diagram import diagrams_of_proportion, of_amplitudes
 from skinsource_gui.panels.analysis.settings import LinearitySettings
 from skinsource_gui.state.compared import Compared
 from tests.gui.analysis.analysis_bench import analysis
