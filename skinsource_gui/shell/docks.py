@@ -6,54 +6,19 @@ that Qt makes; a dock has a title of its own only while it floats.
 
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from functools import cache, partial
+from functools import partial
 from typing import Any
 from weakref import ref
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QChildEvent, QEvent, QObject, QPoint, QRectF, Qt, QTimer, Signal
+from PySide6.QtCore import QChildEvent, QEvent, QObject, QPoint, Qt, QTimer, Signal
 from shiboken6 import isValid
 
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.keys import shortcut_text
-from skinsource_gui.qt.theme import Theme, current_theme, drawn_icon
 from skinsource_gui.qt.windows import WindowEvents
 from skinsource_gui.shell.focus import focus_into
 from skinsource_gui.state.panel import Panel, PanelRegistry
-
-_LINE_PX = 1.6
-
-
-@cache
-def close_icon(theme: Theme) -> QtGui.QIcon:
-    """Return the icon of a cross."""
-    path = QtGui.QPainterPath()
-    path.moveTo(3.5, 3.5)
-    path.lineTo(12.5, 12.5)
-    path.moveTo(12.5, 3.5)
-    path.lineTo(3.5, 12.5)
-    return drawn_icon(path, theme, line_px=_LINE_PX)
-
-
-@cache
-def float_icon(theme: Theme) -> QtGui.QIcon:
-    """Return the icon of a window in front of another."""
-    path = QtGui.QPainterPath()
-    path.addRect(QRectF(2.5, 6.0, 7.5, 7.5))
-    path.moveTo(6.0, 3.0)
-    path.lineTo(13.0, 3.0)
-    path.lineTo(13.0, 10.0)
-    return drawn_icon(path, theme, line_px=_LINE_PX)
-
-
-_BUTTONS = {
-    "qt_dockwidget_closebutton": (
-        "Close this panel; View > Panels brings it back",
-        close_icon,
-    ),
-    "qt_dockwidget_floatbutton": ("Put this panel back into the window", float_icon),
-}
-_OTHER_LOOK = (QEvent.Type.StyleChange, QEvent.Type.PaletteChange)
 
 
 class Dock(QtWidgets.QDockWidget):
@@ -147,11 +112,6 @@ class Dock(QtWidgets.QDockWidget):
         self.fill_menu(menu)
         menu.popup(event.globalPos())
 
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() in _OTHER_LOOK:
-            _draw_buttons(self)
-
     def moveEvent(self, event: QtGui.QMoveEvent) -> None:
         super().moveEvent(event)
         self._follow()
@@ -165,8 +125,6 @@ class Dock(QtWidgets.QDockWidget):
         self.sight_changed.emit()
 
     def _follow(self) -> None:
-        # Qt puts its own icons there, now and then.
-        _draw_buttons(self)
         # Qt says whether a dock is behind another one for some of the ways to get there; where it
         # puts those behind is the same for all of them.
         behind = not self.isFloating() and self.geometry().right() < 0
@@ -186,17 +144,6 @@ class Dock(QtWidgets.QDockWidget):
         # The stubs of PySide take None for a mistake; with it Qt's own title is back.
         set_title: Any = self.setTitleBarWidget
         set_title(None if floating else self._no_title)
-
-
-def _draw_buttons(dock: QtWidgets.QDockWidget) -> None:
-    """Say what the buttons of the title do; those of the style are grey, whatever is behind."""
-    direct = Qt.FindChildOption.FindDirectChildrenOnly  # a panel has hundreds of widgets
-    for name, (hint, icon) in _BUTTONS.items():
-        for button in dock.findChildren(QtWidgets.QAbstractButton, name, direct):
-            button.setToolTip(hint)
-            drawn = icon(current_theme())
-            if button.icon().cacheKey() != drawn.cacheKey():
-                button.setIcon(drawn)
 
 
 _NOTHING = "No panel shares its place with another one; View > Panels brings more"

@@ -5,7 +5,7 @@ from functools import partial
 from pathlib import Path
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEvent, QModelIndex, QObject, QPersistentModelIndex, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
 
 from skinsource_gui.pages.files.file_actions import RecentFiles
 from skinsource_gui.qt.keys import shortcut_text
@@ -89,8 +89,9 @@ class RecentMenu(QtWidgets.QMenu):
             self.chosen.emit(Path(entry.data()))
 
 
-# Right of the keys, and at least so much between them and the name.
-_EDGE_PX, _GAP_PX = 8, 16
+# Above and below each name.
+_AROUND_PX = 14
+_LIST_KEYS = (Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_PageUp, Qt.Key.Key_PageDown)
 _NOTHING_FOUND = "Nothing found"
 _HINT = "Try another word, such as export, limb, mute or theme"
 #: Property of an action: keywords by which it is found.
@@ -125,12 +126,17 @@ class Palette(QtWidgets.QDialog):
         self.line = QtWidgets.QLineEdit()
         self.line.setPlaceholderText("Type a few letters…")
         self.line.setAccessibleName("Search actions")
-        self.list = QtWidgets.QListWidget()
+        self.list = QtWidgets.QTreeWidget()
+        self.list.setColumnCount(2)
+        self.list.setHeaderHidden(True)
+        self.list.setRootIsDecorated(False)
         self.list.setAccessibleName("Matching actions")
         self.list.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.list.setItemDelegate(_KeysAtTheRight(self.list))
         # A long name is elided; keys never are.
-        self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        columns = self.list.header()
+        columns.setStretchLastSection(False)
+        columns.setSectionResizeMode(0, QtWidgets.QHeaderView.ResizeMode.Stretch)
+        columns.setSectionResizeMode(1, QtWidgets.QHeaderView.ResizeMode.ResizeToContents)
         in_column(self.line, self.list, of=self)
         self.line.textChanged.connect(self._narrow)
         self.line.returnPressed.connect(self._run)
@@ -140,36 +146,36 @@ class Palette(QtWidgets.QDialog):
         self._narrow("")
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        # Up and Down move in the list while the line keeps the keyboard.
-        if event.type() == QEvent.Type.KeyPress and isinstance(event, QtGui.QKeyEvent):
-            step = {Qt.Key.Key_Down: 1, Qt.Key.Key_Up: -1}.get(Qt.Key(event.key()))
-            if step:
-                row = self.list.currentRow() + step
-                self.list.setCurrentRow(max(0, min(self.list.count() - 1, row)))
-                return True
+        # These keys move in the list while the line keeps the keyboard.
+        if isinstance(event, QtGui.QKeyEvent) and event.key() in _LIST_KEYS:
+            QtWidgets.QApplication.sendEvent(self.list, event)
+            return True
         return super().eventFilter(watched, event)
 
     def _narrow(self, letters: str) -> None:
         self.list.clear()
         for action in matching([action for action in self._actions if action.isEnabled()], letters):
-            item = QtWidgets.QListWidgetItem(_label(action))
-            item.setToolTip(action.toolTip())
-            item.setData(Qt.ItemDataRole.UserRole, action)
-            self.list.addItem(item)
-        if self.list.count():
-            self.list.setCurrentRow(0)
-        else:
-            self._say_nothing_found()
+            self._add(_label(action), _state_and_keys(action), action)
+        if not self.list.topLevelItemCount():
+            for text in (_NOTHING_FOUND, _HINT, f"{shortcut_text('show_keys')} shows all keys"):
+                self._add(text).setFlags(Qt.ItemFlag.NoItemFlags)
+        elif (first := self.list.topLevelItem(0)) is not None:
+            self.list.setCurrentItem(first)
 
-    def _say_nothing_found(self) -> None:
-        for text in (_NOTHING_FOUND, _HINT, f"{shortcut_text('show_keys')} shows all keys"):
-            item = QtWidgets.QListWidgetItem(text)
-            item.setFlags(Qt.ItemFlag.NoItemFlags)
-            self.list.addItem(item)
+    def _add(
+        self, name: str, keys: str = "", action: QtGui.QAction | None = None
+    ) -> QtWidgets.QTreeWidgetItem:
+        row = QtWidgets.QTreeWidgetItem(self.list, [name, keys])
+        row.setSizeHint(0, QSize(0, self.fontMetrics().height() + _AROUND_PX))
+        row.setTextAlignment(1, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        row.setForeground(1, self.palette().placeholderText())
+        row.setData(0, Qt.ItemDataRole.UserRole, action)
+        row.setToolTip(0, "" if action is None else action.toolTip())
+        return row
 
     def _run(self) -> None:
         item = self.list.currentItem()
-        action = None if item is None else item.data(Qt.ItemDataRole.UserRole)
+        action = None if item is None else item.data(0, Qt.ItemDataRole.UserRole)
         if action is not None:
             # The action may handle events: the line that has the key is deleted after it returns.
             self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose, False)
@@ -178,54 +184,9 @@ class Palette(QtWidgets.QDialog):
             self.deleteLater()
 
 
-class _KeysAtTheRight(QtWidgets.QStyledItemDelegate):
-    """Draws an action with its shortcut at the right, and whether it is on."""
-
-    def sizeHint(
-        self, option: QtWidgets.QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
-    ) -> QSize:
-        return QSize(0, super().sizeHint(option, index).height() + 10)
-
-    def initStyleOption(
-        self, option: QtWidgets.QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
-    ) -> None:
-        super().initStyleOption(option, index)
-        # While the size is computed there is no width yet.
-        if option.rect.width() > 0:
-            keys = option.fontMetrics.horizontalAdvance(_state_and_keys(index))
-            room = option.rect.width() - keys - (_GAP_PX if keys else 0) - _EDGE_PX
-            option.text = option.fontMetrics.elidedText(
-                option.text, Qt.TextElideMode.ElideRight, room
-            )
-
-    def paint(
-        self,
-        painter: QtGui.QPainter,
-        option: QtWidgets.QStyleOptionViewItem,
-        index: QModelIndex | QPersistentModelIndex,
-    ) -> None:
-        super().paint(painter, option, index)
-        text = _state_and_keys(index)
-        chosen = option.state & QtWidgets.QStyle.StateFlag.State_Selected
-        role = (
-            QtGui.QPalette.ColorRole.HighlightedText
-            if chosen
-            else QtGui.QPalette.ColorRole.PlaceholderText
-        )
-        painter.save()
-        painter.setPen(option.palette.color(role))
-        area = option.rect.adjusted(0, 0, -_EDGE_PX, 0)
-        flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-        painter.drawText(area, flags, text)
-        painter.restore()
-
-
-def _state_and_keys(index: QModelIndex | QPersistentModelIndex) -> str:
-    """Return the text at the right of an action; "" at other rows."""
-    action = index.data(Qt.ItemDataRole.UserRole)
-    if action is None:
-        return ""
-    state = "on   " if action.isCheckable() and action.isChecked() else ""
+def _state_and_keys(action: QtGui.QAction) -> str:
+    """Return whether an action is on, and its keys."""
+    state = "on   " if action.isChecked() else ""
     keys = action.shortcut().toString(QtGui.QKeySequence.SequenceFormat.NativeText)
     # That of a panel, which its menu has after its name.
     return state + str(keys or action.text().partition("\t")[2])

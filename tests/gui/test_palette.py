@@ -35,7 +35,7 @@ def test_typing_and_enter_run_the_action(qtbot):
     palette = Palette(actions)
     qtbot.addWidget(palette)
     qtbot.keyClicks(palette.line, "dark")
-    assert palette.list.count() == 1
+    assert palette.list.topLevelItemCount() == 1
     qtbot.keyClick(palette.line, Qt.Key.Key_Return)
     assert ran == ["Dark theme"]
 
@@ -103,7 +103,9 @@ def listed_for(window, qtbot, letters):
     window.do("find_action")
     palette = next(palette for palette in window.findChildren(Palette) if palette.isVisible())
     qtbot.keyClicks(palette.line, letters)
-    texts = [palette.list.item(row).text() for row in range(palette.list.count())]
+    texts = [
+        palette.list.topLevelItem(row).text(0) for row in range(palette.list.topLevelItemCount())
+    ]
     palette.reject()
     return texts
 

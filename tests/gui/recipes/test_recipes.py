@@ -178,7 +178,7 @@ assert "Silence all" in menus["Edit"]
 window.do("find_action")
 palette = window.findChildren(Palette)[-1]
 palette.line.setText("silence all")
-assert [palette.list.item(row).text() for row in range(palette.list.count())] == ["Silence all"]
+assert palette.list.topLevelItem(0).text(0) == "Silence all"
 palette.close()
 window.do("show_keys")
 keys = window.findChildren(QTextBrowser, "page_text")[-1].toPlainText()
