@@ -175,32 +175,30 @@ class Swatch(QtWidgets.QWidget):
 
 
 BUTTON_PX = 22
-# Opacity of a disabled button.
-_FAINT = 0.35
 _ARROWS = frozenset({Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_Left, Qt.Key.Key_Right})
 
 
-class LetterButton(QtWidgets.QAbstractButton):
-    """A small button with one letter, such as mute or solo; a checked one is filled with a colour.
+class LetterButton(QtWidgets.QToolButton):
+    """A small button with one letter, such as mute or solo.
 
     Parameters
     ----------
-    letter, name
-        Its text, and its accessible name.
-    colour_name
-        Field of the theme with the colour of a checked button; "" for a plain button.
+    name, letter, hint
+        Object name, text, and tooltip.
+    title
+        Accessible name.
     """
 
     def __init__(
-        self, letter: str, name: str, colour_name: str = "", parent: QtWidgets.QWidget | None = None
+        self, name: str, letter: str, title: str, hint: str, *, checkable: bool = False
     ) -> None:
-        super().__init__(parent)
-        self._colour_name = colour_name
+        super().__init__()
+        self.setObjectName(name)
         self.setText(letter)
-        self.setAccessibleName(name)
-        self.setCheckable(bool(colour_name))
-        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Fixed, QtWidgets.QSizePolicy.Policy.Fixed)
-        self.setAttribute(Qt.WidgetAttribute.WA_Hover)
+        self.setAccessibleName(title)
+        self.setToolTip(hint)
+        self.setCheckable(checkable)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
 
     def sizeHint(self) -> QSize:
         side = round(BUTTON_PX * letter_scale(self.font()))
@@ -215,54 +213,20 @@ class LetterButton(QtWidgets.QAbstractButton):
         else:
             super().keyPressEvent(event)
 
-    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
-        painter = QtGui.QPainter(self)
-        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
-        painter.setOpacity(1.0 if self.isEnabled() else _FAINT)
-        place = QRectF(self.rect()).adjusted(1.5, 1.5, -1.5, -1.5)
-        lit = self.isChecked()
-        fill = QtGui.QColor(getattr(current_theme(), self._colour_name)) if lit else None
-        if fill is None and self.isEnabled() and (self.underMouse() or self.isDown()):
-            fill = QtGui.QColor(current_theme().grid)
-        if fill is not None:
-            painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(fill)
-            painter.drawRoundedRect(place, 4, 4)
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        if self.hasFocus():
-            painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().accent), 2))
-            painter.drawRoundedRect(place, 4, 4)
-        elif self.isCheckable() and not lit:
-            painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().border), 1))
-            painter.drawRoundedRect(place, 4, 4)
-        font = QtGui.QFont(painter.font())
-        font.setWeight(QtGui.QFont.Weight.DemiBold)
-        painter.setFont(font)
-        painter.setPen(
-            text_colour_on(fill) if fill is not None and lit else QtGui.QColor(current_theme().dim)
-        )
-        painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, self.text())
 
-
-def mute_button(parent: QtWidgets.QWidget | None = None) -> LetterButton:
+def mute_button() -> LetterButton:
     """Return the button that silences an input."""
-    button = LetterButton("M", "Mute", "warning", parent)
-    button.setObjectName("mute_button")
-    button.setToolTip(f"Mute: silence this input ({key_text('inputs', 'mute')})")
-    return button
+    hint = f"Mute: silence this input ({key_text('inputs', 'mute')})"
+    return LetterButton("mute_button", "M", "Mute", hint, checkable=True)
 
 
-def solo_button(parent: QtWidgets.QWidget | None = None) -> LetterButton:
+def solo_button() -> LetterButton:
     """Return the button that silences all other inputs."""
-    button = LetterButton("S", "Solo", "accent", parent)
-    button.setObjectName("solo_button")
-    button.setToolTip(f"Solo: only inputs with S are driven ({key_text('inputs', 'solo')})")
-    return button
+    hint = f"Solo: only inputs with S are driven ({key_text('inputs', 'solo')})"
+    return LetterButton("solo_button", "S", "Solo", hint, checkable=True)
 
 
-def remove_button(parent: QtWidgets.QWidget | None = None) -> LetterButton:
+def remove_button() -> LetterButton:
     """Return the button that removes an input."""
-    button = LetterButton("×", "Remove", parent=parent)
-    button.setObjectName("remove_button")
-    button.setToolTip(f"Remove this input ({key_text('inputs', 'remove')})")
-    return button
+    hint = f"Remove this input ({key_text('inputs', 'remove')})"
+    return LetterButton("remove_button", "×", "Remove", hint)

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEvent, QModelIndex, QPersistentModelIndex, QRectF, QSize, Qt
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt
 
 from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
@@ -66,43 +66,11 @@ class FittingLabel(QtWidgets.QLabel):
         return self.fontMetrics().horizontalAdvance(text) + margins.left() + margins.right() + 2
 
 
-#: Role of the short form of a name in a table; a name without one stays as it is.
-SHORT_NAME = Qt.ItemDataRole.UserRole
 _LEAST_PX = 3 * UNIT_PX
-# Where fewer letters of a name fit, its short form is better.
-_LETTERS = 7
-
-
-class NameDelegate(QtWidgets.QStyledItemDelegate):
-    """Paints as much of a name as fits, or its short form where almost nothing fits."""
-
-    def initStyleOption(
-        self, option: QtWidgets.QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
-    ) -> None:
-        super().initStyleOption(option, index)
-        style = option.widget.style() if option.widget is not None else None
-        if style is None:
-            return
-        edge = (
-            style.pixelMetric(
-                QtWidgets.QStyle.PixelMetric.PM_FocusFrameHMargin, option, option.widget
-            )
-            + 1
-        )
-        short, room = index.data(SHORT_NAME), option.rect.width() - 2 * edge
-        if short is None or room <= 0:
-            return  # it is asked how wide the name is
-        metrics = option.fontMetrics
-        least = metrics.horizontalAdvance(str(short)) + _LETTERS * metrics.averageCharWidth()
-        if metrics.horizontalAdvance(str(index.data())) > room and room < least:
-            option.text = str(short)
 
 
 def set_table_look(table: QtWidgets.QTableView) -> None:
-    """Set the look of a table of numbers: dense rows, a name column that shrinks, no grid.
-
-    A name that is too long for its column gives way to its short form.
-    """
+    """Set the look of a table of numbers: dense rows, no grid."""
     table.setFont(tabular(table.font()))
     table.setShowGrid(False)
     table.setTabKeyNavigation(False)
@@ -115,7 +83,6 @@ def set_table_look(table: QtWidgets.QTableView) -> None:
     sections.setMinimumSectionSize(_LEAST_PX)
     sections.setSectionResizeMode(QtWidgets.QHeaderView.ResizeMode.ResizeToContents)
     sections.setHighlightSections(False)
-    table.setItemDelegateForColumn(0, NameDelegate(table))
 
 
 #: The left end of the bar, dB of full scale; the right end is full scale.

@@ -15,7 +15,6 @@ from PySide6.QtWidgets import (
 from skinsource_gui.panels.analysis.settings import VIEWS
 from skinsource_gui.plots.figure import NoteLabel
 from skinsource_gui.plots.legend import LegendStrip
-from skinsource_gui.qt.labels import SHORT_NAME
 from tests.gui.analysis.analysis_bench import analysis
 
 WIDTHS = (300, 420, 680)
@@ -76,7 +75,10 @@ def cut_cells(table):
         width = header.sectionSize(column)
         for row in range(model.rowCount()):
             index = model.index(row, column)
-            text = str(index.data(SHORT_NAME) or index.data())
+            text = str(index.data())
+            # Names are elided, but not the numbers with which they begin.
+            number, _, name = text.partition("  ")
+            text = f"{number}…" if name else text
             if table.fontMetrics().horizontalAdvance(text) > width:
                 cut.append(text)
     return cut

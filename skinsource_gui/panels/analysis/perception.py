@@ -106,7 +106,6 @@ def rows(sensation: Sensation, outputs: tuple[int, ...], limb: str = "") -> list
                 f"{output}  {output_name(output, limb).short_name}",
                 *map(_text, _numbers(sensation, output)),
             ),
-            short=str(output),
         )
         for output in outputs
     ]

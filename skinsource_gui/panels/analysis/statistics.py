@@ -54,7 +54,7 @@ class StatisticsRow:
             format(value, style).removesuffix(".") if np.isfinite(value) else "–"
             for value, style in zip(self.shown, ("#.3g", "#.3g", ".2f", ".1f", ".1f"), strict=True)
         )
-        return (f"{self.number}  {self.name}{mark}", *(text.replace("-", "−") for text in written))
+        return (f"{self.number}{mark}  {self.name}", *(text.replace("-", "−") for text in written))
 
     @property
     def table_row(self) -> TableRow:
@@ -62,7 +62,6 @@ class StatisticsRow:
         return TableRow(
             output=self.number,
             texts=self.texts,
-            short=f"{self.number} {NOISE_MARK}" if self.noisy else str(self.number),
             hint=f"{self.texts[0]}: {NOISE_NOTE}" if self.noisy else "",
         )
 

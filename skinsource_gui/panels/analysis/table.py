@@ -9,7 +9,7 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from skinsource_gui.panels.analysis.view import AnalysisView
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.keys import claims_shortcut
-from skinsource_gui.qt.labels import SHORT_NAME, set_table_look
+from skinsource_gui.qt.labels import set_table_look
 from skinsource_gui.qt.theme import current_theme
 
 #: Titles of columns, and what they mean.
@@ -18,22 +18,22 @@ Columns = Sequence[tuple[str, str]]
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 
+# The least that is written of a name.
+_LEAST_NAME = "00 ≈…0"
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TableRow:
-    """A row of texts, the first of which names the output.
+    """A row of texts, the first of which begins with the number of the output.
 
     Attributes
     ----------
-    short
-        The name where there is little room.
     hint
         What is to be known of the numbers, which are then dim; "": nothing.
     """
 
     output: int
     texts: tuple[str, ...]
-    short: str
     hint: str = ""
 
 
@@ -73,7 +73,6 @@ class OutputTable(QtWidgets.QTableWidget):
                 item.setToolTip(row.hint)
                 if column == 0:
                     item.setForeground(theme.output_colour(rank))
-                    item.setData(SHORT_NAME, row.short)
                     item.setToolTip(row.hint or text)
                 self.setItem(rank, column, item)
         self._fit_names()
@@ -88,13 +87,17 @@ class OutputTable(QtWidgets.QTableWidget):
             self.show_rows(self._columns, self._rows)
 
     def _fit_names(self) -> None:
-        """Give names what they need, or what the numbers leave."""
+        """Give names what they need, or what the numbers leave, but room for a number at least."""
         header, modes = self.horizontalHeader(), QtWidgets.QHeaderView.ResizeMode
         sections = range(header.count())
-        needed = sum(max(header.sectionSizeHint(k), self.sizeHintForColumn(k)) for k in sections)
-        narrow = needed > self.viewport().width()
-        if sections:
-            header.setSectionResizeMode(0, modes.Stretch if narrow else modes.ResizeToContents)
+        if not sections:
+            return
+        names, *others = (
+            max(header.sectionSizeHint(k), self.sizeHintForColumn(k)) for k in sections
+        )
+        least = self.fontMetrics().horizontalAdvance(_LEAST_NAME)
+        header.setSectionResizeMode(0, modes.Fixed)
+        header.resizeSection(0, min(names, max(self.viewport().width() - sum(others), least)))
 
     def event(self, event: QEvent) -> bool:
         return claims_shortcut(event, _is_copy) or super().event(event)

@@ -140,7 +140,7 @@ def figures(qtbot):
     table = OutputTable("figures", "Figures")
     qtbot.addWidget(table)
     rows = [
-        TableRow(output=number, texts=(f"{number}  {name}", "0.123"), short=str(number))
+        TableRow(output=number, texts=(f"{number}  {name}", "0.123"))
         for number, name in ((8, "hand V"), (12, "IV middle ulnar"))
     ]
     table.show_rows((("Output", ""), ("RMS", "")), rows)
