@@ -185,6 +185,13 @@ class PanelFocus(QObject):
                 self._return_to, self._covered = here, before - self._in_sight()
         self._panels[name].setFocus(Qt.FocusReason.ShortcutFocusReason)
 
+    def draw(self, tool: str) -> None:
+        """Show the selected clip large and take a tool, such as the pen, for it."""
+        panel = cast("ClipEditorPanel", self._panels["clip_editor"])
+        if self._here() != panel.name or not panel.isVisible():
+            self.show(panel.name)
+        panel.use(tool)
+
     def _in_sight(self) -> frozenset[str]:
         # A dock that comes to the front moves the one behind it away a moment later.
         QtWidgets.QApplication.sendPostedEvents()
@@ -206,33 +213,6 @@ class PanelFocus(QObject):
             panel = panels[(start + step) % len(panels)]
             panel.activateWindow()
             focus_into(panel, Qt.FocusReason.ShortcutFocusReason)
-
-
-_PANEL = "clip_editor"
-
-
-class ClipDrawing(QObject):
-    """Shows the selected clip large, and takes the pen or another tool.
-
-    Parameters
-    ----------
-    panels
-        The clip editor is one of them.
-    focus
-        Brings it into sight, and goes back.
-    """
-
-    def __init__(self, panels: PanelRegistry, focus: PanelFocus, parent: QObject) -> None:
-        super().__init__(parent)
-        self._panels, self._focus = panels, focus
-
-    def begin(self, tool: str) -> None:
-        """Take a tool; the pen asks whether a clip that is not drawn may become samples."""
-        panel = cast("ClipEditorPanel", self._panels[_PANEL])
-        focused = QtWidgets.QApplication.focusWidget()
-        if not panel.isVisible() or focused is None or not panel.isAncestorOf(focused):
-            self._focus.show(_PANEL)
-        panel.use(tool)
 
 
 class KeyboardFilter(QObject):

@@ -27,7 +27,7 @@ from skinsource_gui.shell.bars import HeadLine, SetupBar, StepsMenu
 from skinsource_gui.shell.carrying import PanelPictures
 from skinsource_gui.shell.conditions import Conditions
 from skinsource_gui.shell.drops import ClipDrops, ClipStretching, kind_choices, scaling_choices
-from skinsource_gui.shell.focus import ClipDrawing, PanelFocus, ShortcutsInFields, move_focus
+from skinsource_gui.shell.focus import PanelFocus, ShortcutsInFields, move_focus
 from skinsource_gui.shell.keeping import AutosaveAndRecovery
 from skinsource_gui.shell.menus import ActionSet, RecentMenu, fill_menu_bar
 from skinsource_gui.shell.notices import FirstHints, Installations, Notice, Reports, RunningJobs
@@ -173,7 +173,6 @@ class MainWindow(QtWidgets.QMainWindow):
             "dock_tabs": self.dock_tabs,
             "panel_focus": panel_focus,
             "panel_in_use": self._in_use,
-            "clip_drawing": ClipDrawing(self.panels, panel_focus, self),
             "clip_stretching": ClipStretching(self.document, self),
             "appearance": self.appearance,
             "pages": self.pages,
