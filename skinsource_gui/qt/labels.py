@@ -1,12 +1,12 @@
-"""Labels, names in tables, a level meter, and the hints of empty panels."""
+"""Labels, the look of tables, and the hints of empty panels."""
 
 from collections.abc import Sequence
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEvent, QRectF, QSize, Qt
+from PySide6.QtCore import QEvent, QSize, Qt
 
 from skinsource_gui.qt.keys import shortcut_text
-from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
+from skinsource_gui.qt.theme import UNIT_PX, tabular
 
 #: Hints how to select an input, a clip, and outputs.
 HOW_TO_SELECT_INPUT = "Select an input, on the hand or in the timeline, to edit it"
@@ -83,52 +83,3 @@ def set_table_look(table: QtWidgets.QTableView) -> None:
     sections.setMinimumSectionSize(_LEAST_PX)
     sections.setSectionResizeMode(QtWidgets.QHeaderView.ResizeMode.ResizeToContents)
     sections.setHighlightSections(False)
-
-
-#: The left end of the bar, dB of full scale; the right end is full scale.
-LEAST_DB = -60.0
-# Peaks above this level are near the limit.
-_NEAR_DB = -3.0
-_TICK_PX = 2.0
-
-
-class LevelMeter(QtWidgets.QWidget):
-    """Shows how loud an output is: RMS as a bar, the peak as a tick, in dB of full scale."""
-
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.rms_db = self.peak_db = -200.0
-        self.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Fixed
-        )
-        self.show_level(-200.0, -200.0)
-
-    def sizeHint(self) -> QSize:
-        return QSize(80, 8)
-
-    def show_level(self, rms_db: float, peak_db: float) -> None:
-        """Show another level; it is painted only if the change is visible."""
-        width = max(self.width(), 1)
-        before = [_bar_part(level_db) * width for level_db in (self.rms_db, self.peak_db)]
-        after = [_bar_part(level_db) * width for level_db in (rms_db, peak_db)]
-        self.rms_db, self.peak_db = rms_db, peak_db
-        if any(abs(a - b) >= 0.5 for a, b in zip(after, before, strict=True)):
-            self.update()
-
-    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
-        painter = QtGui.QPainter(self)
-        room = QRectF(self.rect())
-        painter.fillRect(room, QtGui.QColor(current_theme().grid))
-        colour = current_theme().warning if self.peak_db > _NEAR_DB else current_theme().accent
-        bar = QRectF(room)
-        bar.setWidth(_bar_part(self.rms_db) * room.width())
-        painter.fillRect(bar, QtGui.QColor(colour))
-        peak = _bar_part(self.peak_db)
-        if peak > 0.0:
-            x = max(peak * room.width() - _TICK_PX, 0.0)
-            painter.fillRect(QRectF(x, 0.0, _TICK_PX, room.height()), QtGui.QColor(colour))
-
-
-def _bar_part(level_db: float) -> float:
-    """Return how far along the bar a level lies, 0 to 1."""
-    return min(max(1.0 - level_db / LEAST_DB, 0.0), 1.0)

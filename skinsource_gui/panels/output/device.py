@@ -26,9 +26,9 @@ from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.rig_field import RigField
 from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.fitting import LetterWidth
-from skinsource_gui.qt.labels import FittingLabel, LevelMeter
+from skinsource_gui.qt.labels import FittingLabel
 from skinsource_gui.qt.layouts import in_column, in_row
-from skinsource_gui.qt.theme import UNIT_PX, tabular
+from skinsource_gui.qt.theme import UNIT_PX, set_tone, tabular
 from skinsource_gui.qt.tooltips import show_tooltip
 from skinsource_gui.state.playing import Played
 
@@ -171,6 +171,8 @@ def _fill(field: ChoiceField, options: list[tuple[str, str]], chosen: str) -> No
 
 _WIDEST_LEVEL = "\u2212100.0 dBFS"
 _SILENT_DB = -200.0
+# Ends of the bar of RMS, and the peak above which it is amber, dB of full scale.
+_METER_DB, _NEAR_DB = (-60, 0), -3.0
 
 
 class OutputRow:
@@ -189,7 +191,9 @@ class OutputRow:
         title.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         title.show_phrases((f"{place} · {names.name}", f"{place} · {names.short_name}", f"{place}"))
         title.setToolTip(names.name)
-        self.meter, self.level = LevelMeter(), QtWidgets.QLabel()
+        self.meter, self.level = QtWidgets.QProgressBar(), QtWidgets.QLabel()
+        self.meter.setRange(*_METER_DB)
+        self.meter.setTextVisible(False)
         self.meter.setFixedHeight(_METER_PX)
         self.level.setFont(tabular(self.level.font()))
         self.level.setObjectName(f"level_of_{place}")
@@ -225,7 +229,8 @@ class OutputRow:
             rms_db, peak_db = float(levels.rms_db[output - 1]), float(levels.peak_db[output - 1])
             highest_db = float(levels.highest_db[output - 1])
             text = "silent" if highest_db <= _SILENT_DB else f"{highest_db:z.1f} dBFS"
-        self.meter.show_level(rms_db, peak_db)
+        self.meter.setValue(round(max(rms_db, _METER_DB[0])))
+        set_tone(self.meter, "warning" if peak_db > _NEAR_DB else "")
         self.level.setText(text.replace("-", "\u2212"))
         # Room for any level while there is one: otherwise rows would jump.
         room_px = self.level.fontMetrics().horizontalAdvance(_WIDEST_LEVEL) if levels else 0
