@@ -10,7 +10,7 @@ from itertools import pairwise
 from typing import Any
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt, Signal
+from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.quoting import sentence
@@ -42,6 +42,7 @@ from skinsource_gui.panels.hand.picture import drawing_of
 from skinsource_gui.plots.preview import ClipDrawings, ClipStrip, Lane
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled
 from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.overlays import Overlay
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
 from skinsource_gui.state.document import Document
 
@@ -170,7 +171,7 @@ _ARROW_PX = 9.0
 _BADGE_PX = 15.0
 
 
-class PathLayer(QtWidgets.QWidget):
+class PathLayer(Overlay):
     """Paints a path of places over a hand, which gets the events of the pointer."""
 
     def __init__(self, hand: HandDiagram) -> None:
@@ -181,18 +182,11 @@ class PathLayer(QtWidgets.QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         # Places move with the zoom of the hand.
         hand.stage.changed.connect(self.update)
-        hand.installEventFilter(self)
-        self.setGeometry(hand.rect())
 
     def show_path(self, path: tuple[int, ...], colours: dict[int, QtGui.QColor]) -> None:
         """Show a path, and the colour of the track of each of its places."""
         self._path, self._colours = path, colours
         self.update()
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if watched is self._hand and event.type() == QEvent.Type.Resize:
-            self.setGeometry(self._hand.rect())
-        return super().eventFilter(watched, event)
 
     @property
     def _places(self) -> HandLayout:
