@@ -48,14 +48,19 @@ def tool_button(
     hint: str = "",
     *,
     checkable: bool = False,
+    takes_keyboard: bool = True,
 ) -> QtWidgets.QToolButton:
-    """Return a button as narrow as its text, which the Tab key reaches."""
+    """Return a button as narrow as its text, which the Tab key reaches.
+
+    ``takes_keyboard``: a click gives it the keyboard, too.
+    """
     button = QtWidgets.QToolButton(parent)
     button.setObjectName(name)
     button.setText(text)
     button.setToolTip(hint)
     button.setCheckable(checkable)
-    button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+    policy = Qt.FocusPolicy
+    button.setFocusPolicy(policy.StrongFocus if takes_keyboard else policy.TabFocus)
     return button
 
 

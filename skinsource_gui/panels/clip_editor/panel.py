@@ -27,6 +27,7 @@ from skinsource_gui.fields.editor import Burst
 from skinsource_gui.fields.inputs import clip_text, duration_text, figure_text, waveforms_of
 from skinsource_gui.panels.clip_editor.tools import EnvelopeTool, GlideTool, Pen, ViewTool
 from skinsource_gui.panels.clip_editor.view import EditorView, SpectrumStrip, Tool
+from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.keys import arrow_steps, key_text, meaning_of
 from skinsource_gui.qt.labels import HOW_TO_SELECT_CLIP, FittingLabel, how_to_add
 from skinsource_gui.qt.layouts import in_column, in_row
@@ -181,15 +182,17 @@ class EditorToolbar(QtWidgets.QWidget):
         self._group = QtWidgets.QButtonGroup(self)
         self._tools: dict[str, QtWidgets.QToolButton] = {}
         for name, text, hint in _TOOLS:
-            button = self._button(text, f"{hint} ({key_text(_PLACE, name)})")
-            button.setCheckable(True)
+            hint = f"{hint} ({key_text(_PLACE, name)})"
+            label = f"clip_{text.lower()}"
+            button = tool_button(self, label, text, hint, checkable=True, takes_keyboard=False)
             self._group.addButton(button)
             self._tools[name] = button
             button.clicked.connect(lambda _=False, name=name: self.tool_requested.emit(name))
             row.addWidget(button)
         self._tools["look"].setChecked(True)
         row.addSpacing(8)
-        self.fit = self._button("Fit", f"See all of the clip ({key_text(_PLACE, 'whole')})")
+        hint = f"See all of the clip ({key_text(_PLACE, 'whole')})"
+        self.fit = tool_button(self, "clip_fit", "Fit", hint, takes_keyboard=False)
         row.addWidget(self.fit)
         self._description = FittingLabel()
         self._description.setObjectName("clip_words")
@@ -215,15 +218,6 @@ class EditorToolbar(QtWidgets.QWidget):
     def offer_glide(self, offered: bool) -> None:
         """Show the tool for glides only where the clip plays one."""
         self._tools["glide"].setVisible(offered)
-
-    def _button(self, text: str, hint: str) -> QtWidgets.QToolButton:
-        button = QtWidgets.QToolButton(self)
-        button.setObjectName(f"clip_{text.lower()}")
-        button.setText(text)
-        button.setToolTip(hint)
-        button.setAccessibleName(text)
-        button.setAutoRaise(True)
-        return button
 
 
 #: One step of an arrow key to the side.

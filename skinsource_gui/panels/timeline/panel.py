@@ -37,7 +37,7 @@ from skinsource_gui.panels.timeline.gestures import GesturePreview
 from skinsource_gui.panels.timeline.heads import Heads, heads_px, row_px
 from skinsource_gui.panels.timeline.lanes import ZOOM, LanesView
 from skinsource_gui.plots.time_scale import Range
-from skinsource_gui.qt.buttons import page_label
+from skinsource_gui.qt.buttons import page_label, tool_button
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.keys import KEYS
 from skinsource_gui.qt.labels import how_to_add
@@ -137,12 +137,8 @@ class TimelineToolbar(QtWidgets.QWidget):
         self.add_requested.emit(kind)
 
     def _button(self, name: str, text: str, hint: str) -> QtWidgets.QToolButton:
-        button = QtWidgets.QToolButton(self)
-        button.setObjectName(f"timeline_{name}")
-        button.setText(text)
-        button.setToolTip(hint)
+        button = tool_button(self, f"timeline_{name}", text, hint, takes_keyboard=False)
         button.setAccessibleName(hint)
-        button.setAutoRaise(True)
         self._row.addWidget(button)
         return button
 
