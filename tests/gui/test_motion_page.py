@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QLabel, QLineEdit, QPushButton
 from skinsource.design import edits
 from skinsource.design.motions import MOTIONS, ApparentMotion, TapSequence
 from skinsource.design.waveforms.tones import Tone
-from skinsource_gui.pages.motion import MotionPage
+from skinsource_gui.pages.motion import MotionPage, PathLayer
 
 
 @pytest.fixture
@@ -58,6 +58,7 @@ def test_a_motion_on_clicked_places_is_added_in_one_step(desk, page):
     button(page, "clear_path").click()
     click(page, 7, 12, 17)
     assert page.path_row.field.text() == "7, 12, 17"
+    assert page.hand.findChild(PathLayer).size() == page.hand.size()
     assert desk.document.design is before
     assert desk.document.undo_stack.count() == 0
     button(page, "add_motion").click()
