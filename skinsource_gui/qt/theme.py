@@ -13,7 +13,8 @@ from string import Template
 from typing import Any
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import Qt
+from PySide6.QtSvg import QSvgRenderer
 
 from skinsource_gui.qt.resources import read_text
 
@@ -227,94 +228,24 @@ def _palette(theme: Theme) -> QtGui.QPalette:
     return palette
 
 
-# Size of an icon.
-_SIZE = 16
-# Pixels per unit of an icon, so that it is sharp on screens of high resolution.
-_OVERSAMPLED = 3
+# Pixels of an icon: three times its usual size, so that it is sharp on any screen.
+_ICON_PX = 48
 
 
-def drawn_icon(
-    path: QtGui.QPainterPath,
-    theme: Theme,
-    *,
-    filled: bool = False,
-    line_px: float = 1.2,
-) -> QtGui.QIcon:
-    """Return an icon of a path in a square of 16 units, for buttons that are on or off.
-
-    Parameters
-    ----------
-    filled, line_px
-        Whether it is filled; how wide its line is where it is not.
-    """
-    icon = QtGui.QIcon()
-    for state, name in (
-        (QtGui.QIcon.State.Off, theme.text),
-        (QtGui.QIcon.State.On, theme.on_accent),
+def icon_of(name: str) -> QtGui.QIcon:
+    """Return an icon of ``resources/icons`` in the present colours, for buttons on or off."""
+    icon, drawing = QtGui.QIcon(), read_text(f"icons/{name}.svg")
+    for state, colour in (
+        (QtGui.QIcon.State.Off, current_theme().text),
+        (QtGui.QIcon.State.On, current_theme().on_accent),
     ):
-        pixmap = QtGui.QPixmap(_SIZE * _OVERSAMPLED, _SIZE * _OVERSAMPLED)
+        pixmap = QtGui.QPixmap(_ICON_PX, _ICON_PX)
         pixmap.fill(Qt.GlobalColor.transparent)
         painter = QtGui.QPainter(pixmap)
-        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
-        painter.scale(_OVERSAMPLED, _OVERSAMPLED)
-        if filled:
-            painter.fillPath(path, QtGui.QColor(name))
-        else:
-            painter.strokePath(path, QtGui.QPen(QtGui.QColor(name), line_px))
+        QSvgRenderer(drawing.replace("currentColor", colour).encode()).render(painter)
         painter.end()
         icon.addPixmap(pixmap, QtGui.QIcon.Mode.Normal, state)
     return icon
-
-
-def play_icon() -> QtGui.QIcon:
-    """Return a triangle."""
-    path = QtGui.QPainterPath()
-    path.addPolygon(QtGui.QPolygonF((QPointF(4, 2.5), QPointF(13.5, 8), QPointF(4, 13.5))))
-    path.closeSubpath()
-    return drawn_icon(path, current_theme(), filled=True)
-
-
-def stop_icon() -> QtGui.QIcon:
-    """Return a square."""
-    path = QtGui.QPainterPath()
-    path.addRoundedRect(QRectF(3.5, 3.5, 9, 9), 1, 1)
-    return drawn_icon(path, current_theme(), filled=True)
-
-
-def repeat_icon() -> QtGui.QIcon:
-    """Return two arrows that follow each other."""
-    path = QtGui.QPainterPath()
-    for sign in (1, -1):
-        at = QPointF(8, 8)
-        path.moveTo(at + QPointF(-5.5, -0.5) * sign)
-        path.lineTo(at + QPointF(-5.5, -3.5) * sign)
-        path.lineTo(at + QPointF(5, -3.5) * sign)
-        path.moveTo(at + QPointF(2.5, -6) * sign)
-        path.lineTo(at + QPointF(5.2, -3.5) * sign)
-        path.lineTo(at + QPointF(2.5, -1) * sign)
-    return drawn_icon(path, current_theme(), line_px=1.4)
-
-
-def turn_icon(*, back: bool) -> QtGui.QIcon:
-    """Return an arrow that turns back, or forth."""
-    path = QtGui.QPainterPath(QPointF(3.5, 6))
-    path.lineTo(10, 6)
-    path.arcTo(QRectF(6.5, 6, 7, 7), 90, -180)
-    path.lineTo(6.5, 13)
-    path.moveTo(6.5, 3)
-    path.lineTo(3.5, 6)
-    path.lineTo(6.5, 9)
-    mirror = QtGui.QTransform(1 if back else -1, 0, 0, 1, 0 if back else _SIZE, 0)
-    return drawn_icon(mirror.map(path), current_theme(), line_px=1.4)
-
-
-def search_icon() -> QtGui.QIcon:
-    """Return a magnifying glass."""
-    path = QtGui.QPainterPath()
-    path.addEllipse(QPointF(7, 7), 4.5, 4.5)
-    path.moveTo(10.2, 10.2)
-    path.lineTo(14, 14)
-    return drawn_icon(path, current_theme(), line_px=1.4)
 
 
 #: Dots per px on paper: so many that the wave between samples is drawn.

@@ -17,7 +17,7 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.dataset import TITLE
 from skinsource_gui.qt.layouts import in_row
-from skinsource_gui.qt.theme import UNIT_PX, search_icon, turn_icon
+from skinsource_gui.qt.theme import UNIT_PX, icon_of
 from skinsource_gui.qt.tooltips import show_tooltip, tooltip
 from skinsource_gui.state.document import MOST_STEPS, Document, ReplaceDesign
 
@@ -261,10 +261,10 @@ class HeadLine(QtWidgets.QWidget):
         menus.setSizePolicy(
             QtWidgets.QSizePolicy.Policy.Maximum, QtWidgets.QSizePolicy.Policy.Minimum
         )
-        self._icons: dict[QtGui.QAction, Callable[[], QtGui.QIcon]] = {
-            actions["undo"]: partial(turn_icon, back=True),
-            actions["redo"]: partial(turn_icon, back=False),
-            actions["find_action"]: search_icon,
+        self._icons = {
+            actions["undo"]: "undo",
+            actions["redo"]: "redo",
+            actions["find_action"]: "search",
         }
         undo, redo, self._search = (
             _button(action, _Style.ToolButtonIconOnly) for action in self._icons
@@ -300,7 +300,7 @@ class HeadLine(QtWidgets.QWidget):
 
     def _draw(self) -> None:
         for action, icon in self._icons.items():
-            action.setIcon(icon())
+            action.setIcon(icon_of(icon))
             action.setIconVisibleInMenu(False)
 
     def _fit(self) -> None:

@@ -19,7 +19,7 @@ from skinsource_gui.fields.rig_field import RESPONSE_FILES
 from skinsource_gui.pages.actions import MatchingActions
 from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.layouts import in_row
-from skinsource_gui.qt.theme import play_icon, repeat_icon, set_tone, stop_icon
+from skinsource_gui.qt.theme import icon_of, set_tone
 from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.shell.focus import KeyboardFilter
 from skinsource_gui.shell.notices import Reports
@@ -181,9 +181,9 @@ class Transport(QtWidgets.QWidget):
 
     def _show_icons(self) -> None:
         playing = self._played.playing
-        self.play.setIcon((stop_icon if playing else play_icon)())
+        self.play.setIcon(icon_of("stop" if playing else "play"))
         self.play.setAccessibleName("Stop" if playing else "Animate")
-        self.repeat.setIcon(repeat_icon())
+        self.repeat.setIcon(icon_of("repeat"))
 
     def _button(self, name: str, action: str, title: str, hint: str) -> QtWidgets.QToolButton:
         button = QtWidgets.QToolButton(self)

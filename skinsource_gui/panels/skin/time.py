@@ -13,7 +13,7 @@ from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.panels.skin.settings import MAGNITUDE, RMS, SkinSettings, Z, time_text
 from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.layouts import in_row
-from skinsource_gui.qt.theme import UNIT_PX, play_icon, tabular
+from skinsource_gui.qt.theme import UNIT_PX, icon_of, tabular
 from skinsource_gui.qt.tooltips import tooltip
 
 #: How many times slower it can be chosen to run.
@@ -91,7 +91,7 @@ class ScrubBar(QtWidgets.QWidget):
             margins=0,
             gap_px=UNIT_PX // 2,
         )
-        self.play.setIcon(play_icon())
+        self.play.setIcon(icon_of("play"))
 
     def show_time(self, view: View, end_s: float) -> None:
         """Show playhead and speed in a response that ends at ``end_s``, without emitting them."""
@@ -109,4 +109,4 @@ class ScrubBar(QtWidgets.QWidget):
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange:
-            self.play.setIcon(play_icon())
+            self.play.setIcon(icon_of("play"))
