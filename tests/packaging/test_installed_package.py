@@ -31,7 +31,7 @@ def test_every_shipped_data_file_is_installed_unchanged():
 
 
 def test_the_windows_resources_are_installed():
-    for name in ("theme.qss", "themes.toml", "keys.toml", "actions.toml"):
+    for name in ("theme.qss", "themes.toml", "keys.toml", "actions.toml", "icons/play.svg"):
         assert (resource_folder() / name).is_file()
 
 
