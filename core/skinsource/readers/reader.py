@@ -118,7 +118,7 @@ def from_tree(tree: Mapping[str, Any]) -> Found:
 
 
 #: Consecutive samples, (n_series, n), float32 where that holds all of the file's digits.
-Block = NDArray[np.float64] | NDArray[np.float32]
+Block = Floats | NDArray[np.float32]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

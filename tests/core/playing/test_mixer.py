@@ -6,7 +6,7 @@ import pytest
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError
 from skinsource.lab.playing.devices import Output
-from skinsource.lab.playing.mixer import MOST_SAMPLES, Mixer
+from skinsource.lab.playing.session import MOST_SAMPLES, Mixer
 
 TWO = ss.Design(
     limb="synthetic-1",

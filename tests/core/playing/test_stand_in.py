@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.lab.playing.mixer import analytic, on_two_ears, turned_up
+from skinsource.lab.playing.session import analytic, on_two_ears, turned_up
 
 RATE_HZ, THERE_HZ = 1300, 48_000
 
