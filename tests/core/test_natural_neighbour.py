@@ -10,36 +10,14 @@ from skinsource.limbs.surface.natural_neighbour import (
     snapped_to_lattice,
     triangulate,
 )
-from skinsource.limbs.surface.outline import densified
 
 RANDOM = np.random.default_rng(20240607).uniform(0, 1000, (60, 2))
-LATTICE = np.stack(np.meshgrid(np.arange(7.0), np.arange(5.0)), axis=-1).reshape(-1, 2)
-ANGLE = np.arange(48) * np.pi / 24
-CIRCLE = 100 * np.column_stack([np.cos(ANGLE), np.sin(ANGLE)])
-SITES = {"random": RANDOM, "lattice": LATTICE, "circle": snapped_to_lattice(CIRCLE)}
-
-
-def rotated(points, angle_rad):
-    cosine, sine = np.cos(angle_rad), np.sin(angle_rad)
-    return points @ np.array([[cosine, sine], [-sine, cosine]])
 
 
 def points_within(sites, count, seed):
     """Random means of the sites: always inside their hull."""
     shares = np.random.default_rng(seed).dirichlet(np.full(len(sites), 0.2), count)
     return shares @ sites
-
-
-@pytest.mark.parametrize("kind", SITES)
-def test_any_sites_give_weights_that_are_shares_and_reproduce_the_point(kind):
-    sites = SITES[kind]
-    points = points_within(sites, 500, 3)
-    result = natural_neighbour_weights(triangulate(sites), points)
-    weights, fallback = result.weights, result.fallback
-    assert not fallback.any()
-    assert weights.data.min() >= -1e-12
-    np.testing.assert_allclose(weights.sum(axis=1), 1.0, atol=1e-13)
-    np.testing.assert_allclose(weights @ sites, points, atol=1e-9 * np.ptp(sites))
 
 
 @pytest.mark.parametrize("distance", [1e-12, 1e-9, 1e-8, 1e-7, 1e-5, 1e-2])
@@ -66,20 +44,6 @@ def test_on_an_edge_of_the_hull_interpolation_is_linear_between_its_ends():
     expected[4, [3, 4]] = 0.5, 0.5
     assert not fallback.any()
     np.testing.assert_allclose(weights.toarray(), expected, atol=1e-14)
-
-
-@pytest.mark.parametrize("angle_rad", [0.1, 0.3, 1.0, 2.2])
-def test_rotated_and_split_straight_edges_need_no_fallback_on_the_lattice(angle_rad):
-    rectangle = np.array([[0, 0], [300, 0], [300, 500], [0, 500]], dtype=float)
-    inner = np.random.default_rng(5).uniform(40, 260, (20, 2))
-    sites = rotated(np.concatenate([densified(rectangle, 4.0), inner]), angle_rad)
-    sites = np.unique(snapped_to_lattice(sites), axis=0)
-    points = rotated(np.random.default_rng(6).uniform(1, 299, (2000, 2)), angle_rad)
-    result = natural_neighbour_weights(triangulate(sites), points)
-    weights, fallback = result.weights, result.fallback
-    assert not fallback.any()
-    assert weights.data.min() >= 0
-    np.testing.assert_allclose(weights @ sites, points, atol=1e-8)
 
 
 def test_a_cavity_that_runs_in_a_ring_is_cut_and_interpolated_linearly():

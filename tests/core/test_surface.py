@@ -63,14 +63,6 @@ def test_a_measured_limb_has_the_published_mask_and_sound_weights(measured_limb,
     assert volar.nnz == 0
 
 
-@pytest.mark.parametrize("number", LIMBS)
-def test_a_synthetic_limb_has_sound_weights_and_no_warnings(number):
-    operator = surface_operator(load_synthetic_limb(number), spacing_mm=2.0)
-    assert operator.fallback_count == operator.blind_vertices == 0
-    assert operator.warnings == ()
-    np.testing.assert_allclose(operator.weights.sum(axis=1), operator.mask.ravel(), atol=1e-13)
-
-
 def test_each_output_stands_out_at_its_own_place():
     limb = load_synthetic_limb(1)
     operator = surface_operator(limb)

@@ -34,14 +34,6 @@ def test_outputs_without_a_place_are_ignored_whatever_their_value(operator):
         np.testing.assert_array_equal(operator.interpolate(values), expected)
 
 
-def test_an_output_on_a_pixel_shows_its_value_there(operator):
-    picture = operator.interpolate(values_of([1.0, 2.0, 3.0, 4.0]))
-    assert picture[10, 10] == pytest.approx(1.0, abs=1e-12)
-    assert picture[12, 30] == pytest.approx(2.0, abs=1e-12)
-    assert picture[45, 28] == pytest.approx(3.0, abs=1e-12)
-    assert picture[50, 9] == pytest.approx(4.0, abs=1e-12)
-
-
 def test_frames_come_last_and_equal_single_pictures(operator):
     frames = np.random.default_rng(2).normal(size=(72, 5))
     pictures = operator.interpolate(frames)
