@@ -13,7 +13,6 @@ from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.limb_import import LimbSource, import_limb, prepare_limb
 from skinsource.limbs.limb_layout import export_limb
 from skinsource.limbs.own_limbs import facts_of, own_limb_names
-from skinsource.readers.reading_process import ReadingProcess
 from tests.core.own_limbs.lab_bench import N_INPUTS, N_OUTPUTS, RATE_HZ, response
 
 OUTLINE = [[0, 0], [60, 0], [60, 100], [0, 100]]
@@ -152,12 +151,6 @@ def test_y_of_svg_points_down_and_so_does_that_of_the_places_beside_it(user_data
     limb = load_limb("ours")
     np.testing.assert_array_equal(limb.map.outline, [[5, 7], [65, 7], [65, -93], [5, -93]])
     np.testing.assert_array_equal(limb.map.input_positions, INPUTS * (1, -1))
-
-
-@pytest.fixture(scope="module")
-def process():
-    with ReadingProcess() as reading:
-        yield reading
 
 
 def refused(user_data, source: LimbSource) -> str:

@@ -1,4 +1,3 @@
-import threading
 from dataclasses import replace
 
 import numpy as np
@@ -7,17 +6,12 @@ import pytest
 import skinsource as ss
 from skinsource.base.errors import NothingToPlayOnError, PlaybackError, Stopped
 from skinsource.lab.playing.devices import Output
+from tests.core.playing.playing_bench import wait_for
 from tests.core.playing.synthetic_sound import SyntheticSoundLibrary, use
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.5)
 ONE = ss.Design(limb="synthetic-1", inputs=(ss.track(7, TONE, amplitude=0.9),))
 FADE = 240
-
-
-def wait_for(condition):
-    """Until it holds; the thread of the device runs meanwhile."""
-    pause = threading.Event()
-    assert any(condition() or pause.wait(0.005) for _ in range(4000))
 
 
 def play(session, design=ONE, output=None, **changes):
