@@ -3,7 +3,7 @@ import pytest
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.lab.playing.mix import FREQUENCY_HZ, mix_of, tone_of
-from tests.core.playing.playing_bench import RATE_HZ, mix
+from tests.core.playing.playing_bench import RATE_HZ
 
 
 def made(rows, **changes):
@@ -36,18 +36,6 @@ def test_channels_at_one_output_add_up():
 def test_what_cannot_be_played_is_refused(rows, changes, message):
     with pytest.raises(InvalidInputError, match=message):
         made(rows, **changes)
-
-
-@pytest.mark.parametrize("start", [-500, -30, 0, 55, 199, 200, 300, 5000])
-@pytest.mark.parametrize("n", [1, 40, 700])
-def test_reading_tells_where_it_goes_on(start, n):
-    for loop in (None, (60, 200)):
-        mixed = mix(np.arange(300.0), loop=loop)
-        position = mixed.read(start, np.zeros((1, n)))
-        one_by_one = start
-        for _ in range(n):
-            one_by_one = mixed.read(one_by_one, np.zeros((1, 1)))
-        assert position == one_by_one
 
 
 def test_the_test_tone_is_on_its_output_alone_and_has_its_frequency():
