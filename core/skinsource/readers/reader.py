@@ -229,10 +229,8 @@ def dft321(axes: Floats) -> Floats:
         The axes, in one unit; the transform is that of all n samples.
     """
     spectra = scipy.fft.rfft(axes, axis=1)
-    total = spectra.sum(axis=0)
-    size = np.abs(total)
-    # Where the axes cancel, their sum has no phase: 0 is as good as any.
-    phasor = np.divide(total, size, out=np.ones_like(total), where=size > 0.0)
+    # Where the axes cancel, their sum has no phase, and 0 is as good as any.
+    phasor = np.exp(1j * np.angle(spectra.sum(axis=0)))
     magnitude = np.sqrt(np.sum(np.abs(spectra) ** 2, axis=0))
     return scipy.fft.irfft(magnitude * phasor, axes.shape[1])
 
