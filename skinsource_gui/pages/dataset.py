@@ -8,8 +8,7 @@ from PySide6 import QtWidgets
 from PySide6.QtCore import QStandardPaths, Qt
 
 from skinsource.base.job import Job, time_left_text
-from skinsource.limbs.dataset.download import fetch
-from skinsource.limbs.dataset.install import install
+from skinsource.limbs.dataset.install import fetch, install
 from skinsource.limbs.dataset.published import published_files
 from skinsource.limbs.dataset.store import StoreInfo
 from skinsource_gui.pages.page import ToolPage

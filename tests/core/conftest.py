@@ -1,5 +1,6 @@
-"""What the tests of stability share: the table of promises, made-up limbs, both ways to predict.
+"""What many tests share: running commands, and the process that reads files.
 
+What the tests of stability share: the table of promises, made-up limbs, both ways to predict.
 ``docs/stability.md`` states by case what is measured, and the largest number that keeps the
 promise.  The tests hand their numbers to ``noted``.
 
@@ -18,12 +19,14 @@ import numpy as np
 import pytest
 import scipy
 
+from skinsource.cli.command_line import main
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Impulse
 from skinsource.engine.prediction import predict
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.limbs.limb import Limb, LimbMap
+from skinsource.readers.reading_process import ReadingProcess
 
 DOCUMENT = Path(__file__).parents[2] / "docs" / "stability.md"
 NUMBERS = pytest.StashKey[dict[str, float]]()
@@ -74,6 +77,24 @@ def measured_row(key: str, what: str, promise: str, value: float) -> str:
         times = float(promise) / value
         margin = f"{times:.3g} ×" if times < 10 else f"{times:,.0f} ×".replace(",", " ")
     return f"| {key} | {what} | {promise} | {value:.2g} | {margin} |"
+
+
+@pytest.fixture
+def run(capsys):
+    """Run a command; give the exit code and what it wrote to stdout and stderr."""
+
+    def run(*arguments):
+        code = main([str(word) for word in arguments])
+        return code, *capsys.readouterr()
+
+    return run
+
+
+@pytest.fixture(scope="session")
+def process():
+    """One process for all, as the studio has it."""
+    with ReadingProcess() as reading:
+        yield reading
 
 
 @pytest.fixture(scope="session")

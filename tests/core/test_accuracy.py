@@ -35,10 +35,6 @@ OWN = [way for way in WAYS if way.name.startswith("SkinSource")]
 (PREDICT,) = (way for way in WAYS if way.name == "SkinSource predict")
 
 
-def of_kind(kind):
-    return [case for case in CASES.values() if isinstance(case.problem, kind)]
-
-
 @pytest.mark.parametrize(
     "case", [case for case in CASES.values() if case.quick], ids=lambda case: case.name
 )
@@ -84,7 +80,7 @@ def test_errors_and_fastest_runs_are_measured_on_any_limb(user_data):
 
 def test_measuring_is_told_and_can_be_stopped():
     progress = []
-    cases = of_kind(Resampling)
+    cases = [case for case in CASES.values() if isinstance(case.problem, Resampling)]
     rows = measure(
         cases,
         repeats=1,

@@ -15,13 +15,12 @@ from skinsource.design.design import MAX_INPUTS, Design, Input, track
 from skinsource.design.edits.cutting import last_fade
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.effects.level import Fade, Rectify
-from skinsource.design.effects.playing import played
 from skinsource.design.effects.time import Repeat, Reverse, Stretch, Trim
-from skinsource.design.signal_path import placed_signal_path
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.samples import Layers
 from skinsource.design.waveforms.tones import Tone
+from tests.core.clips_bench import total
 
 RATE_HZ = 1300.0
 TONE = Tone(frequency_hz=77.0, duration_s=0.2)
@@ -52,16 +51,6 @@ VIEW = View(selected_inputs=(1,), selected_clips=(2,))
 times = st.integers(0, 700).map(lambda k: k / 1000)
 some_ids = st.lists(st.integers(1, 5), min_size=1, max_size=5, unique=True).map(tuple)
 few = settings(max_examples=60, deadline=None, derandomize=True)
-
-
-def total(design: Design, place: int) -> np.ndarray:
-    """What a track plays from time 0 on, without its curve."""
-    first, chain = placed_signal_path(design.inputs[place].clips, (), RATE_HZ)
-    samples = np.zeros(5000)
-    for part in chain.parts:
-        piece = played(part.waveform, part.effects, RATE_HZ, part.shift_s)
-        samples[first + part.start :][: piece.size] += part.gain * piece
-    return samples
 
 
 def onsets(design: Design) -> list[float]:
@@ -248,7 +237,10 @@ def test_what_was_split_sounds_as_before_and_joins_to_what_it_was(at_s, on_sampl
             assert max(inside_s) < 1e-8
             continue
         for place in range(4):
-            after, expected = total(outcome.design, place), total(DESIGN, place)
+            after, expected = (
+                total(*outcome.design.inputs[place].clips),
+                total(*DESIGN.inputs[place].clips),
+            )
             np.testing.assert_allclose(after, expected, rtol=0, atol=1e-9)
         ids = tuple(clip.id for clip in outcome.design.clips)
         assert edits.join_clips(outcome.design, outcome.view, ids).design == DESIGN
@@ -375,7 +367,7 @@ def test_time_that_was_inserted_and_removed_again_changes_no_sound(at_s, length_
     at, by = round(at_s * RATE_HZ, 6), round(length_s * RATE_HZ)
     back = edits.remove_time(there, VIEW, at_s, at_s + length_s).design
     for place in range(4):
-        before, after = total(DESIGN, place), total(there, place)
+        before, after = total(*DESIGN.inputs[place].clips), total(*there.inputs[place].clips)
         first = int(np.ceil(at - 1e-6))
         np.testing.assert_allclose(after[:first], before[:first], rtol=0, atol=1e-9)
         gap = slice(first, int(np.ceil(at + length_s * RATE_HZ - 1e-6)))
@@ -383,7 +375,7 @@ def test_time_that_was_inserted_and_removed_again_changes_no_sound(at_s, length_
         if abs(by - length_s * RATE_HZ) < 1e-9:
             later = after[first + by :]
             np.testing.assert_allclose(later, before[first : 5000 - by], rtol=0, atol=1e-9)
-        np.testing.assert_allclose(total(back, place), before, rtol=0, atol=1e-9)
+        np.testing.assert_allclose(total(*back.inputs[place].clips), before, rtol=0, atol=1e-9)
     assert [marker.time_s for marker in back.markers] == pytest.approx([0.05, 0.4, 0.9])
     assert back.loop_s == pytest.approx(DESIGN.loop_s)
 
@@ -392,7 +384,7 @@ def test_time_that_is_removed_takes_what_plays_then():
     marked = edits.add_marker(DESIGN, VIEW, 0.399).design
     design = edits.remove_time(marked, VIEW, 0.2, 0.4).design
     for place in range(4):
-        before, after = total(DESIGN, place), total(design, place)
+        before, after = total(*DESIGN.inputs[place].clips), total(*design.inputs[place].clips)
         np.testing.assert_allclose(after[:260], before[:260], rtol=0, atol=1e-9)
         np.testing.assert_allclose(after[260:4000], before[520:4260], rtol=0, atol=1e-9)
     assert [marker.time_s for marker in design.markers] == pytest.approx([0.05, 0.2, 0.7])

@@ -13,18 +13,6 @@ from skinsource.version import __version__
 from tests.core.dataset_bench import flip, offset_of
 
 
-@pytest.fixture
-def run(capsys):
-    """Run a command; give the exit code and what it wrote to stdout and stderr."""
-
-    def run(*arguments):
-        code = main([str(word) for word in arguments])
-        written = capsys.readouterr()
-        return code, written.out, written.err
-
-    return run
-
-
 def test_the_version_is_told(capsys):
     with pytest.raises(SystemExit) as stop:
         main(["--version"])

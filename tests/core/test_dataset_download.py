@@ -12,8 +12,8 @@ import pytest
 
 from skinsource.base.errors import DownloadError, MissingExtraError, Stopped
 from skinsource.base.extras import extra_line
-from skinsource.limbs.dataset import download, published
-from skinsource.limbs.dataset.download import fetch
+from skinsource.limbs.dataset import install, published
+from skinsource.limbs.dataset.install import fetch
 from skinsource.limbs.dataset.store import load_measured_limb
 from tests.core.misbehaving_server import RESPONSES, Handler, Served
 
@@ -59,7 +59,7 @@ def files(served):
 def installed(monkeypatch):
     """Give the folders that were to be installed, and install none: that takes seconds."""
     folders = []
-    monkeypatch.setattr(download, "install", lambda folder, **_: folders.append(folder))
+    monkeypatch.setattr(install, "install", lambda folder, **_: folders.append(folder))
     return folders
 
 

@@ -13,7 +13,7 @@ from skinsource.design.effects.playing import played, played_s
 from skinsource.design.effects.time import Reverse
 from skinsource.design.waveforms.pulses import Impulse
 from skinsource.design.waveforms.samples import Formula
-from skinsource.specs import fields
+from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec
 
@@ -39,7 +39,7 @@ BESIDE = {("BandLimit", "low_hz"): {"high_hz": 24e3}, ("BandLimit", "high_hz"): 
 
 def at_limits(kind):
     """The effect with each of its fields at each end, where that is allowed."""
-    for name, spec in fields.specs_of(kind).items():
+    for name, spec in specs_of(kind).items():
         ends = ()
         if isinstance(spec, NumberSpec):
             ends = (spec.minimum, spec.maximum)
@@ -55,7 +55,7 @@ def test_an_effect_is_a_recipe_with_a_switch_that_describes_its_fields(kind):
     assert isinstance(effect, Effect)
     assert effect.on
     assert hash(effect) == hash(kind())
-    assert set(fields.specs_of(kind)) == set(inspect.signature(kind).parameters)
+    assert set(specs_of(kind)) == set(inspect.signature(kind).parameters)
     assert kind.title
     assert kind.__doc__
     off = replace(effect, on=False)

@@ -13,7 +13,6 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.design import edits
 from skinsource.design.design import MAX_INPUTS, Design, Input
 from skinsource.design.edits.edit import Edit, Refusal
-from skinsource.design.effects.playing import placed, played
 from skinsource.design.motions import (
     MOTIONS,
     Alternation,
@@ -30,6 +29,7 @@ from skinsource.design.view import View
 from skinsource.design.waveforms.periodic import Saw, Square, Triangle
 from skinsource.design.waveforms.pulses import Tap
 from skinsource.design.waveforms.tones import Tone
+from tests.core.clips_bench import total
 
 RATE_HZ = 48000.0
 PATHS = st.lists(st.integers(1, 20), min_size=2, max_size=12).map(tuple)
@@ -103,16 +103,10 @@ def test_the_energies_of_a_phantom_add_up_to_one(places, position, amplitude):
 
 def mixed(motion: Motion) -> dict[int, np.ndarray]:
     """What each place of a motion plays from its beginning."""
-    tracks = motion.tracks()
-    n = round(max(clip.end_s for track in tracks for clip in track.clips) * RATE_HZ) + 2
-    totals = {}
-    for track in tracks:
-        total = totals.setdefault(track.location, np.zeros(n))
-        for clip in track.clips:
-            first, shift_s = placed(clip.waveform, clip.effects, clip.onset_s, RATE_HZ)
-            samples = played(clip.waveform, clip.effects, RATE_HZ, shift_s)
-            total[first : first + samples.size] += samples[: n - first]
-    return totals
+    return {
+        track.location: total(*track.clips, rate_hz=RATE_HZ, n_times=50_000)
+        for track in motion.tracks()
+    }
 
 
 @settings(max_examples=30)

@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import FileFormatError, InvalidInputError
-from skinsource.specs import fields
-from skinsource.specs.breakpoints import BreakpointsSpec
-from skinsource.specs.models import decode, encode
+from skinsource.specs import breakpoints, fields, numbers
+from skinsource.specs import spec as specs
+from skinsource.specs.breakpoints import Breakpoint, BreakpointsSpec
+from skinsource.specs.models import decode, encode, specs_of
 from skinsource.specs.numbers import (
     CurveSpec,
     ListSpec,
@@ -17,6 +18,7 @@ from skinsource.specs.numbers import (
     NumberSpec,
     OptionalSpec,
     PointsSpec,
+    Range,
     RangeSpec,
     SamplesSpec,
 )
@@ -29,6 +31,7 @@ from skinsource.specs.spec import (
     Spec,
     SwitchSpec,
     TextSpec,
+    made_for,
 )
 
 UNIT = NumberSpec(label="Part", minimum=0.0, maximum=1.0)
@@ -69,9 +72,7 @@ class Everything:
     loud: bool = fields.switch(False, SwitchSpec(label="Loud"))
     title: str = fields.field(TextSpec(label="Title", longest=5, one_line=True), default="")
     notes: str = fields.field(TextSpec(label="Notes", longest=50), default="")
-    ends: fields.Range | None = fields.interval(
-        None, RangeSpec(label="Ends", minimum=0.0, maximum=1.0)
-    )
+    ends: Range | None = fields.interval(None, RangeSpec(label="Ends", minimum=0.0, maximum=1.0))
     envelope: tuple[tuple[float, float], ...] = fields.field(
         CurveSpec(label="Envelope", x=UNIT, y=NumberSpec(label="Gain")),
         default=((0.0, 1.0), (1.0, 0.0)),
@@ -80,7 +81,7 @@ class Everything:
         PointsSpec(label="Course", columns=(UNIT, UNIT, WHOLE), most=3),
         default=((0.0, 1.0, 1), (1.0, 0.0, 1)),
     )
-    drawn: tuple[fields.Breakpoint, ...] = fields.field(
+    drawn: tuple[Breakpoint, ...] = fields.field(
         BreakpointsSpec(label="Drawn", x=UNIT, y=UNIT, most=3), default=((0.0, 1.0, "held"),)
     )
     outputs: tuple[int, ...] = fields.field(
@@ -124,11 +125,10 @@ def test_every_kind_of_field_comes_back_from_its_tree(recipe):
 
 
 def test_the_sample_covers_every_kind_of_field():
-    used = {type(spec) for spec in fields.specs_of(Everything).values()}
-    used |= {
-        spec.of.__class__ for spec in fields.specs_of(Everything).values() if "of" in dir(spec)
-    }
-    leaves = {kind for kind in vars(fields).values() if isinstance(kind, type)}
+    used = {type(spec) for spec in specs_of(Everything).values()}
+    used |= {spec.of.__class__ for spec in specs_of(Everything).values() if "of" in dir(spec)}
+    named = {**vars(breakpoints), **vars(numbers), **vars(specs)}
+    leaves = {kind for kind in named.values() if isinstance(kind, type)}
     assert used == {kind for kind in leaves if issubclass(kind, Spec)} - {Spec}
 
 
@@ -200,7 +200,7 @@ def test_an_older_tree_lacks_new_fields_which_take_their_defaults():
     assert (decoded.sound, decoded.inner, decoded.outputs) == (None, Leaf(), (3, 1, 2))
 
 
-@pytest.mark.parametrize("name", fields.specs_of(Everything))
+@pytest.mark.parametrize("name", specs_of(Everything))
 @pytest.mark.parametrize("tree", [{}, [[]], [{}], "\x1b", -1e9, [None], [1, [2, "x"]], SOUND])
 def test_a_tree_of_another_form_is_refused_or_fits(name, tree):
     try:
@@ -215,10 +215,10 @@ def test_a_tree_of_another_form_is_refused_or_fits(name, tree):
 
 def test_a_kind_of_field_is_never_taken_for_another():
     table = {NumberSpec: "number", Spec: "anything"}
-    assert fields.made_for(UNIT, table) == "number"
-    assert fields.made_for(TextSpec(label="Name", longest=9), table) == "anything"
+    assert made_for(UNIT, table) == "number"
+    assert made_for(TextSpec(label="Name", longest=9), table) == "anything"
     with pytest.raises(TypeError, match="TextSpec of 'Name'"):
-        fields.made_for(TextSpec(label="Name", longest=9), {NumberSpec: 1})
+        made_for(TextSpec(label="Name", longest=9), {NumberSpec: 1})
 
 
 def test_a_default_is_checked_as_any_value_and_kept_in_the_same_form():

@@ -47,12 +47,6 @@ def assert_untouched(target: Path) -> None:
     assert [path.name for path in target.parent.iterdir()] == [target.name]
 
 
-def test_the_new_content_replaces_the_old_one_and_nothing_else_is_left(target):
-    write_bytes(target, NEW)
-    assert target.read_bytes() == NEW
-    assert list(target.parent.iterdir()) == [target]
-
-
 @pytest.mark.parametrize("code", CODES)
 @pytest.mark.parametrize(
     ("place", "name", "call"),

@@ -26,28 +26,6 @@ curves = st.lists(st.tuples(TIMES, st.integers(1, 640).map(float)), min_size=2, 
 )
 
 
-@pytest.mark.parametrize("shift_s", [0.0, 3e-4])
-def test_a_glide_of_one_frequency_is_a_tone_and_of_two_a_chirp(shift_s):
-    level = Glide(((0.0, 123.4, 1.0), (0.4, 123.4, 1.0))).samples(RATE_HZ, shift_s)
-    tone = Tone(123.4, 0.0, 0.4, "none").samples(RATE_HZ, shift_s)
-    np.testing.assert_allclose(level, tone, rtol=0, atol=1e-12)
-    rising = Glide(((0.0, 30.0, 1.0), (0.4, 500.0, 1.0))).samples(RATE_HZ, shift_s)
-    chirp = Chirp(30.0, 500.0, 0.4).samples(RATE_HZ, shift_s)
-    np.testing.assert_allclose(rising, chirp, rtol=0, atol=1e-12)
-
-
-def test_points_within_a_straight_stretch_change_nothing():
-    ends = Glide(((0.0, 30.0, 0.25), (0.5, 530.0, 0.75))).samples(RATE_HZ, 1e-4)
-    between = tuple((0.5 * k / 64, 30.0 + 500.0 * k / 64, 0.25 + 0.5 * k / 64) for k in range(65))
-    np.testing.assert_allclose(Glide(between).samples(RATE_HZ, 1e-4), ends, rtol=0, atol=1e-12)
-
-
-def test_the_phase_of_a_glide_does_not_jump_where_its_frequency_does():
-    expected = np.sin(2 * np.pi * (0.1 * 80.0 + np.arange(4800) / FINE_HZ * 200.0))
-    samples = Glide(STEP).samples(FINE_HZ)[4800:]
-    np.testing.assert_allclose(samples, expected, rtol=0, atol=1e-12)
-
-
 RISING = tuple((0.01 * k, 50.0 + 3.0 * k, 1.0) for k in range(30))
 
 

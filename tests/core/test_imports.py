@@ -1,7 +1,11 @@
 """What is imported when: nothing that is not needed yet, and no part of Qt anywhere in the core."""
 
+import importlib
 import subprocess
 import sys
+from pathlib import Path
+
+import pytest
 
 PROBE = """
 import importlib
@@ -46,3 +50,25 @@ def test_each_part_imports_what_it_needs_and_the_whole_core_is_there_without_qt(
     assert {"skinsource.engine.quantities", "skinsource.design.waveforms.tones"} <= set(
         done.stdout.split()
     )
+
+
+TOP = Path(__file__).parents[2]
+STUBS = [
+    path
+    for folder in ("core/skinsource", "skinsource_gui")
+    for path in sorted((TOP / folder).rglob("__init__.pyi"))
+]
+
+
+def dotted(path: Path) -> str:
+    top = TOP / "core" if (TOP / "core") in path.parents else TOP
+    return ".".join(path.parent.relative_to(top).parts)
+
+
+@pytest.mark.parametrize("path", STUBS, ids=dotted)
+def test_all_that_a_package_offers_is_there(path):
+    package = importlib.import_module(dotted(path))
+    assert package.__all__
+    for name in package.__all__:
+        assert getattr(package, name) is not None
+        assert name in dir(package)

@@ -12,9 +12,7 @@ from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
 from skinsource.design.edits.edit import Refusal
-from skinsource.design.effects.playing import played
 from skinsource.design.effects.time import Trim
-from skinsource.design.signal_path import placed_signal_path
 from skinsource.design.view import View
 from skinsource.design.waveforms import KINDS
 from skinsource.design.waveforms.pulses import Noise, Tap
@@ -23,6 +21,7 @@ from skinsource.design.waveforms.tones import Tone
 from skinsource.signals.sampling import NEAR
 from skinsource.specs.models import decode, encode
 from skinsource.specs.spec import Address
+from tests.core.clips_bench import total
 
 RATE_HZ = 1300.0
 TONE = Tone(frequency_hz=77.0, duration_s=0.1, window="none")
@@ -32,15 +31,6 @@ PARTS = (
     Clip(waveform=Tap(), onset_s=0.1, muted=True),
     Clip(waveform=TONE, effects=(Trim(start_s=0.02, duration_s=0.05),)),
 )
-
-
-def total(*clips: Clip) -> np.ndarray:
-    first, chain = placed_signal_path(clips, (), RATE_HZ)
-    samples = np.zeros(1000)
-    for part in chain.parts:
-        piece = played(part.waveform, part.effects, RATE_HZ, part.shift_s)
-        samples[first + part.start :][: piece.size] += part.gain * piece
-    return samples
 
 
 @settings(max_examples=50, deadline=None, derandomize=True)

@@ -12,17 +12,6 @@ from tests.core.frozen.read_frozen import commands
 DESIGN = ss.Design(limb="synthetic-1", inputs=(ss.track(7),))
 
 
-@pytest.fixture
-def run(capsys):
-    """Run a command; give the exit code and what it wrote to stdout and stderr."""
-
-    def run(*arguments):
-        code = main([str(word) for word in arguments])
-        return code, *capsys.readouterr()
-
-    return run
-
-
 def help_of(command, capsys):
     with pytest.raises(SystemExit):
         main([*command.split()[1:], "--help"])

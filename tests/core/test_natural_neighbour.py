@@ -1,45 +1,29 @@
-"""Sibson's weights against rational arithmetic, and what must hold for any sites."""
+"""Sibson's weights against rational arithmetic, what must hold for any sites, and equal places."""
 
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
+from skinsource.base.errors import InvalidInputError
 from skinsource.limbs.surface.natural_neighbour import (
     natural_neighbour_weights,
     snapped_to_lattice,
     triangulate,
 )
-from skinsource.limbs.surface.outline import densified
+from skinsource.limbs.surface.operator import (
+    check_values_of_shared_places,
+    first_at_same_place,
+    pairs_at_same_place,
+)
 
 RANDOM = np.random.default_rng(20240607).uniform(0, 1000, (60, 2))
-LATTICE = np.stack(np.meshgrid(np.arange(7.0), np.arange(5.0)), axis=-1).reshape(-1, 2)
-ANGLE = np.arange(48) * np.pi / 24
-CIRCLE = 100 * np.column_stack([np.cos(ANGLE), np.sin(ANGLE)])
-SITES = {"random": RANDOM, "lattice": LATTICE, "circle": snapped_to_lattice(CIRCLE)}
-
-
-def rotated(points, angle_rad):
-    cosine, sine = np.cos(angle_rad), np.sin(angle_rad)
-    return points @ np.array([[cosine, sine], [-sine, cosine]])
 
 
 def points_within(sites, count, seed):
     """Random means of the sites: always inside their hull."""
     shares = np.random.default_rng(seed).dirichlet(np.full(len(sites), 0.2), count)
     return shares @ sites
-
-
-@pytest.mark.parametrize("kind", SITES)
-def test_any_sites_give_weights_that_are_shares_and_reproduce_the_point(kind):
-    sites = SITES[kind]
-    points = points_within(sites, 500, 3)
-    result = natural_neighbour_weights(triangulate(sites), points)
-    weights, fallback = result.weights, result.fallback
-    assert not fallback.any()
-    assert weights.data.min() >= -1e-12
-    np.testing.assert_allclose(weights.sum(axis=1), 1.0, atol=1e-13)
-    np.testing.assert_allclose(weights @ sites, points, atol=1e-9 * np.ptp(sites))
 
 
 @pytest.mark.parametrize("distance", [1e-12, 1e-9, 1e-8, 1e-7, 1e-5, 1e-2])
@@ -68,20 +52,6 @@ def test_on_an_edge_of_the_hull_interpolation_is_linear_between_its_ends():
     np.testing.assert_allclose(weights.toarray(), expected, atol=1e-14)
 
 
-@pytest.mark.parametrize("angle_rad", [0.1, 0.3, 1.0, 2.2])
-def test_rotated_and_split_straight_edges_need_no_fallback_on_the_lattice(angle_rad):
-    rectangle = np.array([[0, 0], [300, 0], [300, 500], [0, 500]], dtype=float)
-    inner = np.random.default_rng(5).uniform(40, 260, (20, 2))
-    sites = rotated(np.concatenate([densified(rectangle, 4.0), inner]), angle_rad)
-    sites = np.unique(snapped_to_lattice(sites), axis=0)
-    points = rotated(np.random.default_rng(6).uniform(1, 299, (2000, 2)), angle_rad)
-    result = natural_neighbour_weights(triangulate(sites), points)
-    weights, fallback = result.weights, result.fallback
-    assert not fallback.any()
-    assert weights.data.min() >= 0
-    np.testing.assert_allclose(weights @ sites, points, atol=1e-8)
-
-
 def test_a_cavity_that_runs_in_a_ring_is_cut_and_interpolated_linearly():
     sound = triangulate(RANDOM)
     everything_inside = np.tile([0.0, 0.0, 0.0, -1.0], (len(sound.corners), 1))
@@ -103,3 +73,23 @@ def test_the_lattice_keeps_half_pixels_of_the_published_size_and_is_fine_elsewhe
     for scale in (1e-3, 1.0, 1e3):
         moved = snapped_to_lattice(RANDOM * scale) - RANDOM * scale
         assert np.abs(moved).max() <= 1000 * scale / 2**14
+
+
+def test_a_chain_of_near_duplicates_is_one_site():
+    # The first and the third are one only through the last.
+    sites = np.array([[0.0, 0], [500, 500], [1.6e-6, 0], [0.8e-6, 0], [1000, 0]])
+    np.testing.assert_array_equal(first_at_same_place(sites, 1000.0), [0, 1, 0, 0, 4])
+
+
+def test_two_values_for_one_place_are_refused_by_both_names():
+    outputs = np.array([[np.nan, np.nan], [10, 10], [500, 20], [10, 10 + 1e-8], [700, 900]])
+    pairs = pairs_at_same_place(outputs, 1000.0)
+    assert pairs == ((1, 3),)
+    check_values_of_shared_places(np.array([1.0, 2.0, 3.0, 2.0, 5.0]), pairs)
+    with pytest.raises(InvalidInputError, match=r"outputs 2 and 4 .* given 2 and 7"):
+        check_values_of_shared_places(np.array([1.0, 2.0, 3.0, 7.0, 5.0]), pairs)
+    frames = np.zeros((5, 3))
+    frames[3, 2] = -0.5
+    with pytest.raises(InvalidInputError, match=r"outputs 2 and 4 .* given 0 and -0\.5"):
+        check_values_of_shared_places(frames, pairs)
+    assert pairs_at_same_place(outputs, 1.0) == ()

@@ -9,11 +9,11 @@ from hypothesis import strategies as st
 
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError, Stopped
-from skinsource.signals.generators import WINDOWS, window
+from skinsource.signals.generators import window
 from skinsource.signals.loudest_window import LoudestEnergy, loudest_energy
 from skinsource.signals.spectra import mean_of_bins, rms
 
-LENGTHS = [*range(1, 70), 130, 131, 260, 651, 1000, 1300, 7919]
+LENGTHS = [*range(70), 130, 131, 260, 651, 1000, 1300, 7919]
 
 
 def matlab_hanning(n: int) -> list[float]:
@@ -40,12 +40,6 @@ def test_windows_are_those_of_matlab(n):
     np.testing.assert_allclose(window("hanning", n), matlab_hanning(n), rtol=0, atol=1e-12)
     np.testing.assert_allclose(window("tukey", n), matlab_tukeywin(n, 0.25), rtol=0, atol=1e-12)
     np.testing.assert_array_equal(window("none", n), [1.0] * n)
-
-
-@pytest.mark.parametrize("name", WINDOWS)
-def test_no_samples_and_one_sample_have_windows(name):
-    assert window(name, 0).shape == (0,)
-    np.testing.assert_allclose(window(name, 1), [1.0], rtol=0, atol=1e-15)
 
 
 @pytest.mark.parametrize("n", [-1, 2.5, math.nan, math.inf])
@@ -151,24 +145,13 @@ def test_a_span_or_rate_that_is_none_is_refused():
 RATE = 1300.0
 
 
-def tone(frequency_hz, duration_s, *, amplitude=1.0, before_s=0.0, after_s=0.0):
-    time_s = np.arange(round(duration_s * RATE)) / RATE
-    silence = (np.zeros(round(part * RATE)) for part in (before_s, after_s))
-    before, after = silence
-    return np.concatenate((before, amplitude * np.sin(2 * np.pi * frequency_hz * time_s), after))
-
-
 @pytest.mark.parametrize("frequency_hz", [25.0, 60.0, 100.37, 250.5, 333.3, 599.9])
 @pytest.mark.parametrize("duration_s", [0.5, 3.0])
 def test_a_sine_reads_its_amplitude_at_its_frequency(frequency_hz, duration_s):
-    frequencies, amplitude = ss.peak_hold_spectrum(tone(frequency_hz, duration_s), RATE)
+    tone = np.sin(2 * np.pi * frequency_hz * np.arange(round(duration_s * RATE)) / RATE)
+    frequencies, amplitude = ss.peak_hold_spectrum(tone, RATE)
     assert amplitude.max() == pytest.approx(1.0, rel=0.012)
     assert abs(frequencies[np.argmax(amplitude)] - frequency_hz) <= 0.5 + 1e-9
-
-
-def test_constant_and_alternating_signals_read_their_value():
-    for signal, at in ((np.ones(1300), 0), (np.resize([1.0, -1.0], 1300), -1)):
-        assert ss.peak_hold_spectrum(signal, RATE)[1][at] == pytest.approx(1.0)
 
 
 def test_it_equals_a_plain_loop_over_windows():
@@ -200,7 +183,7 @@ def test_a_rate_beyond_all_others_is_refused():
         ss.peak_hold_spectrum(np.ones(100), 1e15)
 
 
-@pytest.mark.parametrize("n", [2, 3, 10])
+@pytest.mark.parametrize("n", [1, 2, 3, 10])
 @pytest.mark.parametrize("n_bins", [1, 2, 9, 10, 40])
 def test_a_mean_is_that_of_the_bins_around(n, n_bins):
     magnitude = np.random.default_rng(n).random((2, 3, n_bins))
@@ -209,8 +192,3 @@ def test_a_mean_is_that_of_the_bins_around(n, n_bins):
     for k in range(n_bins):
         around = magnitude[..., max(k - n // 2, 0) : k + (n - 1) // 2 + 1]
         assert means[..., k] == pytest.approx(around.mean(axis=-1))
-
-
-def test_a_mean_of_one_bin_is_the_spectrum_itself():
-    magnitude = np.arange(6.0).reshape(2, 3)
-    assert mean_of_bins(magnitude, 1) is magnitude

@@ -76,3 +76,23 @@ def test_paths_leave_a_digit_through_its_knuckle_and_reach_the_arm_through_the_w
     assert (paths.lengths_px >= straight - 1e-9).all()
     np.testing.assert_allclose(paths.lengths_px[17, 6:9], straight[17, 6:9])
     np.testing.assert_allclose(paths.lengths_px[7, 18:22], straight[7, 18:22])
+
+
+@pytest.fixture
+def limb(limb_of):
+    return limb_of(lambda place: np.full((72, 3, 522), float(place)))
+
+
+def test_all_responses_are_read_once_and_only_when_touched(limb):
+    assert limb.bytes_read == 0
+    everything = limb.impulse_responses
+    assert everything.shape == (20, 72, 3, 522)
+    assert limb.bytes_read == everything.nbytes
+    assert limb.impulse_responses is everything
+    assert limb.bytes_read == everything.nbytes
+
+
+def test_responses_cannot_be_written_to(limb):
+    for response in (limb.response_to(3), limb.impulse_responses, limb.response_to(3)):
+        with pytest.raises(ValueError, match="read-only"):
+            response[...] = 0.0

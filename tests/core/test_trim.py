@@ -5,29 +5,17 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 from skinsource.design.clips import Clip
 from skinsource.design.effects.playing import played, played_s
 from skinsource.design.effects.time import Trim
-from skinsource.design.signal_path import placed_signal_path
 from skinsource.design.waveforms.pulses import Impulse, Noise, Tap
 from skinsource.design.waveforms.tones import Tone
+from tests.core.clips_bench import total
 
 RATE_HZ = 1300.0
 TONE = Tone(frequency_hz=77.0, duration_s=0.1, window="none")
 WAVEFORMS = [TONE, Noise(seed=2, duration_s=0.0996), Tap(), Impulse()]
-
-
-def total(*clips: Clip) -> np.ndarray:
-    """What clips play together, from time 0 on, by the chain of their track."""
-    first, chain = placed_signal_path(clips, (), RATE_HZ)
-    samples = np.zeros(2000)
-    for part in chain.parts:
-        piece = played(part.waveform, part.effects, RATE_HZ, part.shift_s)
-        samples[first + part.start :][: piece.size] += piece
-    return samples
 
 
 def cut(clip: Clip, *times_s: float) -> list[Clip]:
@@ -41,18 +29,6 @@ def cut(clip: Clip, *times_s: float) -> list[Clip]:
         )
         for start, end in pairwise(ends)
     ]
-
-
-@settings(max_examples=200, deadline=None, derandomize=True)
-@given(
-    st.sampled_from(WAVEFORMS),
-    st.floats(0.0, 1.0),
-    st.lists(st.floats(0.0, 1.0), min_size=1, max_size=3),
-)
-def test_what_was_cut_is_together_what_it_was(waveform, onset_s, cuts):
-    whole = Clip(waveform=waveform, onset_s=onset_s)
-    times_s = sorted(part * whole.duration_s for part in cuts)
-    np.testing.assert_allclose(total(*cut(whole, *times_s)), total(whole), rtol=0, atol=1e-9)
 
 
 @pytest.mark.parametrize("waveform", WAVEFORMS)

@@ -130,12 +130,6 @@ def test_where_all_outputs_lie_outside_the_straight_distance_has_to_do():
     np.testing.assert_allclose(boundary.weights[1], [0.6, 0.4, 0.0])
 
 
-def test_a_single_output_is_the_value_everywhere():
-    boundary = boundary_by_sight(FORK, np.array([[np.nan, np.nan], [10.0, 90.0]]), 1.0)
-    np.testing.assert_array_equal(boundary.weights, np.tile([0.0, 1.0], (8, 1)))
-    assert len(boundary.blind) > 0
-
-
 def test_a_given_table_is_followed_and_its_blind_vertices_lie_between_others():
     outputs = np.array([[10.0, 10.0], [90.0, 90.0], [np.nan, np.nan]])
     table = np.full((4, 3), np.nan)

@@ -12,9 +12,9 @@ from .catalog import load_shape as load_shape
 from .catalog import names as names
 from .catalog import profile as profile
 from .catalog import shape_names as shape_names
-from .fitting import fit as fit
-from .fitting import misfit_db as misfit_db
 from .measured_response import MeasuredResponse as MeasuredResponse
+from .measured_response import fit as fit
+from .measured_response import misfit_db as misfit_db
 from .models import Piezo as Piezo
 from .models import RecoilVoiceCoil as RecoilVoiceCoil
 from .models import VoiceCoil as VoiceCoil

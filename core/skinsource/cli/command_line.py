@@ -8,13 +8,10 @@ from skinsource.base.errors import SkinSourceError, Stopped
 from skinsource.base.run_limited import serve_if_asked
 from skinsource.cli import (
     bench_command,
-    check_command,
     design_commands,
-    export_command,
     limb_commands,
-    rig_commands,
     scene_commands,
-    sweep_commands,
+    stimulus_commands,
 )
 from skinsource.cli.help_format import CommandsFormatter
 from skinsource.limbs.dataset import commands as dataset_commands
@@ -23,8 +20,8 @@ from skinsource.version import __version__
 # Modules that add the commands, by the groups of the help page.  Each command sets ``run``, a
 # function from the parsed arguments to the exit code.
 _COMMAND_MODULES = {
-    "designs": (design_commands, check_command),
-    "stimuli for actuators": (export_command, sweep_commands, rig_commands),
+    "designs": (design_commands,),
+    "stimuli for actuators": (stimulus_commands,),
     "figures of the paper": (scene_commands,),
     "limbs": (limb_commands, dataset_commands),
     "this program": (bench_command,),

@@ -1,4 +1,4 @@
-"""``skinsource show``, ``render``, ``film`` and ``pack``: a design file, and its results."""
+"""``skinsource show``, ``render``, ``film``, ``pack`` and ``check``: a design and its results."""
 
 import argparse
 import sys
@@ -15,7 +15,7 @@ from skinsource.design.amplitudes import amplitude_note, amplitude_text, is_gain
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, audible_inputs
 from skinsource.design.design_file import open_design
-from skinsource.design.labels import SCALINGS, label_of, level_label, limb_label, signal_label
+from skinsource.design.labels import AXES, SCALINGS, label_of, level_label, limb_label, signal_label
 from skinsource.design.view import View, view_on
 from skinsource.engine.evaluation import evaluate
 from skinsource.export import plot
@@ -27,10 +27,12 @@ from skinsource.limbs.dataset.commands import ProgressBar, WithTimeLeft
 from skinsource.limbs.locations import input_name, output_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.perception.validity import Judged, in_short
+from skinsource.readers.reading_process import ReadingProcess
+from skinsource.studies.checking import Recorded, condition_of, summary_lines, write_report
 
 
 def add_to(subparsers: Any) -> None:
-    """Add the commands ``show``, ``render``, ``film`` and ``pack``."""
+    """Add the commands on design files."""
     show = subparsers.add_parser(
         "show",
         help="show what is in a design file, and its levels",
@@ -78,6 +80,7 @@ def add_to(subparsers: Any) -> None:
     show.set_defaults(run=_show)
     render.set_defaults(run=_render)
     _add_pack(subparsers)
+    _add_check(subparsers)
 
 
 def _show(arguments: argparse.Namespace) -> int:
@@ -208,4 +211,65 @@ def _pack(arguments: argparse.Namespace) -> int:
     make_folder(arguments.out.parent)
     pack(arguments.out, content.design, view, rig=rig)
     sys.stdout.write(f"{arguments.out}\n")
+    return 0
+
+
+def _add_check(subparsers: Any) -> None:
+    """Add the command ``check``."""
+    parser = subparsers.add_parser(
+        "check",
+        help="check linearity and superposition, and agreement with recorded responses",
+        description="For each design: whether outputs are in proportion to inputs, whether inputs "
+        "add up, and, with --measured, the figures of the paper's Fig. 4 against recorded "
+        "responses (CSV, NPZ, MATLAB, HDF5: times by outputs and axes).",
+    )
+    parser.add_argument("designs", type=Path, nargs="+", metavar="DESIGN", help=".skinsource files")
+    parser.add_argument(
+        "--measured",
+        type=Path,
+        nargs="+",
+        default=[],
+        metavar="FILE",
+        help="recorded responses, one file for each design, in their order",
+    )
+    parser.add_argument(
+        "--axes",
+        default="",
+        choices=tuple(word.name for word in AXES),
+        help="axes that were recorded; all of the limb unless given",
+    )
+    parser.add_argument(
+        "--rate",
+        type=float,
+        metavar="HZ",
+        help="rate of recordings that say none; that of the limb unless given",
+    )
+    parser.add_argument("--out", type=Path, metavar="FILE", help="an HTML report to write")
+    parser.set_defaults(run=_check)
+
+
+def _check(arguments: argparse.Namespace) -> int:
+    measured = arguments.measured or [None] * len(arguments.designs)
+    if len(measured) != len(arguments.designs):
+        raise InvalidInputError(
+            f"{len(measured)} recordings for {len(arguments.designs)} designs, expected one for "
+            "each. Name them in the same order."
+        )
+    designs = {path: open_design(path).design for path in arguments.designs}
+    with ReadingProcess() as process:
+        conditions = [
+            condition_of(
+                designs[path],
+                path.name,
+                None if file is None else Recorded(path=file, rate_hz=arguments.rate),
+                axes=arguments.axes,
+                process=process,
+            )
+            for path, file in zip(arguments.designs, measured, strict=True)
+        ]
+    sys.stdout.write("\n".join(summary_lines(conditions)) + "\n")
+    if arguments.out is not None:
+        make_folder(arguments.out.parent)
+        write_report(arguments.out, conditions, (design.limb for design in designs.values()))
+        sys.stdout.write(f"{arguments.out}\n")
     return 0

@@ -3,8 +3,8 @@
 They depend on the scaling, on the actuators, and on the drive that the limb's responses answer.
 """
 
+from dataclasses import replace
 from functools import lru_cache
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,15 +13,14 @@ from skinsource.actuators.equalising import Equaliser
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.quoting import lowered
 from skinsource.design.clips import Clip
+from skinsource.design.design import AMPLITUDE, Design, Input
 from skinsource.design.signal_path import Curve, drive_of_clips
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms.samples import Layers, Recording
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.own_limbs import drive_unit_known, facts_of
 from skinsource.limbs.scaling import Scaling
-
-if TYPE_CHECKING:  # designs import this module
-    from skinsource.design.design import Design, Input
+from skinsource.specs.numbers import NumberSpec
 
 #: Unit of a drive whose unit is not known.
 ARBITRARY_UNIT = "a.u."
@@ -45,7 +44,7 @@ _MEANINGS_OF_DRIVES: dict[Scaling, str] = {
 _ROUNDING = 1e-3
 
 
-def is_gain(design: "Design", track: "Input") -> bool:
+def is_gain(design: Design, track: Input) -> bool:
     """Whether the amplitude of an input is a plain factor on a recording with its own size.
 
     Under upstream scaling it is not, because there the amplitude is the peak on the skin.
@@ -55,7 +54,7 @@ def is_gain(design: "Design", track: "Input") -> bool:
     )
 
 
-def peak_text(design: "Design", track: "Input") -> str:
+def peak_text(design: Design, track: Input) -> str:
     """Return the peak drive of an input, ``"4.88 m/s²"``; empty if it cannot be played."""
     rate_hz = facts_of(design.limb).sample_rate_hz
     try:
@@ -67,7 +66,7 @@ def peak_text(design: "Design", track: "Input") -> str:
     return f"{peak:.3g} {amplitude_unit(design)}"
 
 
-def amplitude_text(design: "Design", track: "Input") -> str:
+def amplitude_text(design: Design, track: Input) -> str:
     """Return the amplitude of an input: ``"2 m/s²"``, or ``"gain 2, peak 9.76 m/s²"``."""
     if not is_gain(design, track):
         return f"{track.amplitude:g} {amplitude_unit(design)}"
@@ -75,7 +74,7 @@ def amplitude_text(design: "Design", track: "Input") -> str:
     return f"gain {track.amplitude:g}" + (f", peak {peak}" if peak else "")
 
 
-def amplitude_unit(design: "Design") -> str:
+def amplitude_unit(design: Design) -> str:
     """Return the unit of an input's amplitude.
 
     It is m/s², V at an actuator, × for a plain factor, or `ARBITRARY_UNIT`.
@@ -88,12 +87,18 @@ def amplitude_unit(design: "Design") -> str:
     return _UNITS[design.scaling]
 
 
-def amplitude_meaning(design: "Design") -> str:
+def amplitude_meaning(design: Design) -> str:
     """Say what an input's amplitude means."""
     if design.actuated is None:
         return (_MEANINGS if _unit_known(design) else _MEANINGS_OF_DRIVES)[design.scaling]
     volts = design.actuated.equaliser is None
     return "Voltage at the actuator" if volts else "Acceleration of the contactor"
+
+
+def amplitude_spec(design: Design) -> NumberSpec:
+    """Return the specification of amplitudes with their unit and meaning in a design."""
+    unit, meaning = amplitude_unit(design), amplitude_meaning(design)
+    return replace(AMPLITUDE, unit=unit, hint=f"{meaning}. {AMPLITUDE.hint}")
 
 
 def amplitude_note(
@@ -105,7 +110,7 @@ def amplitude_note(
     return lowered(_MEANINGS_OF_DRIVES[scaling])
 
 
-def drive_unit(design: "Design", limb: Limb | None = None) -> str:
+def drive_unit(design: Design, limb: Limb | None = None) -> str:
     """Return the unit of the exported drives of a design.
 
     Parameters
@@ -122,7 +127,7 @@ def drive_unit(design: "Design", limb: Limb | None = None) -> str:
     return ARBITRARY_UNIT
 
 
-def equaliser_of(design: "Design") -> Equaliser | None:
+def equaliser_of(design: Design) -> Equaliser | None:
     """Return the equaliser that a design is exported and played through.
 
     None where none is chosen, or drives are no accelerations.
@@ -148,5 +153,5 @@ def _peak_of(
     return drive.factor * float(np.abs(drive.samples).max(initial=0.0))
 
 
-def _unit_known(design: "Design") -> bool:
+def _unit_known(design: Design) -> bool:
     return drive_unit_known(design.limb, design.limb_digest)

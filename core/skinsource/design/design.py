@@ -11,8 +11,7 @@ from skinsource.actuators.rigs import Rig
 from skinsource.base.arguments import checking
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.quoting import quoted
-from skinsource.design import displaying, labels
-from skinsource.design.amplitudes import amplitude_meaning, amplitude_text, amplitude_unit
+from skinsource.design import labels
 from skinsource.design.clips import ID, LATEST_S, MAX_CLIPS, PLACE, Clip, Marker, numbered
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms.tones import Tone
@@ -207,8 +206,8 @@ class Design:
 
     def _repr_html_(self) -> str:
         """Return the HTML that a notebook shows."""
-        amplitudes = [amplitude_text(self, track) for track in self.inputs]
-        return displaying.html_of(self, audible_indices(self.inputs), amplitudes)
+        html: str = importlib.import_module("skinsource.design.displaying").html_of(self)
+        return html
 
     @property
     def ids(self) -> tuple[int, ...]:
@@ -334,9 +333,3 @@ def audible_indices(inputs: tuple[Input, ...]) -> tuple[int, ...]:
 def audible_inputs(inputs: tuple[Input, ...]) -> tuple[Input, ...]:
     """Return the audible inputs."""
     return tuple([inputs[index] for index in audible_indices(inputs)])
-
-
-def amplitude_spec(design: Design) -> NumberSpec:
-    """Return the specification of amplitudes with their unit and meaning in a design."""
-    unit, meaning = amplitude_unit(design), amplitude_meaning(design)
-    return replace(AMPLITUDE, unit=unit, hint=f"{meaning}. {AMPLITUDE.hint}")

@@ -1,8 +1,7 @@
 """Show a design in a notebook: HTML with a drawing of its tracks (SVG) and a table of its clips."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from html import escape
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -10,13 +9,12 @@ from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.quoting import sentence
 from skinsource.base.work import counted
+from skinsource.design.amplitudes import amplitude_text
+from skinsource.design.design import Design, Input, audible_indices
 from skinsource.design.labels import SCALINGS, label_of, limb_label
 from skinsource.design.signal_path import drive_of_clips
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
-
-if TYPE_CHECKING:  # designs import this module
-    from skinsource.design.design import Design, Input
 
 _LABEL_PX, _LANE_PX, _LANES_PX, _AXIS_PX, _EDGE_PX = 130, 460, 36, 18, 8
 _COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
@@ -26,7 +24,7 @@ _MOST_TICKS = 8
 
 
 def _tracks_svg(
-    tracks: Sequence["Input"],
+    tracks: Sequence[Input],
     audible: Sequence[bool],
     labels: Sequence[str],
     end_s: float,
@@ -51,7 +49,7 @@ def _tracks_svg(
 
 
 def _lane(
-    track: "Input", label: str, middle: float, colour: str, end_s: float, sample_rate_hz: float
+    track: Input, label: str, middle: float, colour: str, end_s: float, sample_rate_hz: float
 ) -> list[str]:
     left = _LABEL_PX + _EDGE_PX
     elements = [
@@ -106,18 +104,10 @@ def _axis(top: float, end_s: float) -> list[str]:
 _MOST_TRACKS, _MOST_CLIPS = 20, 40
 
 
-def html_of(design: "Design", audible: Collection[int], amplitudes: Sequence[str]) -> str:
-    """Return HTML that needs no other files.
-
-    Parameters
-    ----------
-    audible
-        Indices of the audible inputs, from 0.
-    amplitudes
-        Amplitude of each input as a text.
-    """
+def html_of(design: Design) -> str:
+    """Return HTML that needs no other files."""
     title = escape(design.title) or "Design"
-    limb = escape(_limb(design.limb))
+    limb = escape(limb_label(design.limb).both)
     scaling = escape(label_of(SCALINGS, design.scaling).title)
     parts = [f"<p><b>{title}</b><br>{limb} · scaling: {scaling}</p>"]
     inputs = design.inputs[:_MOST_TRACKS]
@@ -126,16 +116,17 @@ def html_of(design: "Design", audible: Collection[int], amplitudes: Sequence[str
     end_s = max((clip.onset_s + clip.waveform.duration_s for clip in design.clips), default=0.0)
     rate_hz = facts_of(design.limb).sample_rate_hz
     labels = [_place(track.location, design.limb) for track in inputs]
+    audible = audible_indices(design.inputs)
     shown = [index in audible for index in range(len(inputs))]
     parts.append(_tracks_svg(inputs, shown, labels, max(end_s, 0.02), rate_hz))
-    parts.append(_table(design, amplitudes))
+    parts.append(_table(design))
     return "".join(parts)
 
 
-def _table(design: "Design", amplitudes: Sequence[str]) -> str:
+def _table(design: Design) -> str:
     rows = [
-        (track.location, amplitude, clip)
-        for track, amplitude in zip(design.inputs[:_MOST_TRACKS], amplitudes, strict=False)
+        (track.location, amplitude_text(design, track), clip)
+        for track in design.inputs[:_MOST_TRACKS]
         for clip in track.clips
     ]
     cells = [
@@ -148,11 +139,6 @@ def _table(design: "Design", amplitudes: Sequence[str]) -> str:
     heads = ("Place", "Amplitude", "Onset", "Waveform", "")
     head = "".join(f"<th>{title}</th>" for title in heads)
     return f"<table><tr>{head}</tr>{''.join(cells)}</table>{more}"
-
-
-def _limb(name: str) -> str:
-    title = limb_label(name).title
-    return title if title == name else f"{title} ({name})"
 
 
 def _place(location: int, limb: str) -> str:

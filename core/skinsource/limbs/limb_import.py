@@ -19,11 +19,7 @@ from skinsource.base.job import Progress, Stop, never, silent
 from skinsource.base.quoting import quoted
 from skinsource.base.run_limited import LimitedProcess, run_limited
 from skinsource.limbs.limb import LimbFacts
-from skinsource.limbs.limb_layout import (
-    POINT_FIELDS,
-    USUAL_ORDERS,
-    hull_around,
-)
+from skinsource.limbs.limb_layout import POINT_FIELDS, USUAL_ORDERS, hull_around
 from skinsource.limbs.own_limbs import OwnLimb, facts_of, install_limb, own_limb_path
 
 _LAYOUT = "skinsource.limbs.limb_layout"

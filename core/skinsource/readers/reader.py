@@ -118,7 +118,7 @@ def from_tree(tree: Mapping[str, Any]) -> Found:
 
 
 #: Consecutive samples, (n_series, n), float32 where that holds all of the file's digits.
-Block = NDArray[np.float64] | NDArray[np.float32]
+Block = Floats | NDArray[np.float32]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -229,10 +229,8 @@ def dft321(axes: Floats) -> Floats:
         The axes, in one unit; the transform is that of all n samples.
     """
     spectra = scipy.fft.rfft(axes, axis=1)
-    total = spectra.sum(axis=0)
-    size = np.abs(total)
-    # Where the axes cancel, their sum has no phase: 0 is as good as any.
-    phasor = np.divide(total, size, out=np.ones_like(total), where=size > 0.0)
+    # Where the axes cancel, their sum has no phase, and 0 is as good as any.
+    phasor = np.exp(1j * np.angle(spectra.sum(axis=0)))
     magnitude = np.sqrt(np.sum(np.abs(spectra) ** 2, axis=0))
     return scipy.fft.irfft(magnitude * phasor, axes.shape[1])
 

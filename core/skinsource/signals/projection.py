@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from skinsource.base.arguments import LARGEST_SAMPLE, one_of, real_array
 from skinsource.base.arrays import Booleans, Floats
@@ -153,7 +153,7 @@ def main_axis_gap(covariance: Floats) -> Floats:
     return (first - second) / np.where(first > 0, first, 1.0)
 
 
-def no_main_axis(covariance: Floats) -> NDArray[np.bool_]:
+def no_main_axis(covariance: Floats) -> Booleans:
     """Return for which outputs the motion has no main axis, (n_outputs,).
 
     It is True where the gap is below `SMALLEST_GAP`, and where nothing moves.  `project_axes` still

@@ -7,44 +7,16 @@ A model is a frozen dataclass whose fields are made here::
 
 and that calls `check` when it is made, as a `CheckedModel` does.  These specifications drive
 checks, files, the clipboard and editors, so that a new model is one new file.  Code that treats
-kinds of fields differently calls `made_for` with a table by class.
+kinds of fields differently calls `skinsource.specs.spec.made_for` with a table by class.
 """
 
 from typing import Any
 
-from skinsource.base.json_text import Tree
-from skinsource.specs.breakpoints import (
-    SEGMENTS,
-    Breakpoint,
-    BreakpointsSpec,
-    Segment,
-    SlopedPoint,
-    slope_of,
-)
-from skinsource.specs.models import CheckedModel, check, field, specs_of
-from skinsource.specs.numbers import (
-    SMALLEST,
-    CurveSpec,
-    ListSpec,
-    ModelSpec,
-    NumberSpec,
-    OptionalSpec,
-    PointsSpec,
-    Range,
-    RangeSpec,
-    SamplesSpec,
-)
-from skinsource.specs.spec import (
-    Address,
-    BytesSpec,
-    ChoiceSpec,
-    PlainSpec,
-    Spec,
-    SwitchSpec,
-    TextSpec,
-    ValidationError,
-    made_for,
-)
+from skinsource.specs.models import CheckedModel, check, field
+from skinsource.specs.numbers import NumberSpec, Range, RangeSpec
+from skinsource.specs.spec import ChoiceSpec, SwitchSpec, TextSpec
+
+__all__ = ["CheckedModel", "check", "choice", "field", "interval", "number", "switch", "text"]
 
 
 def number(default: float, spec: NumberSpec) -> Any:
@@ -70,42 +42,3 @@ def interval(default: Range | None, spec: RangeSpec) -> Any:
 def text(default: str, spec: TextSpec) -> Any:
     """Make a dataclass field for a text."""
     return field(spec, default)
-
-
-__all__ = [
-    "SEGMENTS",
-    "SMALLEST",
-    "Address",
-    "Breakpoint",
-    "BreakpointsSpec",
-    "BytesSpec",
-    "CheckedModel",
-    "ChoiceSpec",
-    "CurveSpec",
-    "ListSpec",
-    "ModelSpec",
-    "NumberSpec",
-    "OptionalSpec",
-    "PlainSpec",
-    "PointsSpec",
-    "Range",
-    "RangeSpec",
-    "SamplesSpec",
-    "Segment",
-    "SlopedPoint",
-    "Spec",
-    "SwitchSpec",
-    "TextSpec",
-    "Tree",
-    "ValidationError",
-    "check",
-    "choice",
-    "field",
-    "interval",
-    "made_for",
-    "number",
-    "slope_of",
-    "specs_of",
-    "switch",
-    "text",
-]

@@ -11,9 +11,9 @@ from PySide6.QtCore import QPointF, QRectF, QSignalBlocker, QSize, Qt, Signal
 
 from skinsource.base.arrays import Floats
 from skinsource.design import edits
-from skinsource.design.amplitudes import is_gain
+from skinsource.design.amplitudes import amplitude_spec, is_gain
 from skinsource.design.clips import ONSET as ONSET_SPEC
-from skinsource.design.design import AMPLITUDE_GAIN, Design, Input, amplitude_spec
+from skinsource.design.design import AMPLITUDE_GAIN, Design, Input
 from skinsource.design.edits.edit import clip_of, leading_input
 from skinsource.design.panel_settings import (
     AMPLITUDE,

@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, QSize, Qt, Signal, SignalInstance
 from skinsource.base.arrays import Floats
 from skinsource.base.measurement_conditions import Band
 from skinsource.design import edits
-from skinsource.design.amplitudes import is_gain, peak_text
+from skinsource.design.amplitudes import amplitude_spec, is_gain, peak_text
 from skinsource.design.clips import GAIN, ONSET, Clip
 from skinsource.design.design import (
     AMPLITUDE,
@@ -19,7 +19,6 @@ from skinsource.design.design import (
     GAIN_CURVE,
     Design,
     Input,
-    amplitude_spec,
     audible_inputs,
 )
 from skinsource.design.edits.edit import (

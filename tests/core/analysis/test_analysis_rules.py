@@ -127,8 +127,7 @@ def test_a_transfer_function_predicts_what_a_tone_does():
     ("scaling", "actuation"),
     [("probe", None), ("relative", None), ("upstream", None), ("probe", COIL), ("probe", PIEZO)],
 )
-def test_noise_of_a_prediction_is_that_of_a_limb_that_is_noise(scaling, actuation, make_noisy_limb):
-    limb = make_noisy_limb()
+def test_noise_of_a_prediction_is_that_of_a_limb_that_is_noise(scaling, actuation, noisy_limb):
     # Of a tone there would be too few independent samples.
     rough = ss.waveforms.Noise(duration_s=0.4)
     inputs = (ss.track(8, rough), ss.track(8, rough, onset_s=0.1), ss.track(13, rough))
@@ -136,7 +135,7 @@ def test_noise_of_a_prediction_is_that_of_a_limb_that_is_noise(scaling, actuatio
     view = replace(
         VIEW, method="mag", windows_cut="length", window_s=0.1, outputs=tuple(range(1, 73))
     )
-    given = sources(design, view, match_gain=1.7) | {"limb_data": limb}
+    given = sources(design, view, match_gain=1.7) | {"limb_data": noisy_limb}
     levels = "output_noise_rms", "record_rms"
     windows = "noise_rms_of_windows", "rms_of_windows"
     quantities = {*levels, *windows, "above_noise_db", "transfer"}
@@ -155,7 +154,7 @@ def test_noise_of_a_prediction_is_that_of_a_limb_that_is_noise(scaling, actuatio
 
 
 @pytest.fixture
-def make_noisy_limb():
+def noisy_limb():
     """Give a limb whose responses are white noise from the first sample to the last."""
     real = ss.load_limb("synthetic-1")
 
@@ -163,16 +162,13 @@ def make_noisy_limb():
         rng = np.random.default_rng(place)
         return rng.normal(0.0, 0.0062, (72, 3, 522))
 
-    def make():
-        return ss.Limb(
-            name="noisy",
-            hand_length_mm=real.hand_length_mm,
-            synthetic=False,
-            map=real.map,
-            read_response=read,
-        )
-
-    return make
+    return ss.Limb(
+        name="noisy",
+        hand_length_mm=real.hand_length_mm,
+        synthetic=False,
+        map=real.map,
+        read_response=read,
+    )
 
 
 def test_outputs_near_the_elbow_are_noise_on_the_measured_limbs(measured):

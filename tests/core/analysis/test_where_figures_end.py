@@ -90,14 +90,6 @@ def test_noise_along_a_direction_is_that_of_independent_axes():
     assert length == pytest.approx(np.sqrt([2.9, 2.9]))
 
 
-def test_above_the_measured_band_nothing_is_felt():
-    def level_db(frequency_hz):
-        design = ss.Design(limb="synthetic-1", inputs=(tone(frequency_hz, 50.0),), scaling="probe")
-        return ss.evaluate(design, "sensation")["sensation"].level_db.max()
-
-    assert level_db(590.0) - level_db(630.0) > 20.0
-
-
 def test_the_weighted_acceleration_of_a_contact_is_not_told_behind_an_actuator():
     drives, limb = ((8, sine(100.0)),), load_limb("synthetic-1")
     ((place, weighted),) = contact_weighted_rms(drives, limb, "probe", None)

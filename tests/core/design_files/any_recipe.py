@@ -12,7 +12,6 @@ from skinsource.actuators.actuation import Actuation
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import LIMB_NAMES
 from skinsource.design.design import Design, Input
-from skinsource.specs import fields
 from skinsource.specs.breakpoints import SEGMENTS, BreakpointsSpec
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import (
@@ -26,7 +25,15 @@ from skinsource.specs.numbers import (
     SamplesSpec,
 )
 from skinsource.specs.samples import Samples
-from skinsource.specs.spec import BytesSpec, ChoiceSpec, PlainSpec, SwitchSpec, TextSpec
+from skinsource.specs.spec import (
+    BytesSpec,
+    ChoiceSpec,
+    PlainSpec,
+    Spec,
+    SwitchSpec,
+    TextSpec,
+    made_for,
+)
 
 
 def numbers(spec: NumberSpec) -> st.SearchStrategy:
@@ -89,9 +96,9 @@ def most(spec: ListSpec) -> int:
     return 0 if empty else min(spec.most, 3)
 
 
-def values(spec: fields.Spec) -> st.SearchStrategy:
+def values(spec: Spec) -> st.SearchStrategy:
     """Any value that fits."""
-    return fields.made_for(
+    return made_for(
         spec,
         {
             NumberSpec: numbers,

@@ -50,19 +50,3 @@ def expected():
         return (whole.samples / np.abs(whole.samples).max()).T
 
     return samples_of
-
-
-@pytest.fixture
-def predicted():
-    """Give what the engine predicts with, by place, (n_times,) each, at 1300 Hz."""
-
-    def drives_of(design: ss.Design) -> dict[int, np.ndarray]:
-        values = ss.evaluate(design, "input_waveforms", "voices", "stimulus_samples")
-        drives: dict[int, np.ndarray] = {}
-        for voice, samples in zip(values["voices"], values["input_waveforms"], strict=True):
-            if voice.audible:
-                drive = drives.setdefault(voice.location, np.zeros(values["stimulus_samples"]))
-                drive[voice.start : voice.start + samples.size] += voice.amplitude * samples
-        return drives
-
-    return drives_of

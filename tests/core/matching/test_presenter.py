@@ -8,6 +8,7 @@ import pytest
 import skinsource as ss
 from skinsource.lab.matching import MatchingRun, Presenter, Procedure
 from skinsource.lab.playing.devices import Output
+from tests.core.playing.playing_bench import wait_for
 from tests.core.playing.synthetic_sound import SyntheticSoundLibrary, use
 
 PROCEDURE = Procedure(
@@ -21,11 +22,6 @@ PROCEDURE = Procedure(
 #: Samples of a reference, a pause, a test and a pause.
 CYCLE = round(0.3 * 48_000)
 FADE = 240
-
-
-def wait_for(condition):
-    pause = threading.Event()
-    assert any(condition() or pause.wait(0.005) for _ in range(4000))
 
 
 @pytest.fixture

@@ -8,8 +8,12 @@ import pytest
 import skinsource as ss
 from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.amplitudes import amplitude_meaning, amplitude_unit, drive_unit
-from skinsource.design.design import amplitude_spec
+from skinsource.design.amplitudes import (
+    amplitude_meaning,
+    amplitude_spec,
+    amplitude_unit,
+    drive_unit,
+)
 from skinsource.design.view import View
 from skinsource.export.tables import export_traces
 from skinsource.limbs.own_limbs import drive_unit_known, facts_of, remove_limb

@@ -1,4 +1,4 @@
-"""From a lab's files to a limb: the layout, plain arrays, places, the command."""
+"""From a lab's files to a limb: the layout, plain arrays, places, outlines, the command."""
 
 from pathlib import Path
 
@@ -13,7 +13,7 @@ from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.limb_import import LimbSource, import_limb, prepare_limb
 from skinsource.limbs.limb_layout import export_limb
 from skinsource.limbs.own_limbs import facts_of, own_limb_names
-from skinsource.readers.reading_process import ReadingProcess
+from skinsource.limbs.svg_path import outline_of, path_lines
 from tests.core.own_limbs.lab_bench import N_INPUTS, N_OUTPUTS, RATE_HZ, response
 
 OUTLINE = [[0, 0], [60, 0], [60, 100], [0, 100]]
@@ -154,12 +154,6 @@ def test_y_of_svg_points_down_and_so_does_that_of_the_places_beside_it(user_data
     np.testing.assert_array_equal(limb.map.input_positions, INPUTS * (1, -1))
 
 
-@pytest.fixture(scope="module")
-def process():
-    with ReadingProcess() as reading:
-        yield reading
-
-
 def refused(user_data, source: LimbSource) -> str:
     with pytest.raises(SkinSourceError) as caught:
         import_limb(source)
@@ -266,3 +260,38 @@ def test_the_largest_limb_is_computed_as_a_job(user_data, tmp_path):
     design = Design(limb="ours", inputs=(track(256), track(3, onset_s=0.1)))
     export_levels(tmp_path / "levels.csv", design, View(axes="z", outputs=()))
     assert "\n512," in (tmp_path / "levels.csv").read_text()
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("M1 2L3 4 5 6Z", [[1, 2], [3, 4], [5, 6]]),
+        ("m1,2 3,4 v-1 H0", [[1, 2], [4, 6], [4, 5], [0, 5]]),
+        ("M0-1.5.5-2e1", [[0, -1.5], [0.5, -20]]),
+    ],
+)
+def test_straight_paths_are_read_point_by_point(text, expected):
+    (line,) = path_lines(text)
+    np.testing.assert_allclose(line, expected)
+
+
+def test_curves_and_arcs_lie_where_they_should():
+    (quarter,) = path_lines("M1 0A1 1 0 0 1 0 1")
+    np.testing.assert_allclose(np.hypot(*quarter.T), 1.0)
+    (large,) = path_lines("M1 0a1 1 0 1 1-1-1")  # the long way round, with flags apart
+    np.testing.assert_allclose(np.hypot(*(large - (0, 0)).T), 1.0, atol=1e-12)
+    assert large[:, 0].min() < -0.99
+    (joined,) = path_lines("M1 0a1 1 0 11-1-1")
+    np.testing.assert_array_equal(joined, large)
+    (cubic,) = path_lines("M0 0C0 4 4 4 4 0S8-4 8 0")
+    t = np.linspace(0, 1, 25)[12]
+    np.testing.assert_allclose(cubic[12], [3 * t**2 * (1 - t) * 4 + t**3 * 4, 3 * t * (1 - t) * 4])
+    np.testing.assert_allclose(cubic[36], [6, -3])
+    (smooth,) = path_lines("M0 0Q1 2 2 0T4 0")
+    np.testing.assert_allclose(smooth[[12, 36]], [[1, 1], [3, -1]])
+
+
+@pytest.mark.parametrize("bad", ["", "L1 2", "M1", "M1 2 3", "M1 2 L x y", "M1 2 z 5"])
+def test_what_is_no_outline_is_refused(bad):
+    with pytest.raises(ValueError, match="path"):
+        outline_of(f'<svg><path d="{bad}"/></svg>'.encode())

@@ -1,4 +1,4 @@
-"""Limbs of a lab's own, kept here: what they give, and what becomes of damaged ones."""
+"""Limbs of a lab's own, kept here: what they give, also to commands, and damaged ones."""
 
 import json
 import os
@@ -8,11 +8,13 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import FileFormatError, InvalidInputError, UnknownLimbError
+from skinsource.cli.command_line import main
 from skinsource.design import edits
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import open_design, save_design
 from skinsource.design.labels import limb_label
 from skinsource.design.view import View
+from skinsource.design.waveforms.pulses import Impulse
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.evaluation import evaluate
 from skinsource.export.map_files import export_map
@@ -34,6 +36,7 @@ from tests.core.own_limbs.lab_bench import (
     N_OUTPUTS,
     RATE_HZ,
     installed,
+    keep,
     own_limb,
     response,
 )
@@ -188,13 +191,13 @@ def test_responses_replaced_while_the_limb_is_open_are_noticed(lab):
         ({"output_positions": np.zeros((513, 2))}, "1 to 512 rows"),
         ({"input_positions": np.zeros((3, 3))}, r"expected \(n, 2\)"),
         ({"output_names": ("a",)}, "output_names are 1, expected 31"),
-        ({"n_taps": 2**20}, "would take 3.6 GB"),
+        (
+            {"n_taps": 2**20, "input_positions": np.zeros((60, 2)), "input_names": ()},
+            "would take 31.2 GB",
+        ),
     ],
 )
 def test_what_is_no_limb_is_refused_in_one_sentence(changes, message):
-    if "n_taps" in changes and changes["n_taps"] > 1:
-        changes = {**changes, "input_positions": np.zeros((60, 2)), "input_names": ()}
-        message = "would take 31.2 GB"
     with pytest.raises(InvalidInputError, match=message):
         own_limb(**changes)
 
@@ -211,3 +214,29 @@ def test_responses_that_are_no_numbers_leave_nothing_behind(user_data):
         install_limb(limb, [response(1, "z")])
     assert own_limb_names() == ()
     assert list(own_limb_path("lab-1").parent.iterdir()) == []
+
+
+def test_a_design_is_rendered_and_packed_that_was_saved_without_a_view(user_data, tmp_path, capsys):
+    installed()
+    path = tmp_path / "lab.skinsource"
+    save_design(path, Design(limb="lab-1", inputs=(track(2, Tone(duration_s=0.02)),)))
+    assert View().outputs == (29, 52)
+    assert main(["render", str(path), "--out", str(tmp_path)]) == 0
+    lines = (tmp_path / "traces.csv").read_text().splitlines()
+    (header,) = [line for line in lines if line.startswith("time_s")]
+    assert header == "time_s,output_29_m_per_s2"
+    assert main(["pack", str(path), "--out", str(tmp_path / "lab.zip")]) == 0
+    assert capsys.readouterr().err == ""
+
+
+def test_a_response_without_a_frequency_in_the_band_is_checked_and_no_line_is_told(
+    user_data, tmp_path, capsys
+):
+    responses = np.random.default_rng(5).normal(size=(2, 3, 1, 6))
+    rate = {"sample_rate_hz": 48_000.0, "pre_trigger_delay_s": 0.0, "band_hz": (25.0, 600.0)}
+    keep("lab-short", responses, **rate)
+    path = tmp_path / "short.skinsource"
+    inputs = tuple(track(place, Impulse()) for place in (1, 2))
+    save_design(path, Design(limb="lab-short", inputs=inputs))
+    assert main(["check", str(path)]) == 0
+    assert "adjusted R² –; superposition: r 1" in capsys.readouterr().out

@@ -8,16 +8,9 @@ from skinsource.base.errors import SkinSourceError
 from skinsource.limbs import limb_import as importing_module
 from skinsource.limbs.limb_import import LimbSource, import_limb, prepare_limb
 from skinsource.limbs.own_limbs import own_limb_path
-from skinsource.readers.reading_process import ReadingProcess
 from tests.core.own_limbs.mutants import try_kept, try_layout, whole_file
 
 N_MUTANTS = 300
-
-
-@pytest.fixture(scope="module")
-def process():
-    with ReadingProcess(silence_s=5.0) as reading:
-        yield reading
 
 
 def outcome(path, process):

@@ -1,5 +1,7 @@
 """What the tests of playing share."""
 
+import threading
+
 import numpy as np
 
 from skinsource.lab.playing.mix import Mix, PlayQueue, mix_of
@@ -49,3 +51,9 @@ def playing(of_mix, *, at=0, gain_db=0.0, n_outputs=None):
     queue = play_queue(n_outputs or of_mix.n_outputs, gain_db)
     queue.play(of_mix, at)
     return queue
+
+
+def wait_for(condition):
+    """Until it holds; the thread of the device runs meanwhile."""
+    pause = threading.Event()
+    assert any(condition() or pause.wait(0.005) for _ in range(4000))

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.lab.playing.mix import FREQUENCY_HZ, mix_of, tone_of
+from skinsource.lab.playing.mix import FREQUENCY_HZ, DeviceClock, HeardPosition, mix_of, tone_of
 from tests.core.playing.playing_bench import RATE_HZ, mix
 
 
@@ -38,18 +38,6 @@ def test_what_cannot_be_played_is_refused(rows, changes, message):
         made(rows, **changes)
 
 
-@pytest.mark.parametrize("start", [-500, -30, 0, 55, 199, 200, 300, 5000])
-@pytest.mark.parametrize("n", [1, 40, 700])
-def test_reading_tells_where_it_goes_on(start, n):
-    for loop in (None, (60, 200)):
-        mixed = mix(np.arange(300.0), loop=loop)
-        position = mixed.read(start, np.zeros((1, n)))
-        one_by_one = start
-        for _ in range(n):
-            one_by_one = mixed.read(one_by_one, np.zeros((1, 1)))
-        assert position == one_by_one
-
-
 def test_the_test_tone_is_on_its_output_alone_and_has_its_frequency():
     samples = tone_of(3, 4, 48_000)
     assert not samples.samples[[0, 1, 3]].any()
@@ -59,3 +47,49 @@ def test_the_test_tone_is_on_its_output_alone_and_has_its_frequency():
     assert spectrum.argmax() / 10 == pytest.approx(FREQUENCY_HZ, abs=0.2)
     assert abs(tone[0]) < 1e-3
     assert abs(tone[-1]) < 1e-3
+
+
+def test_what_is_heard_now_is_not_what_was_computed_last():
+    position = HeardPosition(RATE_HZ)
+    for k in range(10):
+        position.note(100.0 + k * 0.005, 400 + k * 40, None)
+    assert position.at(99.999) is None
+    assert position.at(100.0) == pytest.approx(0.05)
+    assert position.at(100.0175) == pytest.approx(0.05 + 0.0175)
+
+
+def test_it_goes_on_between_blocks_round_the_loop():
+    position = HeardPosition(RATE_HZ)
+    position.note(10.0, 1990, mix(np.zeros(2000), loop=(1000, 2000)))
+    assert position.at(10.0 + 9 / RATE_HZ) == pytest.approx(1999 / RATE_HZ)
+    assert position.at(10.0 + 10 / RATE_HZ) == pytest.approx(1000 / RATE_HZ)
+    assert position.at(10.0 + 2015 / RATE_HZ) == pytest.approx(1005 / RATE_HZ)
+
+
+def test_the_fade_before_the_first_sample_is_no_time_of_the_design():
+    position = HeardPosition(RATE_HZ)
+    position.note(10.0, -40, None)
+    assert position.at(10.001) == 0.0
+    assert position.at(10.005) == pytest.approx(0.0, abs=1e-12)
+    assert position.at(10.006) == pytest.approx(0.001)
+
+
+def test_it_forgets_what_is_long_past():
+    position = HeardPosition(RATE_HZ)
+    for k in range(100_000):
+        position.note(k * 0.005, k * 40, None)
+    assert position.at(99_999 * 0.005 + 0.001) == pytest.approx(99_999 * 0.005 + 0.001)
+    assert position.at(5.0) is None
+
+
+def test_before_a_device_has_told_its_time_nothing_is_heard():
+    position = HeardPosition(RATE_HZ)
+    position.note(0.0, 0, None)
+    assert position.at(DeviceClock().at(1e9)) is None
+
+
+def test_the_clock_of_a_device_is_that_of_the_block_that_waited_least():
+    clock = DeviceClock()
+    for now_s, waited_s in ((10.0, 0.004), (10.005, 0.001), (10.010, 0.006)):
+        clock.note(now_s + 500.0, now_s + waited_s)
+    assert clock.at(10.021) == pytest.approx(510.020)

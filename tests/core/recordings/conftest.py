@@ -9,16 +9,7 @@ import pytest
 import scipy.io
 import soundfile
 
-from skinsource.readers.reading_process import ReadingProcess
-
 RATE_HZ = 2000
-
-
-@pytest.fixture(scope="session")
-def process():
-    """One process for all, as the studio has it."""
-    with ReadingProcess() as reading:
-        yield reading
 
 
 @pytest.fixture(scope="session")

@@ -1,4 +1,4 @@
-"""Files that declare what they do not hold, or lead elsewhere: refused before it is allocated."""
+"""Files that declare what they do not hold, or lead elsewhere, and mutants: refused in time."""
 
 import struct
 import zipfile
@@ -9,6 +9,7 @@ import pytest
 import scipy.io
 
 from skinsource.base.errors import RecordingError
+from tests.core.recordings.mutants import FORMATS, try_mutants
 
 
 def npy_header(shape, dtype="<f8", more=b""):
@@ -166,3 +167,19 @@ def test_what_lies_beside_a_link_can_be_taken(tmp_path, process):
     assert "'bad'" in recording.notes[0]
     with pytest.raises(RecordingError, match="no signal"):
         process.read(path, ["bad"], 0, 5)
+
+
+#: Of each format; together 2030.
+COUNT = 290
+SEED = 20261122
+
+
+@pytest.mark.parametrize("file_format", FORMATS)
+def test_no_mutant_takes_the_studio_down_or_is_misread(file_format, tmp_path, process):
+    tally = try_mutants(file_format, COUNT, SEED, tmp_path, process)
+    assert tally.wrong == []
+    assert sum(tally.outcomes.values()) == COUNT
+    # Of some the damage is in numbers, of some it is where it counts.
+    assert tally.outcomes["read"] > 5
+    assert tally.outcomes["refused"] > 20
+    assert tally.outcomes["process lost"] < 20

@@ -27,9 +27,8 @@ def test_axes_in_step_become_the_length_of_their_vector():
 def test_no_energy_is_lost_and_no_axis_comes_first(axes):
     together = dft321(axes)
     assert np.sum(together**2) == pytest.approx(np.sum(axes**2), rel=1e-9, abs=1e-12)
-    assert np.sum(dft321(axes[::-1]) ** 2) == pytest.approx(
-        np.sum(together**2), rel=1e-9, abs=1e-12
-    )
+    reversed_energy = np.sum(dft321(axes[::-1]) ** 2)
+    assert reversed_energy == pytest.approx(np.sum(together**2), rel=1e-9, abs=1e-12)
 
 
 def file_with(*names, n=100, **more):

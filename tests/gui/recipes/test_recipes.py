@@ -25,7 +25,7 @@ SETTINGS = '''
 from dataclasses import dataclass
 
 from skinsource.specs import fields
-from skinsource.specs.fields import NumberSpec
+from skinsource.specs.numbers import NumberSpec
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -86,7 +86,7 @@ from typing import ClassVar
 import numpy as np
 
 from skinsource.specs import fields
-from skinsource.specs.fields import NumberSpec
+from skinsource.specs.numbers import NumberSpec
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

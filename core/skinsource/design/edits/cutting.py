@@ -23,13 +23,7 @@ from skinsource.design.edits.clips import (
     short,
     with_clips,
 )
-from skinsource.design.edits.edit import (
-    Edit,
-    Refusal,
-    change_clips,
-    kept_selection,
-    refusing,
-)
+from skinsource.design.edits.edit import Edit, Refusal, change_clips, kept_selection, refusing
 from skinsource.design.effects.effect import Effect, KeepsTime
 from skinsource.design.effects.level import Fade
 from skinsource.design.effects.playing import played_s

@@ -16,14 +16,7 @@ from skinsource.design.comparing import (
     snapshot_name,
 )
 from skinsource.design.design import MAX_MARKERS, Design
-from skinsource.design.edits.edit import (
-    Edit,
-    Refusal,
-    change_inputs,
-    change_view,
-    listed,
-    refusing,
-)
+from skinsource.design.edits.edit import Edit, Refusal, change_inputs, change_view, listed, refusing
 from skinsource.design.view import View
 
 

@@ -7,7 +7,6 @@ from math import pi
 from typing import ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
@@ -57,7 +56,7 @@ class Square(fields.CheckedModel):
     phase_rad: float = fields.number(0.0, PHASE)
     window: WindowName = fields.choice("none", WINDOW)
 
-    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
+    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> Floats:
         """Drive, (n_times,); 1 is the height of the square wave without limit of its band."""
         series = partial(_pulse_series, self.duty, 2.0)
         mean = 2.0 * self.duty - 1.0
@@ -100,7 +99,7 @@ class Saw(fields.CheckedModel):
     phase_rad: float = fields.number(0.0, PHASE)
     window: WindowName = fields.choice("none", WINDOW)
 
-    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
+    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> Floats:
         """Drive, (n_times,); 1 is the height of the saw without limit of its band."""
         return _harmonic_burst(self, _saw_series, sample_rate_hz, shift_s)
 
@@ -139,7 +138,7 @@ class Triangle(fields.CheckedModel):
     phase_rad: float = fields.number(0.0, PHASE)
     window: WindowName = fields.choice("none", WINDOW)
 
-    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
+    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> Floats:
         """Drive, (n_times,); 1 is the height of the triangle without limit of its band."""
         return _harmonic_burst(self, _triangle_series, sample_rate_hz, shift_s)
 
@@ -239,7 +238,7 @@ class PulseTrain:
     def _duty(self) -> float:
         return self.rate_hz * self.pulse_s
 
-    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
+    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> Floats:
         """Drive, (n_times,); 1 is the height of the pulses without limit of their band."""
         series = partial(_pulse_series, self._duty, 1.0)
         return _harmonic_burst(

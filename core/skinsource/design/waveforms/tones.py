@@ -7,7 +7,6 @@ from math import ceil, pi
 from typing import Any, ClassVar, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
@@ -62,7 +61,7 @@ class Tone(fields.CheckedModel):
     duration_s: float = fields.number(0.2, DURATION)
     window: WindowName = fields.choice("tukey", WINDOW)
 
-    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
+    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> Floats:
         """Drive, (n_times,), of peak 1."""
         return sinusoid(
             self.frequency_hz,
@@ -137,7 +136,7 @@ class AmplitudeModulated(fields.CheckedModel):
     modulator_phase_rad: float = fields.number(0.0, MODULATOR_PHASE)
     window: WindowName = fields.choice("none", WINDOW)
 
-    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
+    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> Floats:
         """Drive, (n_times,), of peak 1."""
         check_below_half_rate("carrier_hz", self.carrier_hz, sample_rate_hz)
         if self.depth:
@@ -204,7 +203,7 @@ class FrequencyModulated(fields.CheckedModel):
     )
     window: WindowName = fields.choice("none", WINDOW)
 
-    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
+    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> Floats:
         """Drive, (n_times,), of peak 1."""
         check_below_half_rate("carrier_hz", self.carrier_hz, sample_rate_hz)
         check_below_half_rate("modulator_hz", self.modulator_hz, sample_rate_hz)
@@ -268,7 +267,7 @@ class Chirp(fields.CheckedModel):
     phase_rad: float = fields.number(0.0, PHASE)
     window: WindowName = fields.choice("none", WINDOW)
 
-    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
+    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> Floats:
         """Drive, (n_times,), of peak 1."""
         check_below_half_rate("start_hz", self.start_hz, sample_rate_hz)
         check_below_half_rate("end_hz", self.end_hz, sample_rate_hz)
@@ -345,7 +344,7 @@ class Glide:
             return cls()
         return cls(((0.0, low_hz, 1.0), (waveform.duration_s, high_hz, 1.0)))
 
-    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
+    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> Floats:
         """Drive, (n_times,), within the drawn amplitude of at most 1."""
         check_below_half_rate("frequency_hz", max(hz for _, hz, _ in self.points), sample_rate_hz)
         n = count_of(self.duration_s, sample_rate_hz, shift_s)
@@ -374,7 +373,7 @@ def _glide_piece(
     ends: tuple[Point, Point],
     n: int,
     rate_hz: float,
-) -> NDArray[np.float64]:
+) -> Floats:
     """Return samples between two points, from the time ``chirp[2]`` after the first on, (n,)."""
     low, slope, since = chirp
     (start_s, _, low_level), (end_s, _, high_level) = ends

@@ -6,7 +6,6 @@ from math import ceil, floor, pi
 from typing import ClassVar, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from skinsource.base.arguments import integer, one_of, positive_number
 from skinsource.base.arrays import Floats
@@ -204,7 +203,7 @@ class WaveletTrain:
             factor * 10.0 ** (db / 20.0) for factor, db in zip(equal_factors, own_db, strict=True)
         )
 
-    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
+    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> Floats:
         """Drive, (n_times,), of wavelets of peak 1."""
         check_below_half_rate("frequencies_hz", max(self.frequencies_hz), sample_rate_hz)
         n = count_of(self.duration_s, sample_rate_hz, shift_s)

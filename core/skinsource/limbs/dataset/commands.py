@@ -9,8 +9,7 @@ from typing import Any, Self, TextIO
 from skinsource.base.errors import DatasetMissingError
 from skinsource.base.job import seconds_left, time_left_text
 from skinsource.base.measurement_conditions import HAND_LENGTHS_MM
-from skinsource.limbs.dataset.download import fetch
-from skinsource.limbs.dataset.install import install
+from skinsource.limbs.dataset.install import fetch, install
 from skinsource.limbs.dataset.published import DATASET_URL, MAP_URL, published_files
 from skinsource.limbs.dataset.store import (
     HOW_TO_GET,

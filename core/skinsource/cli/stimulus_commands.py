@@ -1,4 +1,4 @@
-"""``skinsource export`` and ``wiring``: stimulus and wiring page of a design file."""
+"""``skinsource export``, ``wiring``, ``sweep`` and ``rig``: stimuli for actuators."""
 
 import argparse
 import sys
@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from skinsource.actuators.equalising import RegularisedInverse
-from skinsource.actuators.rigs import Rig, open_rig
+from skinsource.actuators.rigs import Rig, open_rig, save_rig
 from skinsource.base.files import make_folder
 from skinsource.cli.help_format import HelpFormatter
 from skinsource.design.design_file import open_design
@@ -15,6 +15,13 @@ from skinsource.export.formats import FORMATS, export_formats
 from skinsource.export.stimulus_export.export import export_stimulus
 from skinsource.export.stimulus_export.options import Nothing, StimulusOptions
 from skinsource.export.wiring import export_wiring
+from skinsource.lab.playing.devices import Output, devices
+from skinsource.lab.rig_measuring.duplex import input_devices
+from skinsource.lab.rig_measuring.measurement import MeasuringSetup, kept, measure
+from skinsource.limbs.dataset.commands import ProgressBar, WithTimeLeft
+from skinsource.studies.sweeps.cluster import Cluster
+from skinsource.studies.sweeps.running import read_sweep, run
+from skinsource.studies.sweeps.table import TABLE
 
 _TIME_OPTIONS = {
     "--from": ("from_s", "begin of the part of the design that is exported"),
@@ -27,7 +34,7 @@ _TIME_OPTIONS = {
 
 
 def add_to(subparsers: Any) -> None:
-    """Add the command ``export``."""
+    """Add the commands on stimuli for actuators."""
     listed = "\n".join(f"  {file_format.name:10} {file_format.hint}" for file_format in FORMATS)
     parser = subparsers.add_parser(
         "export",
@@ -76,6 +83,8 @@ def add_to(subparsers: Any) -> None:
     add_wiring("--rig", type=Path, metavar="FILE", help="a .skinrig file: what is wired")
     _add_channels(wiring.add_argument_group("channels").add_argument)
     wiring.set_defaults(run=_wiring)
+    _add_sweep(subparsers)
+    _add_rig_actions(subparsers)
 
 
 def _add_channels(add: Any) -> None:
@@ -193,3 +202,165 @@ def _equaliser(arguments: argparse.Namespace) -> RegularisedInverse | Nothing | 
         return arguments.equalise
     boost = {} if arguments.boost is None else {"boost_db": arguments.boost}
     return RegularisedInverse(phase=arguments.equalise, **boost)
+
+
+_MOST_SHOWN = 10
+
+
+def _add_sweep(subparsers: Any) -> None:
+    """Add the command ``sweep``."""
+    sweep = subparsers.add_parser(
+        "sweep",
+        help="measure many stimuli: designs x frequencies x places x ...",
+        description="Measures all combinations that a TOML file names, on all cores, and writes "
+        "stimuli.csv with one row for each. Run again after it was stopped, it goes on.",
+        epilog="A stimulus that cannot be measured is left out: its row says why, all others are "
+        "measured. Ends with 0 where all rows were measured, with 1 where one was left out or the "
+        "sweep could not be run, with 130 where it was stopped.",
+    )
+    sweep.add_argument("sweep", type=Path, metavar="SWEEP", help="a .toml file")
+    sweep.add_argument(
+        "--out", type=Path, required=True, metavar="FOLDER", help="where to write, and to go on"
+    )
+    sweep.add_argument(
+        "--processes", type=int, metavar="N", help="how many measure at once (default: all cores)"
+    )
+    sweep.add_argument(
+        "--scheduler",
+        metavar="ADDRESS",
+        help="of a Dask cluster that measures instead: tcp://host:8786",
+    )
+    sweep.set_defaults(run=_sweep)
+
+
+def _sweep(arguments: argparse.Namespace) -> int:
+    plan = read_sweep(arguments.sweep)
+    cluster = None if arguments.scheduler is None else Cluster(arguments.scheduler)
+    with ProgressBar(sys.stderr) as bar:
+        table = run(
+            plan,
+            arguments.out,
+            processes=arguments.processes,
+            measuring=cluster,
+            progress=WithTimeLeft(bar),
+        )
+    failed = table.failed
+    for number in sorted(failed)[:_MOST_SHOWN]:
+        sys.stderr.write(f"skinsource: stimulus {number} left out: {failed[number]}\n")
+    if len(failed) > _MOST_SHOWN:
+        sys.stderr.write(f"skinsource: … and {len(failed) - _MOST_SHOWN} more\n")
+    left_out = f", {len(failed)} of them left out" if failed else ""
+    sys.stdout.write(f"{len(table)} stimuli{left_out}\n{arguments.out / TABLE}\n")
+    # Programs that use the table (make, a queue of jobs) must notice that it is incomplete.
+    return int(bool(failed))
+
+
+_MEASURE = (
+    "Plays sweeps on the output of one channel, records an accelerometer, and writes acceleration "
+    "for each volt over frequency into the rig file. Nothing passes a limit of the rig; a quieter "
+    "sweep comes first. Ctrl+C stops at once."
+)
+
+
+def _add_rig_actions(subparsers: Any) -> None:
+    """Add the command ``rig`` with its actions."""
+    rig = subparsers.add_parser(
+        "rig",
+        help="measure the actuators of a rig",
+        description="Rigs: what is wired to which output, and how it answers. Play > Rig… of the "
+        "studio describes one.",
+    )
+    actions = rig.add_subparsers(title="actions", metavar="ACTION", required=True)
+    _add_measure(actions)
+    parser = actions.add_parser("devices", help="show what can be played on and recorded from")
+    parser.set_defaults(run=_devices)
+
+
+def _add_measure(actions: Any) -> None:
+    default, output = MeasuringSetup(), Output()
+    parser = actions.add_parser(
+        "measure", help="measure a channel with an accelerometer", description=_MEASURE
+    )
+    parser.add_argument("rig", type=Path, metavar="RIG", help="a .skinrig file")
+    parser.add_argument("--out", type=Path, metavar="FILE", help="rig to write (default: the same)")
+    add = parser.add_argument_group("channel and accelerometer").add_argument
+    add("--place", type=int, required=True, metavar="N", help="of the channel")
+    add(
+        "--sensitivity",
+        type=float,
+        required=True,
+        metavar="V",
+        help="of the accelerometer, V per m/s² (100 mV per g is 0.0102)",
+    )
+    add(
+        "--input-volts",
+        type=float,
+        required=True,
+        metavar="V",
+        help="at the input where a recorded sample is 1",
+    )
+    add("--input", type=int, default=default.input_number, metavar="N", help="from 1")
+    add(
+        "--loopback",
+        type=int,
+        default=default.loopback_input,
+        metavar="N",
+        help="input that is wired to the output, to tell the delay (default: none)",
+    )
+    add = parser.add_argument_group("sweeps").add_argument
+    add(
+        "--level",
+        type=float,
+        default=default.level_db,
+        metavar="DB",
+        help=f"of full scale (default: {default.level_db:g})",
+    )
+    add("--seconds", type=float, default=default.sweep_s, metavar="S", help="per sweep")
+    add("--repeats", type=int, default=default.repeats, metavar="N")
+    add(
+        "--band",
+        type=float,
+        nargs=2,
+        default=default.band_hz,
+        metavar="HZ",
+        help="lowest and highest frequency that are wanted (default: 20 1000)",
+    )
+    add = parser.add_argument_group("audio devices").add_argument
+    add("--rate", type=int, default=output.sample_rate_hz, metavar="HZ")
+    add("--device", default="", metavar="NAME", help="where the rig names none (default: usual)")
+    add("--input-device", default="", metavar="NAME", help="default: the one that is played on")
+    parser.set_defaults(run=_measure)
+
+
+def _measure(arguments: argparse.Namespace) -> int:
+    rig = open_rig(arguments.rig)
+    setup = MeasuringSetup(
+        sensitivity_v_per_m_per_s2=arguments.sensitivity,
+        input_full_scale_v=arguments.input_volts,
+        input_number=arguments.input,
+        loopback_input=arguments.loopback,
+        input_device=arguments.input_device,
+        level_db=arguments.level,
+        sweep_s=arguments.seconds,
+        repeats=arguments.repeats,
+        lowest_hz=arguments.band[0],
+        highest_hz=arguments.band[1],
+    )
+    output = Output(device=arguments.device, sample_rate_hz=arguments.rate)
+    with ProgressBar(sys.stderr) as bar:
+        measurement = measure(rig, arguments.place, setup, output=output, progress=bar)
+    path = arguments.out or arguments.rig
+    save_rig(path, kept(rig, measurement))
+    sys.stdout.write("\n".join((*measurement.lines, str(path))) + "\n")
+    return 0
+
+
+def _devices(_: argparse.Namespace) -> int:
+    for title, listed in (("Outputs", devices()), ("Inputs", input_devices())):
+        sys.stdout.write(f"{title}\n")
+        for device in listed:
+            mark = "  (usual)" if device.is_default else ""
+            sys.stdout.write(f"  {device.title}{mark}\n")
+        if not listed:
+            sys.stdout.write("  none\n")
+    return 0
