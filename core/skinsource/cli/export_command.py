@@ -15,6 +15,9 @@ from skinsource.export.formats import FORMATS, export_formats
 from skinsource.export.stimulus_export.export import export_stimulus
 from skinsource.export.stimulus_export.options import Nothing, StimulusOptions
 from skinsource.export.wiring import export_wiring
+from skinsource.limbs.dataset.commands import ProgressBar
+from skinsource.studies.sweeps.running import read_variables
+from skinsource.studies.sweeps.stimulus_set import CONDITIONS, export_set
 
 _TIME_OPTIONS = {
     "--from": ("from_s", "begin of the part of the design that is exported"),
@@ -46,6 +49,25 @@ def add_to(subparsers: Any) -> None:
         choices=export_formats(),
         metavar="FORMAT",
         help="one of those below (default: as the ending of PATH says)",
+    )
+    add(
+        "--vary",
+        action="append",
+        metavar="VALUES",
+        help="write a set to the folder PATH, a stimulus for each combination of values, as in "
+        "the table [vary] of a sweep: 'frequency_hz = [50, 100]'; may be repeated",
+    )
+    add(
+        "--match-output",
+        type=int,
+        metavar="N",
+        help="of a set: make the level at this output the same in all files",
+    )
+    add(
+        "--level-db",
+        type=float,
+        metavar="DB",
+        help="that level, in dB re 1 m/s² (default: that of the design)",
     )
     add("--confirm", action="store_true", help="write it even though samples clip or limits pass")
     add(
@@ -167,15 +189,20 @@ def _wiring(arguments: argparse.Namespace) -> int:
 
 def _export(arguments: argparse.Namespace) -> int:
     make_folder(arguments.out.parent)
+    made_for: dict[str, Any] = {
+        "options": _options(arguments),
+        "rig": _rig(arguments),
+        "equaliser": _equaliser(arguments),
+        "confirmed": arguments.confirm,
+    }
+    if (arguments.vary, arguments.match_output, arguments.level_db) != (None, None, None):
+        return _export_set(arguments, made_for)
     exported = export_stimulus(
         open_design(arguments.design).design,
         arguments.out,
         arguments.format,
         arguments.rate,
-        options=_options(arguments),
-        rig=_rig(arguments),
-        equaliser=_equaliser(arguments),
-        confirmed=arguments.confirm,
+        **made_for,
     )
     for objection in exported.objections:
         sys.stderr.write(f"skinsource: confirmed: {objection}\n")
@@ -186,6 +213,26 @@ def _export(arguments: argparse.Namespace) -> int:
     ):
         sys.stdout.write(f"  {note[:1].upper()}{note[1:].rstrip('.')}.\n")
     return 0
+
+
+def _export_set(arguments: argparse.Namespace, made_for: dict[str, Any]) -> int:
+    with ProgressBar(sys.stderr) as bar:
+        exported = export_set(
+            open_design(arguments.design).design,
+            read_variables("\n".join(arguments.vary or ())),
+            arguments.out,
+            arguments.format or "wav",
+            arguments.rate,
+            match_output=arguments.match_output,
+            level_db=arguments.level_db,
+            progress=bar,
+            **made_for,
+        )
+    for number, reason in exported.refused.items():
+        sys.stderr.write(f"skinsource: condition {number} left out: {reason}\n")
+    sys.stdout.write(f"{arguments.out / CONDITIONS}\n  {exported.summary}.\n")
+    # Programs that use the set must notice that it is incomplete.
+    return int(bool(exported.refused))
 
 
 def _equaliser(arguments: argparse.Namespace) -> RegularisedInverse | Nothing | None:

@@ -320,16 +320,24 @@ def read_sweep(path: Path) -> Sweep:
     1
     """
     try:
-        content = tomllib.loads(read_bytes(path, most=_MOST_BYTES).decode())
-    except (ValueError, RecursionError) as error:
-        raise FileFormatError(
-            f"{path_text(path)}: is no TOML text ({printable(error)}). Correct that place, and try "
-            "again."
-        ) from error
-    try:
+        content = _content_of(read_bytes(path, most=_MOST_BYTES))
         return _sweep(content, path.parent)
     except InvalidInputError as error:
         raise FileFormatError(f"{path_text(path)}: {sentence(str(error))}") from error
+
+
+def read_variables(text: str) -> dict[str, Any]:
+    """Return the variables in a text that is written as the table ``[vary]`` of a sweep."""
+    return _flat(_content_of(text.encode()))
+
+
+def _content_of(text: bytes) -> dict[str, Any]:
+    try:
+        return tomllib.loads(text.decode())
+    except (ValueError, RecursionError) as error:
+        raise InvalidInputError(
+            f"the text is no TOML ({printable(error)}). Correct that place, and try again."
+        ) from error
 
 
 def _sweep(content: dict[str, Any], folder: Path) -> Sweep:
