@@ -50,31 +50,18 @@ def add_to(subparsers: Any) -> None:
         metavar="FORMAT",
         help="one of those below (default: as the ending of PATH says)",
     )
-    add(
-        "--vary",
-        action="append",
-        metavar="VALUES",
-        help="write a set to the folder PATH, a stimulus for each combination of values, as in "
-        "the table [vary] of a sweep: 'frequency_hz = [50, 100]'; may be repeated",
-    )
-    add(
-        "--match-output",
-        type=int,
-        metavar="N",
-        help="of a set: make the level at this output the same in all files",
-    )
-    add(
-        "--level-db",
-        type=float,
-        metavar="DB",
-        help="that level, in dB re 1 m/s² (default: that of the design)",
-    )
     add("--confirm", action="store_true", help="write it even though samples clip or limits pass")
     add(
         "--accept-loss",
         action="store_true",
         help="write it even though a channel loses more than 1 dB of its energy to the rate",
     )
+    add_set = parser.add_argument_group("set of stimuli, in the folder PATH").add_argument
+    vary = "values as in a sweep: 'frequency_hz = [50, 100]'; repeated: all combinations"
+    add_set("--vary", action="append", metavar="VALUES", help=vary)
+    level = "that level, in dB re 1 m/s² (default: that of the design)"
+    add_set("--match-output", type=int, metavar="N", help="same level at this output in all files")
+    add_set("--level-db", type=float, metavar="DB", help=level)
     add_time = parser.add_argument_group("time").add_argument
     add_time("--rate", type=int, metavar="HZ", help="sample rate (default: that of the format)")
     for flag, (name, description) in _TIME_OPTIONS.items():

@@ -203,6 +203,8 @@ class StimulusPart(ExportPart):
         Begin of the suggested name.
     """
 
+    name = STIMULUS
+
     def __init__(
         self,
         design: Design,
@@ -210,7 +212,8 @@ class StimulusPart(ExportPart):
         last_settings: str = "",
         stem: str = "stimulus",
     ) -> None:
-        super().__init__(STIMULUS)
+        super().__init__(self.name)
+        self._design, self._view, self._stem = design, view, stem
         self._colours = {track.id: track.colour for track in design.inputs}
         self._ordered: Order | None = None
         #: What is shown, and would be written; None while it is prepared.
@@ -225,18 +228,13 @@ class StimulusPart(ExportPart):
         self._confirm.hide()
         self._copy = page_button("stimulus_copy_methods", "", "Text for the methods of a paper")
         self._copy.clicked.connect(self._copy_methods)
+        self.setFocusProxy(self.form.field("format"))
         self._lay_out()
-        self._design, self._view, self._stem = design, view, stem
         self.form.changed.connect(self._order)
         self.form.refused.connect(self._show_refused)
         self._confirm.toggled.connect(self._show_readiness)
         recall(self.form, last_settings)
-        self.setFocusProxy(self.form.field("format"))
         self.form.emit_order()
-
-    @property
-    def name(self) -> str:
-        return STIMULUS
 
     @property
     def settings(self) -> str:
@@ -274,13 +272,21 @@ class StimulusPart(ExportPart):
         return partial(_write, self.prepared, path, self._confirm.isChecked())
 
     def _lay_out(self) -> None:
-        left = scrolled_fields(self.form, "stimulus_fields")
-        pictures = scrolled(self.channels, "stimulus_scroll")
-        pictures.setAccessibleName("Channels; arrow keys scroll")
-        columns = in_row(left, (pictures, 1), gap_px=2 * UNIT_PX)
+        left = scrolled_fields(self._fields(), "stimulus_fields")
+        self._pictures = scrolled(self.channels, "stimulus_scroll")
+        self._pictures.setAccessibleName("Channels; arrow keys scroll")
+        columns = in_row(left, (self._preview(), 1), gap_px=2 * UNIT_PX)
         foot = in_row(self._preparing, None, self._copy)
         below = self._summary, self._notes, self._problem, self._confirm, foot
         in_column((columns, 1), *below, of=self, margins=0, gap_px=UNIT_PX)
+
+    def _fields(self) -> QtWidgets.QWidget:
+        """Return what is at the left."""
+        return self.form
+
+    def _preview(self) -> Any:
+        """Return what is at the right."""
+        return self._pictures
 
     def _copy_methods(self) -> None:
         """Put the methods text on the clipboard, once it is computed."""
@@ -302,46 +308,45 @@ class StimulusPart(ExportPart):
         self._set_pale(True)
         self._preparing.begin()
         self._show_readiness()
-        self._worker.run_newest(
-            _ORDER, partial(self._prepare, order), partial(self._receive, order)
-        )
+        self._worker.run_newest(_ORDER, self._work(order), partial(self._receive, order))
 
-    def _prepare(self, order: Order) -> PreparedStimulus:
-        """Prepare the stimulus, in the thread of the worker."""
-        return prepare_stimulus(
-            self._design,
-            order.format,
-            order.rate_hz,
-            order.options,
-            actuation=order.actuation or "none",
-            rig=order.rig or "none",
-            equaliser=order.equaliser or "none",
-            progress=lambda done, total, _: self._worker.tell(
+    def _work(self, order: Order) -> Callable[[], Any]:
+        """Return what computes what will be written, in the thread of the worker."""
+        ordered = self._design, order.format, order.rate_hz, order.options
+        return partial(prepare_stimulus, *ordered, **self._made_for(order))
+
+    def _made_for(self, order: Order) -> dict[str, Any]:
+        return {
+            "actuation": order.actuation or "none",
+            "rig": order.rig or "none",
+            "equaliser": order.equaliser or "none",
+            "progress": lambda done, total, _: self._worker.tell(
                 self._show_progress, order, done, total
             ),
-            stop=partial(self._worker.is_outdated, _ORDER),
-        )
+            "stop": partial(self._worker.is_outdated, _ORDER),
+        }
 
-    def _receive(
-        self, order: Order, prepared: PreparedStimulus | None, error: Exception | None
-    ) -> None:
+    def _receive(self, order: Order, computed: Any, error: Exception | None) -> None:
         if order is not self._ordered or isinstance(error, Stopped):
             return
-        if prepared is None:
+        if computed is None:
             self._show_refused(fault_text(error) if error else "")
-        else:
-            self._show_prepared(prepared)
-
-    def _show_prepared(self, prepared: PreparedStimulus) -> None:
-        self.prepared = prepared
+            return
         self._preparing.end()
         self._set_pale(False)
-        self.channels.show_channels(prepared.channels, self._colours)
-        notes = prepared.edges, prepared.loses, calibration_of(prepared)
-        self._notes.setText(" ".join(filter(None, notes)))
+        self._show_computed(computed)
+
+    def _show_computed(self, prepared: Any) -> None:
+        self._show_channels(prepared)
         self.form.show_silence(prepared.lead_in_s, prepared.tail_s)
         objections = " ".join(filter(None, (prepared.advice_on_loss, *prepared.objections)))
         self._show(sentence(prepared.summary), objections, ask=bool(objections))
+
+    def _show_channels(self, prepared: PreparedStimulus) -> None:
+        self.prepared = prepared
+        self.channels.show_channels(prepared.channels, self._colours)
+        notes = prepared.edges, prepared.loses, calibration_of(prepared)
+        self._notes.setText(" ".join(filter(None, notes)))
 
     def _show_progress(self, order: Order, done: int, total: int) -> None:
         if order is self._ordered:

@@ -348,8 +348,6 @@ def _sweep(content: dict[str, Any], folder: Path) -> Sweep:
             f"designs is {quoted(names)}, expected a list of names of design files"
         )
     files = [folder / name for name in names]
-    for file in files:
-        open_design(file)
     level_db = content.get("level_db")
     parquet = content.get("parquet", False)
     if not isinstance(parquet, bool):

@@ -15,12 +15,12 @@ import numpy as np
 from skinsource.actuators.actuation import Actuation
 from skinsource.actuators.equalising import Equaliser
 from skinsource.actuators.rigs import Rig
-from skinsource.base.arguments import checking, real_number
+from skinsource.base.arguments import checking
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.base.errors import InvalidInputError, SkinSourceError, Stopped
 from skinsource.base.files import FilePath, replacing_folder
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
-from skinsource.base.quoting import lowered, sentence
+from skinsource.base.quoting import sentence
 from skinsource.base.work import counted
 from skinsource.design.amplitudes import amplitude_unit
 from skinsource.design.comparing import louder, matching_gain
@@ -29,18 +29,17 @@ from skinsource.engine.evaluation import Evaluator
 from skinsource.engine.levelling import output_level_db
 from skinsource.engine.stimulus import FULL_SCALE_UNIT
 from skinsource.export.formats import format_named
-from skinsource.export.formats.format import StimulusFormat
 from skinsource.export.stimulus_export.export import write_prepared
 from skinsource.export.stimulus_export.options import Nothing, StimulusOptions
 from skinsource.export.stimulus_export.preparing import PreparedStimulus, prepare_stimulus
-from skinsource.studies.sweeps.plan import HIGHEST_DB, LOWEST_DB, Plan, Value
+from skinsource.studies.sweeps.plan import Plan, Value
 from skinsource.studies.sweeps.running import Variables, variables_of
 from skinsource.studies.sweeps.table import Cell, SweepTable, cell_of, write_csv
 
 #: The table beside the files.
 CONDITIONS = "conditions.csv"
 #: Most files of a set.
-MOST_CONDITIONS = 10_000
+MOST_CONDITIONS = 1000
 # Units at the end of names of fields, as file names have them.
 _ENDINGS = {"_hz_per_s": "Hzpers", "_hz": "Hz", "_rad": "rad", "_s": "s"}
 # Units of amplitudes and peaks, as headings have them.
@@ -54,8 +53,6 @@ class Condition:
 
     Attributes
     ----------
-    number
-        From 1, in the order of the set.
     values
         Value of each variable, by its name.
     name
@@ -74,7 +71,6 @@ class Condition:
         Its design, with the gain.
     """
 
-    number: int
     values: Mapping[str, Value]
     name: str
     gain_db: float = 0.0
@@ -102,13 +98,16 @@ class StimulusSet:
         Prepares a design with options.
     confirmed
         Whether files are written even though samples clip or limits are passed.
+    summary
+        What is written, in a sentence.
     """
 
-    conditions: tuple[Condition, ...]
+    conditions: tuple[Condition, ...] = ()
     output: int | None
     options: StimulusOptions
     prepare: Callable[..., PreparedStimulus] = field(repr=False)
     confirmed: bool = False
+    summary: str = ""
 
     @property
     def written(self) -> tuple[Condition, ...]:
@@ -117,28 +116,13 @@ class StimulusSet:
 
     @property
     def refused(self) -> dict[int, str]:
-        """Reasons why conditions are not written, by number."""
-        return {each.number: each.refused for each in self.conditions if each.refused}
+        """Reasons why conditions are not written, by their numbers, from 1."""
+        return {k: each.refused for k, each in enumerate(self.conditions, 1) if each.refused}
 
     def prepared(self, condition: Condition, stop: Stop = never) -> PreparedStimulus:
         """Return what the files of a condition hold."""
         ready = self.prepare(condition.design, options=self.options, stop=stop)
         return ready.named(Path(condition.name))
-
-    @property
-    def summary(self) -> str:
-        """What is written, in a sentence."""
-        first = self.prepared(self.written[0])
-        parts = [
-            counted(len(self.written), "stimulus", "stimuli"),
-            counted(len(first.channels), "channel"),
-            first.rate_text,
-            first.scale_text,
-            lowered(first.equalised),
-            "" if self.output is None else f"levels matched at output {self.output}",
-            f"{len(self.refused)} left out" if self.refused else "",
-        ]
-        return ", ".join(filter(None, parts))
 
     def write(self, folder: FilePath, *, progress: Progress = silent, stop: Stop = never) -> None:
         """Write all files and `CONDITIONS` to a new folder, whole or not at all."""
@@ -146,51 +130,35 @@ class StimulusSet:
             raise InvalidInputError(
                 f"all conditions are refused, the first one because {self.conditions[0].refused}"
             )
-        rows = []
+        rows: list[dict[str, Cell]] = []
         # Files of other programs beside an older set, such as answers of people, are never lost.
         with replacing_folder(Path(folder), mark="") as temporary:
             for done, condition in enumerate(self.written):
                 stop_if(stop)
                 progress(done, len(self.written), f"Exporting {condition.name}")
-                exported = write_prepared(
-                    self.prepared(condition, stop),
-                    temporary / condition.name,
-                    confirmed=self.confirmed,
-                    stop=stop,
-                )
+                ready, path = self.prepared(condition, stop), temporary / condition.name
+                exported = write_prepared(ready, path, confirmed=self.confirmed, stop=stop)
                 rows += [self._row(condition, path.name) for path in exported.files]
-            write_csv(SweepTable(self._columns, tuple(rows)), temporary / CONDITIONS)
-            stop_if(stop)
+            cells = tuple(tuple(row.values()) for row in rows)
+            write_csv(SweepTable(tuple(rows[0]), cells), temporary / CONDITIONS)
 
-    @property
-    def _columns(self) -> tuple[str, ...]:
-        first = self.written[0]
-        unit = _HEADINGS.get(amplitude_unit(first.design), "")
-        variables = (
-            f"{name}{unit}" if name.endswith("amplitude") else name for name in first.values
-        )
-        level = () if self.output is None else (f"level_at_output_{self.output}_db",)
-        return (
-            "file",
-            *variables,
-            "gain_db",
-            *level,
-            f"peak{_HEADINGS.get(first.unit, '')}",
-            "duration_s",
-        )
-
-    def _row(self, condition: Condition, file: str) -> tuple[Cell, ...]:
-        level = () if self.output is None else (condition.level_db,)
-        values = map(cell_of, condition.values.values())
-        measured = condition.gain_db, *level, condition.peak, condition.duration_s
-        return (file, *values, *measured)
+    def _row(self, condition: Condition, file: str) -> dict[str, Cell]:
+        unit = _HEADINGS.get(amplitude_unit(condition.design), "")
+        row: dict[str, Cell] = {"file": file}
+        for name, value in condition.values.items():
+            row[f"{name}{unit}" if name.endswith("amplitude") else name] = cell_of(value)
+        row["gain_db"] = condition.gain_db
+        if self.output is not None:
+            row[f"level_at_output_{self.output}_db"] = condition.level_db
+        row[f"peak{_HEADINGS.get(condition.unit, '')}"] = condition.peak
+        return row | {"duration_s": condition.duration_s}
 
 
 @checking
 def export_set(
     design: Design,
     vary: Variables,
-    folder: FilePath,
+    folder: FilePath | None,
     format: str = "wav",
     rate_hz: int | None = None,
     *,
@@ -215,7 +183,7 @@ def export_set(
     design, vary
         The design, and values by the name of the variable, as `skinsource.sweep` has them.
     folder
-        A new folder.
+        A new folder; None: nothing is written until ``write`` of what is returned is called.
     format, rate_hz, options, confirmed, actuation, rig, equaliser
         As those of `export_stimulus`.
     match_output
@@ -245,73 +213,32 @@ def export_set(
     >>> print(exported.written[0].name)
     001_frequency-50Hz_location-7.wav
     """
-    planned = planned_set(
-        design,
-        vary,
-        format_named(format),
-        rate_hz,
-        options or StimulusOptions(),
-        match_output=match_output,
-        level_db=level_db,
-        confirmed=confirmed,
-        actuation=actuation,
-        rig=rig,
-        equaliser=equaliser,
-        progress=progress,
-        stop=stop,
-    )
-    planned.write(folder, progress=progress, stop=stop)
-    return planned
-
-
-def planned_set(
-    design: Design,
-    vary: Variables,
-    format: StimulusFormat,
-    rate_hz: int | None,
-    options: StimulusOptions,
-    *,
-    match_output: int | None = None,
-    level_db: float | None = None,
-    confirmed: bool = False,
-    progress: Progress = silent,
-    stop: Stop = never,
-    **made_for: Any,
-) -> StimulusSet:
-    """Return a set that can be written; parameters and errors are those of `export_set`."""
     plan = Plan(designs=(("", design),), variables=variables_of(vary))
     if len(plan) > MOST_CONDITIONS:
-        raise InvalidInputError(
-            f"the set has {len(plan)} stimuli, expected at most {MOST_CONDITIONS}. Leave some "
-            "values out."
-        )
-    evaluator = Evaluator()
-    if match_output is None and level_db is not None:
-        raise InvalidInputError("level_db is given without an output. Choose match_output, too.")
-    if match_output is not None:
-        own_db = output_level_db(evaluator, design, match_output)
-        if level_db is None and own_db <= FLOOR_DB:
-            raise InvalidInputError(
-                f"the design is silent at output {match_output}. Choose another output, or a level."
-            )
-        level_db = own_db if level_db is None else level_db
-        real_number("level_db", level_db, least=LOWEST_DB, most=HIGHEST_DB)
-    conditions = []
-    prepare = partial(prepare_stimulus, format=format, rate_hz=rate_hz, **made_for)
+        raise InvalidInputError(f"{len(plan)} files are more than {MOST_CONDITIONS}. Vary less.")
+    kind, options = format_named(format), options or StimulusOptions()
+    made_for: dict[str, Any] = {"actuation": actuation, "rig": rig, "equaliser": equaliser}
+    prepare = partial(prepare_stimulus, format=kind, rate_hz=rate_hz, **made_for)
     planned = StimulusSet(
-        conditions=(), output=match_output, options=options, prepare=prepare, confirmed=confirmed
+        output=match_output, options=options, prepare=prepare, confirmed=confirmed
     )
+    evaluator, conditions = Evaluator(), []
+    if match_output is None and level_db is not None:
+        raise InvalidInputError("level_db needs an output. Choose match_output, too.")
+    part = options.inputs, options.clips, options.from_s, options.to_s
+    if match_output is not None and any(each is not None for each in part):
+        raise InvalidInputError("levels are those of whole designs. Export all tracks and times.")
+    if match_output is not None and level_db is None:
+        level_db = output_level_db(evaluator, design, match_output)
     for number in range(1, len(plan) + 1):
         stop_if(stop)
         progress(number - 1, len(plan), f"Condition {number} of {len(plan)}")
         values = plan.values_of(number)
-        width = max(3, len(str(len(plan))))
-        name = f"{_stem(f'{number:0{width}}', values)}{format.suffix}"
-        condition = Condition(number=number, values=values, name=name, design=design)
+        name = f"{number:0{max(3, len(str(len(plan))))}}{_values_text(values)}{kind.suffix}"
+        condition = Condition(values=values, name=name, design=design)
         try:
             condition = replace(condition, design=plan.design_of(number))
-            if match_output is not None and level_db is not None:
-                condition = _matched(condition, evaluator, match_output, level_db)
+            condition = _matched(condition, evaluator, match_output, level_db)
             condition = _sized(condition, planned, stop)
         except Stopped:
             raise
@@ -327,16 +254,30 @@ def planned_set(
             _sized(each, planned, stop) if each.unit and each.refused else each
             for each in conditions
         ]
-    return replace(planned, conditions=tuple(conditions))
+    planned = replace(planned, conditions=tuple(conditions))
+    summary = counted(len(planned.written), "stimulus", "stimuli")
+    if planned.refused:
+        summary += f", {len(planned.refused)} left out"
+    if planned.written:
+        summary += f"; the first one: {planned.prepared(planned.written[0], stop).summary}"
+    planned = replace(planned, summary=summary)
+    if folder is not None:
+        planned.write(folder, progress=progress, stop=stop)
+    return planned
 
 
-def _matched(condition: Condition, evaluator: Evaluator, output: int, level_db: float) -> Condition:
+def _matched(
+    condition: Condition, evaluator: Evaluator, output: int | None, level_db: float | None
+) -> Condition:
     """Return the condition with the gain that brings an output to a level."""
+    if output is None or level_db is None:
+        return condition
     own_db = output_level_db(evaluator, condition.design, output)
-    if own_db <= FLOOR_DB:
-        raise InvalidInputError(f"it is silent at output {output}, and cannot be matched.")
-    louder_design = louder(condition.design, matching_gain(own_db, level_db))
-    return replace(condition, design=louder_design, gain_db=level_db - own_db, level_db=level_db)
+    if min(own_db, level_db) <= FLOOR_DB:
+        silent_one = "it" if own_db <= FLOOR_DB else "what it should be matched to"
+        raise InvalidInputError(f"{silent_one} is silent at output {output}.")
+    design = louder(condition.design, matching_gain(own_db, level_db))
+    return replace(condition, design=design, gain_db=level_db - own_db, level_db=level_db)
 
 
 def _sized(condition: Condition, planned: StimulusSet, stop: Stop) -> Condition:
@@ -353,15 +294,14 @@ def _sized(condition: Condition, planned: StimulusSet, stop: Stop) -> Condition:
     )
 
 
-def _stem(number: str, values: Mapping[str, Value]) -> str:
-    """Return the begin of a name: "001_frequency-100Hz_amplitude-0p5"."""
-    parts = [number]
+def _values_text(values: Mapping[str, Value]) -> str:
+    """Return the values for the name of a file: "_frequency-100Hz_amplitude-0p5"."""
+    text = ""
     for name, value in values.items():
         ending = next((each for each in _ENDINGS if name.endswith(each)), "")
         key = re.sub(r"^(\d+)\.", r"track\1-", name.removesuffix(ending)).replace("_", "-")
-        numbers = value if isinstance(value, tuple) else (value,)
-        texts = (each if isinstance(each, str) else f"{each:g}" for each in numbers)
-        text = "and".join(texts).replace(".", "p").replace("-", "minus")
-        safe = re.sub(r"[^A-Za-z0-9]", "", text)[:_LONGEST_VALUE]
-        parts.append(f"{key}-{safe}{_ENDINGS.get(ending, '')}")
-    return "_".join(parts)
+        shown = str(cell_of(value)) if isinstance(value, str | tuple) else f"{value:g}"
+        safe = shown.replace(".", "p").replace("-", "minus").replace(" ", "and")
+        safe = re.sub(r"[^A-Za-z0-9]", "", safe)[:_LONGEST_VALUE]
+        text += f"_{key}-{safe}{_ENDINGS.get(ending, '')}"
+    return text
