@@ -149,7 +149,6 @@ class SetPart(StimulusPart):
             self._show_refused("A variable is chosen twice. Choose another one")
 
     def _work(self, order: Order) -> Callable[[], Any]:
-        output = int(self.output.value) if self.output.value else None
         return partial(
             export_set,
             self._design,
@@ -158,8 +157,8 @@ class SetPart(StimulusPart):
             order.format.name,
             order.rate_hz,
             options=order.options,
-            match_output=output,
-            level_db=next(iter(self.level.value), None) if output else None,
+            match_output=int(self.output.value or 0) or None,
+            level_db=next(iter(self.level.value), None) if self.output.value else None,
             **self._made_for(order),
         )
 

@@ -6,15 +6,14 @@ from PySide6.QtTest import QTest
 
 import skinsource as ss
 from skinsource.cli.command_line import main
+from tests.gui.stimulus.conftest import opened
 from tests.gui.stimulus.stimulus_bench import WAIT_MS, export
 
 
 @pytest.fixture
 def part(desk, qtbot):
     desk.exports.show("stimulus_set")
-    part = desk.exports.page.part
-    qtbot.waitExposed(part.window())
-    yield part
+    yield opened(desk.exports, qtbot)
     desk.exports.end()
 
 
@@ -40,7 +39,6 @@ def test_the_window_writes_what_the_command_writes(
     assert "silent at output 29" in part.table.item(0, 0).text()
     part.table.setCurrentCell(1, 0)
     qtbot.waitUntil(lambda: len(part.channels.channels) == 2, timeout=WAIT_MS)
-    assert part.table.item(1, 4).text() == part.table.item(3, 4).text()
     out = save_as("window")
     export(desk, part, qtbot)
     ss.save_design(tmp_path / "a.skinsource", design)
