@@ -112,7 +112,7 @@ EXPORTS: tuple[ExportSpec, ...] = (
     ExportSpec(
         name=STIMULUS_SET,
         group="Stimulus set",
-        hint="Write a stimulus for each combination of values, at matched levels if you want",
+        hint="Write a stimulus for each combination of values, with matched levels",
         keywords="conditions experiment batch vary frequencies amplitudes places sweep match",
     ),
     ExportSpec(

@@ -35,13 +35,13 @@ _COLUMNS = {
     "Duration": "With lead-in and tail",
     "Peak": "Largest drive",
     "Gain": "Of all amplitudes, so that the level is matched",
-    "Level": "At the matched output: RMS of the loudest 100 ms over all axes",
+    "Level": "RMS of the loudest 100 ms at the matched output",
 }
 _VARIED = "What differs between the files; all combinations of values are written"
 _MATCHED = "Output where all files have the same level"
 _LEVEL = ListSpec(
     label="Level (dB)",
-    hint="RMS of the loudest 100 ms there, dB re 1 m/s²; empty: that of the design",
+    hint="dB re 1 m/s²; empty: level of the design",
     of=NumberSpec(label="Level", minimum=LOWEST_DB, maximum=HIGHEST_DB),
     most=1,
 )

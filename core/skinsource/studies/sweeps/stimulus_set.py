@@ -275,7 +275,7 @@ def _matched(
     own_db = output_level_db(evaluator, condition.design, output)
     if min(own_db, level_db) <= FLOOR_DB:
         silent_one = "it" if own_db <= FLOOR_DB else "what it should be matched to"
-        raise InvalidInputError(f"{silent_one} is silent at output {output}.")
+        raise InvalidInputError(f"{silent_one} is silent at output {output}. Match another one.")
     design = louder(condition.design, matching_gain(own_db, level_db))
     return replace(condition, design=design, gain_db=level_db - own_db, level_db=level_db)
 
@@ -300,8 +300,8 @@ def _values_text(values: Mapping[str, Value]) -> str:
     for name, value in values.items():
         ending = next((each for each in _ENDINGS if name.endswith(each)), "")
         key = re.sub(r"^(\d+)\.", r"track\1-", name.removesuffix(ending)).replace("_", "-")
-        shown = str(cell_of(value)) if isinstance(value, str | tuple) else f"{value:g}"
-        safe = shown.replace(".", "p").replace("-", "minus").replace(" ", "and")
-        safe = re.sub(r"[^A-Za-z0-9]", "", safe)[:_LONGEST_VALUE]
-        text += f"_{key}-{safe}{_ENDINGS.get(ending, '')}"
+        is_number = not isinstance(value, str | tuple)
+        shown = f"{value:g}".replace("-", "minus") if is_number else str(cell_of(value))
+        safe = re.sub(r"[^A-Za-z0-9]", "", shown.replace(".", "p").replace(" ", "and"))
+        text += f"_{key}-{safe[:_LONGEST_VALUE]}{_ENDINGS.get(ending, '')}"
     return text
