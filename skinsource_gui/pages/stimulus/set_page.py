@@ -209,7 +209,7 @@ def _cells(condition: Condition) -> list[tuple[str, str]]:
         minus(f"{condition.gain_db:+.1f} dB"),
         minus(f"{condition.level_db:z.1f} dB"),
     )
-    return [(text, "") for text in texts]
+    return [(text, text) for text in texts]
 
 
 def _write(planned: Any, path: Path, *, largest_error: float, **job: Any) -> Path:

@@ -274,7 +274,7 @@ def _matched(
         return condition
     own_db = output_level_db(evaluator, condition.design, output)
     if min(own_db, level_db) <= FLOOR_DB:
-        silent_one = "it" if own_db <= FLOOR_DB else "what it should be matched to"
+        silent_one = "It" if own_db <= FLOOR_DB else "What it should be matched to"
         raise InvalidInputError(f"{silent_one} is silent at output {output}. Match another one.")
     design = louder(condition.design, matching_gain(own_db, level_db))
     return replace(condition, design=design, gain_db=level_db - own_db, level_db=level_db)
