@@ -11,8 +11,7 @@ from skinsource_gui.pages.files import exports
 from skinsource_gui.pages.files.export_parts import ExportPart, FilePart
 from skinsource_gui.pages.files.exports import STIMULUS, STIMULUS_SET, DrawerOf
 from skinsource_gui.pages.page import ToolPage
-from skinsource_gui.pages.stimulus.page import StimulusPart
-from skinsource_gui.pages.stimulus.set_page import SetPart
+from skinsource_gui.pages.stimulus.page import SetPart, StimulusPart
 from skinsource_gui.plots.pictures import PictureOptions
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX

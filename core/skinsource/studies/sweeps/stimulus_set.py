@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
@@ -74,10 +73,10 @@ class Condition:
     values: Mapping[str, Value]
     name: str
     gain_db: float = 0.0
-    level_db: float = math.nan
+    level_db: float = np.nan
     peak: float = 0.0
     unit: str = ""
-    duration_s: float = math.nan
+    duration_s: float = np.nan
     refused: str = ""
     design: Design = field(repr=False)
 
