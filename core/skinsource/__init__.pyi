@@ -66,4 +66,5 @@ from .signals.spectra import rms as rms
 from .studies import scenes as scenes
 from .studies import sweeps as sweeps
 from .studies.sweeps.running import sweep as sweep
+from .studies.sweeps.stimulus_set import export_set as export_set
 from .version import __version__ as __version__

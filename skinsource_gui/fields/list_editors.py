@@ -126,12 +126,18 @@ _LONGEST, _NONE = 100_000, "none"
 
 
 class ListEditor(Editor, QtWidgets.QWidget):
-    """Base of editors of a tuple as a text; signals come while it is typed, if it is valid."""
+    """Base of editors of a tuple as a text; signals come while it is typed, if it is valid.
+
+    Attributes
+    ----------
+    value
+        The tuple that was set or typed last.
+    """
 
     def __init__(self, spec: Any, parent: QtWidgets.QWidget, hint: str) -> None:
         super().__init__(parent)
         self._spec = spec
-        self._value: tuple[Any, ...] = ()
+        self.value: tuple[Any, ...] = ()
         read = TextSpec(
             label=spec.label, hint=hint, longest=_LONGEST, one_line=True, reader=self._read
         )
@@ -145,10 +151,10 @@ class ListEditor(Editor, QtWidgets.QWidget):
 
     def set_value(self, value: Any) -> None:
         """Show a value without a signal; a typed text with the same value stays."""
-        self._value = value or ()
-        shown = self._text(self._value)
+        self.value = value or ()
+        shown = self._text(self.value)
         try:
-            if self._read(self.line.text()) == self._value:
+            if self._read(self.line.text()) == self.value:
                 shown = self.line.text()
         except InvalidInputError:
             pass  # an incomplete text
@@ -172,8 +178,8 @@ class ListEditor(Editor, QtWidgets.QWidget):
 
     def _tell(self, text: str, gesture: int | None) -> None:
         value = self._read(text)
-        if value != self._value:
-            self._value = value
+        if value != self.value:
+            self.value = value
             self.edited.emit(value, gesture)
 
     def _read(self, text: str) -> tuple[Any, ...]:
@@ -199,7 +205,7 @@ class NumbersEditor(ListEditor):
 
     def advice(self) -> str:
         """Warn of frequencies that were not measured."""
-        outside = tuple(value for value in self._value if not self._spec.of.is_known(value))
+        outside = tuple(value for value in self.value if not self._spec.of.is_known(value))
         if not outside:
             return ""
         text = numbers_text(outside[:3], self._spec) + (" …" if len(outside) > 3 else "")
@@ -212,7 +218,7 @@ class NumbersEditor(ListEditor):
         return numbers_text(value, self._spec)
 
     def _ask_sweep(self) -> None:
-        dialog = SweepDialog(self._value, self._spec, self.window())
+        dialog = SweepDialog(self.value, self._spec, self.window())
         dialog.accepted.connect(lambda: self.edited.emit(dialog.values, None))
         dialog.finished.connect(dialog.deleteLater)
         dialog.open()
@@ -226,7 +232,7 @@ class CurveText(ListEditor):
         super().__init__(spec, parent, f"{spec.hint}. Each point: {names}; semicolons between")
 
     def _read(self, text: str) -> tuple[tuple[float, ...], ...]:
-        return as_known(read_points(text, self._spec), self._value)
+        return as_known(read_points(text, self._spec), self.value)
 
     def _text(self, value: tuple[Any, ...]) -> str:
         return points_text(value, self._spec)
@@ -287,9 +293,9 @@ class PointsEditor(CurveText):
             curve.show_curve(curve_of(value, name))
 
     def _draw(self, name: Column, _points: Breakpoints, gesture: int | None) -> None:
-        points = with_curve(self._value, name, self.curves[name].curve)
-        if points != self._value:
-            self._value = points
+        points = with_curve(self.value, name, self.curves[name].curve)
+        if points != self.value:
+            self.value = points
             self.edited.emit(points, gesture)
 
 

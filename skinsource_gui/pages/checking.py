@@ -3,7 +3,7 @@
 It holds a table of designs, a job that checks them, and box plots of what was found by frequency.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -11,7 +11,7 @@ from typing import Any, cast
 
 import numpy as np
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QLineF, QPointF, QRectF, Signal
+from PySide6.QtCore import QLineF, QPointF, QRectF
 
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import SkinSourceError, Stopped
@@ -39,7 +39,6 @@ from skinsource_gui.fields.units import minus
 from skinsource_gui.pages.page import RowTable, ToolPage
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
 from skinsource_gui.plots.ranges import Tick
-from skinsource_gui.qt.buttons import page_button
 from skinsource_gui.qt.fitting import LetterWidth
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
@@ -272,114 +271,6 @@ _RECORDINGS = "Recordings (*.csv *.tsv *.txt *.npy *.npz *.mat *.h5 *.hdf5);;All
 _DESIGNS = "Designs (*.skinsource);;All files (*)"
 
 
-class CheckList(QtWidgets.QWidget):
-    """Holds the rows, and the buttons that choose designs and recordings.
-
-    Parameters
-    ----------
-    rows
-        Initial rows.
-    preferences
-        Know the folder of the last file.
-
-    Attributes
-    ----------
-    bar
-        Layout of the buttons, to which others can be added.
-    """
-
-    #: The rows or their results changed.
-    changed = Signal()
-    #: Why a file was not opened.
-    failed = Signal(str)
-    #: Which recording was chosen, and what comes next.
-    recording_chosen = Signal(str)
-
-    def __init__(self, rows: Sequence[Row], preferences: Preferences) -> None:
-        super().__init__()
-        self.rows, self._preferences = tuple(rows), preferences
-        self.table = RowTable("check_table", "Designs that are checked", _COLUMNS, wide=(0, 1))
-        recording = page_button(
-            "choose_recording", "Recording…", "Choose what was recorded of the selected design"
-        )
-        add = page_button("add_design", "Add design…", "Check another design as well")
-        remove = page_button("remove_design", "Remove", "Take the selected design off")
-        self._row_buttons, self._add = (recording, remove), add
-        self.bar = in_row(recording, add, remove, None)
-        in_column(self.bar, (self.table, 1), of=self, margins=0, gap_px=UNIT_PX)
-        recording.clicked.connect(self._ask_recording)
-        add.clicked.connect(self._ask_design)
-        remove.clicked.connect(self._remove)
-        self.show_running(False)
-
-    @property
-    def conditions(self) -> tuple[Condition, ...]:
-        """The results of the rows that could be checked."""
-        return tuple(row.result for row in self.rows if isinstance(row.result, Condition))
-
-    def add_design(self, path: Path) -> None:
-        """Add the design of a file."""
-        try:
-            design = open_design(path).design
-        except SkinSourceError as error:
-            self.failed.emit(str(error))
-            return
-        self._set_rows((*self.rows, Row(name=path.name, design=design)))
-        self.table.setCurrentCell(len(self.rows) - 1, 0)
-
-    def take_recording(self, path: Path) -> None:
-        """Choose the recording of the selected design."""
-        rows, chosen = list(self.rows), self.table.currentRow()
-        if 0 <= chosen < len(rows):
-            rows[chosen] = replace(rows[chosen], recording=path, result=None)
-            self._set_rows(tuple(rows))
-            name = printable(path.name)
-            self.recording_chosen.emit(
-                f"{name} is chosen for {rows[chosen].name}. Now press Check."
-            )
-
-    def take_results(self, results: Sequence[Condition | str]) -> None:
-        """Set the result of each row."""
-        pairs = zip(self.rows, results, strict=True)
-        self._set_rows(tuple(replace(row, result=result) for row, result in pairs))
-
-    def forget_results(self) -> None:
-        """Clear all results: they belong to other settings."""
-        if any(row.result is not None for row in self.rows):
-            self._set_rows(tuple(replace(row, result=None) for row in self.rows))
-
-    def show_running(self, runs: bool) -> None:
-        """Disable the buttons while the rows are checked."""
-        self._add.setEnabled(not runs)
-        for button in self._row_buttons:
-            button.setEnabled(bool(self.rows) and not runs)
-        chosen = max(self.table.currentRow(), 0)
-        self.table.fill([_cells(row) for row in self.rows], chosen)
-
-    def _ask_recording(self) -> None:
-        folder = str(self._preferences.folder)
-        name, _ = QtWidgets.QFileDialog.getOpenFileName(
-            self, "Choose a recording", folder, _RECORDINGS
-        )
-        if name:
-            self.take_recording(Path(name))
-
-    def _ask_design(self) -> None:
-        folder = str(self._preferences.folder)
-        name, _ = QtWidgets.QFileDialog.getOpenFileName(self, "Add a design", folder, _DESIGNS)
-        if name:
-            self.add_design(Path(name))
-
-    def _remove(self) -> None:
-        chosen = self.table.currentRow()
-        self._set_rows(tuple(row for k, row in enumerate(self.rows) if k != chosen))
-
-    def _set_rows(self, rows: tuple[Row, ...]) -> None:
-        self.rows = rows
-        self.show_running(False)
-        self.changed.emit()
-
-
 _ALL = "all"
 _AXES = ChoiceSpec(
     label="Axes",
@@ -415,8 +306,8 @@ class CheckingPage(ToolPage):
         super().__init__(parent, "checking_page", TITLE, _SIZE_PX)
         self._preferences = preferences
         self.run = PageJobs(runner, self)
-        row = Row(name=_name_of(document), design=document.design)
-        self.list = CheckList((row,), preferences)
+        self.rows: tuple[Row, ...] = (Row(name=_name_of(document), design=document.design),)
+        self.table = RowTable("check_table", "Designs that are checked", _COLUMNS, wide=(0, 1))
         self.axes, self.rate = ChoiceField(_AXES), NumberField(_RATE)
         self.axes.set_value(_ALL)
         self.rate.set_value(facts_of(document.design.limb).sample_rate_hz)
@@ -438,18 +329,40 @@ class CheckingPage(ToolPage):
         self._connect()
         self._show()
 
+    @property
+    def conditions(self) -> tuple[Condition, ...]:
+        """The results of the rows that could be checked."""
+        return tuple(row.result for row in self.rows if isinstance(row.result, Condition))
+
+    def add_design(self, path: Path) -> None:
+        """Add the design of a file."""
+        try:
+            design = open_design(path).design
+        except SkinSourceError as error:
+            self.complain(str(error))
+            return
+        self._set_rows((*self.rows, Row(name=path.name, design=design)))
+        self.table.setCurrentCell(len(self.rows) - 1, 0)
+
+    def take_recording(self, path: Path) -> None:
+        """Choose the recording of the selected design."""
+        rows, chosen = list(self.rows), self.table.currentRow()
+        if 0 <= chosen < len(rows):
+            rows[chosen] = replace(rows[chosen], recording=path, result=None)
+            self._set_rows(tuple(rows))
+            self.say(f"{printable(path.name)} is chosen for {rows[chosen].name}. {_AGAIN}")
+
     def check(self) -> None:
         """Check all rows."""
         axes = "" if self.axes.value == _ALL else self.axes.value
-        work = partial(check_rows, tuple(self.list.rows), axes, self.rate.value_si)
+        work = partial(check_rows, self.rows, axes, self.rate.value_si)
         self.run.add(Job(CHECKING, work))
 
     def save(self, path: Path) -> None:
         """Write the report, as the command ``check`` does."""
-        rows = self.list.rows
-        limbs = (row.design.limb for row in rows if isinstance(row.result, Condition))
+        limbs = (row.design.limb for row in self.rows if isinstance(row.result, Condition))
         try:
-            write_report(path, self.list.conditions, limbs)
+            write_report(path, self.conditions, limbs)
         except SkinSourceError as error:
             self.complain(str(error))
             return
@@ -457,20 +370,35 @@ class CheckingPage(ToolPage):
         self.say(f"Saved {path.name}.")
 
     def _lay_out(self) -> None:
+        recording = self.add_button(
+            "choose_recording",
+            "Recording…",
+            "Choose what was recorded of the selected design",
+            partial(self._ask, "Choose a recording", _RECORDINGS, self.take_recording),
+        )
+        self._add = self.add_button(
+            "add_design",
+            "Add design…",
+            "Check another design as well",
+            partial(self._ask, "Add a design", _DESIGNS, self.add_design),
+        )
+        remove = self.add_button(
+            "remove_design", "Remove", "Take the selected design off", self._remove
+        )
+        self._row_buttons = recording, remove
+        bar = in_row(recording, self._add, remove, None)
         for field, spec, width_px in ((self.axes, _AXES, 150), (self.rate, _RATE, 110)):
             label = QtWidgets.QLabel(spec.label)
             label.setBuddy(field)
             LetterWidth(field, width_px)
-            self.list.bar.addWidget(label)
-            self.list.bar.addWidget(field)
+            bar.addWidget(label)
+            bar.addWidget(field)
         plots = in_row(*((box, 1) for box in self.boxes))
         below = in_row((self.message, 1), self._check, self._save, self._close)
-        in_column((self.list, 2), (plots, 3), below, of=self, gap_px=UNIT_PX)
+        top = in_column(bar, (self.table, 1), gap_px=UNIT_PX)
+        in_column((top, 2), (plots, 3), below, of=self, gap_px=UNIT_PX)
 
     def _connect(self) -> None:
-        self.list.changed.connect(self._show)
-        self.list.failed.connect(self.complain)
-        self.list.recording_chosen.connect(self.say)
         # Results hold for the axes and the rate that they were computed with.
         self.axes.edited.connect(self._begin_anew)
         self.rate.edited.connect(self._begin_anew)
@@ -485,9 +413,22 @@ class CheckingPage(ToolPage):
 
     def _begin_anew(self) -> None:
         """Clear the results and the message about them."""
-        self.list.forget_results()
-        has_recording = any(row.recording is not None for row in self.list.rows)
+        self._set_rows(tuple(replace(row, result=None) for row in self.rows))
+        has_recording = any(row.recording is not None for row in self.rows)
         self.say(_AGAIN if has_recording else _BEGIN)
+
+    def _ask(self, title: str, kinds: str, take: Callable[[Path], None]) -> None:
+        path = self.ask_open(title, kinds, self._preferences.folder)
+        if path is not None:
+            take(path)
+
+    def _remove(self) -> None:
+        chosen = self.table.currentRow()
+        self._set_rows(tuple(row for k, row in enumerate(self.rows) if k != chosen))
+
+    def _set_rows(self, rows: tuple[Row, ...]) -> None:
+        self.rows = rows
+        self._show()
 
     def _ask_and_save(self) -> None:
         start = self._preferences.folder / "check.html"
@@ -497,19 +438,22 @@ class CheckingPage(ToolPage):
 
     def _show(self) -> None:
         """Show the results, and enable what can be done now."""
-        runs, conditions = self.run.busy, self.list.conditions
+        runs, conditions = self.run.busy, self.conditions
         for k, box in enumerate(self.boxes):
             box.show_groups(by_frequency(conditions, k))
-        self.list.show_running(runs)
-        self._check.setEnabled(bool(self.list.rows) and not runs)
+        self._add.setEnabled(not runs)
+        for button in (*self._row_buttons, self._check):
+            button.setEnabled(bool(self.rows) and not runs)
+        self.table.fill([_cells(row) for row in self.rows], max(self.table.currentRow(), 0))
         self._save.setEnabled(bool(conditions) and not runs)
 
     def _take(self, _job: Job[Any], results: Sequence[Condition | str]) -> None:
-        self.list.take_results(results)
+        pairs = zip(self.rows, results, strict=True)
+        self._set_rows(tuple(replace(row, result=result) for row, result in pairs))
         problems = [result for result in results if isinstance(result, str)]
         if problems:
             self.complain(problems[0])
-        elif any(condition.agreement is not None for condition in self.list.conditions):
+        elif any(condition.agreement is not None for condition in self.conditions):
             self.say(_REPORTED.format(*(reported for _, _, reported in FIGURES)))
         else:
             self.say("Checked. Choose a recording to hold it against.")

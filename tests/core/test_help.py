@@ -1,5 +1,6 @@
 """What `help` and the prompt show of the library."""
 
+import dataclasses
 import doctest
 import inspect
 import types
@@ -14,25 +15,23 @@ from skinsource.base.errors import InvalidInputError
 PACKAGES = {name: getattr(ss, name) for name in ss.__all__ if name != "__version__"}
 
 
-def functions(package, names):
-    values = {name: getattr(package, name) for name in names}
-    return {name: value for name, value in values.items() if inspect.isroutine(value)}
-
-
-EVERYWHERE = functions(ss, ss.__all__) | {
-    f"{name}.{inner}": function
+PUBLIC = PACKAGES | {
+    f"{name}.{inner}": getattr(package, inner)
     for name, package in PACKAGES.items()
     if isinstance(package, types.ModuleType)
-    for inner, function in functions(package, package.__all__).items()
+    for inner in package.__all__
 }
+EVERYWHERE = {name: value for name, value in PUBLIC.items() if inspect.isroutine(value)}
+MODELS = {name: value for name, value in PUBLIC.items() if dataclasses.is_dataclass(value)}
+CALLED = EVERYWHERE | {name: value for name, value in MODELS.items() if inspect.isclass(value)}
 #: They need files of a lab, or its devices.
 NEED_A_LAB = ("measuring.open_response", "recordings.taken", "rig_measuring")
 WITH_EXAMPLES = [name for name in EVERYWHERE if not name.startswith(NEED_A_LAB)]
 
 
-@pytest.mark.parametrize("name", EVERYWHERE)
+@pytest.mark.parametrize("name", CALLED)
 def test_signatures_are_short_and_name_types(name):
-    signature = str(inspect.signature(EVERYWHERE[name]))
+    signature = str(inspect.signature(CALLED[name]))
     assert len(signature) <= 400
     assert "numpy." not in signature
 

@@ -41,7 +41,7 @@ def checked(page, qtbot):
     button(page, "check_designs").click()
     assert not button(page, "check_designs").isEnabled()
     qtbot.waitUntil(lambda: not page.run.busy, timeout=60_000)
-    return page.list.rows
+    return page.rows
 
 
 def test_designs_are_checked_against_recordings_of_other_rates_and_reported(page, qtbot, tmp_path):
@@ -55,15 +55,15 @@ def test_designs_are_checked_against_recordings_of_other_rates_and_reported(page
     rms = np.sqrt(np.mean(second**2, axis=-1, keepdims=True))
     noisy = second + 0.5 * rms * np.random.default_rng(5).normal(size=second.shape)
     np.savez(tmp_path / "low.npz", response=noisy.reshape(216, -1).T)
-    page.list.take_recording(tmp_path / "high.npz")
-    page.list.add_design(tmp_path / "low.skinsource")
-    page.list.take_recording(tmp_path / "low.npz")
+    page.take_recording(tmp_path / "high.npz")
+    page.add_design(tmp_path / "low.skinsource")
+    page.take_recording(tmp_path / "low.npz")
     high, low = (row.result for row in checked(page, qtbot))
     assert high.agreement.counted.all()
     assert high.agreement.medians[2] > 0.99
     assert low.agreement.medians[2] == pytest.approx(1.0 / np.sqrt(1.25), abs=0.02)
     assert [round(float(label), -1) for label, _ in page.boxes[2].groups] == [50.0, 100.0]
-    channels = page.list.table.item(0, 5)
+    channels = page.table.item(0, 5)
     assert channels.text() == "216 of 216"
     assert channels.toolTip() == "Noise from before the response in the recording"
     assert "above 0.5" in page.message.text()
@@ -79,7 +79,7 @@ def test_designs_are_checked_against_recordings_of_other_rates_and_reported(page
     assert "Synthetic 1" in written
     # Along another axis it would be another result.
     page.axes.choose("z")
-    assert [row.result for row in page.list.rows] == [None, None]
+    assert [row.result for row in page.rows] == [None, None]
     assert not button(page, "save_report").isEnabled()
     assert all(box.message for box in page.boxes)
 
@@ -90,7 +90,7 @@ def test_what_does_not_fit_is_said_in_its_row_and_the_others_are_checked(page, q
     np.savez(tmp_path / "z.npz", response=np.ones((600, 72)), fs=1300.0)
     checked(page, qtbot)
     assert page.message.text() == "Checked. Choose a recording to hold it against."
-    page.list.take_recording(tmp_path / "z.npz")
+    page.take_recording(tmp_path / "z.npz")
     assert page.message.text() == "z.npz is chosen for This design. Now press Check."
     (flat,) = checked(page, qtbot)
     assert "or choose one axis (x, y or z), which takes 72 signals" in flat.result
@@ -102,17 +102,17 @@ def test_what_does_not_fit_is_said_in_its_row_and_the_others_are_checked(page, q
     (along_z,) = checked(page, qtbot)
     assert isinstance(along_z.result, Condition)
     page.axes.choose("all")
-    page.list.take_recording(tmp_path / "small.npz")
-    page.list.add_design(tmp_path / "other.skinsource")
+    page.take_recording(tmp_path / "small.npz")
+    page.add_design(tmp_path / "other.skinsource")
     refused, alone = (row.result for row in checked(page, qtbot))
     assert "expected times × 72 outputs × 3 axes" in refused
     assert isinstance(alone, Condition)
     assert alone.linear == pytest.approx(1.0)
     assert alone.agreement is None
     assert "50 × 6 × 3" in page.message.text()
-    page.list.add_design(tmp_path / "none.skinsource")
+    page.add_design(tmp_path / "none.skinsource")
     assert "none.skinsource" in page.message.text()
     button(page, "remove_design").click()
     button(page, "remove_design").click()
-    assert page.list.rows == ()
+    assert page.rows == ()
     assert not button(page, "check_designs").isEnabled()

@@ -179,23 +179,34 @@ class Rig:
 
     def __post_init__(self) -> None:
         fields.check(self)
-        places = Counter(channel.place for channel in self.channels)
-        for place, count in places.items():
+        named = Counter(
+            name
+            for channel in self.channels
+            for name in (
+                f"place {channel.place}",
+                f"output {channel.output} of device {quoted(channel.device)}",
+            )
+        )
+        for name, count in named.items():
             if count > 1:
                 raise InvalidInputError(
-                    f"Rig.channels has place {place} {count} times, expected once; remove one"
-                )
-        outputs = Counter((channel.device, channel.output) for channel in self.channels)
-        for (device, output), count in outputs.items():
-            if count > 1:
-                raise InvalidInputError(
-                    f"Rig.channels has output {output} of device {quoted(device)} {count} times, "
-                    "expected once; wire each place to its own"
+                    f"Rig.channels has {name} {count} times, expected once; wire each place to its "
+                    "own output"
                 )
 
     def channel_of(self, place: int) -> RigChannel | None:
         """Return the channel of an input place; None where nothing is wired to it."""
         return next((channel for channel in self.channels if channel.place == place), None)
+
+
+def wired_channel(rig: Rig, place: int) -> RigChannel:
+    """Return the channel of an input place; raise where nothing is wired to it."""
+    channel = rig.channel_of(place)
+    if channel is None:
+        raise InvalidInputError(
+            f"place {place} is not wired in the rig {quoted(rig.title)}; add a channel for it"
+        )
+    return channel
 
 
 #: Text on the calibration where no rig is known.
@@ -383,12 +394,7 @@ def rig_breaches(
     rate_hz = integer("sample_rate_hz", sample_rate_hz, 1, MAX_RATE_HZ)
     passed = []
     for place, row in zip(places, rows, strict=True):
-        channel = rig.channel_of(place)
-        if channel is None:
-            raise InvalidInputError(
-                f"place {place} is not wired in the rig {quoted(rig.title)}; add a channel for it"
-            )
-        broken = _breaches_of(channel, row, rate_hz)
+        broken = _breaches_of(wired_channel(rig, place), row, rate_hz)
         passed += [RigBreach(place, breach) for breach in broken]
     return tuple(passed)
 

@@ -24,6 +24,7 @@ from skinsource.base.quoting import quoted
 Text = TypeVar("Text", bound=str)
 P = ParamSpec("P")
 R = TypeVar("R")
+Kind = TypeVar("Kind")
 
 #: Largest sample: sums of some thousand of them are still finite.
 LARGEST_SAMPLE = 1e300
@@ -181,6 +182,15 @@ def checking(function: Callable[P, R]) -> Callable[P, R]:
     return checking_function
 
 
+def brief(kind: type[Kind]) -> type[Kind]:
+    """Return a class whose signature in help is as short as those of functions.
+
+    A default that is a plain number, text or truth value says its type.
+    """
+    kind.__signature__ = _shown_signature(kind, plain=True)  # type: ignore[attr-defined]
+    return kind
+
+
 class _Name(str):
     """A type as help shows it, without quotes."""
 
@@ -195,7 +205,7 @@ class _NamedDefault(partial[object]):
         return str(self.func.__name__)
 
 
-def _shown_signature(function: Callable[..., object]) -> inspect.Signature:
+def _shown_signature(function: Callable[..., object], *, plain: bool = False) -> inspect.Signature:
     """Return a signature for readers: types are names, and those of defaults None alone."""
     signature = inspect.signature(function)
     parameters = []
@@ -204,7 +214,8 @@ def _shown_signature(function: Callable[..., object]) -> inspect.Signature:
         if isinstance(name, str):
             if parameter.default is None:
                 name = name.removesuffix(" | None")
-            parameter = parameter.replace(annotation=_Name(name))
+            said = plain and name == type(parameter.default).__name__
+            parameter = parameter.replace(annotation=parameter.empty if said else _Name(name))
         if inspect.isfunction(parameter.default):
             parameter = parameter.replace(default=_NamedDefault(parameter.default))
         parameters.append(parameter)

@@ -20,7 +20,8 @@ from skinsource.lab.rig_measuring.duplex import input_devices
 from skinsource.lab.rig_measuring.measurement import MeasuringSetup, kept, measure
 from skinsource.limbs.dataset.commands import ProgressBar, WithTimeLeft
 from skinsource.studies.sweeps.cluster import Cluster
-from skinsource.studies.sweeps.running import read_sweep, run
+from skinsource.studies.sweeps.running import read_sweep, read_variables, run
+from skinsource.studies.sweeps.stimulus_set import CONDITIONS, export_set
 from skinsource.studies.sweeps.table import TABLE
 
 _TIME_OPTIONS = {
@@ -60,6 +61,12 @@ def add_to(subparsers: Any) -> None:
         action="store_true",
         help="write it even though a channel loses more than 1 dB of its energy to the rate",
     )
+    add_set = parser.add_argument_group("set of stimuli, in the folder PATH").add_argument
+    vary = "values as in a sweep: 'frequency_hz = [50, 100]'; repeated: all combinations"
+    add_set("--vary", action="append", metavar="VALUES", help=vary)
+    level = "that level, in dB re 1 m/s² (default: that of the design)"
+    add_set("--match-output", type=int, metavar="N", help="same level at this output in all files")
+    add_set("--level-db", type=float, metavar="DB", help=level)
     add_time = parser.add_argument_group("time").add_argument
     add_time("--rate", type=int, metavar="HZ", help="sample rate (default: that of the format)")
     for flag, (name, description) in _TIME_OPTIONS.items():
@@ -176,15 +183,20 @@ def _wiring(arguments: argparse.Namespace) -> int:
 
 def _export(arguments: argparse.Namespace) -> int:
     make_folder(arguments.out.parent)
+    made_for: dict[str, Any] = {
+        "options": _options(arguments),
+        "rig": _rig(arguments),
+        "equaliser": _equaliser(arguments),
+        "confirmed": arguments.confirm,
+    }
+    if (arguments.vary, arguments.match_output, arguments.level_db) != (None, None, None):
+        return _export_set(arguments, made_for)
     exported = export_stimulus(
         open_design(arguments.design).design,
         arguments.out,
         arguments.format,
         arguments.rate,
-        options=_options(arguments),
-        rig=_rig(arguments),
-        equaliser=_equaliser(arguments),
-        confirmed=arguments.confirm,
+        **made_for,
     )
     for objection in exported.objections:
         sys.stderr.write(f"skinsource: confirmed: {objection}\n")
@@ -195,6 +207,26 @@ def _export(arguments: argparse.Namespace) -> int:
     ):
         sys.stdout.write(f"  {note[:1].upper()}{note[1:].rstrip('.')}.\n")
     return 0
+
+
+def _export_set(arguments: argparse.Namespace, made_for: dict[str, Any]) -> int:
+    with ProgressBar(sys.stderr) as bar:
+        exported = export_set(
+            open_design(arguments.design).design,
+            read_variables("\n".join(arguments.vary or ())),
+            arguments.out,
+            arguments.format or "wav",
+            arguments.rate,
+            match_output=arguments.match_output,
+            level_db=arguments.level_db,
+            progress=bar,
+            **made_for,
+        )
+    for number, reason in exported.refused.items():
+        sys.stderr.write(f"skinsource: condition {number} left out: {reason}\n")
+    sys.stdout.write(f"{arguments.out / CONDITIONS}\n  {exported.summary}.\n")
+    # Programs that use the set must notice that it is incomplete.
+    return int(bool(exported.refused))
 
 
 def _equaliser(arguments: argparse.Namespace) -> RegularisedInverse | Nothing | None:

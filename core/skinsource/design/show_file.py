@@ -5,6 +5,8 @@ A file is a ZIP archive that stores, in their order, images as design files are 
 studio, leaves the others as they are.
 """
 
+from __future__ import annotations
+
 import io
 import os
 import zipfile
@@ -12,7 +14,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from skinsource.base.arguments import checking
+from skinsource.base.arguments import brief, checking
 from skinsource.base.errors import DesignFileError, FileFormatError, InvalidInputError
 from skinsource.base.files import path_text, read_bytes, write_bytes
 from skinsource.base.quoting import sentence
@@ -41,6 +43,7 @@ _DATE = (1980, 1, 1, 0, 0, 0)
 _DAMAGED = "Go back to an earlier copy."
 
 
+@brief
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ShowEntry(fields.CheckedModel):
     """A design of a show.
@@ -66,7 +69,7 @@ class ShowEntry(fields.CheckedModel):
     notes: str = fields.text("", NOTES)
 
     @classmethod
-    def of(cls, design: Design, view: View, title: str = "") -> "ShowEntry":
+    def of(cls, design: Design, view: View, title: str = "") -> ShowEntry:
         """Return the entry that shows a design as it is: its sentence begins its notes."""
         first, _, others = design.notes.partition("\n")
         return cls(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
+from skinsource.base.arguments import brief
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import MOST_LOCATIONS, Axes
 from skinsource.base.quoting import quoted
@@ -19,6 +20,8 @@ from skinsource.specs import fields
 from skinsource.specs.numbers import ListSpec, ModelSpec, NumberSpec, Range, RangeSpec
 from skinsource.specs.spec import ChoiceSpec, PlainSpec, SwitchSpec, ValidationError
 
+#: Numbers of outputs, or ids of inputs or clips.
+Numbers = tuple[int, ...]
 #: The value of one field of a panel's settings.
 Plain = None | bool | int | float | str | tuple[float, ...]
 #: Settings of panels: (name of the panel, ((name of a field, its value), …)), by name.
@@ -102,6 +105,7 @@ LEVELS_MATCHED = SwitchSpec(
 )
 
 
+@brief
 @dataclass(frozen=True, slots=True, kw_only=True)
 class View:
     """What the studio shows of a design.
@@ -143,9 +147,9 @@ class View:
     axes: Axes = fields.choice("xyz", AXES)
     method: Method = fields.choice("pca", METHOD)
     span: Span = fields.choice("record", SPAN)
-    outputs: tuple[int, ...] = fields.field(OUTPUTS, (29, 52))
-    selected_inputs: tuple[int, ...] = fields.field(SELECTED_INPUTS, (1,))
-    selected_clips: tuple[int, ...] = fields.field(SELECTED_CLIPS, ())
+    outputs: Numbers = fields.field(OUTPUTS, (29, 52))
+    selected_inputs: Numbers = fields.field(SELECTED_INPUTS, (1,))
+    selected_clips: Numbers = fields.field(SELECTED_CLIPS, ())
     playhead_s: float = fields.number(0.0, PLAYHEAD)
     slow_motion: float = fields.number(1.0, SLOW_MOTION)
     delay_removed: bool = fields.switch(False, DELAY_REMOVED)

@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 from dataclasses import replace
 
+from skinsource.base.arguments import integer
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.design.design import Design
@@ -94,6 +95,13 @@ def track_levels_db(
         levels_db[track.id] = _loudest_db(evaluator, replace(design, inputs=(alone,)))
         progress(done, len(tracks), f"Track {done} of {len(tracks)}")
     return levels_db
+
+
+def output_level_db(evaluator: Evaluator, design: Design, output: int) -> float:
+    """Return the level of an output, from 1: the RMS of its loudest 100 ms over all axes, in dB."""
+    levels_db = evaluator.evaluate(design, ("output_levels_db",), _VIEW)["output_levels_db"]
+    integer("output", output, 1, levels_db.size)
+    return float(levels_db[output - 1])
 
 
 def _loudest_db(evaluator: Evaluator, design: Design) -> float:

@@ -238,7 +238,7 @@ def about(exported: ExportedDesign, *lines: str) -> list[str]:
         *describe_played(design.limb, limb.note, design.scaling, design.inputs, design.actuated),
         *findings_lines(exported.value("validity")),
         *lines,
-        f"computed by: skinsource {__version__}, numpy {np.__version__}, scipy {scipy.__version__}",
+        f"computed by: {', '.join(f'{name} {number}' for name, number in versions().items())}",
         f"precision and method: float64, {how}",
         f"inputs heard: {len(audible)} of {len(design.inputs)}",
         *_about_data(limb, sorted({track.location for track in audible})),
@@ -253,6 +253,11 @@ def _about_data(limb: Limb, places: list[int]) -> list[str]:
         digest.update(np.ascontiguousarray(limb.response_to(place), "<f8").data)
     numbers = ", ".join(map(str, places))
     return [f"responses to places {numbers}: SHA-256 {digest.hexdigest()}"]
+
+
+def versions() -> dict[str, str]:
+    """Return the versions of this program and of its numerical libraries."""
+    return {"skinsource": __version__, "numpy": np.__version__, "scipy": scipy.__version__}
 
 
 class Export:

@@ -11,9 +11,6 @@ from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-import numpy as np
-import scipy
-
 from skinsource.actuators.rigs import Rig, save_rig
 from skinsource.base.errors import MissingExtraError, SkinSourceError
 from skinsource.base.extras import package_of_extra
@@ -23,7 +20,7 @@ from skinsource.design.design import Design, audible_inputs
 from skinsource.design.design_file import save_design
 from skinsource.design.labels import limb_label
 from skinsource.design.view import View
-from skinsource.export.exported_design import ExportedDesign
+from skinsource.export.exported_design import ExportedDesign, versions
 from skinsource.export.map_files import write_map, write_map_picture
 from skinsource.export.tables import write_levels, write_traces
 from skinsource.limbs.dataset.store import describe
@@ -200,11 +197,6 @@ def _write_figure(path: Path, *, design: Design, view: View, kind: str) -> None:
 
 
 def _about(design: Design, files: list[Path]) -> dict[str, object]:
-    versions = {
-        "skinsource": __version__,
-        "python": platform.python_version(),
-        "numpy": np.__version__,
-        "scipy": scipy.__version__,
-    }
+    known = {"skinsource": __version__, "python": platform.python_version(), **versions()}
     digests = {file.name: hashlib.sha256(file.read_bytes()).hexdigest() for file in files}
-    return {"versions": versions, "data": data_of(design), "sha256": digests}
+    return {"versions": known, "data": data_of(design), "sha256": digests}

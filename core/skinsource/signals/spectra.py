@@ -74,7 +74,9 @@ def rms(x: ArrayLike, span: Span = "record", sample_rate_hz: float = SAMPLE_RATE
     return np.sqrt(energy) * scale
 
 
-def magnitude_spectrum(x: ArrayLike, sample_rate_hz: float) -> tuple[Floats, Floats]:
+def magnitude_spectrum(
+    x: ArrayLike, sample_rate_hz: float = SAMPLE_RATE_HZ
+) -> tuple[Floats, Floats]:
     """Return the one-sided amplitude spectrum over exactly the samples given.
 
     Parameters
@@ -82,7 +84,7 @@ def magnitude_spectrum(x: ArrayLike, sample_rate_hz: float) -> tuple[Floats, Flo
     x : (..., n_times)
         Signals.
     sample_rate_hz
-        Sample rate.
+        Sample rate; by default that of the published limbs.
 
     Returns
     -------
@@ -100,7 +102,7 @@ def magnitude_spectrum(x: ArrayLike, sample_rate_hz: float) -> tuple[Floats, Flo
     Examples
     --------
     >>> import skinsource as ss
-    >>> frequency_hz, magnitude = ss.magnitude_spectrum(ss.sinusoid(130.0), 1300.0)
+    >>> frequency_hz, magnitude = ss.magnitude_spectrum(ss.sinusoid(130.0))
     >>> print(frequency_hz[magnitude.argmax()])
     130.0
     """
@@ -112,7 +114,7 @@ def magnitude_spectrum(x: ArrayLike, sample_rate_hz: float) -> tuple[Floats, Flo
 
 @checking
 def peak_hold_spectrum(
-    x: ArrayLike, sample_rate_hz: float, stop: Stop = never
+    x: ArrayLike, sample_rate_hz: float = SAMPLE_RATE_HZ, stop: Stop = never
 ) -> tuple[Floats, Floats]:
     """Return the largest amplitude that each frequency reaches in any 250 ms.
 
@@ -126,7 +128,7 @@ def peak_hold_spectrum(
     x : (..., n_times)
         Signals.
     sample_rate_hz
-        Sample rate.
+        Sample rate; by default that of the published limbs.
     stop
         Called now and then.
 
@@ -148,7 +150,7 @@ def peak_hold_spectrum(
     Examples
     --------
     >>> import skinsource as ss
-    >>> frequency_hz, magnitude = ss.peak_hold_spectrum(ss.sinusoid(130.0), 1300.0)
+    >>> frequency_hz, magnitude = ss.peak_hold_spectrum(ss.sinusoid(130.0))
     >>> print(f"{frequency_hz[magnitude.argmax()]:.0f} Hz")
     130 Hz
     """

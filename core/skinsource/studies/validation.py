@@ -326,9 +326,8 @@ def _from_columns(
     keys, n_times = [signal.key for signal in signals], signals[0].n_samples
     values = reader.read(file, keys, 0, n_times, stop=stop).astype(np.float64)
     rate_hz = contents.rate_of(signals[0])
-    times = contents.time_of(signals[0])
-    if rate_hz is None and times is not None:
-        rate_hz = _rate_of_times(reader, file, times, stop)
+    if rate_hz is None:
+        rate_hz = _rate_of_times(reader, file, contents.time_of(signals[0]), stop)
     return values.reshape(n_outputs, n_axes, -1), rate_hz
 
 
@@ -356,13 +355,16 @@ def _from_instants(
     candidates = (
         series for series in contents.series if series.is_time and series.n_samples == len(instants)
     )
-    times = next(candidates, None)
-    if rate_hz is None and times is not None:
-        rate_hz = _rate_of_times(reader, file, times, stop)
+    if rate_hz is None:
+        rate_hz = _rate_of_times(reader, file, next(candidates, None), stop)
     return rows.T.reshape(n_outputs, n_axes, -1), rate_hz
 
 
-def _rate_of_times(reader: ReadingProcess, file: Path, times: Series, stop: Stop) -> float:
+def _rate_of_times(
+    reader: ReadingProcess, file: Path, times: Series | None, stop: Stop
+) -> float | None:
+    if times is None:
+        return None
     timestamps = reader.read(file, [times.key], 0, times.n_samples, stop=stop)[0]
     try:
         clock = sample_clock(timestamps.astype(np.float64) * times.time_unit_s)

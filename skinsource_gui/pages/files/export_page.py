@@ -9,9 +9,9 @@ from skinsource.design.design import Design
 from skinsource.design.view import View
 from skinsource_gui.pages.files import exports
 from skinsource_gui.pages.files.export_parts import ExportPart, FilePart
-from skinsource_gui.pages.files.exports import STIMULUS, DrawerOf
+from skinsource_gui.pages.files.exports import STIMULUS, STIMULUS_SET, DrawerOf
 from skinsource_gui.pages.page import ToolPage
-from skinsource_gui.pages.stimulus.page import StimulusPart
+from skinsource_gui.pages.stimulus.page import SetPart, StimulusPart
 from skinsource_gui.plots.pictures import PictureOptions
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX
@@ -114,8 +114,9 @@ class ExportPage(ToolPage):
 
     def _new_part(self, group: str) -> ExportPart:
         specs = [spec for spec in exports.EXPORTS if spec.group == group]
-        if specs[0].name == STIMULUS:
-            return StimulusPart(self._design, self._view, self._last_stimulus, self._stem)
+        kind = {STIMULUS: StimulusPart, STIMULUS_SET: SetPart}.get(specs[0].name)
+        if kind is not None:
+            return kind(self._design, self._view, self.settings or self._last_stimulus, self._stem)
         pictures = self._drawer_of, self._picture_options
         part = FilePart(specs, self._design, self._view, *pictures, self._wired)
         part.show_export(specs[0].name)

@@ -42,7 +42,7 @@ from skinsource_gui.plots.pictures import (
 )
 from skinsource_gui.qt.buttons import page_label, scrolled
 from skinsource_gui.qt.layouts import in_column, in_row
-from skinsource_gui.qt.theme import UNIT_PX
+from skinsource_gui.qt.theme import UNIT_PX, letter_scale
 from skinsource_gui.state.worker import Worker, fault_text
 
 #: Width of the fields beside a preview, px.
@@ -109,7 +109,7 @@ class ExportPart(QtWidgets.QWidget):
 def scrolled_fields(fields: QtWidgets.QWidget, name: str) -> QtWidgets.QScrollArea:
     """Return the column of fields beside a preview."""
     area = scrolled(fields, name)
-    area.setFixedWidth(_FIELDS_PX)
+    area.setFixedWidth(round(_FIELDS_PX * letter_scale(area.font())))
     area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
     return area
 

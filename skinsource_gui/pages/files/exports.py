@@ -17,7 +17,7 @@ from PySide6.QtCore import QObject, Signal
 
 from skinsource.base.errors import SkinSourceError, TooInaccurateError
 from skinsource.base.files import path_exists
-from skinsource.base.job import Job, Progress, Stop
+from skinsource.base.job import Job
 from skinsource.design.design import Design
 from skinsource.design.view import View
 from skinsource.export import packing
@@ -32,6 +32,7 @@ from skinsource_gui.state.services import Services
 
 #: The exports that are written with more than design and view.
 STIMULUS, FILM, PACK, WIRING = "stimulus", "animation", "pack", "wiring"
+STIMULUS_SET = "stimulus_set"
 
 #: Computes and writes a file, given path, design and view, and by name ``progress``, ``stop`` and
 #: ``largest_error``.
@@ -91,17 +92,10 @@ def _pack(path: Path, design: Design, view: View, *, largest_error: float, **job
     packing.pack(path, design, view, **job)
 
 
-def _wiring(
-    path: Path,
-    design: Design,
-    view: View,
-    *,
-    progress: Progress,
-    stop: Stop,
-    largest_error: float,
-    **wired: Any,
-) -> None:
+def _wiring(path: Path, design: Design, view: View, **wired: Any) -> None:
     # Nothing is predicted.
+    for name in ("progress", "stop", "largest_error"):
+        del wired[name]
     # Imported when it is used: the start of the studio does not wait for formats.
     importlib.import_module("skinsource.export.wiring").export_wiring(design, path, **wired)
 
@@ -113,6 +107,12 @@ EXPORTS: tuple[ExportSpec, ...] = (
         hint="Write what the actuators get: WAV, FLAC, CSV, MATLAB, C and others",
         keys=("Ctrl+Alt+E",),
         keywords="drive wav flac csv npz mat hdf5 header bids sound play actuator equaliser",
+    ),
+    ExportSpec(
+        name=STIMULUS_SET,
+        group="Stimulus set",
+        hint="Write a stimulus for each combination of values, with matched levels",
+        keywords="conditions experiment batch vary frequencies amplitudes places sweep match",
     ),
     ExportSpec(
         name="picture",

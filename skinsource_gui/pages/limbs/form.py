@@ -1,9 +1,7 @@
-"""The draft of an own limb, and the form, the canvas and the reader of the page that edits it."""
+"""The draft of an own limb, and the form and the canvas of the page that edits it."""
 
 import dataclasses
-from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -12,21 +10,18 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QPointF, QRectF, QSize, Qt, Signal
 
 from skinsource.base.arrays import Floats
-from skinsource.base.run_limited import LimitedProcess
 from skinsource.base.work import counted
 from skinsource.design.labels import AXES
-from skinsource.limbs.limb_import import LimbSource, read_description, read_points
+from skinsource.limbs.limb_import import LimbSource
 from skinsource.limbs.own_limbs import NAME_RULE
 from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
-from skinsource_gui.pages.limbs import photograph
 from skinsource_gui.qt.buttons import page_button
 from skinsource_gui.qt.layouts import in_row
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
 from skinsource_gui.qt.tooltips import tooltip
-from skinsource_gui.state.worker import Worker
 
 _NO_POINTS, _TURN = np.empty((0, 2)), np.array((1.0, -1.0))
 
@@ -475,52 +470,3 @@ class LimbForm(QObject):
         set_tone(chosen, "dim")
         self._chosen[what] = chosen
         self._rows.addRow(label, in_row(button, (chosen, 1)))
-
-
-class LimbReader(QObject):
-    """Reads files of a limb one after another, in a thread and in a process with limits."""
-
-    #: Path, and content of the file: ``header`` and ``arrays``.
-    inspected = Signal(object, object)
-    #: Path, what it is for ("outline", "inputs", "outputs"), and `Points`.
-    read = Signal(object, str, object)
-    #: Path of a photograph, and the picture, `QImage`.
-    pictured = Signal(object, object)
-    #: Why a file could not be read, as a sentence.
-    failed = Signal(str)
-
-    def __init__(self, parent: QObject) -> None:
-        super().__init__(parent)
-        self._process = LimitedProcess()
-        self._worker = Worker("skinsource-limb", self)
-
-    @property
-    def busy(self) -> bool:
-        """Whether a file is being read."""
-        return self._worker.busy
-
-    def look(self, path: Path) -> None:
-        """Read header and shapes of a file of responses."""
-        self._do(partial(read_description, path, self._process), self.inspected, path)
-
-    def read_points(self, path: Path, what: str) -> None:
-        """Read an outline, or places."""
-        self._do(partial(read_points, path, self._process), self.read, path, what)
-
-    def read_photograph(self, path: Path) -> None:
-        """Read a picture."""
-        self._do(partial(photograph.read, path, self._process), self.pictured, path)
-
-    def end(self) -> None:
-        """Stop reading."""
-        self._process.close()
-        self._worker.close()
-
-    def _do(self, work: Callable[[], Any], signal: Any, *about: object) -> None:
-        def tell(result: Any, error: Exception | None) -> None:
-            if error is None:
-                signal.emit(*about, result)
-            else:
-                self.failed.emit(str(error))
-
-        self._worker.run(work, tell)

@@ -3,6 +3,7 @@
 The page also lists the limbs that were imported; they can be mirrored, exported and removed there.
 """
 
+from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -10,24 +11,26 @@ from typing import Any
 
 import numpy as np
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import Signal
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.job import Job
+from skinsource.base.run_limited import LimitedProcess
 from skinsource.limbs.limb import LimbFacts
-from skinsource.limbs.limb_import import Points, import_limb
+from skinsource.limbs.limb_import import Points, import_limb, read_description, read_points
 from skinsource.limbs.limb_layout import export_limb
 from skinsource.limbs.own_limbs import facts_of, mirror_limb, own_limb_names, remove_limb
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
-from skinsource_gui.pages.limbs.form import Draft, LimbForm, LimbReader, PlacesCanvas
+from skinsource_gui.pages.limbs import photograph
+from skinsource_gui.pages.limbs.form import Draft, LimbForm, PlacesCanvas
 from skinsource_gui.pages.page import ToolPage
-from skinsource_gui.qt.buttons import page_button, page_label
+from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import ask_yes
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.job_runner import JobProgress, JobRunner, PageJobs
 from skinsource_gui.state.preferences import InstalledLimbs
+from skinsource_gui.state.worker import Worker
 
 _NO = QtWidgets.QMessageBox.StandardButton.No
 _LOST = "Its responses cannot be had back from here"
@@ -61,93 +64,6 @@ def _limb_text(name: str) -> str:
 
 _NONE = "No limb was imported yet."
 _DAMAGED = "Damaged: import it again."
-
-
-class OwnList(QtWidgets.QWidget):
-    """Lists the imported limbs; mirrors, exports and removes the chosen one."""
-
-    #: A limb was removed.
-    changed = Signal()
-    #: A `Job`.
-    job_requested = Signal(object)
-    #: A sentence.
-    failed = Signal(str)
-
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.list, self.message = QtWidgets.QListWidget(), page_label("own_limb_words")
-        self.list.setObjectName("own_limbs")
-        self.list.setAccessibleName("Imported limbs")
-        self.list.setMaximumHeight(96)
-
-        self._mirror = page_button("mirror_limb", "Mirror", "Show a left hand as a right one")
-        self._export = page_button("export_limb", "Export…", "Write it as docs/limbs.md says")
-        self._remove = page_button("remove_limb", "Remove", "Delete it from this computer")
-        row = QtWidgets.QHBoxLayout()
-        for button, action in (
-            (self._mirror, self._turn),
-            (self._export, self._ask_and_export),
-            (self._remove, self._delete),
-        ):
-            button.clicked.connect(action)
-            row.addWidget(button)
-        row.addStretch(1)
-        in_column(self.list, self.message, row, of=self, margins=0, gap_px=UNIT_PX // 2)
-        self.list.currentRowChanged.connect(self._show_chosen)
-        self.show_limbs()
-
-    @property
-    def chosen(self) -> str:
-        """Name of the chosen limb; empty: none."""
-        names, row = own_limb_names(), self.list.currentRow()
-        return names[row] if 0 <= row < len(names) else ""
-
-    def show_limbs(self, name: str = "") -> None:
-        """List the limbs again, and choose ``name``."""
-        names = own_limb_names()
-        self.list.clear()
-        for limb in names:
-            facts = facts_of(limb)
-            self.list.addItem(f"{facts.title} ({limb})" if facts.title != limb else limb)
-        self.list.setVisible(bool(names))
-        if names:
-            self.list.setCurrentRow(names.index(name) if name in names else 0)
-        self._show_chosen()
-
-    def _turn(self) -> None:
-        # A job, since mirroring writes the whole limb again.
-        name = self.chosen
-        turned = not facts_of(name).mirrored
-        self.job_requested.emit(Job(f"Mirroring {name}", partial(mirror_limb, name, turned)))
-
-    def _delete(self) -> None:
-        name = self.chosen
-        if not may_remove(self, name):
-            return
-        try:
-            remove_limb(name)
-        except SkinSourceError as error:
-            self.failed.emit(str(error))
-        self.changed.emit()
-        self.show_limbs()
-
-    def _ask_and_export(self) -> None:
-        name = self.chosen
-        path, _ = QtWidgets.QFileDialog.getSaveFileName(
-            self, "Export limb", f"{name}.h5", "HDF5 (*.h5)"
-        )
-        if path:
-            work = partial(export_limb, name, Path(path))
-            self.job_requested.emit(Job(f"Exporting {name}", work))
-
-    def _show_chosen(self) -> None:
-        name = self.chosen
-        facts = facts_of(name) if name else None
-        self.message.setText(_NONE if facts is None else facts.sentence or _DAMAGED)
-        for button in (self._mirror, self._export, self._remove):
-            button.setEnabled(facts is not None and (facts.known or button is self._remove))
-        mirrored = facts is not None and facts.mirrored
-        self._mirror.setText("Do not mirror" if mirrored else "Mirror")
 
 
 TITLE = "Own limbs"
@@ -185,8 +101,21 @@ class LimbPage(ToolPage):
         super().__init__(parent, "limb_page", TITLE, (940, 640))
         self._limbs, self._jobs = limbs, PageJobs(runner, self, (IMPORTING,))
         self.draft = Draft()
-        self.reader = LimbReader(self)
-        self.form, self.canvas, self.own = LimbForm(self), PlacesCanvas(), OwnList()
+        self._process, self.worker = LimitedProcess(), Worker("skinsource-limb", self)
+        self.form, self.canvas = LimbForm(self), PlacesCanvas()
+        self.list, self._about = QtWidgets.QListWidget(), page_label("own_limb_words")
+        self.list.setObjectName("own_limbs")
+        self.list.setAccessibleName("Imported limbs")
+        self.list.setMaximumHeight(96)
+        self._mirror = self.add_button(
+            "mirror_limb", "Mirror", "Show a left hand as a right one", self._turn
+        )
+        self._export = self.add_button(
+            "export_limb", "Export…", "Write it as docs/limbs.md says", self._ask_and_export
+        )
+        self._remove = self.add_button(
+            "remove_limb", "Remove", "Delete it from this computer", self._delete
+        )
         self.click = ChoiceField(_CLICKS)
         self.click.setObjectName("click_places")
         self.click.set_value("inputs")
@@ -205,10 +134,13 @@ class LimbPage(ToolPage):
         self._close = self.add_button("close_page", "Close", "Close; an import goes on", self.close)
         self._lay_out()
         self._connect()
+        self.show_limbs()
         self._show()
 
     def _lay_out(self) -> None:
-        left = in_column(self.form.widget, None, self.own)
+        buttons = in_row(self._mirror, self._export, self._remove, None)
+        own = in_column(self.list, self._about, buttons, margins=0, gap_px=UNIT_PX // 2)
+        left = in_column(self.form.widget, None, own)
         clicks = in_row(QtWidgets.QLabel(_CLICKS.label), (self.click, 1), self._back)
         # Cancel is left of Import, so that a double click on Import does not cancel the import.
         ends = in_row(None, self._cancel, self._import, self._close)
@@ -218,33 +150,89 @@ class LimbPage(ToolPage):
     def _connect(self) -> None:
         self.form.changed.connect(self._show)
         self.form.file_requested.connect(self._ask)
-        self.reader.inspected.connect(self._take_responses)
-        self.reader.read.connect(self._take_points)
-        self.reader.pictured.connect(self._take_photograph)
-        self.reader.failed.connect(self.complain)
         self.canvas.clicked.connect(
             lambda x, y: self._take(self.draft.with_point(self.click.value, (x, y)))
         )
-        self.own.changed.connect(self._limbs.look)
-        self.own.failed.connect(self.complain)
-        self.own.job_requested.connect(self._add_job)
+        self.list.currentRowChanged.connect(self._show_chosen)
         self._jobs.changed.connect(self._show)
         self._jobs.progressed.connect(self._show_progress)
         self._jobs.done.connect(self._note_done)
         self._jobs.failed.connect(self.complain)
         self._jobs.cancelled.connect(lambda: self.say("Cancelled. Nothing was changed."))
-        self.finished.connect(lambda _: self.reader.end())
+        self.finished.connect(self._stop_reading)
+
+    @property
+    def chosen(self) -> str:
+        """Name of the chosen limb; empty: none."""
+        names, row = own_limb_names(), self.list.currentRow()
+        return names[row] if 0 <= row < len(names) else ""
+
+    def show_limbs(self, name: str = "") -> None:
+        """List the imported limbs again, and choose ``name``."""
+        names = own_limb_names()
+        self.list.clear()
+        for limb in names:
+            facts = facts_of(limb)
+            self.list.addItem(f"{facts.title} ({limb})" if facts.title != limb else limb)
+        self.list.setVisible(bool(names))
+        if names:
+            self.list.setCurrentRow(names.index(name) if name in names else 0)
+        self._show_chosen()
 
     def open_file(self, path: Path, what: str) -> None:
-        """Read a file for ``what``."""
+        """Read a file for ``what``, in a thread and in a process with limits."""
+        read: Callable[..., Any] = read_points
+        take: Callable[..., None] = partial(self._take_points, path, what)
         if what == "photograph":
-            self.say(f"Reading {path.name}…")
-            self.reader.read_photograph(path)
+            read, take = photograph.read, partial(self._take_photograph, path)
         elif what == "responses":
+            read, take = read_description, partial(self._take_responses, path)
+
+        def tell(result: Any, error: Exception | None) -> None:
+            if error is None:
+                take(result)
+            else:
+                self.complain(str(error))
+
+        if read is not read_points:
             self.say(f"Reading {path.name}…")
-            self.reader.look(path)
-        else:
-            self.reader.read_points(path, what)
+        self.worker.run(partial(read, path, self._process), tell)
+
+    def _stop_reading(self) -> None:
+        self._process.close()
+        self.worker.close()
+
+    def _turn(self) -> None:
+        # A job, since mirroring writes the whole limb again.
+        name = self.chosen
+        turned = not facts_of(name).mirrored
+        self._add_job(Job(f"Mirroring {name}", partial(mirror_limb, name, turned)))
+
+    def _delete(self) -> None:
+        name = self.chosen
+        if not may_remove(self, name):
+            return
+        try:
+            remove_limb(name)
+        except SkinSourceError as error:
+            self.complain(str(error))
+        self._limbs.look()
+        self.show_limbs()
+
+    def _ask_and_export(self) -> None:
+        name = self.chosen
+        path = self.ask_save("Export limb", "HDF5 (*.h5)", Path(f"{name}.h5"))
+        if path is not None:
+            self._add_job(Job(f"Exporting {name}", partial(export_limb, name, path)))
+
+    def _show_chosen(self) -> None:
+        name = self.chosen
+        facts = facts_of(name) if name else None
+        self._about.setText(_NONE if facts is None else facts.sentence or _DAMAGED)
+        for button in (self._mirror, self._export, self._remove):
+            button.setEnabled(facts is not None and (facts.known or button is self._remove))
+        mirrored = facts is not None and facts.mirrored
+        self._mirror.setText("Do not mirror" if mirrored else "Mirror")
 
     def _ask(self, what: str) -> None:
         path = self.ask_open(f"Choose {what}", _KINDS[what])
@@ -335,7 +323,7 @@ class LimbPage(ToolPage):
 
     def _note_done(self, job: Job[Any], result: object) -> None:
         self._limbs.look()
-        self.own.show_limbs(result.name if isinstance(result, LimbFacts) else self.own.chosen)
+        self.show_limbs(result.name if isinstance(result, LimbFacts) else self.chosen)
         if isinstance(result, LimbFacts):
             self.say(f"Imported as {result.name}. Choose it at the left of the bar.")
         else:

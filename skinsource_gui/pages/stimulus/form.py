@@ -4,6 +4,7 @@ Rows that do not apply to the chosen format, rig or actuator are hidden.
 """
 
 import json
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -32,7 +33,7 @@ from skinsource.export.formats import FORMATS, format_named
 from skinsource.export.formats.format import StimulusFormat
 from skinsource.export.stimulus_export.options import StimulusOptions
 from skinsource.specs.numbers import NumberSpec
-from skinsource.specs.spec import ChoiceSpec
+from skinsource.specs.spec import ChoiceSpec, ValidationError
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.rig_field import RigField
@@ -578,9 +579,7 @@ def _put(widget: QtWidgets.QWidget, value: Any) -> None:
             if isinstance(value, str) and widget.findData(value) >= 0:
                 widget.set_value(value)
         elif isinstance(widget, NumberField):
-            if isinstance(value, int | float) and not isinstance(value, bool):
-                spec = widget.spec
-                if spec.minimum <= value <= spec.maximum:
-                    widget.set_value(value)
+            with suppress(ValidationError):
+                widget.set_value(widget.spec.checked(value))
         elif isinstance(widget, QtWidgets.QAbstractButton) and isinstance(value, bool):
             widget.setChecked(value)

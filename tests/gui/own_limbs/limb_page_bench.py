@@ -15,7 +15,7 @@ def button(page, name):
 
 def opened(page, path, what, qtbot):
     page.open_file(path, what)
-    qtbot.waitUntil(lambda: not page.reader.busy, timeout=60_000)
+    qtbot.waitUntil(lambda: not page.worker.busy, timeout=60_000)
 
 
 def imported(page, name, qtbot):

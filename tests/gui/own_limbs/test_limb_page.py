@@ -62,7 +62,7 @@ def test_a_file_in_the_layout_is_imported_and_can_be_chosen_at_once(
     imported(page, "lab-1", qtbot)
     assert facts_of("lab-1").digest == digest
     assert "lab-1" in window.limbs.names
-    assert page.own.chosen == "lab-1"
+    assert page.chosen == "lab-1"
     button(page, "mirror_limb").click()
     qtbot.waitUntil(lambda: text_of_page(page) == "Mirroring lab-1: done.", timeout=60_000)
     assert facts_of("lab-1").mirrored
@@ -86,7 +86,7 @@ def test_a_limb_of_the_same_name_is_replaced_after_a_question(
     user_data, tmp_path, page, qtbot, monkeypatch
 ):
     installed()
-    page.own.show_limbs()
+    page.show_limbs()
     export_limb("lab-1", tmp_path / "lab.h5")
     with h5py.File(tmp_path / "lab.h5", "r+") as file:
         file["responses"][0, 0, 0, 0] += 1.0

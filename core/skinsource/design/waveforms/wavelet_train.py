@@ -157,6 +157,9 @@ class WaveletTrain:
     ----------
     Dandu, Shao, Stanley and Visell, Spatiotemporal haptic effects from a single actuator via
     spectral control of cutaneous wave propagation, IEEE World Haptics Conference, 2019.
+
+    Dandu, Shao and Visell, Rendering spatiotemporal haptic effects via the physics of waves in the
+    skin, IEEE Transactions on Haptics, 2020.
     """
 
     title: ClassVar[str] = "Wavelet train"

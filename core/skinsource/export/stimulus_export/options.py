@@ -6,13 +6,18 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
-from skinsource.base.arguments import one_of, real_number
+from skinsource.base.arguments import brief, one_of, real_number
 from skinsource.base.errors import InvalidInputError
 
+#: What has a channel of its own.
+Per = Literal["place", "input"]
+#: Ids of inputs or clips, or numbers of channels.
+Numbers = tuple[int, ...]
 #: Asks for no actuator, rig or equaliser, not even for that of the design.
 Nothing = Literal["none"]
 
 
+@brief
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StimulusOptions:
     """How a stimulus is prepared for a file; by default nothing is added to it.
@@ -47,10 +52,10 @@ class StimulusOptions:
         Options of the format: ``{"samples": "pcm24"}``.
     """
 
-    per: Literal["place", "input"] = "place"
+    per: Per = "place"
     one_file_per_input: bool = False
-    inputs: tuple[int, ...] | None = None
-    clips: tuple[int, ...] | None = None
+    inputs: Numbers | None = None
+    clips: Numbers | None = None
     from_s: float | None = None
     to_s: float | None = None
     fade_in_s: float = 0.0
@@ -58,7 +63,7 @@ class StimulusOptions:
     lead_in_s: float | None = None
     tail_s: float | None = None
     sync: bool = False
-    channel_map: tuple[int, ...] = ()
+    channel_map: Numbers = ()
     full_scale: float | None = None
     dither_seed: int | None = None
     accept_loss: bool = False

@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import scipy
 
 from skinsource.actuators.actuation import Actuation
 from skinsource.actuators.catalog import Model
@@ -18,11 +17,11 @@ from skinsource.design.labels import label_of, scalings_on
 from skinsource.design.view import View
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.stimulus import Stimulus, added_delays_s, channel_of
+from skinsource.export.exported_design import versions
 from skinsource.export.formats.format import ChannelOverview, Facts
 from skinsource.export.stimulus_export.preparing import PreparedStimulus, actuator_at
 from skinsource.limbs.own_limbs import drive_unit_known
 from skinsource.specs.models import specs_of
-from skinsource.version import __version__
 
 
 def sidecar_path(path: Path) -> Path:
@@ -231,8 +230,3 @@ def _errors(stimulus: Stimulus, facts: Facts) -> dict[str, Any]:
         errors["rounding_of_full_scale"] = rounding
         errors["rounding_db"] = float(decibels(np.array([rounding]))[0]) if rounding else None
     return errors
-
-
-def versions() -> dict[str, str]:
-    """Return the versions of this program and of its numerical libraries."""
-    return {"skinsource": __version__, "numpy": np.__version__, "scipy": scipy.__version__}

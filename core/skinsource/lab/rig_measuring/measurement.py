@@ -23,13 +23,13 @@ from skinsource.actuators.measuring import (
     exponential_sweep,
     part_from,
 )
-from skinsource.actuators.rigs import Margin, Rig, RigChannel, highest_gain
+from skinsource.actuators.rigs import Margin, Rig, RigChannel, highest_gain, wired_channel
 from skinsource.base.arguments import checking
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
 from skinsource.base.errors import InvalidInputError, PlaybackError
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
-from skinsource.base.quoting import quoted, sentence
+from skinsource.base.quoting import sentence
 from skinsource.lab.playing.devices import MOST_OUTPUTS, Output, check_outputs, device_of, devices
 from skinsource.lab.playing.mix import (
     HIGHEST_DB,
@@ -233,11 +233,7 @@ def measurable(
 
 def bench_of(rig: Rig, place: int, setup: MeasuringSetup, output: Output) -> Bench:
     """Return devices, sweep and setup; raise where something is missing, before playing."""
-    channel = rig.channel_of(place)
-    if channel is None:
-        raise InvalidInputError(
-            f"place {place} is not wired in the rig {quoted(rig.title)}; add a channel for it"
-        )
+    channel = wired_channel(rig, place)
     rate_hz = output.sample_rate_hz
     volts, highest_hz = measurable(channel, setup, rate_hz)
     swept_hz = _LOWER_SHARE * setup.lowest_hz, min(_HIGHER_SHARE * setup.highest_hz, highest_hz)
@@ -382,20 +378,11 @@ def kept(rig: Rig, measurement: ChannelMeasurement) -> Rig:
     InvalidInputError
         The rig has no channel for that location any more.
     """
-    if rig.channel_of(measurement.place) is None:
-        raise InvalidInputError(
-            f"place {measurement.place} is not wired in the rig {quoted(rig.title)}"
-        )
+    channel = wired_channel(rig, measurement.place)
     day = measurement.measured_on.isoformat()
-    return replace(
-        rig,
-        channels=tuple(
-            replace(channel, measured=measurement.response, measured_on=day)
-            if channel.place == measurement.place
-            else channel
-            for channel in rig.channels
-        ),
-    )
+    changed = replace(channel, measured=measurement.response, measured_on=day)
+    channels = tuple(changed if each is channel else each for each in rig.channels)
+    return replace(rig, channels=channels)
 
 
 #: How much weaker the first sweep is, dB.

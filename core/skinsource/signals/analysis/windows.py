@@ -92,7 +92,7 @@ def windowed_rms(signals: ArrayLike, window_samples: int, first_sample: int = 0)
     signals : (..., n_times)
         One signal each, (72, n_times) for the outputs of a limb.
     window_samples
-        Samples of a window, at least 1.
+        Samples of a window, at least 1: ``round(0.1 * limb.sample_rate_hz)`` for 100 ms.
     first_sample
         First sample of the first window: about 67 leaves out the pre-trigger delay of measured
         responses.

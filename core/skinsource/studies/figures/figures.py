@@ -42,7 +42,7 @@ from skinsource.signals.analysis.statistics import BIN_HZ, band_rms
 from skinsource.signals.map_range import MAP_RANGE_DB
 from skinsource.signals.projection import magnitude
 from skinsource.signals.resampling import finer
-from skinsource.signals.sampling import NEAR
+from skinsource.signals.sampling import NEAR, values_at
 from skinsource.signals.spectra import MEAN_OF_BINS, mean_of_bins
 from skinsource.studies.figures.sheet import (
     WIDTH_MM,
@@ -380,21 +380,20 @@ def tone_frames(opened: OpenedScene) -> Drawn:
     rate_hz = 1.0 / (time_s[1] - time_s[0])
     first_s = facts_of(opened.design.limb).pre_trigger_delay_s + _FIRST_FRAME_S
     quarters = first_s + np.arange(_N_FRAMES) / (4.0 * frequency_of(clip))
-    instants = np.rint((quarters - time_s[0]) * rate_hz).astype(int)
     along_z = normal_of(opened.design, field)
-    normal = along_z[:, instants].T
+    normal = np.array([values_at(along_z, (at_s - time_s[0]) * rate_hz) for at_s in quarters])
     limit = _SHARE_OF_PEAK * float(np.abs(along_z).max())
     sheet = Sheet(opened, 84.0, maps=True)
     with style():
         places = sheet.row_of_axes(_N_FRAMES, 4.0, 2.0, 146.0, 76.0)
         shown = [levels_of_values(opened.design, values) for values in normal]
-        titles = _instant_titles(time_s[instants])
+        titles = _instant_titles(quarters)
         image = draw_maps(places, shown, (-limit, limit), titles, signed=True)
         label = f"z, m/s²; colours end at {_SHARE_OF_PEAK:.0%} of the peak"
         sheet.colour_bar(image, 153.0, 20.0, 48.0, label)
     columns = {"output": np.arange(1.0, normal.shape[1] + 1.0)}
-    for instant, values in zip(instants, normal, strict=True):
-        columns[f"z at {1e3 * time_s[instant]:.3f} ms (m/s²)"] = values
+    for at_s, values in zip(quarters, normal, strict=True):
+        columns[f"z at {1e3 * at_s:.3f} ms (m/s²)"] = values
     return Drawn(sheet=sheet, tables={"": columns})
 
 

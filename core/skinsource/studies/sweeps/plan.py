@@ -148,18 +148,16 @@ def varied(design: Design, name: str, value: Value) -> Design:
     number, field = _target_of(name, len(design.inputs))
     if field == "location" and isinstance(value, tuple):
         return _with_locations(design, number, value)
-    chosen = range(len(design.inputs)) if number is None else (number,)
-    inputs = list(design.inputs)
-    has_field = False
-    for index in chosen:
-        changed = _input_with(inputs[index], field, value)
-        has_field = has_field or changed is not None
-        inputs[index] = changed or inputs[index]
-    if not has_field:
+    changed = [
+        _input_with(track, field, value) if number in (None, index) else None
+        for index, track in enumerate(design.inputs)
+    ]
+    if all(track is None for track in changed):
         raise InvalidInputError(
             f"nothing in the design has {quoted(name)}; a sweep can vary "
             f"{', '.join(names_in(design))}"
         )
+    inputs = (after or before for before, after in zip(design.inputs, changed, strict=True))
     return replace(design, inputs=tuple(inputs))
 
 

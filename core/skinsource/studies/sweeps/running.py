@@ -22,7 +22,6 @@ from skinsource.design.design import Design
 from skinsource.design.design_file import open_design
 from skinsource.lab.matching import Strengths, read_matches
 from skinsource.signals.projection import Method
-from skinsource.signals.resampling import MAX_RATE_HZ
 from skinsource.specs.models import specs_of
 from skinsource.studies.sweeps.measuring import measured_here
 from skinsource.studies.sweeps.metrics import Metrics
@@ -273,7 +272,6 @@ def _value(name: str, value: Any) -> Value:
 
 # Limits and keys of sweeps in TOML, see docs/sweeps.md.
 _MOST_BYTES = 16 * 2**20
-_MOST = 2**31 - 1
 _KEYS = {
     "": (
         "designs",
@@ -320,16 +318,24 @@ def read_sweep(path: Path) -> Sweep:
     1
     """
     try:
-        content = tomllib.loads(read_bytes(path, most=_MOST_BYTES).decode())
-    except (ValueError, RecursionError) as error:
-        raise FileFormatError(
-            f"{path_text(path)}: is no TOML text ({printable(error)}). Correct that place, and try "
-            "again."
-        ) from error
-    try:
+        content = _content_of(read_bytes(path, most=_MOST_BYTES))
         return _sweep(content, path.parent)
     except InvalidInputError as error:
         raise FileFormatError(f"{path_text(path)}: {sentence(str(error))}") from error
+
+
+def read_variables(text: str) -> dict[str, Any]:
+    """Return the variables in a text that is written as the table ``[vary]`` of a sweep."""
+    return _flat(_content_of(text.encode()))
+
+
+def _content_of(text: bytes) -> dict[str, Any]:
+    try:
+        return tomllib.loads(text.decode())
+    except (ValueError, RecursionError) as error:
+        raise InvalidInputError(
+            f"the text is no TOML ({printable(error)}). Correct that place, and try again."
+        ) from error
 
 
 def _sweep(content: dict[str, Any], folder: Path) -> Sweep:
@@ -339,26 +345,31 @@ def _sweep(content: dict[str, Any], folder: Path) -> Sweep:
         raise InvalidInputError(
             f"designs is {quoted(names)}, expected a list of names of design files"
         )
-    files = [folder / name for name in names]
-    for file in files:
-        open_design(file)
     level_db = content.get("level_db")
     parquet = content.get("parquet", False)
     if not isinstance(parquet, bool):
         raise InvalidInputError(f"parquet is {quoted(parquet)}, expected true or false")
     plan = Plan(
-        designs=named_designs(files),
+        designs=named_designs([folder / name for name in names]),
         variables=variables_of(_table(content, "vary")),
         outputs=tuple(_list(content, "outputs")),
         axes=content.get("axes", "xyz"),
         method=content.get("method", "pca"),
         **level_of(_level(content, folder)),
-        limits=_limits(content),
+        limits=Limits(**_table(content, "limits")),
         level_db=None
         if level_db is None
         else real_number("level_db", level_db, least=LOWEST_DB, most=HIGHEST_DB),
     )
-    return Sweep(plan=plan, order=_order(content), files=_files(content), parquet=parquet)
+    presented = _table(content, "trials")
+    order = Order(kind=presented.pop("order", "random"), **presented)
+    files = StimulusFiles(**_table(content, "stimuli"))
+    return Sweep(
+        plan=plan,
+        order=order if "trials" in content else None,
+        files=files if "stimuli" in content else None,
+        parquet=parquet,
+    )
 
 
 def _level(content: dict[str, Any], folder: Path) -> str | Path | None:
@@ -369,41 +380,12 @@ def _level(content: dict[str, Any], folder: Path) -> str | Path | None:
     return folder / level if level is not None and level.lower().endswith(".csv") else level
 
 
-def _limits(content: dict[str, Any]) -> Limits:
-    table = _table(content, "limits")
-    _check_keys("limits", table)
-    return Limits(**table)
-
-
-def _order(content: dict[str, Any]) -> Order | None:
-    if "trials" not in content:
-        return None
-    table = _table(content, "trials")
-    _check_keys("trials", table)
-    return Order(
-        kind=table.get("order", "random"),
-        seed=table.get("seed", 0),
-        participants=table.get("participants", 1),
-        blocks=table.get("blocks", 1),
-    )
-
-
-def _files(content: dict[str, Any]) -> StimulusFiles | None:
-    if "stimuli" not in content:
-        return None
-    table = _table(content, "stimuli")
-    _check_keys("stimuli", table)
-    rate_hz = table.get("rate_hz")
-    return StimulusFiles(
-        format=table.get("format", "wav"),
-        rate_hz=None if rate_hz is None else integer("rate_hz", rate_hz, 1, MAX_RATE_HZ),
-    )
-
-
 def _table(content: dict[str, Any], name: str) -> dict[str, Any]:
     table = content.get(name, {})
     if not isinstance(table, dict):
         raise InvalidInputError(f"{name} is {quoted(table)}, expected a table, [{name}]")
+    if name in _KEYS:
+        _check_keys(name, table)
     return _flat(table)
 
 

@@ -108,7 +108,7 @@ def table_of(plan: Plan, outcomes: dict[int, Metrics | str]) -> SweepTable:
     rows = [
         (
             number,
-            *(_cell(value) for value in plan.values_of(number).values()),
+            *(cell_of(value) for value in plan.values_of(number).values()),
             *_metric_cells(outcomes[number], metrics),
         )
         for number in sorted(outcomes)
@@ -147,7 +147,8 @@ def _metric_cells(outcome: Metrics | str, names: tuple[str, ...]) -> Iterator[Ce
     yield ""
 
 
-def _cell(value: Any) -> Cell:
+def cell_of(value: Any) -> Cell:
+    """Return a value of a variable for a table; places of several inputs become one text."""
     return " ".join(map(str, value)) if isinstance(value, tuple) else value
 
 

@@ -1,0 +1,65 @@
+"""File > Export…, Stimulus set: a file for each combination of values."""
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+
+import skinsource as ss
+from skinsource.cli.command_line import main
+from tests.gui.stimulus.conftest import opened
+from tests.gui.stimulus.stimulus_bench import WAIT_MS, export
+
+
+@pytest.fixture
+def part(desk, qtbot):
+    desk.exports.show("stimulus_set")
+    yield opened(desk.exports, qtbot)
+    desk.exports.end()
+
+
+def vary(part, qtbot, row, name, values):
+    part.variables[row].choose(name)
+    line = part.values[part.variables[row]].line
+    line.selectAll()
+    QTest.keyClicks(line, values)
+    qtbot.waitUntil(lambda: part.planned is not None and not part._worker.busy, timeout=WAIT_MS)
+
+
+def content_of(folder):
+    return {path.name: path.read_bytes() for path in folder.iterdir()}
+
+
+def test_the_window_writes_what_the_command_writes(
+    part, desk, design, qtbot, save_as, tmp_path, capsys
+):
+    vary(part, qtbot, 0, "2.frequency_hz", "50, 120")
+    vary(part, qtbot, 1, "2.duration_s", "100, 200")
+    part.output.choose("29")
+    vary(part, qtbot, 2, "amplitude", "0, 0.5")
+    assert "silent at output 29" in part.table.item(0, 0).text()
+    part.table.setCurrentCell(1, 0)
+    qtbot.waitUntil(lambda: len(part.channels.channels) == 2, timeout=WAIT_MS)
+    out = save_as("window")
+    export(desk, part, qtbot)
+    ss.save_design(tmp_path / "a.skinsource", design)
+    call = ["export", str(tmp_path / "a.skinsource"), "--out", str(tmp_path / "command")]
+    call += ["--vary", "2.frequency_hz=[50, 120]", "--vary", "2.duration_s=[0.1, 0.2]"]
+    assert main([*call, "--vary", "amplitude=[0, 0.5]", "--match-output", "29"]) == 1
+    assert content_of(out) == content_of(tmp_path / "command")
+    assert desk.document.design == design
+    capsys.readouterr()
+
+
+def test_a_variable_has_one_row_and_stays_while_the_dialog_is_open(part, desk, qtbot):
+    vary(part, qtbot, 0, "location", "7, 12, 3")
+    desk.exports.page.show_export("levels")
+    desk.exports.page.show_export("stimulus_set")
+    assert desk.exports.page.part.values[part.variables[0]].value == (7, 12, 3)
+    part.variables[1].choose("location")
+    assert not part.ready
+    assert "chosen twice" in part._problem.text()
+    part.variables[1].choose("")
+    qtbot.waitUntil(lambda: part.ready, timeout=WAIT_MS)
+    assert part.table.rowCount() == 3
+    QTest.keyClick(part.variables[0], Qt.Key.Key_Tab)
+    assert desk.exports.page.focusWidget() is part.values[part.variables[0]].line
