@@ -118,6 +118,12 @@ class Cell:
         """The longest heading."""
         return self.headings[0]
 
+    def in_range(self, held: Range | None) -> "Cell":
+        """Return the map with other ends of its scale; None: with its own."""
+        if held is None or self.scale is None:
+            return self
+        return replace(self, scale=replace(self.scale, range_db=held))
+
     @property
     def values_db(self) -> Floats | None:
         """The value of each output, (n_outputs,); None where there are none."""
@@ -459,13 +465,15 @@ class Kind:
         Names of the choices above the maps that apply, beside "Of" itself.
     needs
         As of a panel.
-    own
-        Whether the sides come from the results of the design in the window.
+    own, moves
+        Whether the sides come from the results of the design in the window; whether they can be
+        shown in motion.
     """
 
     fields: ClassVar[frozenset[str]] = frozenset()
     needs: ClassVar[frozenset[str]] = LEVELS
     own: ClassVar[bool] = False
+    moves: ClassVar[bool] = True
 
     def moving(self, limb: str) -> str:
         """Return the quantity that moves."""
@@ -629,6 +637,7 @@ class OfWindows(Kind):
         }
     )
     own: ClassVar[bool] = True
+    moves: ClassVar[bool] = False
 
     def sides(self, design: Design, results: Mapping[str, Any]) -> Sequence[Compared]:
         common = {name: results[name] for name in _COMMON}
