@@ -4,6 +4,7 @@ Each has a slot of the engine of its own, and is computed only while a visible p
 `Judging` waits for the validity of designs that are exported.
 """
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
@@ -410,7 +411,9 @@ class Comparison(QObject):
         """Return every snapshot, with values where all that is ``wanted`` is known."""
         compared = []
         matched = self._document.shown_view.levels_matched
-        for snapshot in sorted(self._snapshots(), key=lambda snapshot: snapshot.number):
+        # The working design comes last.
+        order = sorted(self._snapshots(), key=lambda each: each.number or math.inf)
+        for snapshot in order:
             known = self._lookup(snapshot, wanted)
             compared.append(
                 Compared(

@@ -326,7 +326,7 @@ def other_snapshot(snapshots: Sequence[Snapshot], design: Design) -> Snapshot | 
 
 def snapshot_name(number: int) -> str:
     """Return the name, within a sentence, of the design under a number."""
-    return "what was edited" if number == EDITED else f"snapshot {number}"
+    return "the working design" if number == EDITED else f"snapshot {number}"
 
 
 def why_no_comparison(snapshots: Sequence[Snapshot]) -> str:

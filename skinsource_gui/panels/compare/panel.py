@@ -224,7 +224,7 @@ class ComparePanel(MapsPanel):
         self.bar.view_changed.connect(self.view_changed)
         self.bar.action_requested.connect(self.action_requested)
         self.bar.room_changed.connect(self._show_cards)
-        self.cards = [Card(number, self) for number in (EDITED, *NUMBERS)]
+        self.cards = [Card(number, self) for number in (*NUMBERS, EDITED)]
         for card in self.cards:
             card.requested.connect(self._act)
         self._row = FoldingRow(self.cards, UNIT_PX // 4, left=True, parent=self)

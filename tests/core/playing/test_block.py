@@ -28,8 +28,11 @@ def test_what_is_sent_is_what_was_to_be_played_to_the_last_bit():
 
 def test_blocks_longer_than_any_device_asks_for_are_whole():
     row = np.random.default_rng(3).uniform(-1, 1, 9000)
-    output = block(playing(mix(row)), 9000 + FADE)
+    live = playing(mix(row))
+    output = block(live, 9000 + FADE)
     assert np.array_equal(output[0, FADE:], row.astype(np.float32))
+    # What is heard is told from where the block began.
+    assert live.began_at == -FADE
 
 
 def test_a_queue_takes_no_mix_that_does_not_fit():
