@@ -328,4 +328,5 @@ class FoldingRow(QtWidgets.QWidget):
 
     @property
     def _widest_px(self) -> int:
-        return max((widget.minimumSizeHint().width() for widget in self._widgets), default=0)
+        shown = (widget for widget in self._widgets if not widget.isHidden())
+        return max((widget.minimumSizeHint().width() for widget in shown), default=0)

@@ -281,7 +281,7 @@ class Comparison(QObject):
         other = other_snapshot(document.view.snapshots, document.design)
         hint = "change the design, and X goes to and fro"
         if other is not None:
-            hint = f"X shows {snapshot_name(other.number)}, and this again"
+            hint = f"X shows {snapshot_name(other.number)}, Edit > Compare side by side both"
         self.done.emit(f"Stored snapshot {number}{replacement}; {hint}")
 
     def forget_problems(self) -> None:

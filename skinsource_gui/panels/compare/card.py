@@ -99,14 +99,14 @@ class Card(QtWidgets.QToolButton):
         self.setToolTip(text)
         self.setChecked(present)
         if compared is None:
-            self.setText(f"{self.number}\n{self._store_key}")
+            self.setText(f"{self.number}: {self._store_key}")
         else:
             warned = "⚠ " if compared.left_out else ""
-            self.setText(f"{warned}{compared.name}\n{card_level_text(compared)}")
+            self.setText(f"{warned}{compared.name}: {card_level_text(compared)}")
 
     def sizeHint(self) -> QSize:
         # Levels that change move nothing.
-        widest = self.fontMetrics().horizontalAdvance("−88.8 dB") + UNIT_PX
+        widest = self.fontMetrics().horizontalAdvance("1: −88.8 dB") + UNIT_PX
         return super().sizeHint().expandedTo(QSize(widest, 0))
 
     def nextCheckState(self) -> None:

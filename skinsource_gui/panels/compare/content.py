@@ -184,6 +184,11 @@ class CompareContent:
         return scales.pop() if len(scales) == 1 else None
 
     @property
+    def head_lines(self) -> float:
+        """Height of the line above the maps, which says that they are of synthetic limbs."""
+        return 1.2 if any(cell.synthetic for cell in self.cells) else 0.0
+
+    @property
     def stale(self) -> bool:
         """Whether any of the maps belongs to the design before."""
         return any(cell.stale for cell in self.cells)

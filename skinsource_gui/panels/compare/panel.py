@@ -37,7 +37,7 @@ from skinsource_gui.panels.compare.settings import (
 from skinsource_gui.panels.compare.view import paint_page
 from skinsource_gui.plots.figure import NoteLabel
 from skinsource_gui.qt.buttons import tool_button
-from skinsource_gui.qt.fitting import ButtonRow, FoldingRow, VisibleHeight
+from skinsource_gui.qt.fitting import FoldingRow, VisibleHeight
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, on_paper, tabular
@@ -155,13 +155,13 @@ class ChoicesBar(QtWidgets.QWidget):
         hint = "Keep the design of a file as a snapshot, and show it here"
         self.file = tool_button(self, "compare_file", "From file…", hint)
         self.file.clicked.connect(partial(self.action_requested.emit, "take_snapshot"))
-        parts = self.of, self.shown, self.own_maximum, self.limbs, self.frequencies
-        self._of_snapshots = ButtonRow((self.match, self.toggle, self.file))
-        self._row = FoldingRow(parts, UNIT_PX // 2)
+        self._of_snapshots = self.match, self.toggle, self.file
+        of_others = self.own_maximum, self.limbs, self.frequencies
+        self._row = FoldingRow((self.of, self.shown, *of_others, *self._of_snapshots), UNIT_PX // 2)
         self._in_sight = VisibleHeight(parent)
         self._in_sight.changed.connect(self._check_room)
         margins = UNIT_PX // 2, 1, UNIT_PX // 2, 1
-        in_column(self._row, self._of_snapshots, of=self, margins=margins, gap_px=2)
+        in_column(self._row, of=self, margins=margins, gap_px=2)
 
     def show_state(self, design: Design, view: View) -> None:
         """Take over the present design and view."""
@@ -194,7 +194,8 @@ class ChoicesBar(QtWidgets.QWidget):
 
     def _fit(self) -> None:
         of_snapshots = self.has_room and "snapshots" in KINDS[self.settings.of].fields
-        self._of_snapshots.setVisible(of_snapshots)
+        for part in self._of_snapshots:
+            part.setVisible(of_snapshots)
         self._row.fold()
 
     def _change(self, **changes: Any) -> None:

@@ -242,6 +242,8 @@ class StagePanel(MapsPanel):
             label.setWordWrap(True)
             label.setTextFormat(Qt.TextFormat.PlainText)
         self.maps.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        # The wave is to be seen on the arm, too.
+        self.maps.least_lines = 9.0
         self.knob.edited.connect(self._turn)
         self.guessed = self.maps, self.strip
         self.setFocusProxy(self.knob)

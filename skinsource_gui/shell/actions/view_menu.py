@@ -52,6 +52,15 @@ VIEW: tuple[ActionSpec, ...] = (
         for workspace in WORKSPACES
     ),
     action(
+        "compare_side_by_side",
+        "Compare side by side",
+        "Maps of snapshots, people, frequencies or axes in one scale",
+        command="workspaces.bring",
+        argument="compare",
+        keywords="a/b snapshots people limbs difference mean spread deviation panel",
+        separated=True,
+    ),
+    action(
         "reset_workspace",
         "Reset arrangement",
         "Put the panels of this workspace back where they were at first",
