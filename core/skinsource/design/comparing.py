@@ -340,14 +340,6 @@ def why_no_comparison(snapshots: Sequence[Snapshot]) -> str:
     )
 
 
-def reference_snapshot(snapshots: Sequence[Snapshot]) -> Snapshot | None:
-    """Return the snapshot whose level the others are matched to: that of the lowest number.
-
-    So the gain of the edited one, number 0, is never changed.
-    """
-    return min(snapshots, key=lambda snapshot: snapshot.number, default=None)
-
-
 def restored_snapshots(
     restored: Sequence[Snapshot], other: Sequence[Snapshot], present: Sequence[Snapshot]
 ) -> tuple[Snapshot, ...]:
