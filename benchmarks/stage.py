@@ -81,6 +81,8 @@ def main() -> None:
             available_limbs=("synthetic-1",),
         )
         window.show()
+        # Nothing is computed before it was painted once.
+        wait(0.5)
         window.do("present")
         window.showNormal()
         window.resize(1920, 1080)
