@@ -115,8 +115,7 @@ class MapsPanel(Panel):
         self.show_maps()
 
     def show_on_limbs(self, compared: Sequence[Compared]) -> None:
-        self.compared = compared
-        self.show_maps()
+        self.show_snapshots(compared)
 
     def show_maps(self) -> None:
         """Draw what is known of the designs."""

@@ -51,7 +51,7 @@ def test_a_scene_that_does_not_apply_says_why_and_is_not_opened(lab_window):
     assert not page.buttons.button(OPEN).isEnabled()
     page._choose()
     assert lab_window.document.design is before
-    rows = dict(zip(ss.scenes.names(), map(page.list.item, range(page.list.count())), strict=True))
+    rows = {name: page.list.item(row) for row, name in enumerate(ss.scenes.names())}
     assert rows["1G"].foreground().color() != rows["1F"].foreground().color()
     assert "It compares 4 people" in rows["1G"].toolTip()
     page.played_on.choose("")
