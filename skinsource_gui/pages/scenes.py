@@ -10,7 +10,12 @@ from PySide6.QtCore import QSize, Qt, Signal
 from skinsource.design.labels import limb_label
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.spec import ChoiceSpec
-from skinsource.studies.scenes.catalog import all_scenes, opened_plainly, why_not_on
+from skinsource.studies.scenes.catalog import (
+    all_scenes,
+    missing_panels,
+    opened_plainly,
+    why_not_on,
+)
 from skinsource.studies.scenes.opened_scene import Scene
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.page import PictureView, ToolPage
@@ -27,7 +32,7 @@ TITLE = "Scenes"
 _SIZE_PX = (1120, 650)
 _ICON_PX = (72, 44)
 _LIST_PX = 360
-_TEXT_LINES = 11
+_TEXT_LINES = 8
 _OF_THE_PAPER = "The limbs of the paper"
 _PLAYED_ON = "On which limb the scenes are played: those of the paper, or one of your own"
 _PICTURES = "Pictures are computed on synthetic limbs."
@@ -125,7 +130,7 @@ class ScenesPage(ToolPage):
 
     def _lay_out(self) -> None:
         about = QtWidgets.QWidget()
-        in_column((self.picture, 1), self.text, of=about, margins=0, gap_px=UNIT_PX)
+        in_column(self.text, (self.picture, 1), of=about, margins=0, gap_px=UNIT_PX)
         title = QtWidgets.QLabel(self.played_on.accessibleName())
         limb = in_row(title, (self.played_on, 1))
         left = in_column((self.list, 1), limb, gap_px=UNIT_PX)
@@ -144,6 +149,11 @@ class ScenesPage(ToolPage):
         for scene in self._scenes:
             item = QtWidgets.QListWidgetItem(scene.heading)
             item.setIcon(QtGui.QIcon(picture_of(scene)))
+            self.list.addItem(item)
+        for name, reason in missing_panels():
+            item = QtWidgets.QListWidgetItem(f"{name} · no scene: {reason}")
+            item.setToolTip(reason)
+            item.setFlags(Qt.ItemFlag.NoItemFlags)
             self.list.addItem(item)
         names = [scene.name for scene in self._scenes]
         self.list.setCurrentRow(names.index(selected) if selected in names else 0)

@@ -174,6 +174,8 @@ class SmallMap:
         Interpolated map and its levels, (rows, columns); None: outputs have the colours.
     noisy
         Outputs that are mostly noise: their surroundings are hatched.
+    hand_only
+        Whether the arm is left out.
     """
 
     limb_map: LimbMap
@@ -181,6 +183,16 @@ class SmallMap:
     field: FieldImage | None = None
     field_levels_db: Floats | None = None
     noisy: tuple[int, ...] = ()
+    hand_only: bool = False
+
+    @property
+    def bounds(self) -> QRectF:
+        """The box around what is drawn, in outline pixels; its top is the lowest y."""
+        if not self.hand_only:
+            return bounds_of(self.limb_map.outline)
+        hand = hand_bounds(self.limb_map)
+        # With the first outputs of the wrist.
+        return hand.adjusted(0.0, -0.1 * hand.height(), 0.0, 0.0)
 
     @property
     def range_db(self) -> Range:
@@ -238,10 +250,10 @@ def paint_small_map(
     range_db, table
         Levels of the lowest and highest colour, and the colours; the usual ones unless given.
     """
-    limb_map = shown.limb_map
-    frame = small_frame(limb_map, area)
+    limb_map, frame = shown.limb_map, small_frame(shown, area)
     outline = frame.transform().map(_outline(limb_map))
     painter.save()
+    painter.setClipRect(area, Qt.ClipOperation.IntersectClip)
     painter.setRenderHints(
         QtGui.QPainter.RenderHint.Antialiasing | QtGui.QPainter.RenderHint.SmoothPixmapTransform
     )
@@ -294,9 +306,9 @@ def map_grid(
     )
 
 
-def small_frame(limb_map: LimbMap, area: QRectF) -> Frame:
+def small_frame(shown: SmallMap, area: QRectF) -> Frame:
     """Return the frame in which `paint_small_map` draws a map."""
-    return fitted(bounds_of(limb_map.outline), area, up=True)
+    return fitted(shown.bounds, area, up=True)
 
 
 def _paint_levels(
@@ -310,7 +322,7 @@ def _paint_levels(
     colours = colour_table() if table is None else table
     if shown.field is not None and shown.field_levels_db is not None:
         painter.save()
-        painter.setClipPath(outline)
+        painter.setClipPath(outline, Qt.ClipOperation.IntersectClip)
         # The first line of the image is the highest y: it is drawn downwards from there.
         place = frame.transform().mapRect(shown.field.rect)
         painter.drawImage(place, shown.field.image(shown.field_levels_db, range_db, colours))
@@ -379,6 +391,15 @@ def bounds_of(points: Floats) -> QRectF:
     """Return the box around points, in outline pixels; its top is the lowest y."""
     (x0, y0), (x1, y1) = points.min(axis=0), points.max(axis=0)
     return QRectF(float(x0), float(y0), float(x1 - x0), float(y1 - y0))
+
+
+def hand_bounds(limb_map: LimbMap) -> QRectF:
+    """Return box around the outline from the fingertips to just past the wrist."""
+    outline = limb_map.outline
+    wrist = outline[:, 1].max() - 1.01 * limb_map.hand_length_px
+    box = bounds_of(outline[outline[:, 1] >= wrist])
+    box.setTop(max(wrist, outline[:, 1].min()))
+    return box
 
 
 #: Shown where the user has fixed the range of colours.
@@ -459,7 +480,7 @@ def paint_small_bar(
     if not is_on_paper() or length_mm <= 0.0:
         return
     limb_map = shown.limb_map
-    px_per_mm = small_frame(limb_map, area).scale * limb_map.hand_length_px / length_mm
+    px_per_mm = small_frame(shown, area).scale * limb_map.hand_length_px / length_mm
     bar_mm = bar_length_mm(px_per_mm, area.width())
     text, plain = f"{bar_mm} mm", painter.font()
     painter.setFont(scaled(plain, _BAR_TEXT))
@@ -502,8 +523,7 @@ def paint_rings(
     pointed_at: int | None = None,
 ) -> None:
     """Draw rings around selected outputs, in the colours of their curves, and ``pointed_at``."""
-    limb_map = small.limb_map
-    frame = small_frame(limb_map, area)
+    limb_map, frame = small.limb_map, small_frame(small, area)
     points = frame.to_screen(limb_map.output_positions)
     painter.setBrush(Qt.BrushStyle.NoBrush)
     radius, width = ring_size(len(outputs), smallest_spacing(limb_map) * frame.scale)
@@ -511,7 +531,8 @@ def paint_rings(
     if pointed_at is not None:
         rings.append((pointed_at, QtGui.QPen(QtGui.QColor(theme.text), 1.5), _WIDE_PX))
     for number, pen, radius in rings:
-        if is_placed(points, number):
+        # Those of the arm lie below the hand.
+        if is_placed(points, number) and points[number - 1, 1] <= area.bottom():
             paint_ring(painter, QPointF(*points[number - 1]), radius, pen, theme)
 
 
@@ -612,22 +633,31 @@ def with_matched(scale: ColourScale, matched: str) -> ColourScale:
     return replace(scale, text_below=f"{scale.text_below}, {matched}") if matched else scale
 
 
-def scale_row_px(line_px: float) -> float:
-    """Return the height of `paint_scale_row` for lines of text of this height."""
-    return _ABOVE_PX + _RAMP_PX + 2.0 * line_px
+def scale_row_px(line_px: float, *, low: bool = False) -> float:
+    """Return the height of `paint_scale_row` for lines of text of this height.
+
+    ``low``: its text stands beside it.
+    """
+    return _ABOVE_PX + _RAMP_PX + (1.0 if low else 2.0) * line_px
 
 
 def paint_scale_row(
     painter: QtGui.QPainter, area: QRectF, scale: ColourScale, theme: Theme
 ) -> None:
-    """Draw the colours in the middle of ``area``, with numbers and a text below them."""
+    """Draw the colours in the middle of ``area``, with numbers, and a text below or beside them."""
     line = painter.fontMetrics().height()
     width = max(min(area.width() - 4.0 * line, 20.0 * line), 4.0 * line)
-    ramp = QRectF(area.center().x() - width / 2.0, area.top() + _ABOVE_PX, width, _RAMP_PX)
+    low = area.height() < scale_row_px(line)
+    text_px = painter.fontMetrics().horizontalAdvance(scale.text_below) if low else 0.0
+    width = max(min(width, area.width() - text_px - 6.0 * line), 4.0 * line)
+    left = area.center().x() - (width + text_px) / 2.0
+    ramp = QRectF(left, area.top() + _ABOVE_PX, width, _RAMP_PX)
     paint_ramp(painter, ramp, scale, theme)
     painter.setPen(QtGui.QColor(theme.dim))
     below = QRectF(area.left(), ramp.bottom() + line, area.width(), line)
-    painter.drawText(below, _CENTRE, scale.text_below)
+    beside = QRectF(ramp.right() + 3.0 * line, area.top(), area.width(), area.height())
+    centred = Qt.AlignmentFlag.AlignVCenter if low else _CENTRE
+    painter.drawText(beside if low else below, centred, scale.text_below)
 
 
 def paint_ramp(painter: QtGui.QPainter, ramp: QRectF, scale: ColourScale, theme: Theme) -> None:

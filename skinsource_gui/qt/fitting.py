@@ -7,7 +7,6 @@ from PySide6.QtCore import QEvent, QObject, Signal
 
 from skinsource_gui.qt.layouts import FlowLayout, in_row
 from skinsource_gui.qt.theme import letter_scale
-from skinsource_gui.qt.wheel import areas_around
 
 
 class LetterWidth(QObject):
@@ -67,36 +66,6 @@ class LayoutWatcher(QObject):
         if event.type() in _ROOM_EVENTS:
             self.changed.emit()
         return False
-
-
-class VisibleHeight(LayoutWatcher):
-    """Signals when the visible height of a widget may have changed, and returns it.
-
-    A widget in a scroll area can be higher than the visible part.
-
-    Parameters
-    ----------
-    widget
-        The widget; also the parent.
-    """
-
-    def __init__(self, widget: QtWidgets.QWidget) -> None:
-        super().__init__(widget)
-        self._widget = widget
-
-    @property
-    def px(self) -> int:
-        """The height of the widget, or of the scroll area around it if that is lower."""
-        heights = (area.viewport().height() for area in areas_around(self._widget))
-        return min((self._widget.height(), *heights))
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Show:
-            # Only now the scroll areas around it are known.
-            for area in areas_around(self._widget):
-                area.viewport().installEventFilter(self)
-            self.changed.emit()
-        return super().eventFilter(watched, event)
 
 
 def grouped(*widgets: QtWidgets.QWidget | None, gap_px: int) -> QtWidgets.QWidget:

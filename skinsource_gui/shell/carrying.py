@@ -34,7 +34,7 @@ from skinsource_gui.state.services import Services
 
 # Maps between outputs are drawn with this quantity: a panel that needs it draws a map.
 _MAP = "surface"
-_EDITED = "Edited"
+_EDITED = "Working design"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

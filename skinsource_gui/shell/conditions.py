@@ -25,7 +25,7 @@ from skinsource_gui.state.engine import (
     sources_shown,
     too_large,
 )
-from skinsource_gui.state.panel import PanelRegistry
+from skinsource_gui.state.panel import Panel, PanelRegistry
 
 #: What conditions are called; the chip leaves out that of the limb, which stands on the map.
 NAMES = {
@@ -46,6 +46,7 @@ _CAUTIONS = {
     "noise": "outputs near the noise",
     "scaling": "differences between places hidden",
 }
+_CAUTION = "⚠"
 _OLDER = "updating: of an older design"
 
 
@@ -59,7 +60,7 @@ def chip_text(findings: Findings) -> str:
         count = f"{len(left[0].outputs)} " if left[0].outputs else ""
         more = f", {len(left) - 1} more" if left[1:] else ""
         caution = f"{count}{_CAUTIONS[left[0].name]}"
-        return f"⚠ {caution[0].upper()}{caution[1:]}{more}"
+        return f"{_CAUTION} {caution[0].upper()}{caution[1:]}{more}"
     if any(finding.state == "unknown" for finding in named):
         return "✓ Within known limits"
     return "✓ Within measured limits"
@@ -182,7 +183,7 @@ _WANTED = frozenset({"validity"})
 
 
 class Conditions(QObject):
-    """Judges the conditions once edits pause; while the chip is hidden nothing is computed for it.
+    """Judges the conditions once edits pause; while the window is hidden nothing is computed.
 
     Parameters
     ----------
@@ -203,11 +204,11 @@ class Conditions(QObject):
         self._document, self._engine = document, engine
         self._panels = panels
         self._noisy: tuple[int, ...] = ()
-        panels.each(lambda panel: panel.show_noisy(self._noisy))
+        self.chip = ConditionsChip()
+        panels.each(self._tell)
         self._shown: Request | None = None
         # The sources of the present findings; None without findings.
         self._judged: Mapping[str, Any] | None = None
-        self.chip = ConditionsChip()
         status_bar.insertPermanentWidget(0, self.chip)
         self._idle = QTimer(self, singleShot=True, interval=_IDLE_MS)
         self._idle.timeout.connect(self._judge)
@@ -239,7 +240,7 @@ class Conditions(QObject):
         return self._shown is not None and request.given == self._shown.given
 
     def _judge(self) -> None:
-        if self._shown is not None and self.chip.isVisible():
+        if self._shown is not None and self.chip.window().isVisible():
             self._engine.request(replace(self._shown, wanted=_WANTED, purpose=Purpose.JUDGE))
 
     def _show_outcome(self, outcome: Outcome | None) -> None:
@@ -250,7 +251,12 @@ class Conditions(QObject):
         self._follow()
         self._noisy = next((finding.outputs for finding in findings if finding.name == "noise"), ())
         for panel in self._panels:
-            panel.show_noisy(self._noisy)
+            self._tell(panel)
+
+    def _tell(self, panel: Panel) -> None:
+        panel.show_noisy(self._noisy)
+        text = chip_text(self.chip.findings)
+        panel.show_caution(text if text.startswith(_CAUTION) else "")
 
     def _explain(self) -> None:
         card = ConditionsCard(self.chip.findings, self.chip.worst, self.chip)

@@ -54,6 +54,8 @@ def fill_menu_bar(
         menu.addAction(actions[spec.name])
         if spec.name in submenus:
             menu.addMenu(submenus[spec.name])
+    # It stands where snapshots are stored, too.
+    menus["Edit"].insertAction(actions["take_snapshot"], actions["compare_side_by_side"])
     shown = menus["View"].addMenu("Panels")
     for action in panels:
         shown.addAction(action)

@@ -26,7 +26,6 @@ from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import UNIT_PX, scaled
 from skinsource_gui.shell.focus import KeyboardFilter
 from skinsource_gui.shell.workspaces import Workspaces
-from skinsource_gui.state.document import Document
 from skinsource_gui.state.services import Services
 
 if TYPE_CHECKING:
@@ -193,36 +192,6 @@ def steps_of_show(entries: Sequence[ShowEntry | UnreadEntry]) -> tuple[Step, ...
     )
 
 
-@dataclass(frozen=True, slots=True)
-class WholeScene:
-    """A design, and those of the snapshots beside it by their numbers: levels match by themselves.
-
-    Attributes
-    ----------
-    design, snapshots
-        As they were.
-    title
-        What scene or file is called.
-    """
-
-    design: Design
-    snapshots: dict[int, Design]
-    title: str
-
-    @classmethod
-    def of(cls, document: Document) -> "WholeScene":
-        """Return the scene that is open now."""
-        snapshots = {snapshot.number: snapshot.design for snapshot in document.view.snapshots}
-        file = "" if document.path is None else document.path.stem
-        return cls(document.design, snapshots, document.scene or file)
-
-    def left(self, document: Document) -> str:
-        """Return the note for leaving it, if it has changes that no file holds."""
-        if not document.modified or self == WholeScene.of(document):
-            return ""
-        return f"; changes to {self.title.partition(' · ')[0]} are not kept"
-
-
 class Presenter(QObject):
     """Hides the bars of the window, and steps through scenes.
 
@@ -274,9 +243,9 @@ class Presenter(QObject):
         self._steps: tuple[Step, ...] = ()
         self._entries: tuple[ShowEntry | UnreadEntry, ...] = ()
         self._at = -1
-        # The scene that is open, as it was when it was presented: what is turned in it meanwhile is
-        # not kept.  None: there is work in it that is asked about.
-        self._unchanged: WholeScene | None = None
+        # Steps of the history when the design was put on the stage: what is turned there is taken
+        # back.  Whether there is work in it that is asked about before another one comes.
+        self._begun, self._asks = 0, True
         self._opening = False
         self._notes: NotesWindow | None = None
         self._presenting_keys: PresentingKeys | None = None
@@ -291,8 +260,8 @@ class Presenter(QObject):
         window = self._window
         self.presenting = True
         is_scene = self._at >= 0 or self._document.path is not None
-        whole = is_scene and not self._document.modified
-        self._unchanged = WholeScene.of(self._document) if whole else None
+        self._asks = not is_scene or self._document.modified
+        self._begun = self._document.undo_stack.index()
         self._focused = window.focusWidget()
         self.presenting_changed.emit(True)
         self._workspaces.begin_show()
@@ -311,7 +280,8 @@ class Presenter(QObject):
     def end(self) -> None:
         """Bring back bars, panels where they stood, with those of the scene, and the map."""
         window = self._window
-        self.presenting, self._unchanged = False, None
+        self.presenting, self._asks = False, True
+        turned = self._take_back()
         for action in self._actions().values():
             window.removeAction(action)
         if self._presenting_keys is not None:
@@ -330,6 +300,16 @@ class Presenter(QObject):
             self.cover()
         if self._notes is not None:
             self._notes.close()
+        if turned:
+            self.done.emit("The design is as it was before; Redo brings back what was turned")
+
+    def _take_back(self) -> bool:
+        """Take back what was turned on the stage, unless it was saved; return whether it was."""
+        document, stack = self._document, self._document.undo_stack
+        turned = document.design
+        saved = self._begun <= stack.cleanIndex() <= stack.index()
+        document.go_to(stack.cleanIndex() if saved else self._begun)
+        return turned != document.design
 
     def cover(self) -> None:
         """Cover the maps, so that people guess first; or reveal them."""
@@ -350,7 +330,7 @@ class Presenter(QObject):
 
     def open_show(self, entries: Sequence[ShowEntry | UnreadEntry], at: int = 0) -> None:
         """Put one of some designs on the stage; the others come before and after it."""
-        if entries and (self._unchanged is not None or self._files.may_lose_changes()):
+        if entries and self._may_leave():
             self._entries, self._steps = tuple(entries), steps_of_show(entries)
             self._open(at)
 
@@ -400,6 +380,7 @@ class Presenter(QObject):
             "leave": self.end,
             "hold": stage.hold,
             "levels": stage.show_levels,
+            "fit": stage.fit,
         }
 
     def _go(self, by: int) -> None:
@@ -415,9 +396,12 @@ class Presenter(QObject):
         if not 0 <= target < len(self._steps):
             self.done.emit("This is the last scene" if by > 0 else "This is the first scene")
             return
-        # In front of an audience no question is asked on changes that are never saved.
-        if self._unchanged is not None or self._files.may_lose_changes():
+        if self._may_leave():
             self._open(target)
+
+    def _may_leave(self) -> bool:
+        # In front of an audience no question is asked on changes that are never saved.
+        return not self._asks or self._files.may_lose_changes()
 
     def _steps_of_paper(self) -> tuple[Step, ...]:
         """Return the scenes of the paper, in the order of the figures."""
@@ -441,12 +425,15 @@ class Presenter(QObject):
             self.failed.emit(f"Scene {number + 1}: {error}")
             return
         title = (scenes.title_of(design) if design.title else "") or step.title
-        left = "" if self._unchanged is None else self._unchanged.left(self._document)
+        document, left = self._document, ""
+        before = document.scene or ("" if document.path is None else document.path.stem)
+        if self.presenting and self._take_back():
+            left = f"; changes to {before.partition(' · ')[0]} are not kept"
         self._opening = True
-        self._document.start_over(design, view, None, scene=title)
+        document.start_over(design, view, None, scene=title)
         self._files.leave_file()
         self._opening = False
-        self._unchanged = WholeScene.of(self._document) if self.presenting else None
+        self._begun, self._asks = 0, not self.presenting
         self._workspaces.show_scene()
         self.done.emit(f"Scene {number + 1} of {len(self._steps)}: {title}{left}")
         self._show_notes()
@@ -454,7 +441,8 @@ class Presenter(QObject):
     def _look(self) -> None:
         # With another design the history is empty; with a step of it, it is not.
         if not self._opening and self._document.undo_stack.count() == 0:
-            self._unchanged, self._steps, self._entries, self._at = None, (), (), -1
+            self._begun, self._asks = 0, True
+            self._steps, self._entries, self._at = (), (), -1
 
     def _show_notes(self) -> None:
         if self._notes is None:

@@ -56,7 +56,7 @@ class Compared:
     @property
     def name(self) -> str:
         """Its name on a card."""
-        return "Edited" if self.snapshot.number == EDITED else str(self.snapshot.number)
+        return "Working" if self.snapshot.number == EDITED else str(self.snapshot.number)
 
 
 def is_silent(compared: Compared) -> bool:

@@ -4,7 +4,8 @@ Each has a slot of the engine of its own, and is computed only while a visible p
 `Judging` waits for the validity of designs that are exported.
 """
 
-from collections.abc import Callable, Mapping
+import math
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -17,13 +18,11 @@ from skinsource.design.comparing import (
     match_text,
     matching_gain,
     other_snapshot,
-    reference_snapshot,
     shown_snapshot,
     snapshot_name,
     why_no_comparison,
     with_edited,
 )
-from skinsource.design.design import Design
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.view import View
 from skinsource.perception.validity import Judged
@@ -47,129 +46,6 @@ from skinsource_gui.state.engine import (
 )
 from skinsource_gui.state.panel import Panel, PanelRegistry
 from skinsource_gui.state.worker import fault_text
-
-
-class OnLimbs(QObject):
-    """Has the engine predict the design on each limb, or at each frequency, that panels need.
-
-    For the limb of the window its own results are used, where they hold all that is needed.
-    """
-
-    def __init__(self, document: Document, engine: Engine, panels: PanelRegistry) -> None:
-        super().__init__(document)
-        self._document, self._engine = document, engine
-        self._panels = panels
-        # What visible panels need, as of the last change: of each limb, and all of them together.
-        self._needs: dict[Panel, Mapping[Beside, frozenset[str]]] = {}
-        self._wanted: dict[Beside, frozenset[str]] = {}
-        self._requests: dict[Beside, Request] = {}
-        self._outcomes: dict[Beside, Outcome] = {}
-
-    def begin(self) -> None:
-        """Follow the document, after the conductor of the window does."""
-        self._document.changed.connect(self._follow)
-        self._engine.finished.connect(self._note)
-        self._engine.rested.connect(self._ask)
-        self._panels.each(lambda panel: panel.visibility_changed.connect(self._follow))
-
-    def forget_problems(self) -> None:
-        """Try failed predictions again: limbs came or went."""
-        for limb in [name for name, outcome in self._outcomes.items() if outcome.values is None]:
-            del self._outcomes[limb]
-            self._requests.pop(limb, None)
-
-    def _follow(self) -> None:
-        visible = [panel for panel in self._panels if panel.compares and panel.isVisible()]
-        needed = {panel: panel.needs_on_limbs for panel in visible}
-        self._needs = {panel: on_limbs for panel, on_limbs in needed.items() if on_limbs}
-        wanted: dict[Beside, frozenset[str]] = {}
-        for on_limbs in self._needs.values():
-            for limb, needs in on_limbs.items():
-                wanted[limb] = wanted.get(limb, frozenset({UNPLAYABLE})) | needs
-        self._wanted = wanted
-        for limb in self._requests.keys() - wanted.keys():
-            del self._requests[limb]
-            self._engine.release(_slot(limb))
-        for limb in self._outcomes.keys() - wanted.keys():
-            del self._outcomes[limb]
-        if wanted:
-            self._ask()
-            self._tell()
-
-    def _ask(self) -> None:
-        """Request the quantities that are not known of the present design."""
-        for limb, needs in self._wanted.items():
-            located = self._on_limb(limb)
-            if isinstance(located, str):
-                continue
-            sources = self._sources(located)
-            if self._is_known(limb, needs, sources):
-                continue
-            if limb == self._document.design.limb and self._engine.busy:
-                continue  # the window is about to show it
-            request = Request(needs, sources, slot=_slot(limb))
-            if self._requests.get(limb) != request:
-                self._requests[limb] = request
-                self._engine.request(request)
-
-    def _on_limb(self, limb: Beside) -> tuple[Design, View] | str:
-        """Return the design and the view on a limb, or why there are none."""
-        asked = on_limb(self._document.design, self._document.view, limb)
-        return asked if isinstance(asked, str) else too_large(asked[0].limb) or asked
-
-    def _sources(self, asked: tuple[Design, View]) -> dict[str, Any]:
-        """Return the sources of evaluation, as loud as the design is shown in the window."""
-        document = self._document
-        return sources_of_levels(*asked, match_gain=document.shown_view.match_gain(document.design))
-
-    def _is_known(self, limb: Beside, needs: frozenset[str], sources: dict[str, Any]) -> bool:
-        outcome = self._outcomes.get(limb)
-        if outcome is None or key_of_levels(outcome.request.given) != key_of_levels(sources):
-            return False
-        return outcome.values is None or needs <= outcome.values.keys()
-
-    def _note(self, outcome: Outcome) -> None:
-        request = outcome.request
-        here: Beside = request.given["limb"]
-        limb = next((each for each in self._wanted if request.slot == _slot(each)), here)
-        needs = self._wanted.get(limb)
-        if needs is None:
-            return
-        of_window = request.place == (FIRST_SLOT, Purpose.SHOW)
-        known = set() if outcome.values is None else outcome.values.keys()
-        if request.slot != _slot(limb) and not (of_window and needs <= known):
-            return
-        self._outcomes[limb] = outcome
-        self._tell()
-
-    def _tell(self) -> None:
-        compared = {limb: self._compared(limb, needs) for limb, needs in self._wanted.items()}
-        for panel, on_limbs in self._needs.items():
-            panel.show_on_limbs([compared[limb] for limb in on_limbs])
-
-    def _compared(self, limb: Beside, needs: frozenset[str]) -> Compared:
-        asked = self._on_limb(limb)
-        if isinstance(asked, str):
-            # With the name of the limb, to show which limb has the problem.
-            named = replace(self._document.design, limb=str(limb), limb_digest="")
-            return Compared(snapshot=Snapshot(design=named), problem=asked)
-        snapshot = Snapshot(design=asked[0])
-        outcome = self._outcomes.get(limb)
-        if outcome is None or not (outcome.values is None or needs <= outcome.values.keys()):
-            return Compared(snapshot=snapshot, axes=asked[1].axes)
-        stale = not self._is_known(limb, needs, self._sources(asked))
-        problem = "" if outcome.values is not None or stale else fault_text(outcome.error)
-        return Compared(
-            snapshot=snapshot,
-            values=outcome.values,
-            problem=problem,
-            axes=asked[1].axes,
-            is_stale=stale,
-        )
-
-
-def _slot(limb: Beside) -> Slot:
-    return Slot(f"limb {limb}")
 
 
 class StayingMatched(QObject):
@@ -213,8 +89,6 @@ class StayingMatched(QObject):
 
 _LEVELS = frozenset({"output_levels_db", UNPLAYABLE})
 _AS_STORED = "Edit > Match levels of snapshots, switched off, shows it as stored"
-# The number of the results of the window.
-_PRESENT = -1
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -241,8 +115,34 @@ class _Known:
         return isinstance(self.result, str) or wanted <= self.result.keys()
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class _Side:
+    """A design beside that of the window, the view on it, and the gain with which it is predicted.
+
+    ``compared`` has no values; it has a problem where nothing is predicted.
+    """
+
+    slot: Slot
+    compared: Compared
+    view: View
+    match_gain: float = 1.0
+
+    def sources(self, needs: frozenset[str]) -> dict[str, Any]:
+        """Return the sources of evaluation."""
+        return sources_of_levels(
+            self.compared.snapshot.design,
+            self.view,
+            match_gain=self.match_gain,
+            with_outputs=bool(needs & OF_OUTPUTS),
+        )
+
+
 class Comparison(QObject):
-    """Stores and shows snapshots, and has the engine predict them while panels compare them."""
+    """Stores and shows snapshots, and has the engine predict what panels compare.
+
+    That are snapshots, and the design on other limbs or at other frequencies.  Results of the
+    window are used where they hold all that is needed.
+    """
 
     #: What was done, as a short text.
     done = Signal(str)
@@ -251,11 +151,10 @@ class Comparison(QObject):
         super().__init__(document)
         self._document, self._engine = document, engine
         self._panels = panels
-        # What visible panels need of each snapshot, as of the last change.
-        self._needs: dict[Panel, frozenset[str]] = {}
-        self._on_limbs = OnLimbs(document, engine, panels)
-        self._requests: dict[int, Request] = {}
-        self._known: dict[int, _Known] = {}
+        # What visible panels need of each snapshot, and of each limb, as of the last change.
+        self._needs: dict[Panel, tuple[frozenset[str], Mapping[Beside, frozenset[str]]]] = {}
+        self._requests: dict[Slot, Request] = {}
+        self._known: dict[Slot, _Known] = {}
         self._when_complete: Callable[[], None] | None = None
         # Showing snapshots in turn is one step of the history, or none where all is as before.
         self._showing = new_gesture()
@@ -263,7 +162,6 @@ class Comparison(QObject):
     def begin(self) -> None:
         """Follow the document, after the conductor of the window, which requests its results."""
         self._document.changed.connect(self._follow)
-        self._on_limbs.begin()
         self._engine.finished.connect(self._note)
         self._engine.rested.connect(self._ask)
         self._panels.each(lambda panel: panel.visibility_changed.connect(self._follow))
@@ -280,15 +178,14 @@ class Comparison(QObject):
         other = other_snapshot(document.view.snapshots, document.design)
         hint = "change the design, and X goes to and fro"
         if other is not None:
-            hint = f"X shows {snapshot_name(other.number)}, and this again"
+            hint = f"X shows {snapshot_name(other.number)}, Edit > Compare side by side both"
         self.done.emit(f"Stored snapshot {number}{replacement}; {hint}")
 
     def forget_problems(self) -> None:
         """Try failed predictions again: limbs came or went."""
-        for number in [n for n, known in self._known.items() if known.problem]:
-            del self._known[number]
-            self._requests.pop(number, None)
-        self._on_limbs.forget_problems()
+        for slot in [slot for slot, known in self._known.items() if known.problem]:
+            del self._known[slot]
+            self._requests.pop(slot, None)
 
     def toggle(self) -> None:
         """Show the other one of the last two snapshots that were shown."""
@@ -332,112 +229,149 @@ class Comparison(QObject):
         """Return all snapshots, and the present design where it is none of them."""
         return with_edited(self._document.view.snapshots, self._document.design)
 
+    def _of_snapshots(self) -> list[_Side]:
+        # The working design comes last.
+        order = sorted(self._snapshots(), key=lambda each: each.number or math.inf)
+        view = self._document.view
+        return [
+            _Side(
+                Slot(f"snapshot {each.number}"),
+                Compared(snapshot=each, problem=too_large(each.design.limb)),
+                view,
+            )
+            for each in order
+        ]
+
+    def _on_limb(self, limb: Beside) -> _Side:
+        """Return the design on a limb, as loud as it is shown in the window."""
+        document, slot = self._document, Slot(f"limb {limb}")
+        design = document.design
+        asked = on_limb(design, document.view, limb)
+        if isinstance(asked, str):
+            # With the name of the limb, to show which limb has the problem.
+            named = Snapshot(design=replace(design, limb=str(limb), limb_digest=""))
+            return _Side(slot, Compared(snapshot=named, problem=asked), document.view)
+        moved, view = asked
+        compared = Compared(
+            snapshot=Snapshot(design=moved), problem=too_large(moved.limb), axes=view.axes
+        )
+        return _Side(slot, compared, view, document.shown_view.match_gain(design))
+
     def _follow(self) -> None:
         visible = [panel for panel in self._panels if panel.compares and panel.isVisible()]
-        needed = {panel: panel.needs_of_snapshots for panel in visible}
-        self._needs = {panel: needs for panel, needs in needed.items() if needs}
+        needed = {panel: (panel.needs_of_snapshots, panel.needs_on_limbs) for panel in visible}
+        self._needs = {panel: needs for panel, needs in needed.items() if any(needs)}
         if not (self._needs or self._when_complete or self._requests):
             return  # removed snapshots are forgotten once a panel compares again
-        numbers = {snapshot.number for snapshot in self._snapshots()}
-        for number in self._known.keys() - numbers - {_PRESENT}:
-            del self._known[number]
-        wanted = numbers if self._needs or self._when_complete else set()
-        for number in self._requests.keys() - wanted:
-            del self._requests[number]
-            self._engine.release(_comparison_slot(number))
+        wanted = {side.slot for side, _ in self._wanted()}
+        kept = {side.slot for side in self._of_snapshots()} | wanted | {FIRST_SLOT}
+        for slot in self._known.keys() - kept:
+            del self._known[slot]
+        for slot in self._requests.keys() - wanted:
+            del self._requests[slot]
+            self._engine.release(slot)
         if wanted:
             self._ask()
             self._tell()
 
+    def _wanted(self) -> Iterator[tuple[_Side, frozenset[str]]]:
+        """Yield what is to be predicted, and what of it."""
+        of_snapshots = frozenset().union(*(needs for needs, _ in self._needs.values()))
+        if of_snapshots or self._when_complete:
+            for side in self._of_snapshots():
+                yield side, _LEVELS | of_snapshots
+        on_limbs: dict[Beside, frozenset[str]] = {}
+        for _, needed in self._needs.values():
+            for limb, needs in needed.items():
+                on_limbs[limb] = on_limbs.get(limb, frozenset({UNPLAYABLE})) | needs
+        for limb, needs in on_limbs.items():
+            yield self._on_limb(limb), needs
+
     def _ask(self) -> None:
         """Request what is not known yet; once all is known, call what waits for it."""
-        if not (self._when_complete or self._needs):
-            return
-        wanted = _LEVELS.union(*self._needs.values())
         complete = True
-        for snapshot in self._snapshots():
-            if self._lookup(snapshot, wanted) is not None:
-                continue
-            view = self._document.view
-            sources = sources_of_levels(
-                snapshot.design, view, with_outputs=bool(wanted & OF_OUTPUTS)
-            )
-            if problem_text := too_large(snapshot.design.limb):
-                self._known[snapshot.number] = _known(sources, problem_text)
+        for side, needs in self._wanted():
+            if side.compared.problem or self._lookup(side, needs) is not None:
                 continue
             complete = False
-            if snapshot.design is self._document.design and self._engine.busy:
+            if side.compared.snapshot.design is self._document.design and self._engine.busy:
                 continue  # the window is about to show it
-            request = Request(wanted, sources, slot=_comparison_slot(snapshot.number))
-            if self._requests.get(snapshot.number) != request:
-                self._requests[snapshot.number] = request
+            request = Request(needs, side.sources(needs), slot=side.slot)
+            if self._requests.get(side.slot) != request:
+                self._requests[side.slot] = request
                 self._engine.request(request)
         if complete and self._when_complete is not None:
             then, self._when_complete = self._when_complete, None
             then()
 
-    def _lookup(self, snapshot: Snapshot, wanted: frozenset[str]) -> _Known | None:
-        """Return what is known of a snapshot as it was stored; None where something is missing."""
-        view = self._document.view
-        key = key_of_levels(sources_of_levels(snapshot.design, view))
-        outputs = view.outputs if wanted & OF_OUTPUTS else None
-        for number in (snapshot.number, *self._known):
-            known = self._known.get(number)
+    def _lookup(self, side: _Side, needs: frozenset[str]) -> _Known | None:
+        """Return what is known of a design as it is now; None where something is missing."""
+        key = key_of_levels(side.sources(needs))
+        outputs = side.view.outputs if needs & OF_OUTPUTS else None
+        for slot in (side.slot, *self._known):
+            known = self._known.get(slot)
             if known is None or known.key != key or outputs not in (None, known.outputs):
                 continue
-            if known.holds(wanted):
-                self._known[snapshot.number] = known
+            if known.holds(needs):
+                self._known[side.slot] = known
                 return known
         return None
 
     def _note(self, outcome: Outcome) -> None:
         request = outcome.request
-        number = next((n for n, pending in self._requests.items() if pending is request), None)
-        if request.place == (FIRST_SLOT, Purpose.SHOW) and outcome.values is not None:
-            number = _PRESENT
-        if number is None:
+        of_window = request.place == (FIRST_SLOT, Purpose.SHOW) and outcome.values is not None
+        if not (of_window or request.slot in self._requests):
             return
+        given = request.given
         result = fault_text(outcome.error) if outcome.values is None else outcome.values
-        self._known[number] = _known(request.given, result)
+        self._known[request.slot] = _Known(key_of_levels(given), given["outputs"], result)
         self._ask()
         self._tell()
 
     def _tell(self) -> None:
-        for panel, needs in self._needs.items():
-            panel.show_snapshots(self._compared(_LEVELS | needs))
-
-    def _compared(self, wanted: frozenset[str]) -> tuple[Compared, ...]:
-        """Return every snapshot, with values where all that is ``wanted`` is known."""
-        compared = []
         matched = self._document.shown_view.levels_matched
-        for snapshot in sorted(self._snapshots(), key=lambda snapshot: snapshot.number):
-            known = self._lookup(snapshot, wanted)
-            compared.append(
-                Compared(
-                    snapshot=snapshot,
-                    values=known.values if known else None,
-                    problem=known.problem if known else "",
-                    gain=self._gain(snapshot.number) if matched else 1.0,
+        for panel, (of_snapshots, on_limbs) in self._needs.items():
+            if of_snapshots:
+                gain = self._gain if matched else lambda _number: 1.0
+                panel.show_snapshots(
+                    [
+                        replace(
+                            self._filled(side, _LEVELS | of_snapshots),
+                            gain=gain(side.compared.snapshot.number),
+                        )
+                        for side in self._of_snapshots()
+                    ]
                 )
-            )
-        return tuple(compared)
+            if on_limbs:
+                sides = ((self._on_limb(limb), needs) for limb, needs in on_limbs.items())
+                panel.show_on_limbs([self._filled(*each, or_before=True) for each in sides])
+
+    def _filled(self, side: _Side, needs: frozenset[str], *, or_before: bool = False) -> Compared:
+        """Return a design with what is known of it, ``or_before``: or was before a change."""
+        if side.compared.problem:
+            return side.compared
+        known = self._lookup(side, needs)
+        shown = known or (self._known.get(side.slot) if or_before else None)
+        if shown is None or not shown.holds(needs):
+            return side.compared
+        return replace(
+            side.compared,
+            values=shown.values,
+            problem=known.problem if known else "",
+            is_stale=known is None,
+        )
 
     def _gain(self, number: int) -> float:
-        """Return the factor with which a snapshot is as loud as the reference."""
-        snapshots = self._snapshots()
-        this = next((snapshot for snapshot in snapshots if snapshot.number == number), None)
-        own_db, other_db = (
-            self._loudest_db(snapshot) for snapshot in (this, reference_snapshot(snapshots))
-        )
+        """Return the factor with which a snapshot is as loud as that of the lowest number."""
+        sides = {side.compared.snapshot.number: side for side in self._of_snapshots()}
+        own_db = self._loudest_db(sides.get(number))
+        other_db = self._loudest_db(sides.get(min(sides)))
         return 1.0 if own_db is None or other_db is None else matching_gain(own_db, other_db)
 
-    def _loudest_db(self, snapshot: Snapshot | None) -> float | None:
-        known = None if snapshot is None else self._lookup(snapshot, _LEVELS)
-        return (
-            None
-            if known is None or known.values is None
-            else loudest_db(known.values["output_levels_db"])
-        )
+    def _loudest_db(self, side: _Side | None) -> float | None:
+        known = None if side is None else self._lookup(side, _LEVELS)
+        values = None if known is None else known.values
+        return None if values is None else loudest_db(values["output_levels_db"])
 
 
 def _shown_text(number: int, document: Document) -> str:
@@ -450,14 +384,6 @@ def _shown_text(number: int, document: Document) -> str:
 def _named(number: int) -> str:
     name = snapshot_name(number)
     return f"{name[:1].upper()}{name[1:]}"
-
-
-def _known(sources: Mapping[str, Any], result: Mapping[str, Any] | str) -> _Known:
-    return _Known(key_of_levels(sources), sources["outputs"], result)
-
-
-def _comparison_slot(number: int) -> Slot:
-    return Slot(f"snapshot {number}")
 
 
 _WANTED = frozenset({"limb_data", "validity"})

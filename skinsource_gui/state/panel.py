@@ -180,6 +180,9 @@ class Panel(ShowsStaleness):
     def show_noisy(self, outputs: tuple[int, ...]) -> None:
         """Take over the outputs at which the prediction is mostly noise."""
 
+    def show_caution(self, text: str) -> None:
+        """Take over what leaves the conditions of the measurement, in a few words; "": nothing."""
+
     def show_unplayable(self, unplayable: tuple[UnplayableInput, ...]) -> None:
         """Take over the inputs that cannot be played; the next results are without them."""
 

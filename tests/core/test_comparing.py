@@ -20,7 +20,6 @@ from skinsource.design.comparing import (
     loudest_db,
     matching_gain,
     other_snapshot,
-    reference_snapshot,
     restored_snapshots,
     same_but_rounding,
     shown_snapshot,
@@ -185,13 +184,6 @@ def test_designs_are_alike_where_amplitudes_differ_by_rounding_alone():
     assert not same_but_rounding(replace(OTHER, inputs=OTHER.inputs[:1]), OTHER)
     assert not same_but_rounding(OTHER, replace(OTHER, inputs=OTHER.inputs[:1]))
     assert not same_but_rounding(DESIGN, OTHER)
-
-
-def test_others_are_matched_to_the_lowest_number_and_what_is_edited_is_left_alone():
-    three = tuple(Snapshot(number=number, design=DESIGN) for number in (3, 1, 2))
-    assert reference_snapshot(three).number == 1
-    assert reference_snapshot((*three, Snapshot(design=DESIGN))).number == EDITED
-    assert reference_snapshot(()) is None
 
 
 def test_a_snapshot_is_forgotten_and_the_design_stays():

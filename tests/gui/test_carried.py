@@ -140,7 +140,7 @@ def test_a_scene_that_was_changed_is_not_called_what_it_was(tones, settle):
     assert tones.windowTitle().startswith(f"{title} · edited[*]")
     assert tones.pictures.picture_of("skin").caption.startswith(f"{title} · edited. Place 7")
     assert tones.pictures.picture_of("compare").caption.startswith(
-        f"{title}. Edited: Place 7, 1 m/s²: Tone 300 Hz, 200 ms. {FOUR}"
+        f"{title}. Working design: Place 7, 1 m/s²: Tone 300 Hz, 200 ms. {FOUR}"
     )
     tones.document.undo_stack.undo()
     settle()

@@ -101,11 +101,11 @@ def test_findings_are_pale_only_until_what_they_depend_on_is_judged_anew(window,
     assert not awaits(chip)
 
 
-def test_a_hidden_chip_costs_nothing_and_the_map_hatches_noise(window, qtbot, settle):
+def test_a_hidden_window_costs_nothing_and_the_map_hatches_noise(window, qtbot, settle):
     qtbot.waitUntil(lambda: bool(window.conditions.chip.findings), timeout=30_000)
     runs = window.engine._graphs[FIRST_SLOT].runs
     before = runs["validity"]
-    window.statusBar().hide()
+    window.hide()
     edit(window, 0.3)
     settle()
     window.conditions._idle.timeout.emit()

@@ -326,7 +326,7 @@ def other_snapshot(snapshots: Sequence[Snapshot], design: Design) -> Snapshot | 
 
 def snapshot_name(number: int) -> str:
     """Return the name, within a sentence, of the design under a number."""
-    return "what was edited" if number == EDITED else f"snapshot {number}"
+    return "the working design" if number == EDITED else f"snapshot {number}"
 
 
 def why_no_comparison(snapshots: Sequence[Snapshot]) -> str:
@@ -338,14 +338,6 @@ def why_no_comparison(snapshots: Sequence[Snapshot]) -> str:
         f"The design in the window is {name}, and nothing else is stored. Change it, or store a "
         "second one with Ctrl+Shift+1 to 4, and press X to go to and fro."
     )
-
-
-def reference_snapshot(snapshots: Sequence[Snapshot]) -> Snapshot | None:
-    """Return the snapshot whose level the others are matched to: that of the lowest number.
-
-    So the gain of the edited one, number 0, is never changed.
-    """
-    return min(snapshots, key=lambda snapshot: snapshot.number, default=None)
 
 
 def restored_snapshots(

@@ -7,7 +7,7 @@ from PySide6.QtCore import QEvent, QPoint, QSize, Qt, Signal
 
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.base.quoting import printable
-from skinsource.design.comparing import EDITED, gain_text, loudest_db
+from skinsource.design.comparing import gain_text, loudest_db, snapshot_name
 from skinsource.studies import scenes
 from skinsource_gui.fields.units import minus
 from skinsource_gui.qt.buttons import passing_menu
@@ -32,15 +32,9 @@ def card_level_text(compared: Compared) -> str:
     return "silent" if level <= FLOOR_DB else minus(f"{level:z.1f} dB")
 
 
-def snapshot_title(compared: Compared) -> str:
-    """Return the name of a snapshot in a sentence."""
-    number = compared.snapshot.number
-    return "edited" if number == EDITED else f"snapshot {number}"
-
-
 def card_text(compared: Compared, *, present: bool) -> str:
     """Return all that a card shows, as it is read aloud."""
-    name = snapshot_title(compared)
+    name = snapshot_name(compared.snapshot.number)
     gain = gain_text(compared.gain)
     parts = [
         f"{name[:1].upper()}{name[1:]}",
@@ -105,14 +99,14 @@ class Card(QtWidgets.QToolButton):
         self.setToolTip(text)
         self.setChecked(present)
         if compared is None:
-            self.setText(f"{self.number}\n{self._store_key}")
+            self.setText(f"{self.number}: {self._store_key}")
         else:
             warned = "⚠ " if compared.left_out else ""
-            self.setText(f"{warned}{compared.name}\n{card_level_text(compared)}")
+            self.setText(f"{warned}{compared.name}: {card_level_text(compared)}")
 
     def sizeHint(self) -> QSize:
         # Levels that change move nothing.
-        widest = self.fontMetrics().horizontalAdvance("−88.8 dB") + UNIT_PX
+        widest = self.fontMetrics().horizontalAdvance("1: −88.8 dB") + UNIT_PX
         return super().sizeHint().expandedTo(QSize(widest, 0))
 
     def nextCheckState(self) -> None:

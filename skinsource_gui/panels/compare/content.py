@@ -23,6 +23,7 @@ from skinsource.design.comparing import (
     same_outputs,
     scale_end_db,
     shown_snapshot,
+    snapshot_name,
     why_no_comparison,
 )
 from skinsource.design.design import Design
@@ -41,7 +42,7 @@ from skinsource.limbs.own_limbs import axes_on, facts_of
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.studies import scenes
 from skinsource_gui.fields.units import output_text
-from skinsource_gui.panels.compare.card import card_level_text, played_db, snapshot_title
+from skinsource_gui.panels.compare.card import card_level_text, played_db
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.colour_maps import DIVERGING
 from skinsource_gui.plots.pictures import common_title
@@ -118,6 +119,12 @@ class Cell:
         """The longest heading."""
         return self.headings[0]
 
+    def in_range(self, held: Range | None) -> "Cell":
+        """Return the map with other ends of its scale; None: with its own."""
+        if held is None or self.scale is None:
+            return self
+        return replace(self, scale=replace(self.scale, range_db=held))
+
     @property
     def values_db(self) -> Floats | None:
         """The value of each output, (n_outputs,); None where there are none."""
@@ -175,6 +182,11 @@ class CompareContent:
         """The scale that all maps share; None where they differ."""
         scales = {cell.scale for cell in self.cells if cell.scale is not None}
         return scales.pop() if len(scales) == 1 else None
+
+    @property
+    def head_lines(self) -> float:
+        """Height of the line above the maps, which says that they are of synthetic limbs."""
+        return 1.2 if any(cell.synthetic for cell in self.cells) else 0.0
 
     @property
     def stale(self) -> bool:
@@ -459,13 +471,15 @@ class Kind:
         Names of the choices above the maps that apply, beside "Of" itself.
     needs
         As of a panel.
-    own
-        Whether the sides come from the results of the design in the window.
+    own, moves
+        Whether the sides come from the results of the design in the window; whether they can be
+        shown in motion.
     """
 
     fields: ClassVar[frozenset[str]] = frozenset()
     needs: ClassVar[frozenset[str]] = LEVELS
     own: ClassVar[bool] = False
+    moves: ClassVar[bool] = True
 
     def moving(self, limb: str) -> str:
         """Return the quantity that moves."""
@@ -629,6 +643,7 @@ class OfWindows(Kind):
         }
     )
     own: ClassVar[bool] = True
+    moves: ClassVar[bool] = False
 
     def sides(self, design: Design, results: Mapping[str, Any]) -> Sequence[Compared]:
         common = {name: results[name] for name in _COMMON}
@@ -708,8 +723,9 @@ def matching_text(compared: Sequence[Compared]) -> str:
         return ""
     if have_matching_level(compared, matched=True):
         return f"{LEVELS_MATCHED}: {card_level_text(known[0])} at the loudest output"
-    why = "cannot be predicted" if compared[0].problem else "is silent"
-    return f"{snapshot_title(compared[0])} {why}: levels cannot be matched to it"
+    reference = min(compared, key=lambda side: side.snapshot.number)
+    why = "cannot be predicted" if reference.problem else "is silent"
+    return f"{snapshot_name(reference.snapshot.number)} {why}: levels cannot be matched to it"
 
 
 def snapshot_names(
@@ -728,14 +744,17 @@ def snapshot_names(
         other = f" ({label_of(AXES, along).title})" if along != axes else ""
         on_limb = f" on {short_limb_title(side.snapshot.design.limb)}" if several else ""
         other += on_limb
-        edited = side.snapshot.number == EDITED
-        called = side.name if edited else f"Snapshot {side.name}"
+        working = side.snapshot.number == EDITED
+        called = "Working design" if working else f"Snapshot {side.name}"
         parts = dict.fromkeys((title, own_parts.get(title, title)))
-        longest = tuple(f"{called} · {part}{other}" for part in parts if part and not edited)
-        if len(longest) > 1:
+        longest = tuple(f"{called} · {part}{other}" for part in parts if part)
+        if working:
+            # A scene that was not changed is told by its title, as the others are.
+            told = titles.count(title) == 1 and title == side.snapshot.design.title
+            longest = tuple(f"{part}{other}" for part in parts if told and part)
+        elif len(longest) > 1:
             longest = (*longest, f"{side.name} · {own_parts[title]}{other}")
-        short = () if edited and not other else (f"{side.name}{on_limb}",)
-        names.append((*longest, f"{called}{other}", *short))
+        names.append((*longest, f"{called}{other}", f"{side.name}{on_limb}"))
     return names
 
 

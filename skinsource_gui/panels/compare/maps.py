@@ -17,6 +17,7 @@ from skinsource_gui.panels.compare.content import (
 from skinsource_gui.panels.compare.motion import Clock, MovingMaps
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.panels.compare.view import MapsView
+from skinsource_gui.plots.small_map import Range
 from skinsource_gui.state.compared import Compared
 from skinsource_gui.state.engine import Beside
 from skinsource_gui.state.panel import Panel
@@ -37,6 +38,8 @@ class MapsPanel(Panel):
         Those of the window, and what is compared.
     kind, moves
         Where the designs come from, and whether they are shown in motion.
+    held
+        Ends of the scale of all maps while it stays; None: it follows what they show.
     compared
         The designs, and what is known of them.
     """
@@ -49,6 +52,7 @@ class MapsPanel(Panel):
         self.view, self.settings = View(), CompareSettings()
         self.kind: Kind = KINDS[self.settings.of]
         self.moves = False
+        self.held: Range | None = None
         self.compared: Sequence[Compared] = ()
         # Of the design in the window: results, whether they are older than it, why there are none.
         self._results: Mapping[str, Any] = {}
@@ -78,14 +82,17 @@ class MapsPanel(Panel):
         self, design: Design, view: View, kind: Kind, settings: CompareSettings, *, moves: bool
     ) -> None:
         """Take over what is compared, and whether it moves."""
-        self.design, self.view, self.settings, self.moves = design, view, settings, moves
-        before, self.kind = self.kind, kind
+        self.design, self.view, self.settings = design, view, settings
+        before, self.kind, self.moves = self.kind, kind, moves and kind.moves
         if kind is not before:
             # The engine sends the results for the new kind.
             self.compared = ()
             self.moving.update((), ())
         if kind.own:
             self._show_own()
+
+    def reset_range(self) -> None:
+        self.moving.restart()
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._results, self._problem = results, ""
@@ -108,8 +115,7 @@ class MapsPanel(Panel):
         self.show_maps()
 
     def show_on_limbs(self, compared: Sequence[Compared]) -> None:
-        self.compared = compared
-        self.show_maps()
+        self.show_snapshots(compared)
 
     def show_maps(self) -> None:
         """Draw what is known of the designs."""
@@ -119,10 +125,12 @@ class MapsPanel(Panel):
         cells: tuple[Cell, ...] = ()
         if compared and design is not None and not message:
             if self.moves:
-                self.moving.update(compared, kind.names(compared, view, difference=False))
+                names = kind.names(compared, view, difference=False)
+                self.moving.update(compared, names, self.held)
                 cells = self.moving.cells()
             else:
-                cells = kind.drawn(compared, design, view, self.settings)
+                drawn = kind.drawn(compared, design, view, self.settings)
+                cells = tuple(cell.in_range(self.held) for cell in drawn)
         content = CompareContent(
             cells=cells,
             outputs=view.outputs,

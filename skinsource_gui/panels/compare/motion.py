@@ -10,7 +10,7 @@ from skinsource.engine.loops import PICTURES_PER_PERIOD, SHOWN_HZ, Loop, loop_of
 from skinsource_gui.panels.compare.content import Cell, Names, moving_name
 from skinsource_gui.plots.colour_maps import DIVERGING, VIRIDIS
 from skinsource_gui.plots.ranges import SteadyRange
-from skinsource_gui.plots.small_map import ColourScale, small_map_of
+from skinsource_gui.plots.small_map import ColourScale, Range, small_map_of
 from skinsource_gui.state.compared import Compared
 
 # Colours reach their ends at this share of the largest acceleration, which under the actuator is
@@ -24,14 +24,14 @@ def rounded(value: float) -> str:
 
 
 class MovingMaps:
-    """Makes the maps of a motion; where designs change, it goes on from where it is.
+    """Makes the maps of a motion, which share one clock; it goes on where designs change.
 
     Attributes
     ----------
     loops
         What moves, with the factor with which it is shown; None where nothing is known.
     turns
-        How often each went through its loop, with the part of it in which it is.
+        How often the longest loop was gone through, with the part of it that is shown.
     slow_motion
         How many times slower than it happens all of them are shown.
     made
@@ -40,29 +40,44 @@ class MovingMaps:
 
     def __init__(self) -> None:
         self.loops: list[tuple[Loop, float] | None] = []
-        self.turns: list[float] = []
+        self.turns = 0.0
         self.slow_motion, self.made = 1.0, 0
         self._cells: tuple[Cell, ...] = ()
         self._compared: Sequence[Compared] = ()
         self._range = SteadyRange()
 
-    def update(self, compared: Sequence[Compared], names: Sequence[Names]) -> None:
-        """Take over designs and how they are called."""
-        before, self._compared = [known is None for known in self.loops], compared
+    @property
+    def ran_s(self) -> float:
+        """The time of the skin that all maps show, since the beginning of their loops."""
+        return self.turns * self._longest_s
+
+    @property
+    def _longest_s(self) -> float:
+        return max((self.length_s(known[0]) for known in self.loops if known), default=0.0)
+
+    def restart(self) -> None:
+        """Begin again, and decide the next scale by its data alone."""
+        self.turns = 0.0
+        self._range.reset()
+
+    def update(
+        self, compared: Sequence[Compared], names: Sequence[Names], held: Range | None = None
+    ) -> None:
+        """Take over designs and how they are called; ``held``: ends of the scale that stays."""
+        self._compared = compared
         self.loops = [_loop(side) for side in compared]
-        if [known is None for known in self.loops] != before:
-            # Those that are known at last begin together with the others.
-            self.turns = [0.0] * len(compared)
         loops = [known for known in self.loops if known is not None]
         self.slow_motion = max((loop.slow_motion for loop, _ in loops), default=1.0)
-        end = _SHARE_OF_LARGEST * max((loop.largest * gain for loop, gain in loops), default=0.0)
+        largest = max((loop.largest * gain for loop, gain in loops), default=0.0)
+        end = _SHARE_OF_LARGEST * largest
         signed = all(loop.signed for loop, _ in loops)
         what = "m/s² normal to the skin" if signed else "m/s²"
         scale = ColourScale(
-            range_db=self._range.follow(-end if signed else 0.0, end, "amplitude"),
+            range_db=held or self._range.follow(-end if signed else 0.0, end, "amplitude"),
             text_below=f"{what}, in slow motion 1/{self.slow_motion:.3g}",
             colours=DIVERGING if signed else VIRIDIS,
             signed=signed,
+            reached_db=(-largest if signed else 0.0, largest),
             unit="m/s²",
         )
         self._cells = tuple(
@@ -72,10 +87,8 @@ class MovingMaps:
 
     def advance(self, seconds: float) -> None:
         """Go on by this time of the person who looks."""
-        for k, known in enumerate(self.loops):
-            if known is not None:
-                loop, _ = known
-                self.turns[k] += seconds / (self.slow_motion * self.length_s(loop))
+        if longest_s := self._longest_s:
+            self.turns += seconds / (self.slow_motion * longest_s)
 
     def cells(self) -> tuple[Cell, ...]:
         """Return the maps as they are now."""
@@ -88,7 +101,7 @@ class MovingMaps:
             return None
         loop, gain = known
         # Motions that pass begin together, and shorter ones rest until the longest is over.
-        share = self.turns[k] % 1.0 * self.length_s(loop) / loop.duration_s
+        share = self.ran_s % self.length_s(loop) / loop.duration_s
         return gain * loop.values(min(share, 1.0))
 
     def length_s(self, loop: Loop) -> float:

@@ -37,7 +37,7 @@ from skinsource_gui.panels.compare.settings import (
 from skinsource_gui.panels.compare.view import paint_page
 from skinsource_gui.plots.figure import NoteLabel
 from skinsource_gui.qt.buttons import tool_button
-from skinsource_gui.qt.fitting import FoldingRow, VisibleHeight
+from skinsource_gui.qt.fitting import FoldingRow
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, on_paper, tabular
@@ -108,12 +108,8 @@ _LINES_WITH_ROOM = 14
 class ChoicesBar(QtWidgets.QWidget):
     """The choices above the maps; a choice emits another view.
 
-    Where the maps below need the room, what menus and keys do for snapshots is left to them.
-
     Attributes
     ----------
-    has_room
-        Whether there is room for more than the maps need.
     settings
         Settings of the present view.
     of, shown, own_maximum, limbs, frequencies, match, toggle, file
@@ -124,13 +120,11 @@ class ChoicesBar(QtWidgets.QWidget):
     view_changed = Signal(object)
     #: The name of an action of the window.
     action_requested = Signal(str)
-    room_changed = Signal()
 
     def __init__(self, panel_name: str, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
         self._panel_name = panel_name
         self._view, self.settings = View(), CompareSettings()
-        self.has_room = True
         self.of, self.shown = ChoiceField(OF, self), ChoiceField(SHOWN, self)
         self.of.setObjectName("compare_of")
         self.shown.setObjectName("compare_shown")
@@ -155,15 +149,11 @@ class ChoicesBar(QtWidgets.QWidget):
         hint = "Keep the design of a file as a snapshot, and show it here"
         self.file = tool_button(self, "compare_file", "From file…", hint)
         self.file.clicked.connect(partial(self.action_requested.emit, "take_snapshot"))
-        parts = self.of, self.shown, self.own_maximum, self.limbs, self.frequencies
-        self._of_snapshots = FoldingRow(
-            (self.match, self.toggle, self.file), UNIT_PX // 2, left=True
-        )
-        self._row = FoldingRow(parts, UNIT_PX // 2)
-        self._in_sight = VisibleHeight(parent)
-        self._in_sight.changed.connect(self._check_room)
+        of_others = self.own_maximum, self.limbs, self.frequencies
+        self._of_snapshots = self.match, self.toggle, self.file
+        self._row = FoldingRow((self.of, self.shown, *of_others, *self._of_snapshots), UNIT_PX // 2)
         margins = UNIT_PX // 2, 1, UNIT_PX // 2, 1
-        in_column(self._row, self._of_snapshots, of=self, margins=margins, gap_px=2)
+        in_column(self._row, of=self, margins=margins, gap_px=2)
 
     def show_state(self, design: Design, view: View) -> None:
         """Take over the present design and view."""
@@ -185,26 +175,15 @@ class ChoicesBar(QtWidgets.QWidget):
         if "limbs" in fields:
             usual = not settings.limbs.strip()
             self.limbs.show_chosen(settings.chosen(design.limb), usual=usual)
-        self._fit()
-
-    def _check_room(self) -> None:
-        has_room = self._in_sight.px >= _LINES_WITH_ROOM * self.fontMetrics().lineSpacing()
-        if has_room != self.has_room:
-            self.has_room = has_room
-            self._fit()
-            self.room_changed.emit()
-
-    def _fit(self) -> None:
-        of_snapshots = self.has_room and "snapshots" in KINDS[self.settings.of].fields
-        self._of_snapshots.setVisible(of_snapshots)
+        for part in self._of_snapshots:
+            part.setVisible("snapshots" in fields)
 
     def _change(self, **changes: Any) -> None:
         settings = replace(self.settings, **changes)
         self.view_changed.emit(with_settings(self._view, self._panel_name, settings))
 
 
-# In letters of any size, px.
-_LEAST = QSize(240, 230)
+_LEAST_PX = 240
 
 
 class ComparePanel(MapsPanel):
@@ -214,6 +193,9 @@ class ComparePanel(MapsPanel):
     ----------
     cards
         A card for each snapshot; in sight while snapshots are compared.
+    has_room
+        Whether there is room for more than the maps and their choices: where there is not, cards
+        and words are away, and menus and keys do what they do.
     """
 
     title: ClassVar[str] = "Compare"
@@ -224,8 +206,8 @@ class ComparePanel(MapsPanel):
         self.bar = ChoicesBar(self.name, self)
         self.bar.view_changed.connect(self.view_changed)
         self.bar.action_requested.connect(self.action_requested)
-        self.bar.room_changed.connect(self._show_cards)
-        self.cards = [Card(number, self) for number in (EDITED, *NUMBERS)]
+        self.has_room = True
+        self.cards = [Card(number, self) for number in (*NUMBERS, EDITED)]
         for card in self.cards:
             card.requested.connect(self._act)
         self._row = FoldingRow(self.cards, UNIT_PX // 4, left=True, parent=self)
@@ -244,7 +226,15 @@ class ComparePanel(MapsPanel):
         return QSize(560, 520)
 
     def minimumSizeHint(self) -> QSize:
-        return super().minimumSizeHint().expandedTo(_LEAST)
+        height = self.bar.minimumSizeHint().height() + self.maps.minimumSizeHint().height()
+        return QSize(_LEAST_PX, height)
+
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.has_room = self.height() >= _LINES_WITH_ROOM * self.fontMetrics().lineSpacing()
+        for part in (self.text_label, self.copy):
+            part.setVisible(self.has_room)
+        self._show_cards()
 
     def show_state(self, design: Design, view: View) -> None:
         self.bar.show_state(design, view)
@@ -285,7 +275,7 @@ class ComparePanel(MapsPanel):
 
     def _show_cards(self) -> None:
         """Show a card for each snapshot, and for what is edited where it is none of them."""
-        self._row.setVisible(self.bar.has_room and "snapshots" in self.kind.fields)
+        self._row.setVisible(self.has_room and "snapshots" in self.kind.fields)
         present = None
         if self.design is not None:
             present = shown_snapshot(self.view.snapshots, self.design)

@@ -33,7 +33,7 @@ SHOWN = ChoiceSpec(
     "standard deviation; or all in slow motion",
 )
 OWN_MAXIMUM = SwitchSpec(
-    label="Each to its maximum",
+    label="Own maximum",
     hint="Draw the levels of each map relative to its own loudest output: how far each reaches is "
     "seen where the others are louder",
 )

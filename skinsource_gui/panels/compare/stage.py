@@ -1,9 +1,9 @@
 """The stage: title and sentence, maps in motion, traces and one knob, for people further off."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import log
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 from PySide6 import QtGui, QtWidgets
@@ -33,10 +33,11 @@ from skinsource.studies import scenes
 from skinsource_gui.fields.editor import Burst
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.units import axis_unit, output_text
-from skinsource_gui.panels.compare.content import KINDS, OfWindow
+from skinsource_gui.panels.compare.content import KINDS, Names, OfWindow
 from skinsource_gui.panels.compare.maps import MapsPanel
 from skinsource_gui.panels.compare.motion import rounded
 from skinsource_gui.panels.compare.settings import CompareSettings
+from skinsource_gui.plots.curves import output_names
 from skinsource_gui.plots.small_map import Range
 from skinsource_gui.qt.frames import CachedPicture, Same
 from skinsource_gui.qt.labels import how_to_add
@@ -44,13 +45,15 @@ from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, letter_scale, set_tone, tabular
 
 _ALONE = OfWindow()
+# Between the names of curves.
+_BETWEEN = "   "
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Curve:
-    """A trace or a spectrum: its label, the rank of its colour, and its points."""
+    """A trace or a spectrum: its names, the longest first, rank of its colour, and points."""
 
-    label: str
+    names: Names
     rank: int
     x: Floats
     y: Floats
@@ -61,16 +64,15 @@ class Strip(QtWidgets.QWidget):
 
     Attributes
     ----------
-    curves, marked
-        What is drawn, and which x is marked; None: none is.
+    curves, ends, marked
+        What is drawn, the ends of x and y, and which x is marked; None: none is.
     """
 
     def __init__(self) -> None:
         super().__init__()
         self.curves: tuple[Curve, ...] = ()
         self.marked: float | None = None
-        self._x: Range = (0.0, 1.0)
-        self._y: Range = (-1.0, 1.0)
+        self.ends: tuple[Range, Range] = ((0.0, 1.0), (-1.0, 1.0))
         self._words = ("", "", "")
         self._picture = CachedPicture()
         self.setObjectName("stage_traces")
@@ -78,29 +80,29 @@ class Strip(QtWidgets.QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
 
     def show_curves(
-        self, curves: tuple[Curve, ...], x: Range, y: Range, words: tuple[str, str, str]
+        self, curves: tuple[Curve, ...], ends: tuple[Range, Range], words: tuple[str, str, str]
     ) -> None:
         """Draw curves between ends of x and y; words say where, and what the ends are."""
-        self.curves, self._x, self._y, self._words = curves, x, y, words
+        self.curves, self.ends, self._words = curves, ends, words
         self.setVisible(bool(curves))
-        self.setAccessibleName(", ".join(curve.label for curve in curves))
+        self.setAccessibleName(", ".join(curve.names[0] for curve in curves))
         self.update()
 
     def show_cursor(self, x: float | None) -> None:
-        """Mark an instant, which goes round; None: none is."""
-        self.marked = None if x is None else x % self._x[1]
+        """Mark an instant; None, or one beyond the end: none is."""
+        self.marked = None if x is None or x > self.ends[0][1] else x
         self.update()
 
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         painter, theme = QtGui.QPainter(self), current_theme()
         painter.setFont(tabular(self.font()))
         painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
-        key = (Same(self.curves), theme)
+        key = (Same(self.curves), self.ends, theme)
         ground = QtGui.QColor(theme.base)
         self._picture.paint(painter, QRectF(self.rect()), key, self._paint, ground)
         if self.marked is not None and self.curves:
             area = self._area()
-            x = area.left() + area.width() * self.marked / self._x[1]
+            x = area.left() + area.width() * self.marked / self.ends[0][1]
             painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 2))
             painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()))
         painter.end()
@@ -114,8 +116,8 @@ class Strip(QtWidgets.QWidget):
         middle = area.center().y()
         painter.setPen(QtGui.QPen(QtGui.QColor(theme.grid), 1))
         painter.drawLine(QPointF(area.left(), middle), QPointF(area.right(), middle))
-        left, (x_low, x_high), (y_low, y_high) = area.left(), self._x, self._y
-        for curve in self.curves:
+        left, ((x_low, x_high), (y_low, y_high)) = area.left(), self.ends
+        for curve, label in zip(self.curves, self._labels(area.width()), strict=True):
             x = area.left() + area.width() * (curve.x - x_low) / (x_high - x_low)
             y = area.bottom() - area.height() * (curve.y - y_low) / (y_high - y_low)
             painter.setPen(theme.output_pen(curve.rank, max(line / 9.0, 1.5)))
@@ -123,8 +125,8 @@ class Strip(QtWidgets.QWidget):
             painter.setClipRect(area)
             painter.drawPolyline(QtGui.QPolygonF(list(map(QPointF, x.tolist(), y.tolist()))))
             painter.restore()
-            painter.drawText(QPointF(left, 0.9 * line), curve.label)
-            left += painter.fontMetrics().horizontalAdvance(f"{curve.label}   ")
+            painter.drawText(QPointF(left, 0.9 * line), label)
+            left += painter.fontMetrics().horizontalAdvance(f"{label}{_BETWEEN}")
         painter.setPen(QtGui.QColor(theme.dim))
         above = QRectF(area.left(), 0.0, area.width(), line)
         below = QRectF(area.left(), area.bottom(), area.width(), 1.2 * line)
@@ -136,6 +138,17 @@ class Strip(QtWidgets.QWidget):
             strict=True,
         ):
             painter.drawText(place, side, text)
+
+    def _labels(self, room_px: float) -> Sequence[str]:
+        """Return the longest names for which all curves have room beside the words."""
+        metrics = QtGui.QFontMetricsF(tabular(self.font()))
+        longest = max(len(curve.names) for curve in self.curves)
+        for k in range(longest):
+            labels = [curve.names[min(k, len(curve.names) - 1)] for curve in self.curves]
+            text = _BETWEEN.join((*labels, self._words[0]))
+            if metrics.horizontalAdvance(text) <= room_px:
+                break
+        return labels
 
 
 # Steps of the whole turn, of an arrow key or a notch of the wheel.
@@ -217,6 +230,11 @@ class StagePanel(MapsPanel):
         super().__init__(parent)
         self.heading, self.sentence = QtWidgets.QLabel(), QtWidgets.QLabel()
         self.strip, self.knob = Strip(), Knob()
+        self.caution = QtWidgets.QLabel(self.maps)
+        self.caution.setObjectName("stage_caution")
+        set_tone(self.caution, "warning")
+        self._held_ends: tuple[Range, Range] | None = None
+        self._shown: tuple[Any, ...] = ()
         self._track: Input | None = None
         self._turned = ""
         for label, name in ((self.heading, "stage_title"), (self.sentence, "stage_sentence")):
@@ -224,6 +242,8 @@ class StagePanel(MapsPanel):
             label.setWordWrap(True)
             label.setTextFormat(Qt.TextFormat.PlainText)
         self.maps.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        # The wave is to be seen on the arm, too.
+        self.maps.least_lines = 9.0
         self.knob.edited.connect(self._turn)
         self.guessed = self.maps, self.strip
         self.setFocusProxy(self.knob)
@@ -245,6 +265,10 @@ class StagePanel(MapsPanel):
         kind = KINDS[compare.of] if stage.compared else _ALONE
         self._show_knob(design, view, stage.control)
         self._show_words(design)
+        shown = kind, compare, stage, view.outputs, view.axes, design.limb
+        if shown != self._shown:
+            self._shown = shown
+            self._release()
         self.take_state(design, view, kind, compare, moves=stage.moves)
 
     def show_maps(self) -> None:
@@ -254,6 +278,23 @@ class StagePanel(MapsPanel):
             names = self.kind.names(self.compared, self.view, difference=False)
             self.moving.update(self.compared, names)
         self._show_traces()
+
+    def reset_range(self) -> None:
+        super().reset_range()
+        self._release()
+
+    def show_caution(self, text: str) -> None:
+        self.caution.setText(text)
+        self.caution.setVisible(bool(text))
+        self.caution.adjustSize()
+
+    def fit(self) -> None:
+        """Fit the scales to what is shown now: they stay as they are while the knob turns."""
+        self._release()
+        self.show_maps()
+
+    def _release(self) -> None:
+        self.held = self._held_ends = None
 
     def hold(self) -> None:
         """Let the motion stop where it is, or go on."""
@@ -296,7 +337,8 @@ class StagePanel(MapsPanel):
         self._grid.setContentsMargins(margin, margin, margin, margin)
         self._grid.setSpacing(margin)
         size_px = self.height() * letter_scale(self.font())
-        rooms = ((self.heading,), (self.sentence,), (self.maps, self.strip, self.knob.label))
+        small = self.maps, self.strip, self.knob.label, self.caution
+        rooms = ((self.heading,), (self.sentence,), small)
         for share, parts in zip(_LETTERS, rooms, strict=True):
             for part in parts:
                 font = QtGui.QFont(part.font())
@@ -304,6 +346,8 @@ class StagePanel(MapsPanel):
                 font.setBold(share == _LETTERS[0])
                 part.setFont(font)
         self.knob.field.setFont(tabular(self.sentence.font()))
+        self.caution.move(UNIT_PX, 0)
+        self.caution.adjustSize()
 
     def _show_words(self, design: Design) -> None:
         track = self._track
@@ -337,7 +381,7 @@ class StagePanel(MapsPanel):
         alone = len(self.moving.loops) == 1
         outputs = self.view.outputs if alone else self.view.outputs[:1]
         if not (known and outputs):
-            self.strip.show_curves((), (0.0, 1.0), (-1.0, 1.0), ("", "", ""))
+            self.strip.show_curves((), self.strip.ends, ("", "", ""))
             return
         names = self.kind.names(self.compared, self.view, difference=False)
         limb = self.compared[0].snapshot.design.limb
@@ -346,39 +390,50 @@ class StagePanel(MapsPanel):
         end_s = max(
             _PERIODS[loop.phasors is None] * self.moving.length_s(loop) for _, loop, _ in known
         )
+        if self._held_ends is not None:
+            end_s = self._held_ends[0][1]
         curves = []
         for k, loop, gain in known:
             kept = tuple(number for number in outputs if number <= loop.moving.signals.shape[0])
             x, values = loop.spectra(kept) if spectra else loop.traces(kept, end_s)
             values = values + 20.0 * np.log10(gain) if spectra else gain * values
             for row, number in enumerate(kept):
-                label = output_text(number, limb) if alone else names[k][min(1, len(names[k]) - 1)]
-                curves.append(Curve(label=label, rank=row if alone else k, x=x, y=values[row]))
+                called = _names(number, limb) if alone else names[k][1:] or names[k]
+                curves.append(Curve(names=called, rank=row if alone else k, x=x, y=values[row]))
         top = max((float(np.abs(curve.y).max()) for curve in curves), default=0.0) or 1.0
         if spectra:
             low_hz, high_hz = facts_of(limb).band_hz or (0.0, float(curves[0].x[-1]))
             top = max(float(curve.y.max()) for curve in curves)
+            ends = self._held_ends or ((low_hz, high_hz), (top - _SPECTRUM_DB, top))
             words = (where, f"{low_hz:g} Hz, {_SPECTRUM_DB:g} dB high", f"{high_hz:g} Hz")
-            self.strip.show_curves(
-                tuple(curves), (low_hz, high_hz), (top - _SPECTRUM_DB, top), words
-            )
         else:
             unit, factor = axis_unit(end_s)
-            words = (where, f"±{rounded(top)} m/s²", f"{end_s * factor:.3g} {unit}")
-            self.strip.show_curves(tuple(curves), (0.0, end_s), (-top, top), words)
+            ends = self._held_ends or ((0.0, end_s), (-top, top))
+            words = (where, f"±{rounded(ends[1][1])} m/s²", f"{end_s * factor:.3g} {unit}")
+        self.strip.show_curves(tuple(curves), ends, words)
         self._show_cursor()
 
     def _show_cursor(self) -> None:
-        pairs = zip(self.moving.loops, self.moving.turns, strict=True)
-        ran_s = (turns * self.moving.length_s(known[0]) for known, turns in pairs if known)
-        marked = self.moves and stage_settings(self.view).plot == "traces"
-        self.strip.show_cursor(next(ran_s, None) if marked else None)
+        lengths_s = [self.moving.length_s(known[0]) for known in self.moving.loops if known]
+        if not (lengths_s and self.moves and stage_settings(self.view).plot == "traces"):
+            self.strip.show_cursor(None)
+            return
+        # It goes back by whole periods, so that curves and maps agree where it stands.
+        longest_s, end_s = max(lengths_s), self.strip.ends[0][1]
+        self.strip.show_cursor(self.moving.ran_s % (longest_s * max(int(end_s / longest_s), 1)))
 
     def _turn(self, value: float, gesture: int | None) -> None:
         if self.design is not None and self._track is not None:
             ids = self.view.selected_inputs or (self._track.id,)
             outcome = edits.change_field(self.design, self.view, ids, self._turned, value)
+            if self.held is None and (scale := self.maps.content.common_scale) is not None:
+                self.held, self._held_ends = scale.range_db, self.strip.ends
             self.edited.emit(outcome, gesture)
+
+
+def _names(number: int, limb: str) -> Names:
+    (name,) = output_names((number,), limb)
+    return output_text(number, limb), f"{number} {name.short}".rstrip(), str(number)
 
 
 def _frequencies(specs: Mapping[str, Spec]) -> dict[str, NumberSpec]:

@@ -3,6 +3,7 @@
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from math import ceil
 
 import numpy as np
@@ -60,14 +61,26 @@ class Places:
         A line of text above.
     scale
         The scale of all maps; empty where each has its own.
+    low
+        Whether there is little room: maps show the hand without the arm.
     """
 
     head: QRectF
     cells: tuple[CellPlace, ...]
     scale: QRectF
+    low: bool = False
 
 
-def places_of(room: QRectF, n: int, line: float, *, common: bool, heading_lines: int = 1) -> Places:
+def places_of(
+    room: QRectF,
+    n: int,
+    line: float,
+    *,
+    common: bool,
+    heading_lines: int = 1,
+    head_lines: float = 1.2,
+    low: bool = False,
+) -> Places:
     """Lay ``n`` maps out in ``room``, in as many rows as give the largest maps.
 
     Parameters
@@ -82,37 +95,54 @@ def places_of(room: QRectF, n: int, line: float, *, common: bool, heading_lines:
         Whether one scale serves all of them.
     heading_lines
         How many lines the heading of each has; below it is one for a value.
+    head_lines
+        Height of the line above.
+    low
+        Whether there is little room: in wide cells words stand beside maps of hands.
     """
     edge = 0.3 * line
     scale_height = scale_row_px(line)
     inner = room.adjusted(edge, 0.0, -edge, -edge)
-    head = QRectF(inner.left(), inner.top(), inner.width(), 1.2 * line)
-    foot = scale_height if common else 0.0
+    head = QRectF(inner.left(), inner.top(), inner.width(), head_lines * line)
+    foot = scale_row_px(line, low=low) if common else 0.0
     scale = QRectF(inner.left(), inner.bottom() - foot, inner.width(), foot)
     maps = QRectF(inner.left(), head.bottom(), inner.width(), scale.top() - head.bottom())
-    around = (heading_lines + 1.0) * line + (0.0 if common else scale_height) + edge
-    cells = tuple(
-        _cell(whole, line, 0.0 if common else scale_height, heading_lines * line)
-        for whole in map_grid(maps, n, around)
-    )
-    return Places(head=head, cells=cells, scale=scale)
+    words = (heading_lines + 1.0) * line
+    below = edge + (0.0 if common else scale_height)
+    beside = low and inner.width() >= _WIDE_LINES * line * n
+    if beside:
+        width = inner.width() / n
+        wholes = [maps.adjusted(k * width, 0, (k + 1 - n) * width, 0) for k in range(n)]
+    else:
+        wholes = list(map_grid(maps, n, words + below))
+    cells = tuple(_cell(whole, line, words, below, beside=beside) for whole in wholes)
+    return Places(head=head, cells=cells, scale=scale, low=low)
+
+
+# Cells so wide have room for words beside a map.
+_WIDE_LINES = 11.0
 
 
 def least_height(line: float) -> float:
     """Return the least height for maps in one row, with lines of that height."""
-    return 1.2 * line + 3.0 * line + 0.9 * line + scale_row_px(line) + LEAST_MAP_PX
+    return 2.0 * line + scale_row_px(line, low=True) + LEAST_MAP_PX
 
 
-def _cell(whole: QRectF, line: float, scale_height: float, heading: float) -> CellPlace:
-    top = whole.top() + heading + line
-    bottom = whole.bottom() - scale_height
+def _cell(whole: QRectF, line: float, words: float, below: float, *, beside: bool) -> CellPlace:
+    """Return the areas of a map with that height of words, and of what lies below the map."""
     edge = 0.3 * line
+    bottom, top, left, width = whole.bottom() - below, whole.top(), whole.left(), whole.width()
+    area = QRectF(left + edge, top + words, width - 2 * edge, bottom - top - words)
+    if beside:
+        width -= min(bottom - top, width / 2)
+        area = QRectF(left + width, top, whole.right() - left - width, bottom - top)
+        top = max((top + bottom - words) / 2, top)
     return CellPlace(
         whole=whole,
-        heading=QRectF(whole.left(), whole.top(), whole.width(), heading),
-        value=QRectF(whole.left(), whole.top() + heading, whole.width(), line),
-        map=QRectF(whole.left() + edge, top, whole.width() - 2 * edge, bottom - top - edge),
-        scale=QRectF(whole.left(), bottom, whole.width(), scale_height),
+        heading=QRectF(left, top, width, words - line),
+        value=QRectF(left, top + words - line, width, line),
+        map=area,
+        scale=QRectF(whole.left(), bottom + edge, whole.width(), below - edge),
     )
 
 
@@ -122,15 +152,30 @@ _MOST_LINES = 4
 _BEFORE_NUMBER = re.compile(r" (?=\d)")
 
 
-def places_for(room: QRectF, content: CompareContent, font: QtGui.QFont) -> Places:
-    """Lay out the maps of ``content``, whose text is in ``font``."""
+def places_for(
+    room: QRectF, content: CompareContent, font: QtGui.QFont, least_lines: float = 0.0
+) -> Places:
+    """Lay out the maps of ``content``, whose text is in ``font``.
+
+    Where the maps would be lower than ``least_lines`` lines of text, they show hands alone.
+    """
     line, n = QtGui.QFontMetricsF(font).height(), len(content.cells)
-    common = content.common_scale is not None
     metrics = QtGui.QFontMetricsF(bold(font))
-    for lines in range(1, _MOST_LINES + 1):
-        places = places_of(room, n, line, common=common, heading_lines=lines)
-        pairs = zip(content.cells, places.cells, strict=True)
-        if all(_fits(metrics, cell.headings, place.heading) for cell, place in pairs):
+    lay_out = partial(
+        places_of,
+        room,
+        n,
+        line,
+        common=content.common_scale is not None,
+        head_lines=content.head_lines,
+    )
+    for low in (False, True):
+        for lines in range(1, _MOST_LINES + 1):
+            places = lay_out(heading_lines=lines, low=low)
+            pairs = zip(content.cells, places.cells, strict=True)
+            if all(_fits(metrics, cell.headings, place.heading) for cell, place in pairs):
+                break
+        if not n or places.cells[0].map.height() >= least_lines * line:
             break
     return places
 
@@ -192,7 +237,9 @@ def paint_content(
     painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
     common = content.common_scale
     for cell, place in zip(content.cells, places.cells, strict=True):
-        _paint_cell(painter, cell, place, content, theme, pointed_at)
+        small = None if cell.small is None else replace(cell.small, hand_only=places.low)
+        framed = replace(cell, small=small)
+        _paint_cell(painter, framed, place, content, theme, pointed_at)
         if common is None and cell.scale is not None:
             paint_scale_row(painter, place.scale, cell.scale, theme)
     if common is not None:
@@ -260,6 +307,8 @@ class MapsView(QtWidgets.QWidget):
     ----------
     picker
         Chooses outputs by mouse and keys.
+    least_lines
+        Maps that would be lower than so many lines of text show hands alone.
     """
 
     #: The outputs to select, a tuple of numbers.
@@ -272,7 +321,7 @@ class MapsView(QtWidgets.QWidget):
         self._places: Places | None = None
         # Of which map the mouse was last.
         self._at = 0
-        self.content = CompareContent()
+        self.content, self.least_lines = CompareContent(), 16.0
         self.picker = OutputPicker(self)
         self.picker.chosen.connect(self.outputs_chosen)
         self.picker.moved.connect(self._emit_pointed_at)
@@ -293,7 +342,8 @@ class MapsView(QtWidgets.QWidget):
     def places(self) -> Places:
         """Where the maps are."""
         if self._places is None:
-            self._places = places_for(QRectF(self.rect()), self.content, tabular(self.font()))
+            room, font = QRectF(self.rect()), tabular(self.font())
+            self._places = places_for(room, self.content, font, self.least_lines)
         return self._places
 
     def points_of(self, index: int) -> Floats:
@@ -302,10 +352,10 @@ class MapsView(QtWidgets.QWidget):
         small = cells[index].small if index < len(cells) else None
         if small is None or self.content.message:
             return np.full((1, 2), np.nan)
-        limb_map = small.limb_map
-        return small_frame(limb_map, self.places.cells[index].map).to_screen(
-            limb_map.output_positions
-        )
+        area = self.places.cells[index].map
+        frame = small_frame(replace(small, hand_only=self.places.low), area)
+        points = frame.to_screen(small.limb_map.output_positions)
+        return np.where(points[:, 1:] <= area.bottom(), points, np.nan)
 
     def minimumSizeHint(self) -> QSize:
         return QSize(200, ceil(least_height(self.fontMetrics().height())))
@@ -356,7 +406,7 @@ class MapsView(QtWidgets.QWidget):
     def _paint_maps(self, painter: QtGui.QPainter, theme: Theme) -> None:
         """Draw the maps and the rubber band."""
         content, places, band = self.content, self.places, self.picker.band
-        if any(cell.synthetic for cell in content.cells):
+        if content.head_lines:
             painter.setPen(QtGui.QColor(theme.warning))
             right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
             painter.drawText(places.head, right, "SYNTHETIC")

@@ -9,7 +9,7 @@ from skinsource.base.arrays import Floats
 from skinsource.base.measurement_conditions import VOLAR_OUTPUTS
 from skinsource.design.labels import PALM_SIDE
 from skinsource.limbs.limb import LimbMap
-from skinsource_gui.plots.small_map import bounds_of, smallest_spacing
+from skinsource_gui.plots.small_map import bounds_of, hand_bounds, smallest_spacing
 from skinsource_gui.qt.frames import Frame, fitted
 from skinsource_gui.qt.wheel import FREE, WHOLE, PanZoom
 
@@ -31,15 +31,6 @@ HAND = "hand"
 TEXT_LINES = 1.5
 # Height of a line of text at which sizes are those written here, px.
 _USUAL_LINE_PX = 14.0
-
-
-def hand_bounds(limb_map: LimbMap) -> QRectF:
-    """Return box around the outline from the fingertips to just past the wrist."""
-    outline = limb_map.outline
-    wrist = outline[:, 1].max() - 1.01 * limb_map.hand_length_px
-    box = bounds_of(outline[outline[:, 1] >= wrist])
-    box.setTop(max(wrist, outline[:, 1].min()))
-    return box
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

@@ -15,7 +15,6 @@ from skinsource_gui.panels.skin.layout import (
     MapLayout,
     VisiblePart,
     fitted_beside_card,
-    hand_bounds,
     map_layout,
     visible_part,
 )
@@ -28,7 +27,13 @@ from skinsource_gui.panels.skin.painting import (
 )
 from skinsource_gui.panels.skin.settings import time_text
 from skinsource_gui.plots.outputs import ADDS, OutputPicker, output_at
-from skinsource_gui.plots.small_map import FIXED_MARK, bounds_of, paint_band, paint_ring
+from skinsource_gui.plots.small_map import (
+    FIXED_MARK,
+    bounds_of,
+    hand_bounds,
+    paint_band,
+    paint_ring,
+)
 from skinsource_gui.qt.frames import CachedPicture, Same, paint_focus_frame
 from skinsource_gui.qt.keys import KEYS, claims_shortcut, meaning_of
 from skinsource_gui.qt.theme import Theme, current_theme, tabular

@@ -24,10 +24,13 @@ WINDOW = RATE_HZ // 10
 def test_what_is_sent_is_what_was_to_be_played_to_the_last_bit():
     # Also in a block longer than any device asks for.
     rows = np.random.default_rng(1).uniform(-1, 1, (3, 9000))
-    output = block(playing(mix(rows)), 9200)
+    live = playing(mix(rows))
+    output = block(live, 9200)
     assert np.array_equal(output[:, FADE : FADE + 9000], rows.astype(np.float32))
     assert not output[:, :FADE].any()
     assert not output[:, FADE + 9000 :].any()
+    # What is heard is told from where the block began.
+    assert live.began_at == -FADE
 
 
 def test_a_queue_takes_no_mix_that_does_not_fit():

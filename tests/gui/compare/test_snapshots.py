@@ -10,12 +10,13 @@ from PySide6.QtWidgets import QApplication, QFileDialog
 
 import skinsource as ss
 from skinsource.design import edits
+from skinsource.design.comparing import with_edited
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import open_design, save_design
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
-from skinsource_gui.panels.compare.content import tab_separated
-from skinsource_gui.state.compared import ELSEWHERE, SILENCE
+from skinsource_gui.panels.compare.content import snapshot_names, tab_separated
+from skinsource_gui.state.compared import ELSEWHERE, SILENCE, Compared
 from tests.core.own_limbs.lab_bench import installed
 from tests.gui.compare.compare_bench import (
     ALT,
@@ -240,7 +241,7 @@ def test_designs_on_other_limbs_are_compared_where_their_outputs_are_the_same(
     window.document.edit("limb", second)
     settle()
     [cell] = panel.maps.content.cells
-    assert cell.headings[-1] == "1 on Synthetic 1 minus Edited on Synthetic 2"
+    assert cell.headings[-1] == "1 on Synthetic 1 minus Working on Synthetic 2"
     assert cell.values_db == pytest.approx(levels(first) - levels(second), abs=1e-6)
     field = ss.evaluate(first, "surface")["surface"].interpolate(cell.values_db)
     assert cell.small.field_levels_db == pytest.approx(field, abs=1e-6, nan_ok=True)
@@ -267,8 +268,8 @@ def test_a_design_of_a_file_is_kept_as_a_snapshot_and_the_present_one_stays_open
     panel.bar.file.click()
     cells = shown(panel, qtbot, 2)
     assert (document.design, document.path) == (before, None)
-    assert {cell.heading for cell in cells} == {"Edited", "Snapshot 1 · two hundred"}
-    [other] = [cell for cell in cells if cell.heading != "Edited"]
+    assert {cell.heading for cell in cells} == {"Working design", "Snapshot 1 · two hundred"}
+    [other] = [cell for cell in cells if cell.heading != "Working design"]
     assert other.values_db == pytest.approx(levels(saved), abs=1e-9)
     # It is beside the history, as every snapshot.
     assert document.undo_stack.count() == 0
@@ -355,3 +356,13 @@ def test_undo_takes_no_snapshot_away_and_brings_back_those_that_were_replaced(wi
     window.do("redo")
     assert document.view.snapshots[0].design.inputs[0].amplitude == 3.0
     assert {snapshot.number for snapshot in document.view.snapshots} == {1, 3}
+
+
+def test_the_working_design_is_told_by_its_title_until_a_scene_is_changed():
+    scene = ss.scenes.open_scene("5B", available=())
+    changed = scene.design.with_input(0, amplitude=1.0)
+    for design, name in ((scene.design, "80 mm/s"), (changed, "Working design")):
+        sides = [Compared(snapshot=each) for each in with_edited(scene.view.snapshots, design)]
+        names = snapshot_names(sides, "z")
+        assert names[0][1] == "Snapshot 1 · 5 mm/s"
+        assert names[-1][-3 if name == "80 mm/s" else 0] == name

@@ -57,6 +57,31 @@ def test_keys_work_while_the_menus_are_away(studio, qtbot):
     assert title(studio) == "2 tone"
 
 
+def test_what_is_turned_in_front_of_people_is_taken_back_and_can_be_redone(open_window, design):
+    window = open_window(design)
+    window.document.mark_saved(None)
+    window.do("present")
+    window.panel("stage").knob.dial.setValue(0)
+    turned = window.document.design
+    assert turned.clips[0].waveform.frequency_hz == 25.0
+    window.do("present")
+    assert window.document.design == design
+    assert not window.document.modified
+    window.do("redo")
+    assert window.document.design == turned
+
+
+def test_what_was_saved_in_front_of_people_stays(studio):
+    studio.do("present")
+    studio.panel("stage").knob.dial.setValue(0)
+    studio.do("save_design")
+    saved = studio.document.design
+    studio.panel("stage").knob.dial.setValue(500)
+    studio.do("present")
+    assert studio.document.design == saved
+    assert not studio.document.modified
+
+
 def test_a_covered_map_shows_nothing_that_was_computed(window, settle):
     skin = window.panel("skin")
     window.do("cover_map")

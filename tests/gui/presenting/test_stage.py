@@ -1,8 +1,11 @@
 """The stage: words, maps in motion in one scale, traces and a knob, on screens of any size."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
-from PySide6.QtCore import QRect
+from PySide6.QtCore import QRect, Qt
+from PySide6.QtTest import QTest
 
 import skinsource as ss
 from skinsource.design.panel_settings import StageSettings, settings_of, with_settings
@@ -111,17 +114,40 @@ def test_the_knob_turns_the_frequency_while_the_maps_go_on(stage, qtbot):
     window = stage.window()
     complete(stage, qtbot, 1)
     tick(stage)
-    turns = list(stage.moving.turns)
+    turns, ends = stage.moving.turns, stage.strip.ends
+    assert turns > 0.0
     stage.knob.dial.setValue(0)
     assert window.document.design.clips[0].waveform.frequency_hz == 25.0
     qtbot.waitUntil(lambda: not window.engine.busy and not stage.is_stale)
     assert stage.moving.turns == turns
     assert stage.moving.loops[0][0].duration_s == pytest.approx(0.04)
+    # Scales stay until they are fitted, so that it is seen what is weaker and faster.
+    assert stage.strip.ends == ends
+    QTest.keyClick(stage.knob.dial, Qt.Key.Key_F)
+    assert stage.strip.ends[0] == pytest.approx((0.0, 0.12))
     stage.knob.dial.setValue(1000)
     assert window.document.design.clips[0].waveform.frequency_hz == 600.0
     # One turn is one step of undo.
     window.do("undo")
     assert window.document.design.clips[0].waveform.frequency_hz == 100.0
+
+
+@pytest.mark.parametrize("moves", [True, False])
+def test_the_scale_of_maps_stays_while_the_knob_turns(stage, qtbot, moves):
+    window = stage.window()
+    show(window, StageSettings(control="amplitude", moves=moves))
+    complete(stage, qtbot, 1)
+    qtbot.waitUntil(lambda: not window.engine.busy)
+    scale = stage.maps.content.common_scale
+    stage.knob.dial.setValue(900)
+    qtbot.waitUntil(lambda: not window.engine.busy and not stage.is_stale)
+    assert stage.maps.content.common_scale.range_db == scale.range_db
+    stage.fit()
+    assert stage.maps.content.common_scale.range_db[1] > scale.range_db[1]
+    # With another design it is fitted by itself.
+    window.do("undo")
+    qtbot.waitUntil(lambda: not window.engine.busy and not stage.is_stale)
+    assert stage.maps.content.common_scale.range_db == scale.range_db
 
 
 @pytest.mark.parametrize(
@@ -164,7 +190,64 @@ def test_the_strip_shows_the_outputs_of_one_map_or_one_output_of_several(stage, 
     assert len(stage.strip.curves) == len(window.document.view.outputs)
     show(window, StageSettings(compared=True), of="frequencies")
     complete(stage, qtbot, 4)
-    assert [curve.label for curve in stage.strip.curves] == ["50 Hz", "100 Hz", "200 Hz", "400 Hz"]
+    names = [curve.names for curve in stage.strip.curves]
+    assert names == [("50 Hz",), ("100 Hz",), ("200 Hz",), ("400 Hz",)]
+
+
+def test_the_names_of_curves_are_as_long_as_there_is_room(stage, qtbot):
+    window = stage.window()
+    window.showNormal()
+    window.resize(1280, 720)
+    complete(stage, qtbot, 1)
+    strip, few = stage.strip, (29,)
+    for outputs in (few, (20, 24, 28, 52, 57, 62, 72)):
+        window.document.look(replace(window.document.view, outputs=outputs))
+        labels = strip._labels(strip.width())
+        assert len(labels) == len(outputs)
+        assert strip.fontMetrics().horizontalAdvance("   ".join(labels)) <= strip.width()
+        assert (labels == [curve.names[0] for curve in strip.curves]) == (outputs == few)
+
+
+def test_maps_that_come_late_are_in_phase_with_those_that_move(stage, qtbot):
+    show(stage.window(), StageSettings(compared=True), of="limbs")
+    complete(stage, qtbot, 4)
+    first, *others = stage.compared
+    stage.show_on_limbs([first, replace(first, values=None), *others])
+    tick(stage)
+    before = stage.maps.content.cells[0].values_db
+    stage.show_on_limbs([first, first, *others])
+    one, late, *_ = stage.maps.content.cells
+    # Those that moved go on from where they were.
+    np.testing.assert_array_equal(one.values_db, before)
+    np.testing.assert_array_equal(late.values_db, before)
+
+
+def test_maps_of_other_frequencies_stay_in_phase_while_the_knob_turns(stage, qtbot):
+    show(stage.window(), StageSettings(compared=True), of="frequencies")
+    complete(stage, qtbot, 4)
+    tick(stage)
+    ran_s = stage.moving.ran_s
+    stage.knob.dial.setValue(900)
+    qtbot.waitUntil(lambda: not stage.window().engine.busy and not stage.is_stale)
+    # The slowest, whose period is that of all of them, was not turned.
+    assert stage.moving.ran_s == pytest.approx(ran_s)
+
+
+def test_what_leaves_the_conditions_is_said_on_the_stage(stage, qtbot):
+    window = stage.window()
+    complete(stage, qtbot, 1)
+    qtbot.waitUntil(lambda: bool(window.conditions.chip.findings), timeout=10_000)
+    assert not stage.caution.text()
+    window.document.edit("Loud", window.document.design.with_input(0, amplitude=1000.0))
+    qtbot.waitUntil(stage.caution.isVisible, timeout=10_000)
+    assert stage.caution.text() == window.conditions.chip.text()
+    assert stage.maps.rect().contains(stage.caution.geometry())
+
+
+def test_time_windows_are_levels_whatever_moves(stage, qtbot):
+    show(stage.window(), StageSettings(compared=True), of="windows")
+    qtbot.waitUntil(lambda: len(stage.maps.content.cells) > 1, timeout=15_000)
+    assert all(cell.scale.unit == "dB" for cell in stage.maps.content.cells)
 
 
 @pytest.mark.parametrize("screen", [(1280, 720), (1366, 768), (1920, 1080)])

@@ -64,8 +64,12 @@ def test_each_names_a_workspace_and_panels_with_settings_that_there_are():
 
 def test_the_gallery_lists_all_scenes_and_shows_the_selected_one(window):
     page = window.scenes.show()
-    headings = [page.list.item(row).text() for row in range(page.list.count())]
-    assert headings == [scene.heading for scene in ss.scenes.all_scenes()]
+    texts = [page.list.item(row).text() for row in range(page.list.count())]
+    headings = [scene.heading for scene in ss.scenes.all_scenes()]
+    # Panels that are no scenes follow, with the reason.
+    missing = [f"{name} · no scene: {reason}" for name, reason in ss.scenes.missing_panels()]
+    assert texts == headings + missing
+    assert not page.list.item(len(headings)).flags()
     page.list.setCurrentRow(headings.index("2F · Two inputs interfere"))
     text = page.text.text()
     assert ss.scenes.scene("2F").sentence in text
@@ -219,7 +223,7 @@ def test_a_scene_that_does_not_apply_says_why_and_is_not_opened(lab_window):
     assert not page.buttons.button(OPEN).isEnabled()
     page._choose()
     assert lab_window.document.design is before
-    rows = dict(zip(ss.scenes.names(), map(page.list.item, range(page.list.count())), strict=True))
+    rows = {name: page.list.item(row) for row, name in enumerate(ss.scenes.names())}
     assert rows["1G"].foreground().color() != rows["1F"].foreground().color()
     assert "It compares 4 people" in rows["1G"].toolTip()
     page.played_on.choose("")
