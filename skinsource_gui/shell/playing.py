@@ -300,9 +300,10 @@ class Playback(QObject):
         self._follow()
 
     def _meet(self, panel: Panel) -> None:
+        player = self.player
+        player.playhead.running.connect(panel.show_running)
         if panel.name != _PANEL:
             return
-        player = self.player
         self._panel = panel = cast("OutputPanel", panel)
         for part in (panel.fields, panel.rows):
             part.output_requested.connect(player.settings.choose)

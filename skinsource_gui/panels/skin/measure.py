@@ -158,6 +158,8 @@ class MeasureLine(QtWidgets.QWidget):
         self._content = content
         if before == (content.quantity, settings, view.axes):
             return
+        # Other quantities are of axes and of a window of their own.
+        self.axes.setEnabled(settings.quantity in (LEVELS, RMS))
         self.span.setEnabled(settings.quantity == LEVELS)
         self.rms_window.setVisible(settings.quantity == RMS)
         self.rms_window.set_value(settings.rms_window_s)
@@ -192,14 +194,16 @@ class MeasureLine(QtWidgets.QWidget):
         # That levels are matched is said in any width.
         short_unit = self._content.quantity.matched or unit.split(" ")[0]
         combined = self._settings.quantity in (LEVELS, RMS)
-        shorter = label_of(AXES, self._view.axes).title if combined else signal
+        shorter = label_of(AXES, self._view.axes).title if combined else signal.split(" t")[0]
+        brief = what.replace("Above t", "T")
         shortened = (
             (what, signal, over, unit),
             (what, signal, over, short_unit),
             (what, shorter, over, unit),
             (what, shorter, over, short_unit),
             (what, shorter, over.split(" ", 1)[-1], short_unit),
-            (what, shorter, "", self._content.quantity.matched),
+            (brief, shorter, over.split(" ", 1)[-1], short_unit),
+            (brief, shorter, "", self._content.quantity.matched),
         )
         wide = self.width() > 5 * self.arm.fontMetrics().horizontalAdvance("Whole arm")
         self.arm.setText("Whole arm" if wide else "Arm")

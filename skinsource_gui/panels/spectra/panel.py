@@ -84,12 +84,11 @@ _HOLD, _LOUDEST = (f"{window_s * 1e3:.0f} ms" for window_s in (HOLD_WINDOW_S, LO
 _SCALINGS = {
     "record": ("amplitude over the whole record", "over the whole record", "whole record"),
     "loudest": (
-        # The window differs from that of levels, which needs a reason.
+        # The window differs from the one that was chosen, that of levels.
         f"amplitude in the loudest {_HOLD} of each frequency, which tell "
-        f"{1 / HOLD_WINDOW_S:.0f} Hz apart; the {_LOUDEST} of levels would tell "
-        f"{1 / LOUDEST_WINDOW_S:.0f} Hz",
+        f"{1 / HOLD_WINDOW_S:.0f} Hz apart; levels: loudest {_LOUDEST}",
         f"amplitude in the loudest {_HOLD} of each frequency",
-        f"loudest {_HOLD}",
+        f"loudest {_HOLD}; levels: {_LOUDEST}",
         "loudest",
     ),
 }
