@@ -728,7 +728,10 @@ class Plot(Canvas):
         # The longest texts above and below the plot.
         if self.curves is None or self.places.top <= y_px <= self.places.bottom:
             return ""
-        return self.places.header.whole if y_px < self.places.top else self.x_window.axis.titles[0]
+        if y_px < self.places.top:
+            return self.places.header.whole
+        axis = self.x_window.axis
+        return "\n".join(filter(None, (axis.titles[0], axis.hint)))
 
     def lay_out(self) -> None:
         other_rows = self._place()

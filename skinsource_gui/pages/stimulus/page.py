@@ -384,5 +384,8 @@ def _write(prepared: Any, path: Path, confirmed: bool, *, largest_error: float, 
 def calibration_of(prepared: PreparedStimulus) -> str:
     """Return a sentence on whether accelerations follow from the samples."""
     if prepared.calibration == UNCALIBRATED:
-        return "Uncalibrated: choose a rig to know the volts at full scale."
+        return (
+            "Uncalibrated: full scale is that of the design. Choose a rig to know what the "
+            "device sends."
+        )
     return sentence(f"{prepared.calibration[:1].upper()}{prepared.calibration[1:]}")

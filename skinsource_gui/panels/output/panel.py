@@ -438,7 +438,7 @@ class OutputPanel(Panel):
         calibrated = played.rig_title and not played.output.stand_in
         meaning = f"an amplitude of 1{'' if unit == '×' else f' {unit}'} is full scale"
         if unit == "V":
-            meaning = "1 V for the actuator is full scale"
+            meaning = "1 V of the drive is sent as full scale"
             if calibrated:
                 meaning = "the actuators get the volts of the design"
         calibration = "Uncalibrated: what reaches the skin depends on amplifier and actuator"

@@ -87,7 +87,7 @@ _SCALINGS = {
         # The window differs from the one that was chosen, that of levels.
         f"amplitude in the loudest {_HOLD} of each frequency, which tell "
         f"{1 / HOLD_WINDOW_S:.0f} Hz apart; levels: loudest {_LOUDEST}",
-        f"amplitude in the loudest {_HOLD} of each frequency",
+        f"amplitude in the loudest {_HOLD} of each frequency; levels: {_LOUDEST}",
         f"loudest {_HOLD}; levels: {_LOUDEST}",
         "loudest",
     ),
@@ -119,7 +119,8 @@ def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
     drawn = magnitude if each_axis else magnitude[:, None]
     if settings.averaged:
         drawn = mean_of_bins(drawn, MEAN_OF_BINS)
-    notes = [f"spectrum: {_SCALINGS[span][-3]}{_averaged_text(settings, frequency_hz)}"]
+    scaled = _SCALINGS[span][-3].partition(";")[0]
+    notes = [f"spectrum: {scaled}{_averaged_text(settings, frequency_hz)}"]
     span_shown = None
     peaks: tuple[float, ...] = ()
     if settings.relative:

@@ -75,6 +75,7 @@ _DECIMALS = {"ms": 2, "s": 5}
 _WAVE = frozenset({"axis_traces", "selected_extremes", "selected_projection"})
 # Where time begins with the pulse of the measurement: the filter of its drive rings before 0.
 _BEFORE_S = 0.005
+_RINGS = "Something moves before 0: the filter of the measuring pulse rings"
 # Less is rounding.
 _LEAST_EARLY_S = 1e-6
 
@@ -258,6 +259,7 @@ def _axis(unit: str, delay_s: float, *, removed: bool) -> XAxis:
         column="time_s",
         factor=1e3 if unit == "ms" else 1.0,
         decimals=_DECIMALS[unit],
+        hint=_RINGS if removed and delay_s else "",
     )
 
 
