@@ -33,10 +33,10 @@ TEXT_LINES = 1.5
 _USUAL_LINE_PX = 14.0
 
 
-def hand_bounds(limb_map: LimbMap) -> QRectF:
-    """Return box around the outline from the fingertips to just past the wrist."""
+def hand_bounds(limb_map: LimbMap, lengths: float = 1.01) -> QRectF:
+    """Return box around the outline from the fingertips to so many lengths of the hand below."""
     outline = limb_map.outline
-    wrist = outline[:, 1].max() - 1.01 * limb_map.hand_length_px
+    wrist = outline[:, 1].max() - lengths * limb_map.hand_length_px
     box = bounds_of(outline[outline[:, 1] >= wrist])
     box.setTop(max(wrist, outline[:, 1].min()))
     return box
@@ -182,7 +182,8 @@ class VisiblePart:
         """Return the frame that shows the part in ``room``, and what is around it."""
         if self.fit != FREE or 0.0 in self.size:
             hand = self.fit == HAND
-            bounds = hand_bounds(limb_map) if hand else bounds_of(limb_map.outline)
+            # On paper nothing can be moved: the outputs of the wrist are within.
+            bounds = hand_bounds(limb_map, 1.13) if hand else bounds_of(limb_map.outline)
             return fitted_beside_card(limb_map, bounds, room, metrics)
         (x, y), (width, height) = self.middle, self.size
         scale = min(room.width() / width, room.height() / height)

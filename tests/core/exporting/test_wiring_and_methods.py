@@ -46,6 +46,21 @@ def test_a_page_says_for_each_channel_where_it_goes(tmp_path):
     assert words.count("1") == words.count("2") == 1
 
 
+def test_long_texts_of_the_page_stay_in_their_columns(tmp_path):
+    name = "Fingertip voice coil of the second batch, in air, number four"
+    channels = tuple(replace(channel, actuator=name) for channel in RIG.channels)
+    title = "A study of shapes that are felt by the whole hand, with a title of two lines"
+    ss.export_wiring(replace(DESIGN, title=title), tmp_path / "a.svg", rig=Rig(channels=channels))
+    text = (tmp_path / "a.svg").read_text(encoding="utf-8")
+    words = words_of(tmp_path / "a.svg")
+    assert max(map(len, words)) < 75
+    assert name not in words
+    assert name in " ".join(words)
+    # Text begins inside of the page, lines of a cell below each other.
+    tops = [float(y) for y in re.findall(r'y="([\d.]+)"', text)]
+    assert max(tops) < 297.0 / 25.4 * 72
+
+
 def test_the_hand_is_seen_from_the_palm(tmp_path):
     places = {1: "Digit I, tip", 7: "Digit II, pad", 12: "Digit II, base"}
     inputs = tuple(ss.track(place, GABOR) for place in (1, 7, 12))

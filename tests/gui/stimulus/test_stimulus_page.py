@@ -11,6 +11,7 @@ from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
 from skinsource.export.formats import FORMATS
 from skinsource.export.stimulus_export.preparing import size_text
+from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.stimulus.page import joined
 from tests.gui.stimulus.stimulus_bench import WAIT_MS, choose, export, label
 
@@ -156,3 +157,5 @@ def test_the_wiring_page_has_the_channels_of_the_stimulus(page, qtbot):
     assert wired["options"].sync
     qtbot.waitUntil(lambda: not part.image.image.isNull(), timeout=WAIT_MS)
     assert part.suggestion()[:2] == ("wiring.pdf", "PDF (*.pdf);;PNG (*.png);;SVG (*.svg)")
+    dialog.findChild(ChoiceField, "export_page_kind").set_value(".svg")
+    assert part.suggestion()[0] == "wiring.svg"
