@@ -322,9 +322,9 @@ class LegendStrip(QtWidgets.QWidget):
         name, x = text.names[rank], place.x()
         end = x + self.text_layout.entry_px(rank, detail)
         by_axis = text.by_axis
-        painter.setPen(
-            QtGui.QPen(theme.axis_colour(rank), 2.0) if by_axis else theme.output_pen(rank, 2.0)
-        )
+        pen = QtGui.QPen(theme.axis_colour(rank), 2.0) if by_axis else theme.output_pen(rank, 2.0)
+        pen.setColor(name.colour(pen.color()))
+        painter.setPen(pen)
         middle = place.height() / 2
         painter.drawLine(QPointF(x, middle), QPointF(x + SWATCH_PX - 1, middle))
         place.moveLeft(x + SWATCH_PX + GAP_PX)

@@ -163,7 +163,9 @@ def _entries(plot: Plot) -> Iterator[tuple[QtGui.QPen | None, str]]:
         text = f"{name.number}  {name.short}" if name.number else name.short
         if curves.peaks:
             text += f", peak {curves.peak_texts[rank]} {curves.peak_unit.symbol}"
-        yield None if curves.axes else current_theme().output_pen(rank, 2.0), text
+        pen = current_theme().output_pen(rank, 2.0)
+        pen.setColor(name.colour(pen.color()))
+        yield None if curves.axes else pen, text
 
 
 _UNITS: dict[Kind, str] = {

@@ -94,6 +94,11 @@ class Theme:
             pen.setCapStyle(Qt.PenCapStyle.FlatCap)
         return pen
 
+    def pale(self, colour: QtGui.QColor) -> QtGui.QColor:
+        """Return a colour nearer to that of the ground."""
+        pairs = zip(colour.getRgb()[:3], QtGui.QColor(self.base).getRgb()[:3], strict=True)
+        return QtGui.QColor(*(round(0.45 * own + 0.55 * ground) for own, ground in pairs))
+
     def axis_colour(self, rank: int) -> QtGui.QColor:
         """Return the colour of an axis of the sensors, which differs from those of outputs."""
         return QtGui.QColor((*self.inputs[:2], self.text)[rank % 3])

@@ -195,7 +195,7 @@ class Transport(QtWidgets.QWidget):
         return button
 
 
-_TITLE_EM = 18
+_TITLE_EM = 28
 _STATES = {
     "off": "Actuators off",
     "armed": "Actuators armed",
@@ -224,7 +224,7 @@ class OutputButton(QtWidgets.QToolButton):
         if name != self.accessibleName():
             metrics, elide = self.fontMetrics(), Qt.TextElideMode.ElideRight
             cut = metrics.elidedText(chosen, elide, _TITLE_EM * metrics.horizontalAdvance("m"))
-            self.setText(f"Output: {cut} \u25be · {state}")
+            self.setText(f"Output: {cut} · {state}")
             self.setAccessibleName(name)
             set_tone(self, "dim" if played.actuators == "off" else "warning")
 

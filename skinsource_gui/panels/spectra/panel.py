@@ -319,11 +319,8 @@ class SpectraPanel(SignalPanel):
         if quantity_of(settings, results["span"]) not in results:
             # The results of another layout are still being computed.
             return
-        self._plot.show_curves(
-            curves_of(results, settings),
-            synthetic=facts_of(results["limb"]).synthetic,
-            notes=notes_of(results, settings),
-        )
+        notes = notes_of(results, settings)
+        self._show_curves(curves_of(results, settings), results["limb"], notes)
 
 
 @cache

@@ -166,11 +166,8 @@ class TracesPanel(SignalPanel):
             wave=_wave(results, scale),
             measure=partial(measured_between, results),
         )
-        self._plot.show_curves(
-            curves,
-            synthetic=facts_of(results["limb"]).synthetic,
-            notes=_axis_notes(_not_silent(results.get("selected_without_main_axis", ()), results)),
-        )
+        without = _not_silent(results.get("selected_without_main_axis", ()), results)
+        self._show_curves(curves, results["limb"], _axis_notes(without))
 
     def _apply_view(self) -> None:
         view = self._view
