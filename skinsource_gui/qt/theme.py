@@ -96,8 +96,12 @@ class Theme:
 
     def pale(self, colour: QtGui.QColor) -> QtGui.QColor:
         """Return a colour nearer to that of the ground."""
-        pairs = zip(colour.getRgb()[:3], QtGui.QColor(self.base).getRgb()[:3], strict=True)
-        return QtGui.QColor(*(round(0.45 * own + 0.55 * ground) for own, ground in pairs))
+        ground, part = QtGui.QColor(self.base), 0.45
+        return QtGui.QColor(
+            round(part * colour.red() + (1.0 - part) * ground.red()),
+            round(part * colour.green() + (1.0 - part) * ground.green()),
+            round(part * colour.blue() + (1.0 - part) * ground.blue()),
+        )
 
     def axis_colour(self, rank: int) -> QtGui.QColor:
         """Return the colour of an axis of the sensors, which differs from those of outputs."""

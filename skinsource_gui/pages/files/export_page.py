@@ -36,6 +36,8 @@ class ExportPage(ToolPage):
 
     #: The user wants what is shown to be written.
     chosen = Signal()
+    #: An `Edit` after which a stimulus can be exported.
+    mended = Signal(object)
 
     def __init__(
         self,
@@ -115,7 +117,9 @@ class ExportPage(ToolPage):
     def _new_part(self, group: str) -> ExportPart:
         specs = [spec for spec in exports.EXPORTS if spec.group == group]
         if specs[0].name == STIMULUS:
-            return StimulusPart(self._design, self._view, self._last_stimulus, self._stem)
+            stimulus = StimulusPart(self._design, self._view, self._last_stimulus, self._stem)
+            stimulus.mended.connect(self.mended)
+            return stimulus
         pictures = self._drawer_of, self._picture_options
         part = FilePart(specs, self._design, self._view, *pictures, self._wired)
         part.show_export(specs[0].name)

@@ -159,3 +159,26 @@ def test_the_wiring_page_has_the_channels_of_the_stimulus(page, qtbot):
     assert part.suggestion()[:2] == ("wiring.pdf", "PDF (*.pdf);;PNG (*.png);;SVG (*.svg)")
     dialog.findChild(ChoiceField, "export_page_kind").set_value(".svg")
     assert part.suggestion()[0] == "wiring.svg"
+
+
+def test_what_the_actuators_cannot_follow_names_its_place_and_is_mended_here(desk, page, qtbot):
+    choose(page, qtbot, "rate", "8000")
+    choose(page, qtbot, "actuator", "kastor-2023-air")
+    page.form.field("equaliser").choose("linear")
+    mend = page.findChild(QPushButton, "stimulus_mend")
+    qtbot.waitUntil(mend.isVisible, timeout=WAIT_MS)
+    assert label(page, "problem").startswith("Place 7: the drive leaves a velocity")
+    before = desk.document.design
+    mend.click()
+    after = desk.exports.page.part
+    assert after is not page
+    qtbot.waitUntil(lambda: after.prepared is not None, timeout=WAIT_MS)
+    assert after.form.field("rate").value == "8000"
+    assert [type(track.clips[0].waveform).__name__ for track in desk.document.design.inputs] == [
+        "Gabor",
+        "Tone",
+        "CentredTap",
+    ]
+    assert desk.document.design.actuation == before.actuation
+    desk.document.undo_stack.undo()
+    assert desk.document.design == before
