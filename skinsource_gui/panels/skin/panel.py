@@ -1,6 +1,6 @@
 """The skin panel: the measure line, the map of levels or of motion, and its scale."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Any, ClassVar
@@ -11,7 +11,7 @@ from PySide6.QtCore import QPoint, QSize, QSizeF, Qt
 from skinsource.design import edits
 from skinsource.design.comparing import Snapshot
 from skinsource.design.design import Design
-from skinsource.design.edits.edit import Refusal
+from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
 from skinsource.engine.time_rules import block_of
@@ -297,9 +297,9 @@ class SkinPanel(Panel):
         self.map.readout_changed.connect(self._show_readout)
         self.map.input_pointed_at.connect(self.input_pointed_at)
         self.map.place_pointed_at.connect(self.place_pointed_at)
-        self.map.inputs_chosen.connect(self._choose_inputs)
+        self.map.inputs_chosen.connect(partial(self._edit, edits.select_inputs))
         self.map.removal_requested.connect(self._remove_inputs)
-        self.map.outputs_chosen.connect(self._choose_outputs)
+        self.map.outputs_chosen.connect(partial(self._edit, edits.select_outputs))
         self.map.menu_requested.connect(self._open_menu)
         self.scrub.pace.edited.connect(lambda pace, _: self._choose_pace(float(pace)))
         self.scrub.time_requested.connect(self.playhead_requested)
@@ -310,13 +310,9 @@ class SkinPanel(Panel):
             settings = replace(settings, quantity=self.settings.quantity)
         self.view_changed.emit(with_settings(self._view, self.name, settings))
 
-    def _choose_outputs(self, outputs: tuple[int, ...]) -> None:
+    def _edit(self, edit: Callable[..., Edit | Refusal], value: Any) -> None:
         if self._design is not None:
-            self.edited.emit(edits.select_outputs(self._design, self._view, outputs), None)
-
-    def _choose_inputs(self, ids: tuple[int, ...]) -> None:
-        if self._design is not None:
-            self.edited.emit(edits.select_inputs(self._design, self._view, ids), None)
+            self.edited.emit(edit(self._design, self._view, value), None)
 
     def _remove_inputs(self, outputs_selected: bool) -> None:
         """Remove those that are selected; where none is, or outputs are meant, say so."""
@@ -326,8 +322,7 @@ class SkinPanel(Panel):
 
     def _choose_pace(self, slow_motion: float) -> None:
         """Play this many times slower than real time."""
-        if self._design is not None:
-            self.edited.emit(edits.play_slower(self._design, self._view, slow_motion), None)
+        self._edit(edits.play_slower, slow_motion)
         self.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def _open_menu(self, at: QPoint) -> None:
