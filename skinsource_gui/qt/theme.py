@@ -95,13 +95,10 @@ class Theme:
         return pen
 
     def pale(self, colour: QtGui.QColor) -> QtGui.QColor:
-        """Return a colour nearer to that of the ground."""
-        ground, part = QtGui.QColor(self.base), 0.45
-        return QtGui.QColor(
-            round(part * colour.red() + (1.0 - part) * ground.red()),
-            round(part * colour.green() + (1.0 - part) * ground.green()),
-            round(part * colour.blue() + (1.0 - part) * ground.blue()),
-        )
+        """Return a colour through which the ground is seen."""
+        pale = QtGui.QColor(colour)
+        pale.setAlphaF(0.45)
+        return pale
 
     def axis_colour(self, rank: int) -> QtGui.QColor:
         """Return the colour of an axis of the sensors, which differs from those of outputs."""

@@ -32,12 +32,11 @@ from skinsource_gui.panels.skin.measure import MeasureLine
 from skinsource_gui.panels.skin.picture import heading_of, paint_picture
 from skinsource_gui.panels.skin.scale import ColourBar
 from skinsource_gui.panels.skin.settings import (
-    MAGNITUDE,
     SKIN,
     STILL,
     SkinSettings,
-    Z,
     chosen_range,
+    in_motion,
     with_range,
 )
 from skinsource_gui.panels.skin.time import ScrubBar
@@ -123,8 +122,7 @@ class SkinPanel(Panel):
 
     @property
     def needs(self) -> frozenset[str]:
-        needed = needs_of(self.settings)
-        return needed | {signals_name(self._wave)} if self._animated else needed
+        return needs_of(self.settings) | ({self._moving} if self._animated else set())
 
     @property
     def needs_of_snapshots(self) -> frozenset[str]:
@@ -134,17 +132,18 @@ class SkinPanel(Panel):
         return ()  # only their loudest levels count
 
     @property
-    def _wave(self) -> str:
-        """What moves while time runs."""
-        along_z = self._design is None or "z" in facts_of(self._design.limb).axes
-        return Z if along_z else MAGNITUDE
+    def _in_motion(self) -> SkinSettings:
+        return in_motion(self.settings, facts_of(self._design.limb if self._design else "").axes)
+
+    @property
+    def _moving(self) -> str:
+        return signals_name(self._in_motion.quantity)
 
     @property
     def seen(self) -> SkinSettings:
         """The settings with what is seen: while time runs, the wave in place of its level."""
-        still = self.settings.quantity in STILL
-        waves = still and self._animated and signals_name(self._wave) in self._results
-        return replace(self.settings, quantity=self._wave) if waves else self.settings
+        moves = self._animated and self._moving in self._results
+        return self._in_motion if moves else self.settings
 
     @property
     def moves(self) -> bool:

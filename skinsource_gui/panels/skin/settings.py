@@ -193,6 +193,12 @@ def quantity_of(settings: SkinSettings, view: View, axes: str, matched: str = ""
     )
 
 
+def in_motion(settings: SkinSettings, axes: str) -> SkinSettings:
+    """Return settings that show the wave where they show its level, on a limb with these axes."""
+    wave = Z if Z in axes else MAGNITUDE
+    return replace(settings, quantity=wave) if settings.quantity in STILL else settings
+
+
 def chosen_range(settings: SkinSettings) -> Range | None:
     """Return the chosen range of the colours; None: they follow what is shown."""
     if settings.quantity == LEVELS:
