@@ -24,12 +24,9 @@ from skinsource.limbs.catalog import limb_of
 # A4 upright.
 _PAGE_MM = (210.0, 297.0)
 _COLUMNS = ("Channel", "Place", "Polarity", "Gain", "Actuator")
-_WIDTHS = (0.18, 0.3, 0.11, 0.15, 0.26)
 _TABLE_MM, _TITLE_LETTERS = 0.84 * _PAGE_MM[0], 72
-# Width of a letter, mm in a point of its font, with the space around texts.
+# Width of a letter, mm in a point of its font.
 _LETTER_MM = 0.185
-_LARGEST_PT = 8.0
-Row = tuple[str, ...]
 
 
 @checking
@@ -91,7 +88,7 @@ def export_wiring(
 
 
 def _draw_table(ax: Any, channels: Sequence[Channel], rig: Rig | None, actuation: Any) -> None:
-    rows: list[Row] = []
+    rows: list[tuple[str, ...]] = []
     for channel in channels:
         place, wired = channel.place, None
         if place is None:
@@ -107,28 +104,18 @@ def _draw_table(ax: Any, channels: Sequence[Channel], rig: Rig | None, actuation
         name = actuator_at(place, rig, actuation)[0] or "not known"
         rows.append((number, f"{place}, {channel.title}", polarity, gain, name))
     ax.set_axis_off()
-    size = min(_LARGEST_PT, 160.0 / sum(map(_line_count, _wrapped(rows, _LARGEST_PT))))
-    rows = _wrapped(rows, size)
-    table = ax.table(rows, colLabels=_COLUMNS, colWidths=_WIDTHS, cellLoc="left", loc="upper left")
+    # Each column has room for its longest text, with letters to spare beside it.
+    letters = [3 + max(map(len, texts)) for texts in zip(_COLUMNS, *rows, strict=True)]
+    size = min(8.0, 160.0 / len(rows), _TABLE_MM / (_LETTER_MM * sum(letters)))
+    widths = [count / sum(letters) for count in letters]
+    table = ax.table(rows, colLabels=_COLUMNS, colWidths=widths, cellLoc="left", loc="upper left")
     table.auto_set_font_size(False)
     table.set_fontsize(size)
-    for (row, _), cell in table.get_celld().items():
-        n_lines = _line_count(rows[row - 1]) if row else 1
-        cell.set_height((0.2 + 0.8 * n_lines) * cell.get_height())
+    for cell in table.get_celld().values():
         cell.PAD = 0.04
         cell.get_text().set_horizontalalignment("left")
         cell.set_edgecolor(plot.DIM)
         cell.set_linewidth(0.4)
-
-
-def _wrapped(rows: Sequence[Row], size_pt: float) -> list[Row]:
-    """Return rows whose texts fit into their columns, in as many lines as they need."""
-    letters = [int(width * _TABLE_MM / (_LETTER_MM * size_pt)) for width in _WIDTHS]
-    return [tuple(map(fill, row, letters)) for row in rows]
-
-
-def _line_count(row: Row) -> int:
-    return 1 + max(text.count("\n") for text in row)
 
 
 def _draw_hand(ax: Any, channels: Sequence[Channel], name: str) -> None:

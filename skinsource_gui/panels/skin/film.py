@@ -42,6 +42,7 @@ from skinsource_gui.panels.skin.settings import (
     Z,
     in_motion,
 )
+from skinsource_gui.panels.skin.time import PACE as PLAY_PACE
 from skinsource_gui.panels.skin.time import PACES, slow_down_factor
 from skinsource_gui.plots.pictures import (
     OWN,
@@ -150,11 +151,7 @@ PART = ChoiceSpec(
     options=((ON_SCREEN, "As on screen"), (HAND, "Hand"), (WHOLE, "Hand and arm")),
     hint="What part of the map is seen",
 )
-PACE = ChoiceSpec(
-    label="Speed",
-    options=tuple((f"{pace}", f"1/{pace}") for pace in PACES),
-    hint="How fast time runs in the film",
-)
+PACE = replace(PLAY_PACE, hint="How fast time runs in the film")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -371,13 +368,12 @@ class _Camera:
         self,
         exported: ExportedDesign,
         settings: SkinSettings,
-        options: PictureOptions | None = None,
+        options: PictureOptions,
         visible: VisiblePart = ALL,
     ) -> None:
         self._visible = visible
         self._exported, self._settings = exported, settings
-        self._options = options or _usual_size()
-        self.size = frame_size(self._options)
+        self._options, self.size = options, frame_size(options)
         findings: Findings = exported.value("validity")
         self._caption = _caption_of(exported, findings)
         self._noisy = next((found.outputs for found in findings if found.name == "noise"), ())
