@@ -430,6 +430,7 @@ class MatchingPage(ToolPage):
         self._timer = QTimer(self, interval=_POLL_MS)
         self._timer.timeout.connect(self._poll)
         self._stack = QtWidgets.QStackedWidget()
+        self._arm = self.add_arm("matching_arm", self._show_armed)
         self._begin = self.add_button(
             "matching_begin",
             "Begin",
@@ -447,6 +448,7 @@ class MatchingPage(ToolPage):
         )
         self._lay_out()
         self._connect()
+        self._show_armed(False)
 
     def done(self, result: int) -> None:
         """Stop playback at once, and close the page."""
@@ -473,7 +475,7 @@ class MatchingPage(ToolPage):
         in_column(about, self.form, self.message, None, of=setup, margins=0, gap_px=2 * UNIT_PX)
         self._stack.addWidget(setup)
         self._stack.addWidget(self.view)
-        foot = in_row(None, self._begin, self._rehearse, self._close)
+        foot = in_row(self._arm, None, self._begin, self._rehearse, self._close)
         in_column((self._stack, 1), foot, of=self)
 
     def _connect(self) -> None:
@@ -510,6 +512,12 @@ class MatchingPage(ToolPage):
         self._show_trial()
         self._play()
 
+    def _show_armed(self, armed: bool) -> None:
+        for button in (self._begin, self._rehearse):
+            button.setEnabled(armed)
+        if not armed:
+            self.player.stop_at_once()
+
     def _act(self, action: str) -> None:
         if self.run is None:
             return
@@ -542,7 +550,9 @@ class MatchingPage(ToolPage):
             self._play()
 
     def _play(self) -> None:
-        if self.run is not None and self.run.trial is not None:
+        if not self._arm.isChecked():
+            self.view.show_note("Nothing is sent to the actuators. Arm them first.", problem=True)
+        elif self.run is not None and self.run.trial is not None:
             try:
                 self.player.play(self.run.design, self.form.gain_db)
             except SkinSourceError as error:

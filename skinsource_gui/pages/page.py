@@ -102,6 +102,14 @@ class ToolPage(QtWidgets.QDialog):
         button.clicked.connect(lambda: do())
         return button
 
+    def add_arm(self, name: str, follow: Callable[[bool], object]) -> QtWidgets.QPushButton:
+        """Return the button before which nothing is sent to actuators, as in the panel Output."""
+        arm = page_button(name, "Arm", "Allow to play on the actuators")
+        arm.setCheckable(True)
+        arm.toggled.connect(lambda on: arm.setText("Armed" if on else "Arm"))
+        arm.toggled.connect(follow)
+        return arm
+
     def ask_open(self, title: str, kinds: str, start: Path | None = None) -> Path | None:
         """Ask for a file to read; None where the user has chosen none."""
         name, _ = QtWidgets.QFileDialog.getOpenFileName(self, title, str(start or ""), kinds)

@@ -148,7 +148,7 @@ class ScenesPage(ToolPage):
     def _fill(self, selected: str) -> None:
         for scene in self._scenes:
             item = QtWidgets.QListWidgetItem(scene.heading)
-            item.setIcon(QtGui.QIcon(picture_of(scene)))
+            item.setIcon(_icon_of(picture_of(scene)))
             self.list.addItem(item)
         for name, reason in missing_panels():
             item = QtWidgets.QListWidgetItem(f"{name} · no scene: {reason}")
@@ -218,6 +218,20 @@ def picture_of(scene: Scene) -> QtGui.QPixmap:
     if base.lightness() < text.lightness() and not image.isNull():
         image = _recoloured(image, base, text)
     return QtGui.QPixmap.fromImage(image)
+
+
+def _icon_of(picture: QtGui.QPixmap) -> QtGui.QIcon:
+    """Return the icon of a picture, as large as that of any other, and the same when selected."""
+    icon, ground = QtGui.QIcon(), QtGui.QPixmap(*_ICON_PX)
+    ground.fill(Qt.GlobalColor.transparent)
+    aspect, smooth = Qt.AspectRatioMode.KeepAspectRatio, Qt.TransformationMode.SmoothTransformation
+    small = picture.scaled(ground.size(), aspect, smooth)
+    painter = QtGui.QPainter(ground)
+    painter.drawPixmap(ground.rect().center() - small.rect().center(), small)
+    painter.end()
+    for mode in (QtGui.QIcon.Mode.Normal, QtGui.QIcon.Mode.Selected):
+        icon.addPixmap(ground, mode)
+    return icon
 
 
 def _recoloured(image: QtGui.QImage, base: QtGui.QColor, text: QtGui.QColor) -> QtGui.QImage:

@@ -1,17 +1,23 @@
 """The base of panels that show signals of the selected outputs."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import Qt
 
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.specs.spec import SwitchSpec
+from skinsource_gui.plots.curves import Curves
 from skinsource_gui.plots.signal_view import SignalView, draw_signals
 from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import LIGHT, Theme
 from skinsource_gui.state.panel import OutputsPanel
+
+_NOISY = (f"pale: less than {LEAST_ABOVE_NOISE_DB:g} dB above the noise", "pale: near the noise")
 
 
 class SignalPanel(OutputsPanel):
@@ -36,6 +42,7 @@ class SignalPanel(OutputsPanel):
         self._plot.exports.written.connect(self.written)
         self._plot.save_picture = self._save_picture
         self._plot.toolbar.layout_chosen.connect(lambda layout: self.change_settings(layout=layout))
+        self._noisy: tuple[int, ...] = ()
         self._switches: dict[str, QtWidgets.QToolButton] = {}
 
     def add_switch(
@@ -58,6 +65,25 @@ class SignalPanel(OutputsPanel):
         for name, switch in self._switches.items():
             self._plot.show_switch(switch, getattr(settings, name))
         self._plot.toolbar.show_state(layout=settings.layout, zoomed=zoomed)
+
+    def show_noisy(self, outputs: tuple[int, ...]) -> None:
+        """Draw outputs pale that are mostly noise."""
+        if outputs != self._noisy:
+            self._noisy = outputs
+            if self._results is not None:
+                stale = self.is_stale
+                self._draw(self._results)
+                self._staleness.set_stale(stale, at_once=True)
+
+    def _show_curves(self, curves: Curves, limb: str, notes: tuple[str, ...]) -> None:
+        """Show curves of a limb with notes on them, or on the noise."""
+        names = tuple(replace(name, noisy=name.number in self._noisy) for name in curves.names)
+        noise = _NOISY if any(name.noisy for name in names) else ()
+        curves = replace(curves, names=names)
+        self._plot.show_curves(curves, synthetic=facts_of(limb).synthetic, notes=notes or noise)
+
+    def _draw(self, results: Mapping[str, Any]) -> None:
+        """Draw the results."""
 
     @property
     def message(self) -> str:

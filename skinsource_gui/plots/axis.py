@@ -9,6 +9,7 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QPointF, QRectF, Qt, Signal
 
 from skinsource_gui.plots.curves import (
+    CurveName,
     CurvePoints,
     HeaderLine,
     Message,
@@ -436,8 +437,10 @@ class Stack:
         for row, of_row in zip(self.rows, self._by_row(points), strict=True):
             row.show_points(of_row)
 
-    def show_colours(self, numbers: Sequence[int], *, stale: bool, n_axes: int = 0) -> None:
-        """Give curves the pens of their ranks, and stacked rows their ``numbers``, if any.
+    def show_colours(
+        self, names: Sequence[CurveName], *, numbered: bool, stale: bool, n_axes: int = 0
+    ) -> None:
+        """Give curves the pens of their ranks, and stacked rows the numbers of their names.
 
         Where each row has curves along ``n_axes`` axes, these have the colours of axes.
         """
@@ -447,10 +450,12 @@ class Stack:
         pens = [current_theme().output_pen(rank, 0.0) for rank in range(n_curves)]
         if n_axes:
             pens = [QtGui.QPen(colour, 0.0) for colour in self._colours(len(pens))]
+        for rank, pen in enumerate(pens[: len(names) * max(n_axes, 1)]):
+            pen.setColor(names[rank // max(n_axes, 1)].colour(pen.color()))
         for row, of_row in zip(self.rows, self._by_row(pens), strict=True):
             row.show_pens(of_row, stale=stale)
         for rank, row in enumerate(self.rows):
-            text = str(numbers[rank] or "") if numbers else ""
+            text = str(names[rank].number or "") if numbered and names else ""
             row.number.say(text, current_theme().output_colour(rank), self._font)
 
     def show_crosshair(self, position: float | None, heights: Sequence[float]) -> None:

@@ -43,12 +43,18 @@ LEVEL_TEXT = "dB re 1 m/s²"
 class CurveName:
     """Number and names of an output: ``29``, ``"II nail rad."``, ``"Digit II, ..."``.
 
-    A curve that is not of an output has the number 0 and is told by its short name.
+    A curve that is not of an output has the number 0 and is told by its short name.  One that is
+    ``noisy`` is less than 6 dB above the noise, and pale.
     """
 
     number: int
     short: str
     full: str
+    noisy: bool = False
+
+    def colour(self, usual: QtGui.QColor) -> QtGui.QColor:
+        """Return the colour of the curve, given the usual one of its rank."""
+        return current_theme().pale(usual) if self.noisy else usual
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

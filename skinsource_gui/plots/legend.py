@@ -108,6 +108,8 @@ _READING = (
 )
 #: Parts of an entry that has a name without a number.
 NAMED = Detail(number=False, place=True, reading=True, unit=False)
+# Of what cursors measure each curve has its own number; further lines would leave no curves.
+_MEASURED, _MOST_LINES = _READING[2], 4
 _IDLE = (Detail(True, True, False, False), Detail(True, False, False, False))
 # A peak without its number would say nothing: the peak is left out first.
 _PEAKS = (*_READING[:-1], _IDLE[-1])
@@ -165,30 +167,42 @@ class LegendLayout:
 
     def placed(self) -> tuple[Detail, list[tuple[int, int]], int]:
         """Return parts of entries, x and line of those that fit, and the line of the crosshair."""
-        if self.text.named:
-            *places, (_, last) = self.lines()
-            return NAMED, places, last
+        if (flowing := self.flowing) is not None:
+            *places, (_, last) = self.lines(flowing)
+            return flowing, [place for place in places if place[1] < _MOST_LINES], last
         detail, fitting = self.fitting()
         ends = accumulate(self._widths(detail), initial=UNIT_PX // 2)
         return detail, [(x, 0) for x in islice(ends, fitting)], 0
 
     @property
-    def n_lines(self) -> int:
-        """Number of lines for which there is room; only named entries take more than one."""
-        return self.lines()[-1][1] + 1 if self.text.named else 1
+    def flowing(self) -> Detail | None:
+        """Parts of entries that take as many lines as they need; None: all stand in one."""
+        if self.text.named:
+            return NAMED
+        measured = self.text.details and self.fitting()[1] < len(self.text.names)
+        return _MEASURED if measured else None
 
-    def lines(self) -> list[tuple[int, int]]:
-        """Return x and line of each named entry, and last of the position of the crosshair.
+    @property
+    def n_lines(self) -> int:
+        """Number of lines for which there is room."""
+        flowing = self.flowing
+        return 1 if flowing is None else self.lines(flowing)[-1][1] + 1
+
+    def lines(self, detail: Detail = NAMED) -> list[tuple[int, int]]:
+        """Return x and line of each entry, and last of the position of the crosshair.
 
         There is always room for readings, so that nothing moves when there are some.
         """
         first, places, line = UNIT_PX // 2, [], 0
         x = first
         where = f"{self.text.where_room} · {self.text.unit}"
-        for width in (*self._widths(NAMED), self.metrics.horizontalAdvance(where)):
+        widths = self._widths(detail)
+        if not self.text.named:  # in columns
+            widths = [max(widths)] * len(widths)
+        for width in (*widths, self.metrics.horizontalAdvance(where)):
             if x > first and x + width > self.width_px - first:
                 x, line = first, line + 1
-            places.append((x, line))
+            places.append((x, min(line, _MOST_LINES)))
             x += width
         return places
 
@@ -217,8 +231,8 @@ class LegendStrip(QtWidgets.QWidget):
     """A line with colour, number, place and reading of each curve, and where they are read.
 
     A narrow line leaves out units, then places, then numbers, then curves; peaks are left out
-    before numbers.  The tooltip has everything.  Curves without numbers keep their names, and take
-    more lines.
+    before numbers.  The tooltip has everything.  Curves without numbers keep their names, and what
+    cursors measure stands in columns: both take more lines.
     """
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
@@ -273,6 +287,10 @@ class LegendStrip(QtWidgets.QWidget):
             painter.translate(0, line * advance)
             end = self._paint_entry(painter, QRect(x, 0, 0, row_px), rank, detail)
         hidden = len(self.text.names) - len(places)
+        if hidden and last:  # below those that are written
+            painter.resetTransform()
+            painter.translate(0, last * advance)
+            end = UNIT_PX // 2
         if hidden:
             self._write(painter, QRect(end, 0, 0, row_px), f"+{hidden}", current_theme().dim)
         painter.resetTransform()
@@ -304,9 +322,9 @@ class LegendStrip(QtWidgets.QWidget):
         name, x = text.names[rank], place.x()
         end = x + self.text_layout.entry_px(rank, detail)
         by_axis = text.by_axis
-        painter.setPen(
-            QtGui.QPen(theme.axis_colour(rank), 2.0) if by_axis else theme.output_pen(rank, 2.0)
-        )
+        pen = QtGui.QPen(theme.axis_colour(rank), 2.0) if by_axis else theme.output_pen(rank, 2.0)
+        pen.setColor(name.colour(pen.color()))
+        painter.setPen(pen)
         middle = place.height() / 2
         painter.drawLine(QPointF(x, middle), QPointF(x + SWATCH_PX - 1, middle))
         place.moveLeft(x + SWATCH_PX + GAP_PX)

@@ -728,7 +728,10 @@ class Plot(Canvas):
         # The longest texts above and below the plot.
         if self.curves is None or self.places.top <= y_px <= self.places.bottom:
             return ""
-        return self.places.header.whole if y_px < self.places.top else self.x_window.axis.titles[0]
+        if y_px < self.places.top:
+            return self.places.header.whole
+        axis = self.x_window.axis
+        return "\n".join(filter(None, (axis.titles[0], axis.hint)))
 
     def lay_out(self) -> None:
         other_rows = self._place()
@@ -787,7 +790,6 @@ class Plot(Canvas):
         return other_rows
 
     def _colour(self) -> None:
-        names = () if self.curves is None or not self.stacked else self.curves.names
-        n_axes = 0 if self.curves is None else len(self.curves.axes)
-        numbers = [name.number for name in names]
-        self.stack.show_colours(numbers, stale=self.texts.stale, n_axes=n_axes)
+        names, axes = ((), ()) if self.curves is None else (self.curves.names, self.curves.axes)
+        stale = self.texts.stale
+        self.stack.show_colours(names, numbered=self.stacked, stale=stale, n_axes=len(axes))

@@ -285,6 +285,8 @@ class XAxis:
         The rest of the axis is shaded; None: nothing is.
     column
         Name of its column in a table.
+    hint
+        What to know about it; in its tooltip only.
     """
 
     titles: tuple[str, ...]
@@ -295,6 +297,7 @@ class XAxis:
     log: bool = False
     band: Range | None = None
     column: str = "x"
+    hint: str = ""
 
     def position(self, value: float) -> float:
         """Return the position of ``value``: its logarithm on a logarithmic axis."""

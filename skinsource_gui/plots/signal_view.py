@@ -241,7 +241,9 @@ def _entries(plot: Plot) -> Iterator[tuple[QtGui.QPen | None, str]]:
         text = f"{name.number}  {name.short}" if name.number else name.short
         if curves.peaks:
             text += f", peak {curves.peak_texts[rank]} {curves.peak_unit.symbol}"
-        yield None if curves.axes else current_theme().output_pen(rank, 2.0), text
+        pen = current_theme().output_pen(rank, 2.0)
+        pen.setColor(name.colour(pen.color()))
+        yield None if curves.axes else pen, text
 
 
 _UNITS: dict[Kind, str] = {
@@ -366,6 +368,8 @@ class SignalExports(QObject):
 
 
 _COMPUTING = "Computing…"
+# Nothing moves while cursors are dragged.
+_MEASURED_ROOM = "0.0000, 0.0000"
 
 
 class SignalView(QtWidgets.QWidget):
@@ -407,6 +411,7 @@ class SignalView(QtWidgets.QWidget):
         #: A panel of the window has the export dialog ask for more.
         self.save_picture: Callable[[], None] = self.exports.save_picture
         self._in_menu: list[QtWidgets.QToolButton] = []
+        self._measured: tuple[Curves | None, Range | None] = None, None
         self._staleness = lateness or Staleness(self)
         self._staleness.changed.connect(self._mark_stale)
         self.plot.navigation.zoom_requested.connect(self.zoom_requested)
@@ -517,7 +522,11 @@ class SignalView(QtWidgets.QWidget):
         menu.popup(at)
 
     def _read(self) -> None:
-        self.legend.say(reading(self.plot))
+        measured = self.plot.curves, self.plot.cursors.at
+        # The crosshair changes nothing that was measured.
+        if measured != self._measured or measured[1] is None:
+            self._measured = measured
+            self.legend.say(reading(self.plot))
 
 
 def reading(plot: Plot) -> LegendText:
@@ -536,9 +545,9 @@ def reading(plot: Plot) -> LegendText:
     elif curves.peaks:
         # With room for peaks too, so that nothing moves.
         text = replace(text, reading_room=max((text.reading_room, *curves.peak_texts), key=len))
+    if measured := measured_text(plot):
+        return measured
     if plot.crosshair.index is None:
-        if measured := measured_text(plot):
-            return measured
         return text if curves.axes or not curves.peaks else _with_peaks(text, curves)
     readings = tuple(unit.reading(float(y)) for y in curves.y[:, plot.crosshair.index])
     return replace(
@@ -559,7 +568,7 @@ def measured_text(plot: Plot) -> LegendText | None:
         names=curves.names,
         where=f"{measured.meaning} · {measured.distance}",
         where_room=f"{measured.meaning} · {measured.distance}",
-        reading_room=max(readings, key=len),
+        reading_room=max((_MEASURED_ROOM, *readings), key=len),
     )
     if curves.axes:
         text, readings = text.of_axes(curves.axes), along_axes(readings, curves.each)

@@ -393,10 +393,10 @@ def bounds_of(points: Floats) -> QRectF:
     return QRectF(float(x0), float(y0), float(x1 - x0), float(y1 - y0))
 
 
-def hand_bounds(limb_map: LimbMap) -> QRectF:
-    """Return box around the outline from the fingertips to just past the wrist."""
+def hand_bounds(limb_map: LimbMap, lengths: float = 1.01) -> QRectF:
+    """Return box around the outline from the fingertips to so many lengths of the hand below."""
     outline = limb_map.outline
-    wrist = outline[:, 1].max() - 1.01 * limb_map.hand_length_px
+    wrist = outline[:, 1].max() - lengths * limb_map.hand_length_px
     box = bounds_of(outline[outline[:, 1] >= wrist])
     box.setTop(max(wrist, outline[:, 1].min()))
     return box

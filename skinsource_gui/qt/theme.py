@@ -95,6 +95,12 @@ class Theme:
             pen.setCapStyle(Qt.PenCapStyle.FlatCap)
         return pen
 
+    def pale(self, colour: QtGui.QColor) -> QtGui.QColor:
+        """Return a colour through which the ground is seen."""
+        pale = QtGui.QColor(colour)
+        pale.setAlphaF(0.45)
+        return pale
+
     def axis_colour(self, rank: int) -> QtGui.QColor:
         """Return the colour of an axis of the sensors, which differs from those of outputs."""
         return QtGui.QColor((*self.inputs[:2], self.text)[rank % 3])

@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEvent, QObject, QRect, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QObject, QPoint, QRect, Qt, QTimer, Signal
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.job import Job
@@ -190,6 +190,12 @@ class Notice(QObject):
         else:
             bottom = whole.height() if bar.isHidden() else bar.y()
             place = QRect(UNIT_PX, bottom - height - UNIT_PX, width, height)
+            # The colours of the map, which lies there, stay in sight.
+            colours = self._window.findChild(QtWidgets.QWidget, "skin_colour_bar")
+            if colours is not None and colours.isVisible() and colours.window() is self._window:
+                bar_place = QRect(colours.mapTo(self._window, QPoint()), colours.size())
+                if bar_place.intersects(place):
+                    place.moveBottom(bar_place.top() - UNIT_PX)
         self.card.setGeometry(place)
 
 

@@ -195,7 +195,7 @@ class Transport(QtWidgets.QWidget):
         return button
 
 
-_TITLE_EM = 18
+_TITLE_EM = 28
 _STATES = {
     "off": "Actuators off",
     "armed": "Actuators armed",
@@ -224,7 +224,7 @@ class OutputButton(QtWidgets.QToolButton):
         if name != self.accessibleName():
             metrics, elide = self.fontMetrics(), Qt.TextElideMode.ElideRight
             cut = metrics.elidedText(chosen, elide, _TITLE_EM * metrics.horizontalAdvance("m"))
-            self.setText(f"Output: {cut} \u25be · {state}")
+            self.setText(f"Output: {cut} · {state}")
             self.setAccessibleName(name)
             set_tone(self, "dim" if played.actuators == "off" else "warning")
 
@@ -300,9 +300,10 @@ class Playback(QObject):
         self._follow()
 
     def _meet(self, panel: Panel) -> None:
+        player = self.player
+        player.playhead.running.connect(panel.show_running)
         if panel.name != _PANEL:
             return
-        player = self.player
         self._panel = panel = cast("OutputPanel", panel)
         for part in (panel.fields, panel.rows):
             part.output_requested.connect(player.settings.choose)

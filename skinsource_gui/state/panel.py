@@ -168,6 +168,9 @@ class Panel(ShowsStaleness):
         `show_state` is not called for that.
         """
 
+    def show_running(self, running: bool) -> None:
+        """Take over whether time runs."""
+
     def reset_range(self) -> None:
         """Draw the next results as the first ones: nothing is held from before."""
 

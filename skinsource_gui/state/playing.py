@@ -265,6 +265,8 @@ class RunningPlayhead(QObject):
     moved_away = Signal(float)
     #: The playhead was moved along with the sound.
     stepped = Signal()
+    #: Whether it moves along.
+    running = Signal(bool)
 
     def __init__(self, document: Document, parent: QObject) -> None:
         super().__init__(parent)
@@ -280,6 +282,7 @@ class RunningPlayhead(QObject):
             self._from_s = self._put_s = self._document.view.playhead_s
             self._document.playhead_moved.connect(self._note_move)
             self._document.changed.connect(self._note_move)
+            self.running.emit(True)
         self._position = position
         self._timer.start()
 
@@ -292,6 +295,7 @@ class RunningPlayhead(QObject):
         self._document.playhead_moved.disconnect(self._note_move)
         self._document.changed.disconnect(self._note_move)
         self._put(self._from_s)
+        self.running.emit(False)
 
     def stay(self) -> None:
         """Make the present time the one to which `rest` returns."""

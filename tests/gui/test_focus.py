@@ -99,8 +99,8 @@ def test_what_is_disabled_or_hidden_is_left_out(at_work, settle):
     at_work.docks["inspector"].close()
     settle()
     names = walk(at_work)
-    assert ("skin", "measure_axes") in names
-    assert ("skin", "measure_span") not in names
+    assert ("skin", "measure_unit") in names
+    assert not {("skin", "measure_axes"), ("skin", "measure_span")}.intersection(names)
     assert "inspector" not in in_turn(names)
 
 

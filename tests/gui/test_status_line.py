@@ -125,6 +125,8 @@ def test_a_notice_that_stays_is_a_card_over_the_map_and_moves_nothing(window, se
     assert card.geometry().bottom() < window.statusBar().y()
     assert card.geometry().top() > window.menuWidget().height()
     assert "skin" in lies_over(window, card.geometry())
+    colours = window.panel("skin").colour_bar
+    assert card.geometry().bottom() < colours.mapTo(window, QPoint()).y()
     assert [dock.geometry() for dock in shown_docks(window)] == places
     window.notice.be_quiet()
     assert not card.isVisible()

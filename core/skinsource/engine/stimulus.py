@@ -629,7 +629,11 @@ def _equalised(stimulus: Stimulus, equaliser: Equaliser, model_of: Callable[[int
     # The frequencies at which actuators follow the drives.
     band = followed_band(stimulus.limb_band_hz, min(rate_hz, stimulus.own_rate_hz))
     for row in stimulus.driving:
-        samples[row] = equalised(samples[row], rate_hz, model_of(row), equaliser, band_hz=band)
+        try:
+            samples[row] = equalised(samples[row], rate_hz, model_of(row), equaliser, band_hz=band)
+        except InvalidInputError as error:
+            place = stimulus.channels[row].place
+            raise InvalidInputError(f"Place {place}: {error}") from error
     return samples
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
+from textwrap import fill
 from typing import Any
 
 from skinsource.actuators.actuation import Actuation
@@ -23,7 +24,9 @@ from skinsource.limbs.catalog import limb_of
 # A4 upright.
 _PAGE_MM = (210.0, 297.0)
 _COLUMNS = ("Channel", "Place", "Polarity", "Gain", "Actuator")
-_WIDTHS = (0.18, 0.3, 0.11, 0.15, 0.26)
+_TABLE_MM, _TITLE_LETTERS = 0.84 * _PAGE_MM[0], 72
+# Width of a letter, mm in a point of its font.
+_LETTER_MM = 0.185
 
 
 @checking
@@ -77,14 +80,15 @@ def export_wiring(
     with plot.style():
         figure = plot.new_figure(*_PAGE_MM)
         title = f"Wiring of {design.title}" if design.title else "Wiring"
-        figure.text(0.08, 0.96, title, fontsize=12, parse_math=False)
+        title = fill(title, _TITLE_LETTERS)
+        figure.text(0.08, 0.98, title, fontsize=12, va="top", parse_math=False)
         _draw_table(figure.add_axes((0.08, 0.04, 0.84, 0.4)), drives.channels, wired, actuators)
         _draw_hand(figure.add_axes((0.08, 0.46, 0.84, 0.46)), drives.channels, design.limb)
     write_bytes(Path(path), plot.figure_content(figure, kind))
 
 
 def _draw_table(ax: Any, channels: Sequence[Channel], rig: Rig | None, actuation: Any) -> None:
-    rows = []
+    rows: list[tuple[str, ...]] = []
     for channel in channels:
         place, wired = channel.place, None
         if place is None:
@@ -100,10 +104,15 @@ def _draw_table(ax: Any, channels: Sequence[Channel], rig: Rig | None, actuation
         name = actuator_at(place, rig, actuation)[0] or "not known"
         rows.append((number, f"{place}, {channel.title}", polarity, gain, name))
     ax.set_axis_off()
-    table = ax.table(rows, colLabels=_COLUMNS, colWidths=_WIDTHS, cellLoc="left", loc="upper left")
+    # Each column has room for its longest text, with letters to spare beside it.
+    letters = [3 + max(map(len, texts)) for texts in zip(_COLUMNS, *rows, strict=True)]
+    size = min(8.0, 160.0 / len(rows), _TABLE_MM / (_LETTER_MM * sum(letters)))
+    widths = [count / sum(letters) for count in letters]
+    table = ax.table(rows, colLabels=_COLUMNS, colWidths=widths, cellLoc="left", loc="upper left")
     table.auto_set_font_size(False)
-    table.set_fontsize(min(8.0, 160.0 / len(rows)))
+    table.set_fontsize(size)
     for cell in table.get_celld().values():
+        cell.PAD = 0.04
         cell.get_text().set_horizontalalignment("left")
         cell.set_edgecolor(plot.DIM)
         cell.set_linewidth(0.4)

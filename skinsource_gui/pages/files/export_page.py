@@ -36,6 +36,8 @@ class ExportPage(ToolPage):
 
     #: The user wants what is shown to be written.
     chosen = Signal()
+    #: An `Edit` after which a stimulus can be exported.
+    mended = Signal(object)
 
     def __init__(
         self,
@@ -116,7 +118,10 @@ class ExportPage(ToolPage):
         specs = [spec for spec in exports.EXPORTS if spec.group == group]
         kind = {STIMULUS: StimulusPart, STIMULUS_SET: SetPart}.get(specs[0].name)
         if kind is not None:
-            return kind(self._design, self._view, self.settings or self._last_stimulus, self._stem)
+            last = self.settings or self._last_stimulus
+            stimulus = kind(self._design, self._view, last, self._stem)
+            stimulus.mended.connect(self.mended)
+            return stimulus
         pictures = self._drawer_of, self._picture_options
         part = FilePart(specs, self._design, self._view, *pictures, self._wired)
         part.show_export(specs[0].name)

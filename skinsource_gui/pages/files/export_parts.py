@@ -32,6 +32,7 @@ from skinsource_gui.panels.skin.film import (
     film_remark,
 )
 from skinsource_gui.plots.pictures import (
+    KIND,
     KINDS,
     PER_INCH,
     PictureForm,
@@ -146,9 +147,14 @@ class FilePart(ExportPart):
         self._choice.setObjectName("export_what")
         self._choice.edited.connect(self.show_export)
         self._choice.setVisible(len(specs) > 1)
+        self._page_kind = ChoiceField(KIND)
+        self._page_kind.setObjectName("export_page_kind")
+        self._page_kind.set_value(".pdf")
         self._hint = page_label("export_hint", tone="dim")
         self.form: PictureForm | None = None
-        self._room = in_column(self._choice, self._hint, None, margins=0, gap_px=UNIT_PX)
+        self._room = in_column(
+            self._choice, self._hint, self._page_kind, None, margins=0, gap_px=UNIT_PX
+        )
         fields = QtWidgets.QWidget()
         fields.setLayout(self._room)
         left = scrolled_fields(fields, "export_fields")
@@ -181,6 +187,7 @@ class FilePart(ExportPart):
             self._room.insertWidget(2, self.form)
             self.form.changed.connect(self._show_preview)
         drawn = self.form is not None or name == WIRING
+        self._page_kind.setVisible(name == WIRING)
         self.image.setVisible(drawn)
         self.text.setVisible(not drawn)
         self._show_preview()
@@ -188,11 +195,13 @@ class FilePart(ExportPart):
     def suggestion(self) -> tuple[str, str, tuple[str, ...], str]:
         spec, name = self._spec, self._spec.file_name
         kinds: Sequence[tuple[str, str]] = KINDS
-        if self.form is None and spec.name != WIRING:
+        if spec.name == WIRING:
+            name = f"wiring{self._page_kind.value}"
+        elif self.form is None:
             kinds = ((spec.group, Path(name).suffix),)
-        elif self.form is not None and isinstance(self.form.options, FilmOptions):
+        elif isinstance(self.form.options, FilmOptions):
             kinds, name = FILM_KINDS, film_name(self._design, self._view, self.form.options)
-        elif self.form is not None:
+        else:
             title = self._picture.title if self._picture is not None else ""
             if spec.name == "panel_picture" and title:
                 name = f"{title.lower().replace(' ', '-')}.png"
@@ -291,7 +300,7 @@ class FilePart(ExportPart):
         elif isinstance(result, QtGui.QImage):
             self.image.show_image(result)
             if self.form is None:
-                self._say(f"{sentence(self._spec.hint)} PDF, SVG or PNG.")
+                self._say(sentence(self._spec.hint))
         else:
             text, n_bytes = result
             self.text.setPlainText(text)

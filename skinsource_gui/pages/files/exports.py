@@ -19,6 +19,7 @@ from skinsource.base.errors import SkinSourceError, TooInaccurateError
 from skinsource.base.files import path_exists
 from skinsource.base.job import Job
 from skinsource.design.design import Design
+from skinsource.design.edits.edit import Edit
 from skinsource.design.view import View
 from skinsource.export import packing
 from skinsource.export.map_files import export_map
@@ -270,6 +271,7 @@ class ExportActions(QObject):
         )
         page.show_export(name or self._last)
         page.chosen.connect(self._ask_and_write)
+        page.mended.connect(self._mend)
         page.finished.connect(self._forget_page)
         page.open()
 
@@ -282,6 +284,12 @@ class ExportActions(QObject):
         """Put what to cite for the open design on the clipboard."""
         QtGui.QGuiApplication.clipboard().setText(packing.citation(self._document.design))
         self._files.done.emit("Copied what to cite")
+
+    def _mend(self, edit: Edit) -> None:
+        """Edit the design, and show the same choices on it."""
+        self._preferences.export_text = self.page.settings
+        self._document.apply(edit)
+        self.show(STIMULUS)
 
     def _forget_page(self) -> None:
         self.page = None

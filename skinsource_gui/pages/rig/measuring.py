@@ -185,6 +185,7 @@ _INTRODUCTION = (
 )
 _LOOKING = "Looking for devices…"
 _START = "Play the sweeps, and record them"
+_ARM = "Arm the actuators first"
 _READY = "Start plays on output {output}, at the level above."
 
 
@@ -224,6 +225,7 @@ class MeasurePage(ToolPage):
         self.plot = ResponseView("measured-plot", "Measured response")
         self.plot.show_message(_NOTHING)
         self._bar = QtWidgets.QProgressBar()
+        self.arm = self.add_arm("measure_arm", self._show_armed)
         self.start = self.add_button("measure_start", "Start", _START, self._start)
         self.stop = self.add_button(
             "measure_stop", "Stop", "Silence at once; nothing is kept", self._stop.set
@@ -258,7 +260,7 @@ class MeasurePage(ToolPage):
         policy.setRetainSizeWhenHidden(True)
         self._bar.setSizePolicy(policy)
         self._bar.setAccessibleName("Progress")
-        foot = in_row(self.start, self.stop, (self._bar, 1), self.keep, self._close)
+        foot = in_row(self.arm, self.start, self.stop, (self._bar, 1), self.keep, self._close)
         in_column(
             about, self.fields.grid, (self.plot, 1), self.message, foot, of=self, gap_px=UNIT_PX
         )
@@ -349,10 +351,16 @@ class MeasurePage(ToolPage):
             self._bar.setValue(done)
             self.say(f"{text}…")
 
+    def _show_armed(self, armed: bool) -> None:
+        if not armed:
+            self._stop.set()
+        self._show_state()
+
     def _show_state(self) -> None:
         self.fields.grid.setEnabled(not self._running)
-        self.start.setEnabled(not (self._running or self._looking or self._missing))
-        self.start.setToolTip(self._missing or _START)
+        ready = self.arm.isChecked() and not (self._running or self._looking)
+        self.start.setEnabled(ready and not self._missing)
+        self.start.setToolTip(self._missing or (_START if self.arm.isChecked() else _ARM))
         self.stop.setEnabled(self._running)
         self.keep.setEnabled(self.measurement is not None)
         self._bar.setVisible(self._running)

@@ -14,15 +14,18 @@ from typing import Any
 
 import numpy as np
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QLineF, QRectF, QSize, Qt
+from PySide6.QtCore import QLineF, QRectF, QSize, Qt, Signal
 
+from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.actuators.rigs import UNCALIBRATED
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import Stopped
 from skinsource.base.quoting import sentence
 from skinsource.base.work import counted
 from skinsource.design.amplitudes import amplitude_unit
-from skinsource.design.design import Design
+from skinsource.design.design import Design, audible_inputs
+from skinsource.design.edits.edit import Edit
+from skinsource.design.edits.mending import mend_through
 from skinsource.design.view import View
 from skinsource.export.formats.format import ChannelOverview
 from skinsource.export.methods import methods_of
@@ -198,7 +201,7 @@ class PreparingBar(QtWidgets.QProgressBar):
 
 
 #: Of the worker's tasks: only the newest order is prepared.
-_ORDER = "order"
+_ORDER, _MEND = "order", "mend"
 
 
 class StimulusPart(ExportPart):
@@ -215,6 +218,8 @@ class StimulusPart(ExportPart):
     """
 
     name = STIMULUS
+    #: An `Edit` of the design after which it can be exported.
+    mended = Signal(object)
 
     def __init__(
         self,
@@ -227,6 +232,7 @@ class StimulusPart(ExportPart):
         self._design, self._view, self._stem = design, view, stem
         self._colours = {track.id: track.colour for track in design.inputs}
         self._ordered: Order | None = None
+        self._mending: Edit | None = None
         #: What is shown, and would be written; None while it is prepared.
         self.prepared: PreparedStimulus | None = None
         self.form = StimulusForm(design, view)
@@ -237,6 +243,9 @@ class StimulusPart(ExportPart):
         self._confirm = QtWidgets.QCheckBox("Write it all the same")
         self._confirm.setObjectName("stimulus_confirm")
         self._confirm.hide()
+        self._mend = page_button("stimulus_mend", "", "Change the design so that it can be played")
+        self._mend.clicked.connect(lambda: self.mended.emit(self._mending))
+        self._mend.hide()
         self._copy = page_button("stimulus_copy_methods", "", "Text for the methods of a paper")
         self._copy.clicked.connect(self._copy_methods)
         self.setFocusProxy(self.form.field("format"))
@@ -287,7 +296,7 @@ class StimulusPart(ExportPart):
         self._pictures = scrolled(self.channels, "stimulus_scroll")
         self._pictures.setAccessibleName("Channels; arrow keys scroll")
         columns = in_row(left, (self._preview(), 1), gap_px=2 * UNIT_PX)
-        foot = in_row(self._preparing, None, self._copy)
+        foot = in_row(self._preparing, self._mend, None, self._copy)
         below = self._summary, self._notes, self._problem, self._confirm, foot
         in_column((columns, 1), *below, of=self, margins=0, gap_px=UNIT_PX)
 
@@ -316,6 +325,7 @@ class StimulusPart(ExportPart):
         self._ordered, self.prepared = order, None
         # Clipping was confirmed for another order.
         self._confirm.setChecked(False)
+        self._offer_mend(None, None)
         self._set_pale(True)
         self._preparing.begin()
         self._show_readiness()
@@ -342,10 +352,30 @@ class StimulusPart(ExportPart):
             return
         if computed is None:
             self._show_refused(fault_text(error) if error else "")
+            self._worker.run_newest(_MEND, partial(self._find_mend, order), self._offer_mend)
             return
         self._preparing.end()
         self._set_pale(False)
         self._show_computed(computed)
+
+    def _find_mend(self, order: Order) -> Edit | None:
+        """Return an edit that mends what the actuators cannot follow, in the thread of the worker.
+
+        It is named after its last part, where several inputs need one.
+        """
+        chosen, found = order.actuation, None
+        through = None if chosen is None else replace(chosen, equaliser=RegularisedInverse())
+        design = replace(self._design, actuation=through)
+        for track in audible_inputs(design.inputs):
+            found = mend_through(design, self._view, track.id) or found
+            design = found.design if found else design
+        kept = replace(design, actuation=self._design.actuation)
+        return None if found is None else replace(found, design=kept)
+
+    def _offer_mend(self, edit: Edit | None, _error: Exception | None) -> None:
+        self._mending = edit
+        self._mend.setText(edit.label if edit else "")
+        self._mend.setVisible(edit is not None)
 
     def _show_computed(self, prepared: Any) -> None:
         self._show_channels(prepared)
@@ -400,7 +430,10 @@ def _write(prepared: Any, path: Path, confirmed: bool, *, largest_error: float, 
 def calibration_of(prepared: PreparedStimulus) -> str:
     """Return a sentence on whether accelerations follow from the samples."""
     if prepared.calibration == UNCALIBRATED:
-        return "Uncalibrated: choose a rig to know the volts at full scale."
+        return (
+            "Uncalibrated: full scale is that of the design. Choose a rig to know what the "
+            "device sends."
+        )
     return sentence(f"{prepared.calibration[:1].upper()}{prepared.calibration[1:]}")
 
 

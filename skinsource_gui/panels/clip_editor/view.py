@@ -530,6 +530,7 @@ class SpectrumStrip(QtWidgets.QWidget):
         self._label.setSizePolicy(
             QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Fixed
         )
+        self._label.setAlignment(Qt.AlignmentFlag.AlignLeft)
         in_column(self._label, (self._preview, 1), of=self, margins=0, gap_px=0)
         self.outside = 0.0
         self._shown: tuple[object, ...] = ()
@@ -548,7 +549,7 @@ class SpectrumStrip(QtWidgets.QWidget):
         if shown == self._shown:
             return
         self._shown, self.outside = shown, 0.0
-        text = "In which band this limb was measured is not known"
+        text, short = "In which band this limb was measured is not known", "Band not known"
         if samples is not None and not samples.size:
             samples = None
         if band_hz is not None:
@@ -557,7 +558,8 @@ class SpectrumStrip(QtWidgets.QWidget):
             share = 100 * self.outside
             number = "0" if share == 0 else "< 0.1" if share < 0.1 else f"{share:.3g}"
             text = f"{number} % of the energy outside {band_hz[0]:g} to {band_hz[1]:g} Hz"
+            short = f"{number} % outside the band"
         self._preview.show_samples(samples, sample_rate_hz, band_hz)
-        self._label.show_phrases((text,))
+        self._label.show_phrases((text, short))
         set_tone(self._label, "warning" if self.outside > _NOTEWORTHY else "dim")
         show_tooltip(self, text)

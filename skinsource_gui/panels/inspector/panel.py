@@ -183,7 +183,7 @@ class InputFields(QObject):
         self._peak = TextCell("Peak", "")
         self._peak.text_label.setObjectName("peak")
         self._peak.text_label.setToolTip("Of all that the track plays, with its gain")
-        self._played_length = TextCell("Lasts", "")
+        self._played_length = TextCell("Played", "")
         self._played_length.text_label.setObjectName("played_length")
         self._played_length.text_label.setToolTip(
             "What is heard of the waveform, or how long it is drawn out"

@@ -21,7 +21,7 @@ from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec, Spec, SwitchSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.editors import FieldCell
-from skinsource_gui.fields.grid import FieldGrid
+from skinsource_gui.fields.grid import FieldGrid, LabelledCell
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.rig_field import RigField
 from skinsource_gui.qt.buttons import tool_button
@@ -100,9 +100,12 @@ class DeviceFields(QObject):
         self.cells = {name: FieldCell(name, spec, edited=self._edit) for name, spec in _OTHERS}
         grid = FieldGrid()
         grid.show_cells(list(self.cells.values()))
-        self.main = _form(
-            ("Rig", self.rig, self.edit_rig), ("Device", self.device), ("Gain", self.gain)
-        )
+        self.main = FieldGrid()
+        # As high as its rows, in a low panel too.
+        policy = QtWidgets.QSizePolicy.Policy
+        self.main.setSizePolicy(policy.Preferred, policy.Fixed)
+        rig = _cell("Rig", self.rig, self.edit_rig)
+        self.main.show_cells([rig, _cell("Device", self.device), _cell("Gain", self.gain)])
         self.details = QtWidgets.QWidget()
         in_column(in_row(self.rescan, None), grid, of=self.details, margins=0)
 
@@ -133,21 +136,13 @@ class DeviceFields(QObject):
         self.output_requested.emit(replace(self._output, **changed))
 
 
-def _form(*rows: tuple[Any, ...]) -> QtWidgets.QWidget:
-    """Return rows of a label, a field and perhaps a button; a list takes the room that is left."""
-    widget = QtWidgets.QWidget()
-    # As high as its rows, in a low panel too.
-    widget.setSizePolicy(QtWidgets.QSizePolicy.Policy.Preferred, QtWidgets.QSizePolicy.Policy.Fixed)
-    grid = QtWidgets.QGridLayout(widget)
-    grid.setContentsMargins(0, 0, 0, 0)
-    for row, (title, field, *buttons) in enumerate(rows):
-        wide = isinstance(field, ChoiceField)
-        field.setObjectName(f"{title.lower()}_field")
-        label = QtWidgets.QLabel(title)
-        label.setBuddy(field)
-        grid.addWidget(label, row, 0)
-        grid.addLayout(in_row((field, int(wide)), *buttons, *([] if wide else [None])), row, 1)
-    return widget
+def _cell(title: str, field: QtWidgets.QWidget, *buttons: QtWidgets.QWidget) -> LabelledCell:
+    """Return a field and perhaps a button; a list takes the room that is left."""
+    cell, wide = LabelledCell(title), isinstance(field, ChoiceField)
+    field.setObjectName(f"{title.lower()}_field")
+    cell.label.setBuddy(field)
+    cell.stack.addLayout(in_row((field, int(wide)), *buttons, *([] if wide else [None])))
+    return cell
 
 
 def _key(name: str, host_api: str) -> str:

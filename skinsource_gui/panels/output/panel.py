@@ -27,7 +27,7 @@ from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_unit, equaliser_of
 from skinsource.design.design import Design
 from skinsource.design.edits.edit import Edit
-from skinsource.design.edits.mending import mends
+from skinsource.design.edits.mending import mend_through
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
 from skinsource.engine.actuator_demand import Demand, listed_name, profile_of
@@ -432,7 +432,7 @@ class OutputPanel(Panel):
         calibrated = played.rig_title and not played.output.stand_in
         meaning = f"an amplitude of 1{'' if unit == '×' else f' {unit}'} is full scale"
         if unit == "V":
-            meaning = "1 V for the actuator is full scale"
+            meaning = "1 V of the drive is sent as full scale"
             if calibrated:
                 meaning = "the actuators get the volts of the design"
         calibration = "Uncalibrated: what reaches the skin depends on amplifier and actuator"
@@ -443,13 +443,7 @@ class OutputPanel(Panel):
     def _mending(self) -> Edit | None:
         """Return the edit that lets the actuator follow the selected input; None: there is none."""
         design, id = self._design, self._view.selected_input
-        if design is None or design.actuation is None or id not in design.ids:
-            return None
-        through = replace(design, actuation=replace(design.actuation, on=True))
-        edit = mends(through, self._view, id)[0]
-        if edit.design.input(id).muted:
-            return None
-        return replace(edit, design=replace(edit.design, actuation=design.actuation))
+        return None if design is None or id is None else mend_through(design, self._view, id)
 
     def _mend(self) -> None:
         edit = self._mending()

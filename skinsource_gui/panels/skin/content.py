@@ -33,6 +33,7 @@ from skinsource_gui.panels.skin.settings import (
     quantity_of,
 )
 from skinsource_gui.plots.colour_maps import DIVERGING, VIRIDIS
+from skinsource_gui.plots.ranges import SteadyRange
 from skinsource_gui.plots.small_map import FieldImage, field_image, px_per_mm_of
 from skinsource_gui.qt.overlays import COVERED
 from skinsource_gui.state.compared import SILENT, Compared, gain_db
@@ -183,7 +184,7 @@ def signals_name(quantity: str) -> str:
 def needs_of(settings: SkinSettings) -> frozenset[str]:
     """Return the results that `content_of` needs."""
     at_outputs, over_skin = _NAMES[settings.quantity]
-    needed = {"limb_map", "limb_data", "match_gain", at_outputs}
+    needed = {"limb_map", "limb_data", "match_gain", "response_samples", at_outputs}
     if settings.quantity == SENSATION:
         needed.add("sensation")
     if settings.map_style == "interpolated":
@@ -200,6 +201,7 @@ def content_of(
     noisy: tuple[int, ...] = (),
     compared: Sequence[Compared] = (),
     problem: str = "",
+    steady: SteadyRange | None = None,
 ) -> MapContent:
     """Return the content of the map.
 
@@ -215,11 +217,16 @@ def content_of(
         Snapshots: colours span the levels of all, so that one can be looked at after the other.
     problem
         Why there are no levels; "" where there are.
+    steady
+        Keeps the automatic range of the colours while the loudest output changes a little.
     """
     limb_map, limb, px_per_mm = _limb_of(results, design, problem)
     facts = facts_of(limb)
     matched = match_text(results.get("match_gain", 1.0))
     quantity = quantity_of(settings, view, facts.axes, matched)
+    n_samples, limb_data = results.get("response_samples"), results.get("limb_data")
+    if n_samples and limb_data is not None:
+        quantity = replace(quantity, record_s=n_samples / limb_data.sample_rate_hz)
     surface, field = results.get("surface"), None
     if settings.map_style == "sensors":
         surface = None
@@ -230,7 +237,7 @@ def content_of(
         values, field_values, message = None, None, problem
     limits = LIMITS if quantity.name == SENSATION else ""
     drawn_note = " ".join(filter(None, (limits, *(() if surface is None else surface.warnings))))
-    source = "" if problem else _source_note(results.get("limb_data"))
+    source = "" if problem else _source_note(limb_data)
     chosen = chosen_range(settings)
     shown_limbs = {limb, "" if design is None else design.limb}
     return MapContent(
@@ -241,7 +248,8 @@ def content_of(
         field=field,
         field_values=field_values,
         quantity=quantity,
-        value_range=chosen or _automatic_range(results, settings, compared),
+        value_range=chosen
+        or _automatic_range(results, settings, compared, steady or SteadyRange()),
         fixed=chosen is not None,
         colours=DIVERGING if quantity.signed else settings.colours,
         outputs=view.outputs,
@@ -317,7 +325,10 @@ def _source_note(limb_data: Limb | None) -> str:
 
 
 def _automatic_range(
-    results: Mapping[str, Any], settings: SkinSettings, compared: Sequence[Compared]
+    results: Mapping[str, Any],
+    settings: SkinSettings,
+    compared: Sequence[Compared],
+    steady: SteadyRange,
 ) -> LevelRange:
     """Return the range that follows the loudest output, of all that is ``compared``."""
     beside = [
@@ -326,11 +337,12 @@ def _automatic_range(
         if snapshot.values is not None
     ]
     loudest_db = max([_loudest_db(results, settings), *beside])
+    if loudest_db <= FLOOR_DB:
+        return (-1.0, 1.0) if settings.quantity == Z else SILENT_RANGE
     if settings.quantity != Z:
-        return map_range_db(loudest_db)
+        return map_range_db(steady.follow(loudest_db, loudest_db, "level")[1])
     largest = 10.0 ** (loudest_db / 20.0) * _SHARE_OF_LARGEST
-    limit = _round_up(largest) if loudest_db > FLOOR_DB else 1.0
-    return -limit, limit
+    return steady.follow(-largest, largest, "amplitude")
 
 
 def _loudest_db(results: Mapping[str, Any], settings: SkinSettings) -> float:
@@ -339,14 +351,6 @@ def _loudest_db(results: Mapping[str, Any], settings: SkinSettings) -> float:
         return FLOOR_DB
     levels = known if settings.quantity in STILL else decibels(np.array([known.largest]))
     return float(np.max(levels, initial=FLOOR_DB))
-
-
-def _round_up(value: float) -> float:
-    """Return the next number that begins with 1, 2 or 5."""
-    power = 10.0 ** np.floor(np.log10(value))
-    # A rounding error of the decibels must not double the limits.
-    steps = (step * power for step in (1.0, 2.0, 5.0, 10.0))
-    return float(next(step for step in steps if step * (1.0 + 1e-9) >= value))
 
 
 def response_time_s(view: View, delay_s: float) -> float:

@@ -1,7 +1,6 @@
-"""The skin map in time as a file (MP4, WebM or GIF): its options, its size, and its frames."""
+"""The skin map in time as a file (MP4, WebM or GIF): its options and its frames."""
 
 from dataclasses import dataclass, replace
-from math import sqrt
 from pathlib import Path
 
 import numpy as np
@@ -11,7 +10,7 @@ from PySide6.QtCore import QSizeF
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Progress, Stop, never, silent
-from skinsource.base.measurement_conditions import N_OUTPUTS, axes_text
+from skinsource.base.measurement_conditions import axes_text
 from skinsource.design.design import Design, audible_inputs
 from skinsource.design.labels import limb_label
 from skinsource.design.panel_settings import settings_of, with_settings
@@ -39,10 +38,11 @@ from skinsource_gui.panels.skin.settings import (
     RMS,
     RMS_WINDOW,
     SKIN,
-    STILL,
     SkinSettings,
     Z,
+    in_motion,
 )
+from skinsource_gui.panels.skin.time import PACE as PLAY_PACE
 from skinsource_gui.panels.skin.time import PACES, slow_down_factor
 from skinsource_gui.plots.pictures import (
     OWN,
@@ -151,11 +151,7 @@ PART = ChoiceSpec(
     options=((ON_SCREEN, "As on screen"), (HAND, "Hand"), (WHOLE, "Hand and arm")),
     hint="What part of the map is seen",
 )
-PACE = ChoiceSpec(
-    label="Speed",
-    options=tuple((f"{pace}", f"1/{pace}") for pace in PACES),
-    hint="How fast time runs in the film",
-)
+PACE = replace(PLAY_PACE, hint="How fast time runs in the film")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -212,8 +208,7 @@ def film_options(design: Design, view: View, sizes: PictureOptions) -> FilmOptio
     """
     limb = facts_of(design.limb)
     settings = settings_of(view, SKIN, SkinSettings)
-    if settings.quantity in STILL:
-        settings = replace(settings, quantity=Z if Z in limb.axes else MAGNITUDE)
+    settings = in_motion(settings, limb.axes)
     last = sizes if isinstance(sizes, FilmOptions) else FilmOptions()
     pace = slow_down_factor(view, settings, last.frames_per_s, limb)
     return replace(
@@ -232,16 +227,6 @@ def film_options(design: Design, view: View, sizes: PictureOptions) -> FilmOptio
 
 # In names of files.
 _FILE_NAMES = {Z: "along-z", MAGNITUDE: "magnitude", RMS: "sliding-rms"}
-# Bytes of a frame for each million pixels of the map at 1/20 of real time. A slower film has fewer,
-# by this power of its speed; so have a sliding RMS and skin at rest, by these factors. The skin
-# moves on for some time after the clips. Most films of the published limbs were within the spread.
-_BYTES = {".mp4": 4500.0, ".webm": 5000.0, ".gif": 40_000.0}
-_SPREAD = 2.0
-_USUAL_PACE, _POWER = 20.0, 0.7
-_RMS_COST, _REST_COST = 0.4, 0.1
-_MOVES_ON_S = 0.15
-# Height of the map over its width; scale and text beside it cost less than the map.
-_MAP_SHAPE, _OTHER_COST = 4 / 3, 0.25
 
 
 def film_name(design: Design, view: View, options: FilmOptions) -> str:
@@ -251,7 +236,7 @@ def film_name(design: Design, view: View, options: FilmOptions) -> str:
 
 
 def film_remark(design: Design, view: View, options: FilmOptions) -> Remark:
-    """Return how long and about how large the film will be, or why it cannot be made."""
+    """Return how long the film will be, or why it cannot be made."""
     shown = options.view_of(view)
     settings, limb = settings_of(shown, SKIN, SkinSettings), facts_of(design.limb)
     if options.quantity == Z and Z not in limb.axes:
@@ -268,8 +253,7 @@ def film_remark(design: Design, view: View, options: FilmOptions) -> Remark:
     # The duration of the whole response follows from the clips, within a sample or two.
     about = "about " if view.time_range_s is None else ""
     sentences = [
-        f"{_part_text(view)}: {about}{film.duration_s:.3g} s of film, {film.count} frames, "
-        f"{_size_text(_bytes(film, design, options))}."
+        f"{_part_text(view)}: {about}{film.duration_s:.3g} s of film, {film.count} frames."
     ]
     if film.slow_motion != float(options.pace):
         sentences.append(
@@ -308,29 +292,6 @@ def _part_text(view: View) -> str:
         return "All of the response"
     first_s, last_s = view.time_range_s
     return f"{1e3 * first_s:.0f} to {1e3 * last_s:.0f} ms of the response"
-
-
-def _bytes(film: Film, design: Design, options: FilmOptions) -> float:
-    width, height = frame_size(options)
-    map_px = min(width * height, width * width * _MAP_SHAPE, height * height / _MAP_SHAPE)
-    counted_px = map_px + _OTHER_COST * (width * height - map_px)
-    begin_s, end_s = _moves_s(design)
-    visible_s = min(film.time_s(film.count), end_s + _MOVES_ON_S) - max(film.begin_s, begin_s)
-    moving = min(max(visible_s, 0.0) * film.frames_per_s * film.slow_motion, film.count)
-    frames = moving + _REST_COST * (film.count - moving)
-    each = _BYTES[options.kind] * (_RMS_COST if options.quantity == RMS else 1.0)
-    each *= sqrt(facts_of(design.limb).n_outputs / N_OUTPUTS)
-    return frames * each * counted_px / 1e6 * (_USUAL_PACE / film.slow_motion) ** _POWER
-
-
-def _size_text(n_bytes: float) -> str:
-    """Return the likely size, such as ``"0.5 to 2 MB"``, with one digit each."""
-    least, most = n_bytes / _SPREAD, n_bytes * _SPREAD
-    unit, symbol = (1e6, "MB") if most >= 0.95e6 else (1e3, "kB")
-    rounded = [float(f"{amount / unit:.1g}") for amount in (least, most)]
-    if unit < 1e6:
-        rounded = [max(size, 1.0) for size in rounded]
-    return f"{rounded[0]:g} to {rounded[1]:g} {symbol}"
 
 
 #: Usual width and height of a frame, px.
@@ -407,13 +368,12 @@ class _Camera:
         self,
         exported: ExportedDesign,
         settings: SkinSettings,
-        options: PictureOptions | None = None,
+        options: PictureOptions,
         visible: VisiblePart = ALL,
     ) -> None:
         self._visible = visible
         self._exported, self._settings = exported, settings
-        self._options = options or _usual_size()
-        self.size = frame_size(self._options)
+        self._options, self.size = options, frame_size(options)
         findings: Findings = exported.value("validity")
         self._caption = _caption_of(exported, findings)
         self._noisy = next((found.outputs for found in findings if found.name == "noise"), ())

@@ -173,7 +173,8 @@ class VisiblePart:
         """Return the frame that shows the part in ``room``, and what is around it."""
         if self.fit != FREE or 0.0 in self.size:
             hand = self.fit == HAND
-            bounds = hand_bounds(limb_map) if hand else bounds_of(limb_map.outline)
+            # On paper nothing can be moved: the outputs of the wrist are within.
+            bounds = hand_bounds(limb_map, 1.13) if hand else bounds_of(limb_map.outline)
             return fitted_beside_card(limb_map, bounds, room, metrics)
         (x, y), (width, height) = self.middle, self.size
         scale = min(room.width() / width, room.height() / height)

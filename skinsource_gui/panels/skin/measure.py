@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import partial
+from typing import Any
 
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QSize, Qt, Signal
@@ -145,9 +146,7 @@ class MeasureLine(QtWidgets.QWidget):
         self._words = (self.quantity, self.axes, self.span, self.unit)
         row = (self.quantity, self.axes, self.span, self.rms_window, self.unit)
         in_row(*row, None, self.arm, of=self, margins=0, gap_px=0)
-        self.rms_window.edited.connect(
-            lambda window_s, _: self._look(replace(self._settings, rms_window_s=window_s))
-        )
+        self.rms_window.edited.connect(lambda window_s, _: self._choose("rms_window_s", window_s))
 
     def show_state(
         self, design: Design | None, view: View, settings: SkinSettings, content: MapContent
@@ -158,6 +157,8 @@ class MeasureLine(QtWidgets.QWidget):
         self._content = content
         if before == (content.quantity, settings, view.axes):
             return
+        # Other quantities are of axes and of a window of their own.
+        self.axes.setEnabled(settings.quantity in (LEVELS, RMS))
         self.span.setEnabled(settings.quantity == LEVELS)
         self.rms_window.setVisible(settings.quantity == RMS)
         self.rms_window.set_value(settings.rms_window_s)
@@ -192,14 +193,16 @@ class MeasureLine(QtWidgets.QWidget):
         # That levels are matched is said in any width.
         short_unit = self._content.quantity.matched or unit.split(" ")[0]
         combined = self._settings.quantity in (LEVELS, RMS)
-        shorter = label_of(AXES, self._view.axes).title if combined else signal
+        shorter = label_of(AXES, self._view.axes).title if combined else signal.split(" t")[0]
+        brief = what.replace("Above t", "T")
         shortened = (
             (what, signal, over, unit),
             (what, signal, over, short_unit),
             (what, shorter, over, unit),
             (what, shorter, over, short_unit),
             (what, shorter, over.split(" ", 1)[-1], short_unit),
-            (what, shorter, "", self._content.quantity.matched),
+            (brief, shorter, over.split(" ", 1)[-1], short_unit),
+            (brief, shorter, "", self._content.quantity.matched),
         )
         wide = self.width() > 5 * self.arm.fontMetrics().horizontalAdvance("Whole arm")
         self.arm.setText("Whole arm" if wide else "Arm")
@@ -214,7 +217,7 @@ class MeasureLine(QtWidgets.QWidget):
 
     def _offer_quantities(self, menu: QtWidgets.QMenu) -> None:
         options = ((name, title, "") for name, title in QUANTITY.options)
-        offer(menu, options, self._settings.quantity, self._choose_quantity)
+        offer(menu, options, self._settings.quantity, partial(self._choose, "quantity"))
 
     def _offer_axes(self, menu: QtWidgets.QMenu) -> None:
         axes = ((word.name, word.title, word.sentence) for word in AXES)
@@ -242,29 +245,23 @@ class MeasureLine(QtWidgets.QWidget):
         )
         menu.addSeparator()
         styles = ((name, title, "") for name, title in MAP_STYLE.options)
-        offer(menu, styles, settings.map_style, self._choose_style)
+        offer(menu, styles, settings.map_style, partial(self._choose, "map_style"))
         sensors = menu.addAction("Mark sensors")
         sensors.setToolTip(SENSORS_SHOWN.hint)
         sensors.setCheckable(True)
         sensors.setChecked(settings.sensors_shown or settings.map_style == "sensors")
         sensors.setEnabled(settings.map_style != "sensors")
-        sensors.toggled.connect(lambda on: self._look(replace(settings, sensors_shown=on)))
+        sensors.toggled.connect(partial(self._choose, "sensors_shown"))
         menu.addSeparator()
         self.offer_colours(menu)
 
     def offer_colours(self, menu: QtWidgets.QMenu) -> None:
         """Add the colours to a menu."""
         colours = ((name, title, "") for name, title in COLOURS.options)
-        offer(menu, colours, self._settings.colours, self._choose_colours)
+        offer(menu, colours, self._settings.colours, partial(self._choose, "colours"))
 
-    def _choose_quantity(self, name: str) -> None:
-        self._look(replace(self._settings, quantity=name))
-
-    def _choose_style(self, name: str) -> None:
-        self._look(replace(self._settings, map_style=name))
-
-    def _choose_colours(self, name: str) -> None:
-        self._look(replace(self._settings, colours=name))
+    def _choose(self, field: str, value: Any) -> None:
+        self._look(replace(self._settings, **{field: value}))
 
     def _look(self, settings: SkinSettings) -> None:
         self.settings_chosen.emit(settings)

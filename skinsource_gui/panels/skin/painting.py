@@ -409,7 +409,8 @@ class MapPainter:
             if on_field:
                 # Covering the outside is far quicker than clipping the inside.
                 outside = QtGui.QPainterPath(self._screen_outline)
-                outside.addRect(layout.room)
+                # A pixel more: on its rim, a part of one would let the field through.
+                outside.addRect(layout.room.adjusted(-1, -1, 1, 1))
                 on_image.fillPath(outside, QtGui.QColor(theme.base))
             line = QtGui.QPen(QtGui.QColor(theme.skin_line), 1.25 * layout.unit)
             on_image.strokePath(self._screen_outline, line)

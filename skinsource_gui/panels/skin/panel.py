@@ -1,6 +1,7 @@
 """The skin panel: the measure line, the map of levels or of motion, and its scale."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import Any, ClassVar
 
@@ -10,7 +11,7 @@ from PySide6.QtCore import QPoint, QSize, QSizeF, Qt
 from skinsource.design import edits
 from skinsource.design.comparing import Snapshot
 from skinsource.design.design import Design
-from skinsource.design.edits.edit import Refusal
+from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
 from skinsource.engine.time_rules import block_of
@@ -30,9 +31,17 @@ from skinsource_gui.panels.skin.map import SkinMap, selection_readout
 from skinsource_gui.panels.skin.measure import MeasureLine
 from skinsource_gui.panels.skin.picture import heading_of, paint_picture
 from skinsource_gui.panels.skin.scale import ColourBar
-from skinsource_gui.panels.skin.settings import SKIN, STILL, SkinSettings, with_range
+from skinsource_gui.panels.skin.settings import (
+    SKIN,
+    STILL,
+    SkinSettings,
+    chosen_range,
+    in_motion,
+    with_range,
+)
 from skinsource_gui.panels.skin.time import ScrubBar
 from skinsource_gui.plots.pictures import with_caption
+from skinsource_gui.plots.ranges import SteadyRange
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.keys import key_text
 from skinsource_gui.qt.labels import FittingLabel
@@ -86,6 +95,9 @@ class SkinPanel(Panel):
         self._view, self.settings = View(), SkinSettings()
         # The parts of design and view that were shown last.
         self._shown: tuple[object, ...] = ()
+        # The colours stay while the loudest output changes a little.
+        self._steady_range = SteadyRange()
+        self._animated = False
         self._results: Mapping[str, Any] = {}
         self._compared: tuple[Compared, ...] = ()
         self._noisy: tuple[int, ...] = ()
@@ -110,7 +122,7 @@ class SkinPanel(Panel):
 
     @property
     def needs(self) -> frozenset[str]:
-        return needs_of(self.settings)
+        return needs_of(self.settings) | ({self._moving} if self._animated else set())
 
     @property
     def needs_of_snapshots(self) -> frozenset[str]:
@@ -120,9 +132,23 @@ class SkinPanel(Panel):
         return ()  # only their loudest levels count
 
     @property
+    def _in_motion(self) -> SkinSettings:
+        return in_motion(self.settings, facts_of(self._design.limb if self._design else "").axes)
+
+    @property
+    def _moving(self) -> str:
+        return signals_name(self._in_motion.quantity)
+
+    @property
+    def seen(self) -> SkinSettings:
+        """The settings with what is seen: while time runs, the wave in place of its level."""
+        moves = self._animated and self._moving in self._results
+        return self._in_motion if moves else self.settings
+
+    @property
     def moves(self) -> bool:
         """Whether the map changes with the playhead."""
-        return self.settings.quantity not in STILL
+        return self.seen.quantity not in STILL
 
     def sizeHint(self) -> QSize:
         return QSize(420, 640)
@@ -133,7 +159,9 @@ class SkinPanel(Panel):
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
-        self.settings = settings_of(view, self.name, SkinSettings)
+        before, self.settings = self.settings, settings_of(view, self.name, SkinSettings)
+        if self.settings.quantity != before.quantity or chosen_range(self.settings):
+            self.reset_range()
         if not view.snapshots:
             self._compared = ()
         shown = view, facts_of(design.limb), marks_of(design, view)
@@ -141,12 +169,20 @@ class SkinPanel(Panel):
             self._shown = shown
             self._show()
         else:  # another waveform changes the map only when that is computed
-            self.measure.show_state(design, view, self.settings, self.content)
+            self.measure.show_state(design, view, self.seen, self.content)
 
     def show_playhead(self, view: View) -> None:
         self._view = view
         if self.moves and self.isVisible():
             self._show()
+
+    def show_running(self, running: bool) -> None:
+        self._animated = running
+        self.visibility_changed.emit()  # it needs something else now
+        self._show()
+
+    def reset_range(self) -> None:
+        self._steady_range.reset()
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._results = {name: results[name] for name in self.needs}
@@ -204,30 +240,33 @@ class SkinPanel(Panel):
 
     def _show(self) -> None:
         """Show what is known as design, view and settings ask for."""
+        seen = self.seen
         self.content = content = content_of(
             self._results,
-            self.settings,
+            seen,
             self._view,
             self._design,
             noisy=self._noisy,
             compared=self._compared,
             problem=self._problem,
+            steady=self._steady_range,
         )
         shown = content.covered if self._covered else content
-        self.measure.show_state(self._design, self._view, self.settings, content)
+        self.measure.show_state(self._design, self._view, seen, content)
         self.colour_bar.show_content(shown)
         self.map.show_content(shown)
         self.note.show_phrases((content.note, content.note.replace(LIMITS, LIMITS_IN_SHORT)))
         self.note.setToolTip(tooltip(content.note) if content.note else "")
         self.note.setVisible(bool(content.note))
         self._show_readout(self.map.readout())
-        self.scrub.setVisible(moves := self.moves)
-        if moves:
+        # Otherwise the map would jump whenever time begins to run.
+        self.scrub.setVisible(self.settings.quantity not in STILL)
+        if self.moves:
             self._follow_playhead()
 
     def _follow_playhead(self) -> None:
         """Show the time, and ask for the part of the response that follows."""
-        signals = self._results.get(signals_name(self.settings.quantity))
+        signals = self._results.get(signals_name(self.seen.quantity))
         self.scrub.show_time(self._view, end_s(signals, self._view))
         block = block_of(self._view.playhead_s)
         if block != self._block and not is_whole(signals):
@@ -252,29 +291,27 @@ class SkinPanel(Panel):
         measure.arm.clicked.connect(lambda shown: stage.show_arm(shown=shown))
         stage.changed.connect(lambda: measure.arm.setChecked(stage.pan_zoom.fit == WHOLE))
         self.colour_bar.range_chosen.connect(
-            lambda chosen: self._look(with_range(self.settings, chosen))
+            lambda chosen: self._look(with_range(self.seen, chosen))
         )
         self.map.readout_changed.connect(self._show_readout)
         self.map.input_pointed_at.connect(self.input_pointed_at)
         self.map.place_pointed_at.connect(self.place_pointed_at)
-        self.map.inputs_chosen.connect(self._choose_inputs)
+        self.map.inputs_chosen.connect(partial(self._edit, edits.select_inputs))
         self.map.removal_requested.connect(self._remove_inputs)
-        self.map.outputs_chosen.connect(self._choose_outputs)
+        self.map.outputs_chosen.connect(partial(self._edit, edits.select_outputs))
         self.map.menu_requested.connect(self._open_menu)
         self.scrub.pace.edited.connect(lambda pace, _: self._choose_pace(float(pace)))
         self.scrub.time_requested.connect(self.playhead_requested)
         self.scrub.play.clicked.connect(lambda: self.action_requested.emit("play"))
 
     def _look(self, settings: SkinSettings) -> None:
+        if settings.quantity == self.seen.quantity:
+            settings = replace(settings, quantity=self.settings.quantity)
         self.view_changed.emit(with_settings(self._view, self.name, settings))
 
-    def _choose_outputs(self, outputs: tuple[int, ...]) -> None:
+    def _edit(self, edit: Callable[..., Edit | Refusal], value: Any) -> None:
         if self._design is not None:
-            self.edited.emit(edits.select_outputs(self._design, self._view, outputs), None)
-
-    def _choose_inputs(self, ids: tuple[int, ...]) -> None:
-        if self._design is not None:
-            self.edited.emit(edits.select_inputs(self._design, self._view, ids), None)
+            self.edited.emit(edit(self._design, self._view, value), None)
 
     def _remove_inputs(self, outputs_selected: bool) -> None:
         """Remove those that are selected; where none is, or outputs are meant, say so."""
@@ -284,8 +321,7 @@ class SkinPanel(Panel):
 
     def _choose_pace(self, slow_motion: float) -> None:
         """Play this many times slower than real time."""
-        if self._design is not None:
-            self.edited.emit(edits.play_slower(self._design, self._view, slow_motion), None)
+        self._edit(edits.play_slower, slow_motion)
         self.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def _open_menu(self, at: QPoint) -> None:

@@ -150,6 +150,7 @@ def _paint_map(
     map_painter = MapPainter(limb_map, UncachedPicture)
     painter.save()
     # Magnified, the map would lie on heading and scale.
-    painter.setClipRect(room, Qt.ClipOperation.IntersectClip)
+    # (On a fraction of a pixel, clipped paths would leave a line.)
+    painter.setClipRect(QRectF(room.toAlignedRect()), Qt.ClipOperation.IntersectClip)
     map_painter.paint(painter, content, layout, theme)
     painter.restore()

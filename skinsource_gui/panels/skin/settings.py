@@ -41,6 +41,8 @@ class MapQuantity:
         The instant that is shown, as the time axis of traces has it.
     matched
         By how much it is louder or softer than it was stored, or "".
+    record_s
+        Length of the whole record, s; 0 where it is not known.
     """
 
     name: str = LEVELS
@@ -49,6 +51,7 @@ class MapQuantity:
     window_s: float = 0.0
     time_s: float = 0.0
     matched: str = ""
+    record_s: float = 0.0
 
     @property
     def signed(self) -> bool:
@@ -70,17 +73,23 @@ class MapQuantity:
     def words(self) -> tuple[str, str, str, str]:
         """The words of the measure line: what it is, of which axes, over what, in which unit."""
         if self.name == LEVELS:
-            return "RMS", self.signal, span_label(self.span), self.unit
+            return "RMS", self.signal, f"{span_label(self.span)}{self._length}", self.unit
         if self.name == SENSATION:
             return "Above threshold", self.signal, "loudest 100 ms", self.unit
         over = f"RMS over {self.window_s * 1e3:g} ms" if self.name == RMS else ""
         return "In time", self.signal, over, self.unit
 
     @property
+    def _length(self) -> str:
+        """Length of the record after its name: silence that follows lowers the RMS over it."""
+        known = self.span == "record" and self.record_s
+        return f", {round(self.record_s, 2):g} s" if known else ""
+
+    @property
     def heading(self) -> str:
         """Title of a picture of the map."""
         if self.name == LEVELS:
-            return f"Skin acceleration, {level_label(self.span)}"
+            return f"Skin acceleration, {level_label(self.span)}{self._length}"
         if self.name == SENSATION:
             return "Level above the threshold of detection, loudest 100 ms"
         titles = {
@@ -182,6 +191,12 @@ def quantity_of(settings: SkinSettings, view: View, axes: str, matched: str = ""
         time_s=0.0 if name in STILL else view.playhead_s,
         matched=matched,
     )
+
+
+def in_motion(settings: SkinSettings, axes: str) -> SkinSettings:
+    """Return settings that show the wave where they show its level, on a limb with these axes."""
+    wave = Z if Z in axes else MAGNITUDE
+    return replace(settings, quantity=wave) if settings.quantity in STILL else settings
 
 
 def chosen_range(settings: SkinSettings) -> Range | None:

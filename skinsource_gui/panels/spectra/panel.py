@@ -84,12 +84,11 @@ _HOLD, _LOUDEST = (f"{window_s * 1e3:.0f} ms" for window_s in (HOLD_WINDOW_S, LO
 _SCALINGS = {
     "record": ("amplitude over the whole record", "over the whole record", "whole record"),
     "loudest": (
-        # The window differs from that of levels, which needs a reason.
+        # The window differs from the one that was chosen, that of levels.
         f"amplitude in the loudest {_HOLD} of each frequency, which tell "
-        f"{1 / HOLD_WINDOW_S:.0f} Hz apart; the {_LOUDEST} of levels would tell "
-        f"{1 / LOUDEST_WINDOW_S:.0f} Hz",
-        f"amplitude in the loudest {_HOLD} of each frequency",
-        f"loudest {_HOLD}",
+        f"{1 / HOLD_WINDOW_S:.0f} Hz apart; levels: loudest {_LOUDEST}",
+        f"amplitude in the loudest {_HOLD} of each frequency; levels: {_LOUDEST}",
+        f"loudest {_HOLD}; levels: {_LOUDEST}",
         "loudest",
     ),
 }
@@ -120,7 +119,8 @@ def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
     drawn = magnitude if each_axis else magnitude[:, None]
     if settings.averaged:
         drawn = mean_of_bins(drawn, MEAN_OF_BINS)
-    notes = [f"spectrum: {_SCALINGS[span][-3]}{_averaged_text(settings, frequency_hz)}"]
+    scaled = _SCALINGS[span][-3].partition(";")[0]
+    notes = [f"spectrum: {scaled}{_averaged_text(settings, frequency_hz)}"]
     span_shown = None
     peaks: tuple[float, ...] = ()
     if settings.relative:
@@ -319,11 +319,8 @@ class SpectraPanel(SignalPanel):
         if quantity_of(settings, results["span"]) not in results:
             # The results of another layout are still being computed.
             return
-        self._plot.show_curves(
-            curves_of(results, settings),
-            synthetic=facts_of(results["limb"]).synthetic,
-            notes=notes_of(results, settings),
-        )
+        notes = notes_of(results, settings)
+        self._show_curves(curves_of(results, settings), results["limb"], notes)
 
 
 @cache

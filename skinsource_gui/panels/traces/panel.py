@@ -75,6 +75,7 @@ _DECIMALS = {"ms": 2, "s": 5}
 _WAVE = frozenset({"axis_traces", "selected_extremes", "selected_projection"})
 # Where time begins with the pulse of the measurement: the filter of its drive rings before 0.
 _BEFORE_S = 0.005
+_RINGS = "Something moves before 0: the filter of the measuring pulse rings"
 # Less is rounding.
 _LEAST_EARLY_S = 1e-6
 
@@ -165,11 +166,8 @@ class TracesPanel(SignalPanel):
             wave=_wave(results, scale),
             measure=partial(measured_between, results),
         )
-        self._plot.show_curves(
-            curves,
-            synthetic=facts_of(results["limb"]).synthetic,
-            notes=_axis_notes(_not_silent(results.get("selected_without_main_axis", ()), results)),
-        )
+        without = _not_silent(results.get("selected_without_main_axis", ()), results)
+        self._show_curves(curves, results["limb"], _axis_notes(without))
 
     def _apply_view(self) -> None:
         view = self._view
@@ -258,6 +256,7 @@ def _axis(unit: str, delay_s: float, *, removed: bool) -> XAxis:
         column="time_s",
         factor=1e3 if unit == "ms" else 1.0,
         decimals=_DECIMALS[unit],
+        hint=_RINGS if removed and delay_s else "",
     )
 
 

@@ -46,6 +46,20 @@ def test_a_page_says_for_each_channel_where_it_goes(tmp_path):
     assert words.count("1") == words.count("2") == 1
 
 
+def test_long_texts_of_the_page_stay_in_their_columns(tmp_path):
+    name = "Fingertip voice coil of the second batch, in air, number four"
+    channels = tuple(replace(channel, actuator=name) for channel in RIG.channels)
+    title = "A study of shapes that are felt by the whole hand, with a title of two lines"
+    ss.export_wiring(replace(DESIGN, title=title), tmp_path / "a.svg", rig=Rig(channels=channels))
+    assert f"Wiring of {title}" not in words_of(tmp_path / "a.svg")
+    text = (tmp_path / "a.svg").read_text(encoding="utf-8")
+    [(size_px, left)] = {
+        (float(size), float(x))
+        for size, x in re.findall(rf'size: ([\d.]+)px[^"]*" x="([\d.]+)"[^>]*>{name}<', text)
+    }
+    assert left + 0.49 * size_px * len(name) < 0.93 * 210.0 / 25.4 * 72
+
+
 def test_the_hand_is_seen_from_the_palm(tmp_path):
     places = {1: "Digit I, tip", 7: "Digit II, pad", 12: "Digit II, base"}
     inputs = tuple(ss.track(place, GABOR) for place in (1, 7, 12))

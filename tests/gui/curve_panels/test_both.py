@@ -11,6 +11,7 @@ from skinsource.engine.quantities import RULES, sources
 from skinsource_gui.panels.spectra.panel import SpectraPanel
 from skinsource_gui.panels.traces.panel import TracesPanel
 from skinsource_gui.plots.signal_view import SignalView
+from skinsource_gui.qt.theme import LIGHT
 from skinsource_gui.state.preferences import start_design
 from tests.gui.curve_panels.bench import (
     LINEAR,
@@ -86,3 +87,19 @@ def test_files_of_the_curves_say_whose_they_are_and_how_they_were_made(show):
     assert any("clip of the input at place 7: Tone(" in line for line in curves.about())
     # The caption below a picture says the rest.
     assert curves.heading == ("Synthetic 1 (175 mm)", "x, y, z, principal axis")
+
+
+def test_outputs_near_the_noise_are_pale_and_the_plot_says_so(show, kind):
+    panel = show(replace(kind.view, outputs=(29, 52)))
+    plot = plot_of(panel)
+    colours = [curve.pen.color() for row in plot.stack.rows for curve in row.curves[:2]]
+    panel._staleness.set_stale(True, at_once=True)
+    panel.show_noisy((52, 70))
+    first, second = (curve.pen.color() for row in plot.stack.rows for curve in row.curves[:2])
+    assert (first, second) == (colours[0], LIGHT.pale(colours[1]))
+    assert "pale" in plot.texts.notes[0]
+    assert [name.noisy for name in panel.findChild(SignalView).legend.text.names] == [False, True]
+    # It is no news of the design.
+    assert panel.is_stale
+    panel.show_noisy(())
+    assert plot.texts.notes == ()

@@ -92,6 +92,15 @@ def test_traces_are_measured_between_the_cursors_even_relative_to_their_peaks(tr
             assert rms == pytest.approx(np.sqrt(np.mean(trace[inside] ** 2)), rel=0.01)
 
 
+def test_the_numbers_of_all_outputs_stay_while_the_pointer_is_in_the_plot(traces):
+    panel = traces(BETWEEN_S)
+    before = legend_of(panel)
+    plot_of(panel).crosshair.put(3)
+    assert legend_of(panel) == before
+    assert len(before.readings) == len(SIGNED.outputs)
+    assert not legend_of(traces()).details
+
+
 @pytest.mark.parametrize("options", [{}, {"log_magnitude": False}, {"averaged": True}])
 def test_spectra_tell_peak_its_frequency_and_the_rms_of_the_band(spectra, options):
     text = legend_of(spectra(BETWEEN_HZ, **options))

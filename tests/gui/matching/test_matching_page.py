@@ -42,6 +42,7 @@ def filled(page, qtbot, tmp_path):
     page.form.field("frequencies").setText("60")
     page.form.field("places").setText("3; 12")
     page.form.table.setText(str(tmp_path / "matches.csv"))
+    press(page, "arm")
     return page
 
 
@@ -77,6 +78,20 @@ def test_arrow_keys_and_enter_make_a_row(sound, page, qtbot, tmp_path):
     assert page.run.done == 1
     assert "Match 2 of 4" in page.view.progress.text()
     assert page.player.playing
+
+
+def test_nothing_is_played_before_it_is_armed_and_disarming_stops_at_once(sound, page, qtbot):
+    press(page, "arm")
+    press(page, "begin")
+    assert page.run is None
+    press(page, "arm")
+    begin(page, qtbot)
+    stream = page.player.now.stream
+    press(page, "arm")
+    assert stream.queue.panic
+    key(page, Qt.Key.Key_Space)
+    assert not page.player.playing
+    assert "Arm" in page.view.note.text()
 
 
 def test_reference_and_test_are_heard_and_lit_in_turn(sound, page, qtbot):
@@ -163,6 +178,7 @@ def test_the_rig_of_the_machine_holds_while_matching(sound, studio, qtbot, tmp_p
     page = studio.playback.matching.page
     page.form.field("person").setText("Anna")
     page.form.field("places").setText("7")
+    press(page, "arm")
     press(page, "rehearse")
     qtbot.waitUntil(lambda: "rig" in page.view.note.text(), timeout=20_000)
     assert not page.player.playing

@@ -60,6 +60,9 @@ def rig_page(card, open_window, qtbot):
 def page(rig_page, qtbot):
     rig_page.fields.measure.click()
     measure_page = rig_page.findChild(MeasurePage)
+    qtbot.waitUntil(lambda: not measure_page._looking, **WAIT)
+    assert not measure_page.start.isEnabled()
+    measure_page.arm.click()
     qtbot.waitUntil(measure_page.start.isEnabled, **WAIT)
     values = {
         "sensitivity_v_per_m_per_s2": SENSITIVITY,

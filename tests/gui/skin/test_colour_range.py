@@ -20,7 +20,7 @@ def test_the_automatic_range_holds_the_loudest_output(window):
     assert not window.panel.content.fixed
 
 
-def test_the_automatic_range_depends_on_the_present_levels_only(window):
+def test_the_automatic_range_stays_while_the_loudest_output_changes_a_little(window):
     for loudest, top in (
         (-11.0, -10),
         (-5.0, -5),
@@ -32,10 +32,15 @@ def test_the_automatic_range_depends_on_the_present_levels_only(window):
         (333.0, 200),
     ):
         assert map_range_db(np.array([-200.0, loudest])) == (top - 50.0, top)
-    before = window.panel.colour_bar.value_range
-    for by in (7.0, 0.0):
+    for by, top in ((0.9, -10.0), (-6.0, -10.0), (1.1, -5.0), (-2.0, -5.0), (-15.0, -25.0)):
         window.deliver(output_levels_db=window.results["output_levels_db"] + by)
-    assert window.panel.colour_bar.value_range == before
+        assert window.panel.colour_bar.value_range == (top - 50.0, top)
+    window.deliver()
+    window.deliver(output_levels_db=window.results["output_levels_db"] - 6.0)
+    # Another design begins with its own.
+    window.panel.reset_range()
+    window.deliver(output_levels_db=window.results["output_levels_db"] - 6.0)
+    assert window.panel.colour_bar.value_range == (-65.0, -15.0)
 
 
 def test_the_automatic_range_spans_snapshots_too_as_loud_as_they_are_shown(window):

@@ -181,3 +181,20 @@ def test_what_is_chosen_in_the_measure_line_is_what_is_shown(open_window, look):
     # Space plays then, and opens no list.
     assert window.focusWidget() is panel.map
     assert window.document.undo_stack.count() == 0
+
+
+def test_while_time_runs_the_wave_moves_in_place_of_its_level(open_window, look, qtbot):
+    window = open_window(SHORT, View())
+    panel, view = window.panel("skin"), window.document.view
+    levels = look(window)
+    window.do("play")
+    qtbot.waitUntil(lambda: panel.content.quantity.name == Z, timeout=10_000)
+    assert panel.measure.quantity.accessibleDescription() == "In time"
+    # The map keeps its place, and a choice of colours is none of a quantity.
+    assert not panel.scrub.isVisible()
+    choose(panel.measure.unit, "Magma")
+    assert settings_of(window.document.view, "skin", SkinSettings).quantity == LEVELS
+    window.do("play")
+    assert panel.content.quantity == levels.quantity
+    assert panel.content.values == pytest.approx(levels.values)
+    assert window.document.view.playhead_s == view.playhead_s

@@ -6,7 +6,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from skinsource.design.labels import AXES, METHODS, SPANS
-from skinsource_gui.panels.skin.settings import MAGNITUDE, SENSATION, Z
+from skinsource_gui.panels.skin.settings import LEVELS, MAGNITUDE, SENSATION, Z
 from skinsource_gui.plots.small_map import COLOURS
 from tests.gui.skin.bench import choose, entries
 
@@ -19,7 +19,7 @@ def words(window):
 def test_the_words_say_what_is_shown_and_their_menus_change_it(window):
     line = window.panel.measure
     window.panel.resize(700, 640)
-    assert words(window) == ["RMS", "x, y, z, principal axis", "whole record"]
+    assert words(window) == ["RMS", "x, y, z, principal axis", "whole record, 0.8 s"]
     assert line.unit.accessibleDescription() == "dB re 1 m/s²"
     choose(line.axes, "x, y")
     choose(line.axes, "Sum of components")
@@ -29,7 +29,10 @@ def test_the_words_say_what_is_shown_and_their_menus_change_it(window):
     choose(line.quantity, "Above threshold")
     assert window.settings.quantity == SENSATION
     assert words(window)[0] == "Above threshold"
+    # Its axes and window are its own: nothing is offered that it would not follow.
+    assert words(window)[1:] == ["x, y, z together", "loudest 100 ms"]
     assert not line.span.isEnabled()
+    assert not line.axes.isEnabled()
 
 
 def test_every_choice_is_explained_in_the_words_of_the_page(window):
@@ -76,15 +79,18 @@ def test_the_unit_offers_range_style_and_colours(window):
     assert window.settings.colours == "magma"
 
 
-def test_where_there_is_little_room_words_are_short_and_nothing_is_cut(window):
+@pytest.mark.parametrize("quantity", [LEVELS, SENSATION])
+def test_where_there_is_little_room_words_are_short_and_nothing_is_cut(window, quantity):
     line = window.panel.measure
     for width in (700, 420, 300, 240):
         window.panel.resize(width, 640)
+        window.show(quantity=quantity)
         QApplication.processEvents()
         shown = [part for part in line.findChildren(type(line.axes)) if part.isVisible()]
         for part in (*shown, line.arm):
             assert part.width() >= part.sizeHint().width()
             assert part.geometry().right() < line.width()
+        assert len(shown) == 4 or width < 420
     assert line.unit.focusPolicy() & Qt.FocusPolicy.TabFocus
 
 

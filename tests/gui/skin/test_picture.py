@@ -4,12 +4,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, QRect, QRectF
-from PySide6.QtGui import QColor, QImage, QPainter
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter
 from PySide6.QtWidgets import QApplication
 
 from skinsource.limbs.limb import LimbMap
 from skinsource_gui.panels.skin import picture as map_picture
 from skinsource_gui.panels.skin.content import MapContent
+from skinsource_gui.panels.skin.layout import HAND, VisiblePart
 from skinsource_gui.panels.skin.map import SkinMap, paint_map_texts
 from skinsource_gui.panels.skin.picture import heading_of
 from skinsource_gui.plots.colour_maps import colour_indices, colour_table
@@ -26,7 +27,13 @@ from tests.gui.skin.bench import (
 def test_the_surface_is_asked_for_only_while_the_map_is_interpolated(window):
     assert {"limb_map", "output_levels_db", "surface", "surface_levels_db"} <= window.panel.needs
     window.show(map_style="sensors")
-    assert window.panel.needs == {"limb_map", "limb_data", "match_gain", "output_levels_db"}
+    assert window.panel.needs == {
+        "limb_map",
+        "limb_data",
+        "match_gain",
+        "output_levels_db",
+        "response_samples",
+    }
 
 
 def test_sensors_only_is_drawn_without_a_surface(window):
@@ -215,7 +222,7 @@ def test_words_above_a_fitted_map_lie_on_no_skin(window, size, fit):
 
 def test_pictures_say_what_is_shown_over_what_and_of_whom(window):
     heading = heading_of(window.design, window.panel.content.quantity)
-    assert heading.title == "Skin acceleration, RMS over the whole record"
+    assert heading.title == "Skin acceleration, RMS over the whole record, 0.8 s"
     assert heading.details == "Synthetic 1 (175 mm) · x, y, z, principal axis"
 
 
@@ -231,3 +238,24 @@ def test_pictures_say_what_strokes_mean_where_there_are_some(window, monkeypatch
         window.panel.picture(300, 400)
     assert ["hatched" in cell.details for cell in headings] == [False, True]
     assert headings[1].details.endswith("hatched: less than 6 dB above the noise")
+
+
+def test_a_picture_of_the_hand_has_the_outputs_of_its_wrist_and_nothing_beside_them(window):
+    hand, limb_map = VisiblePart(fit=HAND), window.results["limb_map"]
+    room, metrics = QRectF(20.4, 20.4, 300.2, 400.2), QFontMetricsF(QFont())
+    to_screen = hand.frame_in(limb_map, room, metrics).transform()
+    for number in (43, 44, 52, 53):
+        assert room.contains(to_screen.map(QPointF(*limb_map.output_positions[number - 1])))
+    image = QImage(340, 440, QImage.Format.Format_RGB32)
+    image.fill(QColor(LIGHT.base))
+    painter = QPainter(image)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    map_picture._paint_map(painter, window.panel.content, limb_map, room, LIGHT, hand)
+    painter.end()
+    # Where the arm is cut, the skin does not show beyond its outline.
+    coloured = [
+        {x for x in range(100, 200) if QColor(image.pixel(x, y)).saturation() > 8}
+        for y in range(415, 425)
+    ]
+    assert coloured[0]
+    assert not set.union(*coloured) - set(range(min(coloured[0]) - 1, 200))

@@ -12,6 +12,7 @@ from skinsource.actuators.rigs import Rig, RigChannel, save_rig
 from skinsource.design.view import View
 from skinsource.export.formats import FORMATS
 from skinsource.export.stimulus_export.preparing import size_text
+from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.stimulus.form import StimulusForm, recall, remembered
 from skinsource_gui.pages.stimulus.page import joined
 from tests.gui.stimulus.stimulus_bench import WAIT_MS, choose, export, label
@@ -158,6 +159,31 @@ def test_the_wiring_page_has_the_channels_of_the_stimulus(page, qtbot):
     assert wired["options"].sync
     qtbot.waitUntil(lambda: not part.image.image.isNull(), timeout=WAIT_MS)
     assert part.suggestion()[:2] == ("wiring.pdf", "PDF (*.pdf);;PNG (*.png);;SVG (*.svg)")
+    dialog.findChild(ChoiceField, "export_page_kind").set_value(".svg")
+    assert part.suggestion()[0] == "wiring.svg"
+
+
+def test_what_the_actuators_cannot_follow_names_its_place_and_is_mended_here(desk, page, qtbot):
+    choose(page, qtbot, "rate", "8000")
+    choose(page, qtbot, "actuator", "kastor-2023-air")
+    page.form.field("equaliser").choose("linear")
+    mend = page.findChild(QPushButton, "stimulus_mend")
+    qtbot.waitUntil(mend.isVisible, timeout=WAIT_MS)
+    assert label(page, "problem").startswith("Place 7: the drive leaves a velocity")
+    before = desk.document.design
+    mend.click()
+    after = desk.exports.page.part
+    assert after is not page
+    qtbot.waitUntil(lambda: after.prepared is not None, timeout=WAIT_MS)
+    assert after.form.field("rate").value == "8000"
+    assert [type(track.clips[0].waveform).__name__ for track in desk.document.design.inputs] == [
+        "Gabor",
+        "Tone",
+        "CentredTap",
+    ]
+    assert desk.document.design.actuation == before.actuation
+    desk.document.undo_stack.undo()
+    assert desk.document.design == before
 
 
 WAIT = {"timeout": 30_000}

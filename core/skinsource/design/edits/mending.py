@@ -47,6 +47,17 @@ def mends(design: Design, view: View, id: int) -> tuple[Edit, ...]:
     return tuple(edits)
 
 
+def mend_through(design: Design, view: View, id: int) -> Edit | None:
+    """Return the edit that lets the chosen actuators follow an input; None: none has to, or can."""
+    if design.actuation is None or id not in design.ids:
+        return None
+    through = replace(design, actuation=replace(design.actuation, on=True))
+    edit = mends(through, view, id)[0]
+    if edit.design.input(id).muted or _plays(through, id):
+        return None
+    return replace(edit, design=replace(edit.design, actuation=design.actuation))
+
+
 def _changes(design: Design) -> Iterator[tuple[str, Callable[[Clip], Clip]]]:
     """Yield labels of edits, and what they do to a clip; those that change least come first."""
     facts = facts_of(design.limb)
