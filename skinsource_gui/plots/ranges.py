@@ -539,7 +539,7 @@ class Columns:
         if self.x.size > _MOST_OF_WAVES * n_columns:
             return False
         rising = y[:, 1:] > y[:, :-1]
-        turns = np.count_nonzero(rising[:, 1:] != rising[:, :-1])
+        turns = int(np.count_nonzero(rising[:, 1:] != rising[:, :-1]))
         return turns <= _MOST_TURNS * n_columns * len(y)
 
 
