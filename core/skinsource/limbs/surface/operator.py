@@ -156,9 +156,9 @@ class SurfaceOperator:
         check_values_of_shared_places(data, self.same_place)
         # Zero times NaN must not reach the outputs that do have a place.
         usable = np.where(self._placed.reshape(-1, *[1] * (data.ndim - 1)), data, 0.0)
-        surface: Floats = self.weights @ usable
-        surface += self._outside.reshape(-1, *[1] * (data.ndim - 1))
-        return surface.reshape(*self.mask.shape, *data.shape[1:])
+        surface = np.full((*self.mask.shape, *data.shape[1:]), np.nan)
+        surface[self.mask] = self._inside @ usable
+        return surface
 
     @cached_property
     def _placed(self) -> Booleans:
@@ -168,6 +168,6 @@ class SurfaceOperator:
         return placed
 
     @cached_property
-    def _outside(self) -> Floats:
-        """What makes pixels outside of the mask NaN, (rows * columns,)."""
-        return np.where(self.mask, 0.0, np.nan).ravel()
+    def _inside(self) -> csr_array[np.float64]:
+        """Weights of the pixels inside the mask alone, (n_inside, n_outputs)."""
+        return self.weights[np.flatnonzero(self.mask)]
