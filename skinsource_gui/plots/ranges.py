@@ -462,7 +462,7 @@ def _positions(axis: XAxis, values: Range) -> Range:
 #: Up to so many samples in a column of pixels, each is drawn; more where waves turn seldom.
 MOST_IN_COLUMN, _MOST_OF_WAVES = 4, 8
 # A wave that turns more often in a column cannot be told from the block between its crests.
-_MOST_TURNS = 0.8
+_MOST_TURNS = 0.85
 # Samples of an axis up to which it is compared with the one before.
 _MOST_COMPARED = 2**15
 # A stroke that is shorter than this part of what its neighbours cover is a gap, not a notch.
