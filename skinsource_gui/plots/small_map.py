@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from math import ceil, inf
+from math import ceil, floor, inf
 from typing import Any
 
 import numpy as np
@@ -97,7 +97,7 @@ class FieldImage:
         self._targets = np.flatnonzero(source >= 0)
         self._sources = source.ravel()[self._targets]
         rows, columns = self._size = source.shape
-        self._drawn: tuple[Floats, Range, NDArray[np.uint32], QtGui.QImage] | None = None
+        self._drawn: tuple[Floats, Range, slice, NDArray[np.uint32], QtGui.QImage] | None = None
         (dx, dy), (x0, y0) = self._step_mm, self._origin_mm
         self.rect = QRectF(
             (x0 - (_COLLAR + 0.5) * dx) * px_per_mm,
@@ -106,19 +106,48 @@ class FieldImage:
             rows * dy * px_per_mm,
         )
 
-    def image(self, levels_db: Floats, range_db: Range, table: NDArray[np.uint32]) -> QtGui.QImage:
-        """Return the image of levels, (rows, columns); its first line is the highest y."""
+    def paint(
+        self,
+        painter: QtGui.QPainter,
+        frame: Frame,
+        room: QRectF,
+        levels_db: Floats,
+        range_db: Range,
+        table: NDArray[np.uint32],
+    ) -> None:
+        """Draw levels, (rows, columns); only the lines in ``room`` are coloured."""
+        # The first line of the image is the highest y: it is drawn downwards from there.
+        area, n_lines = frame.transform().mapRect(self.rect), self._size[0]
+        line_px = area.height() / n_lines
+        # Smooth scaling takes in the lines beside those in sight.
+        first = min(max(floor((room.top() - area.top()) / line_px) - 1, 0), n_lines - 1)
+        end = min(max(ceil((room.bottom() - area.top()) / line_px) + 1, first + 1), n_lines)
+        area.setTop(area.top() + first * line_px)
+        area.setHeight((end - first) * line_px)
+        painter.drawImage(area, self.image(levels_db, range_db, table, slice(first, end)))
+
+    def image(
+        self,
+        levels_db: Floats,
+        range_db: Range,
+        table: NDArray[np.uint32],
+        lines: slice = slice(None),
+    ) -> QtGui.QImage:
+        """Return lines of the image of levels, (rows, columns); the first is the highest y."""
         drawn = self._drawn
-        if drawn and drawn[0] is levels_db and drawn[1] == range_db and drawn[2] is table:
-            return drawn[3]
+        same = drawn and drawn[0] is levels_db and drawn[3] is table
+        if drawn and same and drawn[1:3] == (range_db, lines):
+            return drawn[4]
         rows, columns = self._size
-        pixels = np.zeros(rows * columns, np.uint32)
-        pixels[self._targets] = table.take(
-            colour_indices(levels_db.ravel().take(self._sources), range_db)
+        first, end, _ = lines.indices(rows)
+        inside = slice(*np.searchsorted(self._targets, (first * columns, end * columns)))
+        pixels = np.zeros((end - first) * columns, np.uint32)
+        pixels[self._targets[inside] - first * columns] = table.take(
+            colour_indices(levels_db.ravel().take(self._sources[inside]), range_db)
         )
         depth = QtGui.QImage.Format.Format_ARGB32_Premultiplied
-        image = QtGui.QImage(pixels.data, columns, rows, 4 * columns, depth).copy()
-        self._drawn = levels_db, range_db, table, image
+        image = QtGui.QImage(pixels.data, columns, end - first, 4 * columns, depth).copy()
+        self._drawn = levels_db, range_db, lines, table, image
         return image
 
     def level_at(self, levels_db: Floats, x_px: float, y_px: float) -> float | None:
@@ -258,7 +287,7 @@ def paint_small_map(
         QtGui.QPainter.RenderHint.Antialiasing | QtGui.QPainter.RenderHint.SmoothPixmapTransform
     )
     painter.fillPath(outline, QtGui.QColor(theme.skin))
-    _paint_levels(painter, frame, outline, shown, range_db or shown.range_db, table)
+    _paint_levels(painter, area, frame, outline, shown, range_db or shown.range_db, table)
     if shown.noisy:
         _paint_noise(painter, frame, outline, shown)
     painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -313,6 +342,7 @@ def small_frame(shown: SmallMap, area: QRectF) -> Frame:
 
 def _paint_levels(
     painter: QtGui.QPainter,
+    area: QRectF,
     frame: Frame,
     outline: QtGui.QPainterPath,
     shown: SmallMap,
@@ -323,9 +353,7 @@ def _paint_levels(
     if shown.field is not None and shown.field_levels_db is not None:
         painter.save()
         painter.setClipPath(outline, Qt.ClipOperation.IntersectClip)
-        # The first line of the image is the highest y: it is drawn downwards from there.
-        place = frame.transform().mapRect(shown.field.rect)
-        painter.drawImage(place, shown.field.image(shown.field_levels_db, range_db, colours))
+        shown.field.paint(painter, frame, area, shown.field_levels_db, range_db, colours)
         painter.restore()
     elif shown.levels_db is not None:
         painter.setPen(Qt.PenStyle.NoPen)

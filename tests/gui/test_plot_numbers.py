@@ -12,6 +12,7 @@ from skinsource_gui.plots.ranges import (
     log_ticks,
     number_text,
     value_unit,
+    wave_of,
     within,
     without_notches,
     zoomed,
@@ -150,3 +151,20 @@ def test_the_edges_of_a_dense_tone_are_as_even_as_the_tone(frequency_hz, per_col
     crest = np.cos(np.pi * frequency_hz / 1300)
     assert filled.max(axis=-1).min() > crest - 0.13
     assert filled.min(axis=-1).max() < 0.13 - crest
+
+
+@pytest.mark.parametrize(
+    ("frequency_hz", "per_column", "strokes"),
+    [(50.0, 8, False), (95.0, 5, False), (115.0, 5, True), (95.0, 6, True), (250.0, 8, True)],
+)
+def test_waves_are_drawn_sample_by_sample_unless_columns_would_blur_them(
+    frequency_hz, per_column, strokes
+):
+    y = np.sin(2 * np.pi * frequency_hz * np.arange(200 * per_column) / 1300)[np.newaxis]
+    columns = columns_of(np.arange(y.size), (0, y.size), 200)
+    points = columns.reached(y, wave_of(columns.x, y).extremes(0, y.size))
+    assert columns.points(y).strokes == points.strokes == strokes
+    if strokes:
+        ends = without_notches(points.y).reshape(-1, 2)[3:-3]
+        assert ends.max(axis=-1).min() > 1 - 0.13
+        assert ends.min(axis=-1).max() < 0.13 - 1

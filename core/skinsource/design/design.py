@@ -16,7 +16,7 @@ from skinsource.design.clips import ID, LATEST_S, MAX_CLIPS, PLACE, Clip, Marker
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms.tones import Tone
 from skinsource.limbs.scaling import Scaling
-from skinsource.specs import fields
+from skinsource.specs import fields, models
 from skinsource.specs.numbers import (
     CurveSpec,
     ListSpec,
@@ -88,7 +88,7 @@ SCALING = ChoiceSpec(
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Input(fields.CheckedModel):
+class Input(fields.CheckedModel, models.Nesting):
     """A track: clips at an input location.
 
     It plays the sum of its clips that are not muted, each from its onset, times the gain curve.

@@ -418,7 +418,8 @@ class SkinMap(QtWidgets.QWidget):
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         theme = current_theme()
         painter, picker = QtGui.QPainter(self), self.picker
-        painter.fillRect(self.rect(), QtGui.QColor(theme.base))
+        if self.content.shown_field is None:  # it comes with the ground around it
+            painter.fillRect(self.rect(), QtGui.QColor(theme.base))
         if self.stage.layout is not None and self._painter is not None:
             painter.setFont(tabular(small_font(self.stage.letters)))
             layout = self.stage.layout

@@ -342,9 +342,8 @@ class MapPainter:
         self._forget_pictures()
 
     def _forget_pictures(self) -> None:
-        self._still, self._selection = self._picture_type(), self._picture_type()
-        self._hatch, self._marks = self._picture_type(), self._picture_type()
-        self._numbers, self._about_bar = self._picture_type(), None
+        self._still, self._numbers = self._picture_type(), self._picture_type()
+        self._marks, self._about_bar = self._picture_type(), None
 
     def paint(
         self,
@@ -366,23 +365,13 @@ class MapPainter:
             self._paint_discs(painter, content, layout, theme)
             _paint_palm_ground(painter, layout, theme)
         self._paint_palmar(painter, content, layout, theme)
-        if content.hatched:
-            hatched = content.noisy, layout, self._screen_outline
-            self._hatch.paint(
-                painter,
-                layout.room,
-                (content.noisy,),
-                lambda on_image: paint_hatch(on_image, *hatched),
-            )
-        if content.inputs:
-            self._paint_inputs(painter, content.inputs, pointed_at, layout, theme)
         about_bar = content.px_per_mm, painter.font()
         if about_bar != self._about_bar:
             self._about_bar = about_bar
             self._bar_card = bar_card(
                 layout, content.px_per_mm, self._screen_outline, painter.fontMetrics()
             )
-        self._paint_selection(painter, content, layout, theme)
+        self._paint_marks(painter, content, layout, theme, pointed_at)
         paint_length_bar(painter, layout, content.px_per_mm, self._bar_card, theme)
 
     def _paint_ground(
@@ -393,10 +382,8 @@ class MapPainter:
         if field is None or levels is None:
             painter.fillPath(self._screen_outline, QtGui.QColor(theme.skin))
             return
-        # The first row of the picture is the highest y: it is drawn downwards from there.
-        area = layout.frame.transform().mapRect(field.rect)
         table = colour_table(content.colours)
-        painter.drawImage(area, field.image(levels, content.value_range, table))
+        field.paint(painter, layout.frame, layout.room, levels, content.value_range, table)
 
     def _paint_still(
         self, painter: QtGui.QPainter, content: MapContent, layout: MapLayout, theme: Theme
@@ -421,33 +408,27 @@ class MapPainter:
 
         self._still.paint(painter, layout.room, (theme.name, dots, on_field), paint)
 
-    def _paint_inputs(
+    def _paint_marks(
         self,
         painter: QtGui.QPainter,
-        inputs: tuple[InputMark, ...],
-        pointed_at: int | None,
+        content: MapContent,
         layout: MapLayout,
         theme: Theme,
+        pointed_at: int | None,
     ) -> None:
-        shown = inputs, self._limb_map, layout, theme, pointed_at
-        key = (theme.name, inputs, pointed_at)
-        self._marks.paint(painter, layout.room, key, lambda on_image: paint_marks(on_image, *shown))
-
-    def _paint_selection(
-        self, painter: QtGui.QPainter, content: MapContent, layout: MapLayout, theme: Theme
-    ) -> None:
-        """Paint rings in the colours of the curves, and numbers."""
-        if not content.outputs:
-            return
+        """Paint hatching, inputs, and rings and numbers of outputs in the colours of the curves."""
 
         def paint(on_image: QtGui.QPainter) -> None:
+            paint_hatch(on_image, content.hatched, layout, self._screen_outline)
+            paint_marks(on_image, content.inputs, self._limb_map, layout, theme, pointed_at)
             _paint_rings(on_image, content, layout, theme)
             radius = ring_radius(0, content, layout)
             paint_labels(on_image, content.outputs, layout, radius, theme, self._bar_card)
 
+        shown = content.hatched, content.inputs, pointed_at, content.outputs
         on_field = content.shown_field is not None
-        key = (theme.name, content.outputs, on_field, self._bar_card.getRect())
-        self._selection.paint(painter, layout.room, key, paint)
+        key = (theme.name, *shown, on_field, self._bar_card.getRect())
+        self._marks.paint(painter, layout.room, key, paint)
 
     def _paint_discs(
         self, painter: QtGui.QPainter, content: MapContent, layout: MapLayout, theme: Theme

@@ -122,7 +122,8 @@ class ColourStrip(QtWidgets.QWidget):
         if scale != self._scale:
             self.update()
         elif marks != self._marks:
-            places = [self._x_of(level) for level, _ in (*self._marks, *marks)]
+            ramp = self._ramp()
+            places = [self._x_of(level, ramp) for level, _ in (*self._marks, *marks)]
             left, right = min(places) - _MARK_PX, max(places) + _MARK_PX
             self.update(QRectF(left, 0, right - left, _MARK_PX).toAlignedRect())
         self._scale, self._marks = scale, marks
@@ -142,7 +143,7 @@ class ColourStrip(QtWidgets.QWidget):
         )
         painter.setPen(QtGui.QPen(QtGui.QColor(theme.base), 0.5))
         for level, rank in self._marks:
-            x = self._x_of(level)
+            x = self._x_of(level, ramp)
             painter.setBrush(theme.output_colour(rank))
             tip, back = ramp.top() - 1, ramp.top() - _MARK_PX
             painter.drawPolygon([QPointF(x, tip), QPointF(x - 4, back), QPointF(x + 4, back)])
@@ -188,8 +189,8 @@ class ColourStrip(QtWidgets.QWidget):
         else:
             self.range_chosen.emit(moved(self.value_range, step_db))
 
-    def _x_of(self, level: float) -> float:
-        ramp, (low, high) = self._ramp(), self.value_range
+    def _x_of(self, level: float, ramp: QRectF) -> float:
+        low, high = self.value_range
         return ramp.left() + min(max((level - low) / (high - low), 0.0), 1.0) * ramp.width()
 
     def _ramp(self) -> QRectF:

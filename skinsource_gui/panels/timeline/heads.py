@@ -9,6 +9,7 @@ from functools import partial
 from math import copysign, log10
 from typing import Any
 
+import numpy as np
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import (
     QAbstractItemModel,
@@ -28,6 +29,7 @@ from PySide6.QtCore import (
     Signal,
 )
 
+from skinsource.base.arrays import Floats
 from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_spec, amplitude_text, amplitude_unit, is_gain
 from skinsource.design.design import AMPLITUDE_GAIN, Design, Input, audible_inputs
@@ -84,7 +86,7 @@ def moved_amplitude(amplitude: float, by_db: float) -> float:
     return float(f"{copysign(size, amplitude):.4g}")
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Head:
     """What a head shows.
 
@@ -92,13 +94,25 @@ class Head:
     ----------
     silent
         Whether the track is muted, or another one is solo.
-    peak
-        The largest value that the track plays, with its amplitude; None: it is not known.
+    played
+        What the track plays before its amplitude; None: it is not known.
     """
 
     track: Input
     silent: bool
-    peak: float | None
+    played: Floats | None
+
+    @property
+    def peak(self) -> float | None:
+        """The largest value that the track plays, with its amplitude."""
+        if self.played is None:
+            return None
+        return abs(self.track.amplitude) * float(np.abs(self.played).max(initial=0.0))
+
+    def same_as(self, other: "Head") -> bool:
+        """Return whether ``other`` looks the same; samples are compared by identity."""
+        same = self.played is other.played and self.silent == other.silent
+        return same and self.track == other.track
 
 
 def text_of(head: Head, design: Design, view: View) -> str:
@@ -110,8 +124,8 @@ def text_of(head: Head, design: Design, view: View) -> str:
         played = f"{clip_text(clip)} · {length}{clips_text(len(track.clips))}"
     is_factor = is_gain(design, track)
     level = f"Gain {track.amplitude:g}" if is_factor else amplitude_text(design, track)
-    if head.peak is not None:
-        level += f", peak {head.peak:.3g} {amplitude_unit(design)}"
+    if (peak := head.peak) is not None:
+        level += f", peak {peak:.3g} {amplitude_unit(design)}"
     return f"{played}\n{level}"
 
 
@@ -123,26 +137,22 @@ class HeadsModel(QAbstractListModel):
         self.heads: list[Head] = []
         self._design, self._view = Design(limb=""), View()
 
-    def show_state(self, design: Design, view: View, peaks: Mapping[int, float]) -> None:
-        """Show other heads; ``peaks``: of what tracks play before their amplitude."""
+    def show_state(self, design: Design, view: View, played: Mapping[int, Floats]) -> None:
+        """Show other heads; ``played``: what tracks play before their amplitude, by their ids."""
         audible = {track.id for track in audible_inputs(design.inputs)}
         before, same = self.heads, design.ids == self._design.ids
         if not same:
             self.beginResetModel()
         self._design, self._view = design, view
         self.heads = [
-            Head(
-                track=track,
-                silent=track.id not in audible,
-                peak=abs(track.amplitude) * peaks[track.id] if track.id in peaks else None,
-            )
+            Head(track=track, silent=track.id not in audible, played=played.get(track.id))
             for track in design.inputs
         ]
         if not same:
             self.endResetModel()
             return
         for row, (old, new) in enumerate(zip(before, self.heads, strict=True)):
-            if old != new:
+            if not new.same_as(old):
                 index = self.createIndex(row, 0)
                 self.dataChanged.emit(index, index)
 
@@ -249,8 +259,8 @@ class HeadDelegate(QtWidgets.QStyledItemDelegate):
         _paint_letter(painter, places.solo, "S", theme.accent, on=head.track.solo)
         _paint_fader(painter, places.fader, head.track.amplitude, theme)
         painter.fillRect(places.meter, QtGui.QColor(theme.grid))
-        if head.peak is not None:
-            painter.fillRect(_part(places.meter, head.peak), dim if head.silent else colour)
+        if (peak := head.peak) is not None:
+            painter.fillRect(_part(places.meter, peak), dim if head.silent else colour)
         painter.setPen(QtGui.QPen(QtGui.QColor(theme.border), 1))
         painter.drawLine(option.rect.bottomLeft(), option.rect.bottomRight())
         painter.restore()
@@ -423,14 +433,14 @@ class Heads(QtWidgets.QListView):
         rect = self.visualRect(self._model.index(row))
         return HeadPlaces.of(rect, self.fontMetrics().height())
 
-    def show_state(self, design: Design, view: View, peaks: Mapping[int, float]) -> None:
+    def show_state(self, design: Design, view: View, played: Mapping[int, Floats]) -> None:
         """Show one head for each track; see `HeadsModel.show_state`."""
         same, chosen = design.ids == self._design.ids, self._view.selected_inputs
         if not same:
             self._cancel()
         self._design, self._view = design, view
         self._shows = True
-        self._model.show_state(design, view, peaks)
+        self._model.show_state(design, view, played)
         if not same or view.selected_inputs != chosen:
             self._show_selection()
         self._shows = False

@@ -205,8 +205,8 @@ class TimelinePanel(Panel):
         # What each clip plays, and the clips as they were then, by their ids.
         self._computed_clips: Mapping[int, Clip] = {}
         self._waveforms: Mapping[int, Floats] = {}
-        # The largest value of what each track plays before its amplitude, by its id.
-        self._peaks: dict[int, float] = {}
+        # What each track plays before its amplitude, by its id.
+        self._played: dict[int, Floats] = {}
         self._rate_hz = SAMPLE_RATE_HZ
         self._problems: Mapping[int, str] = {}
         self._design, self._view = Design(limb=""), View()
@@ -269,11 +269,7 @@ class TimelinePanel(Panel):
         self._computed_clips = {clip.id: clip for clip in clips}
         self._waveforms = waveforms_of(results)
         played = zip(results["inputs"], results["input_waveforms"], strict=True)
-        self._peaks = {
-            track.id: float(np.abs(samples).max(initial=0.0))
-            for track, samples in played
-            if samples is not None
-        }
+        self._played = {track.id: samples for track, samples in played if samples is not None}
         self._show_heads()
         self.show_staleness(self.is_stale)
 
@@ -297,7 +293,7 @@ class TimelinePanel(Panel):
         self.lanes.show_samples(waveforms=shown, awaited=awaited, sample_rate_hz=self._rate_hz)
 
     def show_problem(self, reason: str) -> None:
-        self._computed_clips, self._waveforms, self._peaks = {}, {}, {}
+        self._computed_clips, self._waveforms, self._played = {}, {}, {}
         self._show_heads()
         self.show_staleness(self.is_stale)
         self._show_foot(reason)
@@ -366,7 +362,7 @@ class TimelinePanel(Panel):
         self.action_requested.emit("draw_clip")
 
     def _show_heads(self) -> None:
-        self.heads.show_state(self._design, self._view, self._peaks)
+        self.heads.show_state(self._design, self._view, self._played)
 
     def _place_lanes(self) -> None:
         """Put each lane beside its head."""

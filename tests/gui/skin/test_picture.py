@@ -15,6 +15,7 @@ from skinsource_gui.panels.skin.map import SkinMap, paint_map_texts
 from skinsource_gui.panels.skin.picture import heading_of
 from skinsource_gui.plots.colour_maps import colour_indices, colour_table
 from skinsource_gui.plots.small_map import FieldImage
+from skinsource_gui.qt.frames import fitted
 from skinsource_gui.qt.theme import LIGHT
 from skinsource_gui.state.compared import SILENT
 from tests.gui.skin.bench import (
@@ -44,6 +45,24 @@ def test_sensors_only_is_drawn_without_a_surface(window):
     expected = QColor(int(colour_table()[colour_indices(np.array(level), low_high)]))
     picture = window.panel.map.grab().toImage()
     assert pixel(picture, place(window, 52)) == expected.getRgb()[:3]
+
+
+def test_a_map_that_is_partly_out_of_sight_is_the_same_where_it_is_seen():
+    spacing, levels = np.arange(40.0), np.random.default_rng(SEED).uniform(0, 40, (40, 40))
+    field = FieldImage(np.ones((40, 40), bool), spacing, spacing, px_per_mm=1.0)
+    frame = fitted(field.rect, QRectF(0, 0, 200, 600))
+    pictures = []
+    for room in (QRectF(0, 0, 200, 600), QRectF(0, 280, 200, 60)):
+        pictures.append(QImage(200, 600, QImage.Format.Format_RGB32))
+        painter = QPainter(pictures[-1])
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        field.paint(painter, frame, room, levels, (0.0, 40.0), colour_table())
+        painter.end()
+    # One step of a colour is what rounding changes.
+    seen = [picture.copy(0, 285, 200, 50) for picture in pictures]
+    whole, part = (np.frombuffer(one.constBits(), np.uint8).astype(int) for one in seen)
+    assert np.abs(whole - part).max() <= 3
+    assert whole.std() > 10
 
 
 def test_every_place_of_the_skin_is_drawn_where_it_is(qtbot):

@@ -166,7 +166,7 @@ def change_clips(design: Design, changes: dict[int, dict[str, Any]]) -> Design:
 
 
 def _with_clips(track: Input, changes: dict[int, dict[str, Any]]) -> Input:
-    if not changes or not any(clip.id in changes for clip in track.clips):
+    if changes.keys().isdisjoint([clip.id for clip in track.clips]):
         return track
     clips = tuple(
         replace(clip, **changes[clip.id]) if clip.id in changes else clip for clip in track.clips
