@@ -1,6 +1,7 @@
 """Starts and ends the studio, and collects garbage in the GUI thread."""
 
 import gc
+import linecache
 import os
 import signal
 import socket
@@ -86,6 +87,8 @@ def manage_garbage_collection(owner: QObject) -> None:
     owner
         Garbage is collected until it ends.
     """
+    # PySide reads the source of each module that imports another, and Python keeps all of it.
+    linecache.clearcache()
     gc.collect()
     gc.freeze()
     GarbageCollector(owner)

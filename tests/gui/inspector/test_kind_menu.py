@@ -1,5 +1,8 @@
 """Kinds of waveforms in a menu, each with its picture."""
 
+import os
+import sys
+
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
@@ -7,6 +10,8 @@ from PySide6.QtGui import QIcon
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMenu, QWidget
 
+from skinsource.base.allocation import give_freed_memory_back
+from skinsource.base.run_limited import resident_bytes
 from skinsource.design.edits.edit import kind_spec
 from skinsource.design.waveforms import COMMON, KINDS, MORE
 from skinsource_gui.fields.kinds import PICTURE_PX, KindField, fill_kind_menu, waveform_icon
@@ -58,6 +63,20 @@ def test_every_kind_has_a_picture_of_its_own(qapp):
         assert (picture.max(axis=0) > 0).sum() >= PICTURE_PX.width() - 8
         assert picture[0].max() < 128 > picture[-1].max()
     assert len({picture.tobytes() for picture in pictures.values()}) == len(KINDS)
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="only glibc can free all at once")
+def test_pictures_keep_their_pixels_and_nothing_that_qt_painted_them_with(qapp):
+    def held() -> int:
+        give_freed_memory_back()
+        return resident_bytes(os.getpid())
+
+    draw = waveform_icon.__wrapped__  # without its cache
+    draw(KINDS[0], LIGHT)
+    before = held()
+    pictures = [draw(kind, LIGHT) for kind in KINDS]
+    assert held() < before + 20e6
+    assert not any(picture.isNull() for picture in pictures)
 
 
 def test_eight_kinds_are_seen_at_once_and_the_rest_under_more(menu):
