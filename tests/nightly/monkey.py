@@ -9,6 +9,8 @@ import resource
 import secrets
 import sys
 import tempfile
+from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import get_context
 from pathlib import Path
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
@@ -19,9 +21,10 @@ from skinsource_gui.app.app import make_application, manage_garbage_collection
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences, start_design
 from tests.gui.monkey.monkey import Monkey
+from tests.gui.monkey.plain_levels import plain_levels
 from tests.gui.monkey.test_monkey import recording
 
-#: Of memory, at any time.
+#: Of memory, at any time; levels are checked in another process, which takes up to 200 MB for it.
 _MOST_MB = 1000
 
 
@@ -45,8 +48,15 @@ def main() -> None:
         window.show()
         window.do("arrange_design")
         window.catch_up()
-        monkey = Monkey(window, options.seed, folder, (recording(folder),))
-        tally = monkey.play(options.count)
+        with ProcessPoolExecutor(1, get_context("spawn")) as apart:
+            monkey = Monkey(
+                window,
+                options.seed,
+                folder,
+                (recording(folder),),
+                lambda *seen: apart.submit(plain_levels, *seen).result(),
+            )
+            tally = monkey.play(options.count)
         most_mb = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1.024e-3
         print(
             f"{tally.deeds.total()} deeds; levels compared {tally.compared} times, at most "
