@@ -71,7 +71,7 @@ def _ignore_signal(_number: int, _frame: object) -> None:
 
 _LOOK_EVERY_MS = 1000
 #: It takes milliseconds, and so does the edit after it, which gets new pages from the system.
-_GIVE_BACK_EVERY_MS = 10_000
+_GIVE_BACK_EVERY_MS = 2000
 #: As Python has it: so many new objects are looked through, and of so many times one time older
 #: ones too.
 _NEW_OBJECTS, _TIMES = 700, 10
