@@ -1,6 +1,7 @@
 """Starts and ends the studio, and collects garbage in the GUI thread."""
 
 import gc
+import linecache
 import os
 import signal
 import socket
@@ -69,6 +70,8 @@ def _ignore_signal(_number: int, _frame: object) -> None:
 
 
 _LOOK_EVERY_MS = 1000
+#: It takes milliseconds, and so does the edit after it, which gets new pages from the system.
+_GIVE_BACK_EVERY_MS = 2000
 #: As Python has it: so many new objects are looked through, and of so many times one time older
 #: ones too.
 _NEW_OBJECTS, _TIMES = 700, 10
@@ -86,6 +89,8 @@ def manage_garbage_collection(owner: QObject) -> None:
     owner
         Garbage is collected until it ends.
     """
+    # PySide reads the source of each module that imports another, and Python keeps all of it.
+    linecache.clearcache()
     gc.collect()
     gc.freeze()
     GarbageCollector(owner)
@@ -103,9 +108,13 @@ class GarbageCollector(QObject):
         super().__init__(parent)
         gc.disable()
         self._young, self._middle = 0, 0
-        timer = QTimer(self, interval=_LOOK_EVERY_MS)
-        timer.timeout.connect(self.collect_what_is_due)
-        timer.start()
+        for interval_ms, work in (
+            (_LOOK_EVERY_MS, self.collect_what_is_due),
+            (_GIVE_BACK_EVERY_MS, give_freed_memory_back),
+        ):
+            timer = QTimer(self, interval=interval_ms)
+            timer.timeout.connect(work)
+            timer.start()
 
     def collect_what_is_due(self) -> int | None:
         """Collect; return up to which generation, or None where too little is new."""
@@ -113,8 +122,6 @@ class GarbageCollector(QObject):
             return None
         generation = self._due()
         gc.collect(generation)
-        if generation == _OLD:
-            give_freed_memory_back()
         self._young = 0 if generation > _YOUNG else self._young + 1
         if generation > _YOUNG:
             self._middle = 0 if generation == _OLD else self._middle + 1

@@ -124,7 +124,8 @@ def drawn_path(
     pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
     painter.strokePath(path, pen)
     painter.end()
-    return picture
+    # Qt keeps with a picture what it painted it with: megabytes for a path of thousands of points.
+    return picture.copy()
 
 
 MORE = "More"

@@ -279,6 +279,15 @@ def test_spectra_that_exceed_the_budget_are_given_and_kept_as_far_as_they_fit(fi
         assert spectra.held_bytes == fitting * ONE
 
 
+def test_a_spectrum_that_is_in_use_when_all_are_dropped_holds_no_memory_of_others():
+    limb, spectra = load_synthetic_limb(1), ResponseSpectra(budget_bytes=40 * ONE)
+    (used,), _ = spectra.of(limb, [1], "upstream", 4608), spectra.of(limb, [2], "upstream", 4608)
+    memory = used.values
+    while isinstance(memory.base, np.ndarray):
+        memory = memory.base
+    assert memory.nbytes == used.values.nbytes
+
+
 class Countdown:
     """Asks to stop once it was asked so many times."""
 

@@ -9,16 +9,17 @@ from collections.abc import Callable
 from typing import cast
 
 _TRIM_THRESHOLD, _MMAP_THRESHOLD = -1, -3
-_LARGEST_BLOCK_BYTES = 32 * 2**20
+_LARGEST_BLOCK_BYTES = 8 * 2**20
 _KEPT_BYTES = 256 * 2**20
 
 
 def keep_freed_memory() -> bool:
-    """Ask the C library not to give blocks of up to 32 MB back at once; return whether it will.
+    """Ask the C library not to give blocks of up to 8 MB back at once; return whether it will.
 
     Spectra of some megabytes are made and dropped at each edit.  Given back, each costs a
-    thousand page faults at the next edit, which takes longer than the computation.  Programs
-    call it at their start; importing the library changes nothing.  Only glibc (Linux) can do it.
+    thousand page faults at the next edit, which takes longer than the computation; of larger ones
+    the computation takes longer, and a few of them would be most of what is kept.  Programs call
+    it at their start; importing the library changes nothing.  Only glibc (Linux) can do it.
     """
     mallopt = _from_c_library("mallopt")
     if mallopt is None or not mallopt(_TRIM_THRESHOLD, _KEPT_BYTES):

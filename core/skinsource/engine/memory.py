@@ -120,14 +120,16 @@ _PAGE_BYTES = 2**21
 
 
 def untouched_array(shape: tuple[int, ...]) -> Complexes:
-    """Return an array whose parts take memory once they are written; their values mean nothing.
+    """Return an array; its values mean nothing.
 
-    It comes from the system directly: memory that the process used before is there in whole.  Linux
-    serves it in large pages, without which the first prediction of twenty inputs takes half as long
-    again (``benchmarks/predict_speed.py``).
+    A large one comes from the system directly, to which it goes back at once.  Linux serves it in
+    large pages, without which the first prediction of twenty inputs takes half as long again
+    (``benchmarks/predict_speed.py``).
     """
-    n_pages = -(-prod(shape) * np.dtype(np.complex128).itemsize // _PAGE_BYTES)
-    n_bytes = max(n_pages, 1) * _PAGE_BYTES
+    n_bytes = prod(shape) * np.dtype(np.complex128).itemsize
+    if n_bytes < _PAGE_BYTES:
+        return np.empty(shape, np.complex128)
+    n_bytes = -(-n_bytes // _PAGE_BYTES) * _PAGE_BYTES
     if hasattr(mmap, "MADV_HUGEPAGE"):
         # Only private memory gets them, unless Linux was told otherwise.
         memory = mmap.mmap(-1, n_bytes, flags=mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS)

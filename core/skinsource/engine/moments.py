@@ -171,11 +171,6 @@ class OwnMatrix:
     values: Complexes
 
     @cached_property
-    def conjugates(self) -> Complexes:
-        """Conjugate spectra of the responses."""
-        return self.values.conj()
-
-    @cached_property
     def _squares(self) -> Floats:
         return self._rows(products=False)
 
@@ -225,10 +220,11 @@ class CrossMatrix:
         n_outputs, n_axes, n_bins = self.others.shape
         of_pairs = _pairs(n_axes, products=products)
         rows = np.empty((n_outputs, len(of_pairs), n_bins), np.complex128)
-        np.multiply(self.others, self.own.conjugates, out=rows[:, :n_axes])
+        conjugates = self.own.values.conj()
+        np.multiply(self.others, conjugates, out=rows[:, :n_axes])
         for k, (a, b) in enumerate(of_pairs[n_axes:], n_axes):
-            row = np.multiply(self.others[:, a], self.own.conjugates[:, b], out=rows[:, k])
-            row += self.others[:, b] * self.own.conjugates[:, a]
+            row = np.multiply(self.others[:, a], conjugates[:, b], out=rows[:, k])
+            row += self.others[:, b] * conjugates[:, a]
             row *= 0.5
         return rows.view(np.float64)
 

@@ -178,12 +178,15 @@ def superpose(
 
 
 class _Places:
-    """Spectra of responses at one length; memory for ``most_places`` of them is one array."""
+    """Spectra of responses at one length, of at most ``most_places``.
+
+    Those that are added together are one array: whoever uses one of them when they are dropped
+    here holds the memory of no others.
+    """
 
     def __init__(self, limb: Limb, n_fft: int, most_places: int) -> None:
-        self._n_fft = n_fft
+        self._n_fft, self._most = n_fft, most_places
         self._shape = limb.n_outputs, limb.n_axes, n_fft // 2 + 1
-        self._values = untouched_array((most_places, *self._shape))
         self.known: dict[int, ResponseSpectrum] = {}
 
     @property
@@ -192,21 +195,20 @@ class _Places:
 
     def has_room(self, locations: set[int]) -> bool:
         """Return whether there is room for ``locations`` too, or never would be for all of them."""
-        most = len(self._values)
-        return len(self.known.keys() | locations) <= most or len(locations) > most
+        return len(self.known.keys() | locations) <= self._most or len(locations) > self._most
 
     def add(self, taps: dict[int, Floats]) -> dict[int, ResponseSpectrum]:
         """Transform responses by location; they are remembered as far as there is room."""
-        first = len(self.known)
-        rooms = list(self._values[first : first + len(taps)])
-        rooms += [np.empty(self._shape, np.complex128) for _ in range(len(taps) - len(rooms))]
+        n_kept = min(len(taps), self._most - len(self.known))
+        rooms = list(untouched_array((n_kept, *self._shape)))
+        rooms += [np.empty(self._shape, np.complex128) for _ in range(len(taps) - n_kept)]
         added = {
             location: ResponseSpectrum(samples, self._n_fft, values)
             for (location, samples), values in zip(taps.items(), rooms, strict=True)
         }
         run_on_two_threads(partial(_transform, response) for response in added.values())
         tally(forward_transforms=len(taps) * prod(self._shape[:2]))
-        self.known |= dict(list(added.items())[: len(self._values) - first])
+        self.known |= dict(list(added.items())[:n_kept])
         return added
 
 

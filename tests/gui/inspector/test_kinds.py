@@ -1,5 +1,7 @@
 """Kinds of waveforms: in a menu, each with its picture, and in the inspector, one of them new."""
 
+import os
+import sys
 from itertools import product
 
 import numpy as np
@@ -9,6 +11,8 @@ from PySide6.QtGui import QIcon
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMenu, QWidget
 
+from skinsource.base.allocation import give_freed_memory_back
+from skinsource.base.run_limited import resident_bytes
 from skinsource.design import waveforms
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
@@ -73,6 +77,20 @@ def test_every_kind_has_a_picture_of_its_own(qapp):
         assert (picture.max(axis=0) > 0).sum() >= PICTURE_PX.width() - 8
         assert picture[0].max() < 128 > picture[-1].max()
     assert len({picture.tobytes() for picture in pictures.values()}) == len(KINDS)
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="only glibc can free all at once")
+def test_pictures_keep_their_pixels_and_nothing_that_qt_painted_them_with(qapp):
+    def held() -> int:
+        give_freed_memory_back()
+        return resident_bytes(os.getpid())
+
+    draw = waveform_icon.__wrapped__  # without its cache
+    draw(KINDS[0], LIGHT)
+    before = held()
+    pictures = [draw(kind, LIGHT) for kind in KINDS]
+    assert held() < before + 20e6
+    assert not any(picture.isNull() for picture in pictures)
 
 
 def test_eight_kinds_are_seen_at_once_and_the_rest_under_more(menu):

@@ -13,7 +13,6 @@ from PySide6.QtWidgets import QApplication
 import skinsource as ss
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
-from skinsource.engine import prediction
 from skinsource_gui.panels.skin.settings import LEVELS, SkinSettings
 from skinsource_gui.state.document import MOST_STEPS
 from skinsource_gui.state.preferences import start_design
@@ -94,9 +93,14 @@ class Monkey:
         Where it may write.
     recordings
         Files that it may import.
+    levels
+        `plain_levels`, or what has another process call it.
     """
 
-    def __init__(self, window, seed: int, folder: Path, recordings: tuple[Path, ...] = ()) -> None:
+    def __init__(
+        self, window, seed: int, folder: Path, recordings: tuple[Path, ...], levels=plain_levels
+    ) -> None:
+        self._plain_levels = levels
         self.window, self.document = window, window.document
         self.hands = Hands(window, seed, folder, recordings)
         self.tally, self._watch = Tally(), Watch()
@@ -212,9 +216,7 @@ class Monkey:
         design, view = self.document.design, self.document.view
         shown = self.window.panel("skin").map.content
         try:
-            expected = plain_levels(design, view)
-            # What predictions of the check remember is no memory of the studio.
-            prediction._cached_spectra.cache_clear()
+            expected = self._plain_levels(design, view)
         except ss.SkinSourceError as error:
             # Only what the studio refuses too.
             self.tally.impossible += 1
