@@ -32,7 +32,9 @@ from skinsource.export.methods import methods_of
 from skinsource.export.stimulus_export.export import write_prepared, written_files
 from skinsource.export.stimulus_export.preparing import PreparedStimulus, prepare_stimulus
 from skinsource.limbs.own_limbs import facts_of
-from skinsource.specs.fields import ChoiceSpec, ListSpec, NumberSpec, specs_of
+from skinsource.specs.models import specs_of
+from skinsource.specs.numbers import ListSpec, NumberSpec
+from skinsource.specs.spec import ChoiceSpec
 from skinsource.studies.sweeps.plan import HIGHEST_DB, LOWEST_DB, names_in
 from skinsource.studies.sweeps.stimulus_set import MOST_CONDITIONS, Condition, export_set
 from skinsource_gui.fields.choice_field import ChoiceField
