@@ -30,13 +30,7 @@ from PySide6.QtCore import (
 
 from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_text, amplitude_unit, is_gain
-from skinsource.design.design import (
-    AMPLITUDE_GAIN,
-    Design,
-    Input,
-    amplitude_spec,
-    audible_inputs,
-)
+from skinsource.design.design import AMPLITUDE_GAIN, Design, Input, amplitude_spec, audible_inputs
 from skinsource.design.edits.edit import Edit, Refusal, change_inputs, clip_of
 from skinsource.design.view import View
 from skinsource.limbs.locations import input_name
