@@ -23,11 +23,7 @@ from skinsource_gui.fields.curve_field import CurveField
 from skinsource_gui.fields.editor import Editor
 from skinsource_gui.fields.grid import EditedCell
 from skinsource_gui.fields.kinds import KindField
-from skinsource_gui.fields.list_editors import (
-    CurveText,
-    NumbersEditor,
-    PointsEditor,
-)
+from skinsource_gui.fields.list_editors import CurveText, NumbersEditor, PointsEditor
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.parts import PartsEditor
 from skinsource_gui.fields.text_field import LiveText

@@ -30,89 +30,71 @@ _FLAGS = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter | Qt.TextFla
 _NO_END_PX = 100_000
 
 
-class NoteLabel(QtWidgets.QWidget):
+class NoteLabel(QtWidgets.QLabel):
     """A dim text in as many lines as it needs, which is the tooltip, too.
 
     Where four lines are too few, it counts the parts, between " · ", that it leaves out.
 
     Attributes
     ----------
-    text
+    whole
         The whole text.
     """
 
     def __init__(self, name: str, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self.text = ""
-        self._held_lines = 1
+        self.whole, self._held_px = "", 0
         self.setObjectName(name)
         self.setFont(tabular(self.font()))
+        self.setWordWrap(True)
+        self.setProperty("tone", "dim")
         policy = QtWidgets.QSizePolicy(
             QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Fixed
         )
         policy.setHeightForWidth(True)
         self.setSizePolicy(policy)
 
-    @property
-    def shown(self) -> str:
-        """The part of the text that is written."""
-        return self._fitting(self.width())
-
     def say(self, text: str, *, holding: bool = False) -> None:
         """Show another text; ``holding``: keep the height, so that what is above does not jump."""
-        least = self._held_lines if holding else 1
-        if text != self.text:
-            self.text = text
+        if text != self.whole:
+            self.whole = text
             self.setToolTip(text)
             self.setAccessibleName(text)
-            self.update()
-        lines = max(least, self._lines_of(self.shown, self.width()))
-        if lines != self._held_lines:
-            self._held_lines = lines
-            self.updateGeometry()
+        self._fit(self._held_px if holding else 0)
 
     def sizeHint(self) -> QSize:
-        return QSize(80, self._height_of(self._held_lines))
+        return QSize(80, self.heightForWidth(self.width()))
 
     def minimumSizeHint(self) -> QSize:
         return QSize(0, self._height_of(1))
 
-    def hasHeightForWidth(self) -> bool:
-        return True
-
     def heightForWidth(self, width: int) -> int:
-        lines = self._lines_of(self._fitting(width), width)
-        least_lines = self._held_lines if width == self.width() else 1
-        return self._height_of(max(lines, least_lines))
+        needed = min(super().heightForWidth(width), self._height_of(_MOST_LINES))
+        held_px = self._held_px if width == self.width() else 0
+        return max(needed, held_px, self._height_of(1))
 
     def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         if event.oldSize().width() != event.size().width():
-            self._held_lines = self._lines_of(self.shown, self.width())
-            self.updateGeometry()
+            self._fit(0)
 
-    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
-        painter = QtGui.QPainter(self)
-        painter.setPen(QtGui.QColor(current_theme().dim))
-        painter.drawText(self.rect(), int(_FLAGS), self.shown)
-        painter.end()
-
-    def _fitting(self, width: int) -> str:
-        if self._lines_of(self.text, width) <= _MOST_LINES:
-            return self.text
-        parts = self.text.split(_BETWEEN)
+    def _fit(self, held_px: int) -> None:
+        """Write what has room, at least ``held_px`` high."""
+        parts, text = self.whole.split(_BETWEEN), self.whole
         for count in range(len(parts) - 1, 0, -1):
-            shorter = _BETWEEN.join((*parts[:count], f"+{len(parts) - count}"))
-            if self._lines_of(shorter, width) <= _MOST_LINES:
-                return shorter
-        return self.text
+            if self._lines_of(text) <= _MOST_LINES:
+                break
+            text = _BETWEEN.join((*parts[:count], f"+{len(parts) - count}"))
+        if text != self.text():
+            self.setText(text)
+        self._held_px = 0
+        needed = self.heightForWidth(self.width())
+        self._held_px = max(held_px, needed)
+        self.updateGeometry()
 
-    def _lines_of(self, text: str, width: int) -> int:
-        if not text or width <= 0:
-            return 1
-        metrics = self.fontMetrics()
-        needed = metrics.boundingRect(QRect(0, 0, width, _NO_END_PX), int(_FLAGS), text).height()
-        return max(round(needed / metrics.lineSpacing()), 1)
+    def _lines_of(self, text: str) -> int:
+        metrics, room = self.fontMetrics(), QRect(0, 0, self.width(), _NO_END_PX)
+        return round(metrics.boundingRect(room, int(_FLAGS), text).height() / metrics.lineSpacing())
 
     def _height_of(self, lines: int) -> int:
         metrics = self.fontMetrics()

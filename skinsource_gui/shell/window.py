@@ -10,12 +10,7 @@ from skinsource.design.design import Design
 from skinsource.design.view import View
 from skinsource.engine.quantities import graphs_that_share
 from skinsource.limbs.dataset.store import NOT_INSTALLED
-from skinsource_gui.pages.actions import (
-    FileDrops,
-    ImportActions,
-    LibraryActions,
-    SceneActions,
-)
+from skinsource_gui.pages.actions import FileDrops, ImportActions, LibraryActions, SceneActions
 from skinsource_gui.pages.dataset import TITLE
 from skinsource_gui.pages.files.exports import ExportActions
 from skinsource_gui.pages.files.file_actions import FileActions

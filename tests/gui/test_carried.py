@@ -10,10 +10,7 @@ import skinsource as ss
 from skinsource.design.panel_settings import with_settings
 from skinsource_gui.panels.analysis.settings import VIEWS
 from skinsource_gui.panels.compare.settings import CompareSettings
-from skinsource_gui.plots.pictures import (
-    ALL_VISIBLE,
-    save_drawing,
-)
+from skinsource_gui.plots.pictures import ALL_VISIBLE, save_drawing
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.shell.panels import PANELS
 from tests.gui.analysis.analysis_bench import analysis

@@ -14,10 +14,7 @@ from skinsource.design.view import View
 from skinsource_gui.panels.analysis.transfer import TransferView
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.colour_maps import colour_table
-from skinsource_gui.plots.pictures import (
-    drawn_image,
-    save_drawing,
-)
+from skinsource_gui.plots.pictures import drawn_image, save_drawing
 from skinsource_gui.plots.small_map import FieldImage
 from skinsource_gui.qt.theme import LIGHT
 from tests.gui.analysis.analysis_bench import analysis

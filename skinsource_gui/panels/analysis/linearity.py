@@ -36,12 +36,7 @@ from skinsource_gui.panels.analysis.linearity_diagram import (
     proportion_text,
     superposition_text,
 )
-from skinsource_gui.panels.analysis.settings import (
-    BANDS,
-    EVERY_OUTPUT,
-    VELOCITY,
-    LinearitySettings,
-)
+from skinsource_gui.panels.analysis.settings import BANDS, EVERY_OUTPUT, VELOCITY, LinearitySettings
 from skinsource_gui.panels.analysis.view import FigureView
 from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.fitting import FoldingRow

@@ -95,7 +95,7 @@ class FigureView(AnalysisView):
     @property
     def picture_text(self) -> str:
         """Text above the figure in a picture: what is chosen there."""
-        return "" if self._above is None else self._above.text
+        return "" if self._above is None else self._above.whole
 
     def draw_picture(
         self, painter: QtGui.QPainter, width: int, height: int, theme: Theme = LIGHT

@@ -15,12 +15,7 @@ from skinsource_gui.panels.timeline.content import (
     gain_point_text,
     show_gain_curves,
 )
-from skinsource_gui.panels.timeline.gestures import (
-    Gesture,
-    GestureContext,
-    Modifier,
-    MoveGain,
-)
+from skinsource_gui.panels.timeline.gestures import Gesture, GestureContext, Modifier, MoveGain
 from skinsource_gui.panels.timeline.painting import LaneLayer
 from skinsource_gui.qt.keys import arrow_steps, meaning_of
 from skinsource_gui.qt.theme import current_theme

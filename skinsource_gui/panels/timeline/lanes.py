@@ -18,6 +18,7 @@ from skinsource.design.waveform import Waveform
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.fields.editor import Burst
+from skinsource_gui.panels.timeline import gestures
 from skinsource_gui.panels.timeline.content import (
     CURSORS,
     Box,
@@ -37,33 +38,9 @@ from skinsource_gui.panels.timeline.content import (
     toggle_gain_curves,
 )
 from skinsource_gui.panels.timeline.gain import GainItem, GainPoints
-from skinsource_gui.panels.timeline.gestures import (
-    EitherGesture,
-    FadeEnd,
-    Gesture,
-    GestureContext,
-    GesturePreview,
-    Marquee,
-    Modifier,
-    MoveClips,
-    MoveEnd,
-    MoveGain,
-    MoveLoop,
-    MoveMarker,
-    MovePlayhead,
-    Pan,
-    snapped_time,
-)
 from skinsource_gui.panels.timeline.painting import LanesItem, OverlayItem, PlayheadItem
 from skinsource_gui.plots.plot import PLAYHEAD, Canvas, moved_playhead
-from skinsource_gui.plots.time_scale import (
-    Range,
-    TimeScale,
-    panned,
-    range_by_wheel,
-    within,
-    zoomed,
-)
+from skinsource_gui.plots.time_scale import Range, TimeScale, panned, range_by_wheel, within, zoomed
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.keys import key_text, meaning_of, shortcut_text
@@ -371,7 +348,7 @@ class LaneMouse:
 
     def __init__(self, lanes: "LanesView") -> None:
         self._lanes, self._gain = lanes, lanes.gain
-        self._gesture: Gesture | None = None
+        self._gesture: gestures.Gesture | None = None
         self._click: Callable[[], None] | None = None
         self._at = QPointF()
         self._moving = False
@@ -383,7 +360,7 @@ class LaneMouse:
         """Whether a button is down that means something."""
         return self._gesture is not None
 
-    def press(self, at: QPointF, button: Qt.MouseButton, held: Modifier) -> None:
+    def press(self, at: QPointF, button: Qt.MouseButton, held: gestures.Modifier) -> None:
         """Begin what a button does that goes down."""
         if self.busy:
             return
@@ -392,23 +369,23 @@ class LaneMouse:
         self._at, self._moving, self._click = at, False, None
         box = content.box_at(at)
         if button == Qt.MouseButton.MiddleButton:
-            self._gesture = Pan(context, at)
+            self._gesture = gestures.Pan(context, at)
         elif button != Qt.MouseButton.LeftButton:
             return
         elif at.y() < content.ruler_px:
             self._gesture = self._on_ruler(context, at, held)
         elif (curve := self._gain.press(context, at, held)) is not None:
-            on_line = isinstance(curve, MoveGain) and curve.vertical
+            on_line = isinstance(curve, gestures.MoveGain) and curve.vertical
             if on_line and box is not None:
                 curve = self._on_line(curve, box, at, held)
             self._gesture = curve
         elif box is not None:
             self._gesture = self._on_clip(box, at, held)
         else:
-            self._gesture = Marquee(context, at)
+            self._gesture = gestures.Marquee(context, at)
             self._click = self._on_ground(context, at)
 
-    def move(self, at: QPointF, held: Modifier) -> None:
+    def move(self, at: QPointF, held: gestures.Modifier) -> None:
         """Follow the pointer."""
         if self._gesture is None:
             return
@@ -423,7 +400,7 @@ class LaneMouse:
         gesture, click, self._gesture, self._click = self._gesture, self._click, None, None
         if gesture is not None:
             gesture.finish()
-            self._lanes.overlay.show_preview(GesturePreview(), self._at)
+            self._lanes.overlay.show_preview(gestures.GesturePreview(), self._at)
         if click is not None:
             click()
 
@@ -433,7 +410,7 @@ class LaneMouse:
         if gesture is None:
             return False
         gesture.cancel()
-        self._lanes.overlay.show_preview(GesturePreview(), self._at)
+        self._lanes.overlay.show_preview(gestures.GesturePreview(), self._at)
         return True
 
     def double_click(self, at: QPointF) -> None:
@@ -456,7 +433,7 @@ class LaneMouse:
 
     def time_at(self, at: QPointF) -> float:
         """Return the time to which something would snap here, s."""
-        return snapped_time(self._context(), at)[0]
+        return gestures.snapped_time(self._context(), at)[0]
 
     def cursor_at(self, at: QPointF) -> Qt.CursorShape:
         """Return the shape of the pointer."""
@@ -479,14 +456,14 @@ class LaneMouse:
             return Qt.CursorShape.ClosedHandCursor
         return CURSORS[part]
 
-    def _context(self) -> GestureContext:
-        return GestureContext(lanes=self._lanes, before=self._lanes.content)
+    def _context(self) -> gestures.GestureContext:
+        return gestures.GestureContext(lanes=self._lanes, before=self._lanes.content)
 
-    def _on_clip(self, box: Box, at: QPointF, held: Modifier) -> Gesture:
+    def _on_clip(self, box: Box, at: QPointF, held: gestures.Modifier) -> gestures.Gesture:
         content, clip = self._lanes.content, box.clip
         self._pressed = clip.id
         chosen = clip.id in content.view.selected_clips
-        if held & Modifier.ControlModifier:
+        if held & gestures.Modifier.ControlModifier:
             # Ctrl copies if it moves, and otherwise adds to the selection or takes away.
             toggled = edits.toggle_clip(content.design, content.view, clip.id).view
             self._click = lambda: self._lanes.view_changed.emit(toggled)
@@ -500,43 +477,51 @@ class LaneMouse:
             self._click = partial(self._lanes.select, clip.id)
         context = self._context()
         part = part_at(box.rect, at, box.fades_px)
-        if part is Part.BODY or held & Modifier.ControlModifier:
-            return MoveClips(context, box, at)
+        if part is Part.BODY or held & gestures.Modifier.ControlModifier:
+            return gestures.MoveClips(context, box, at)
         ends = (Part.START, Part.END)
-        return MoveEnd(context, box, at, part) if part in ends else FadeEnd(context, box, at, part)
+        return (
+            gestures.MoveEnd(context, box, at, part)
+            if part in ends
+            else gestures.FadeEnd(context, box, at, part)
+        )
 
-    def _on_line(self, curve: Gesture, box: Box, at: QPointF, held: Modifier) -> Gesture:
+    def _on_line(
+        self, curve: gestures.Gesture, box: Box, at: QPointF, held: gestures.Modifier
+    ) -> gestures.Gesture:
         """Drag the curve of a track where it passes over a clip: up or down it, along the clip."""
 
-        def clip() -> Gesture:
+        def clip() -> gestures.Gesture:
             gesture = self._on_clip(box, at, held)
             self._click = None
             return gesture
 
         self._pressed = box.clip.id
         self._click = partial(self._lanes.select, box.clip.id)
-        return EitherGesture(at, lambda: curve, clip)
+        return gestures.EitherGesture(at, lambda: curve, clip)
 
-    def _on_ruler(self, context: GestureContext, at: QPointF, held: Modifier) -> Gesture:
+    def _on_ruler(
+        self, context: gestures.GestureContext, at: QPointF, held: gestures.Modifier
+    ) -> gestures.Gesture:
         content = context.before
         marker, fixed_s = content.marker_at(at), content.other_loop_end_at(at)
         if marker is not None:
-            return MoveMarker(context, marker)
+            return gestures.MoveMarker(context, marker)
         if fixed_s is not None:
-            return MoveLoop(context, fixed_s)
-        time_s = snapped_time(context, at)[0]
+            return gestures.MoveLoop(context, fixed_s)
+        time_s = gestures.snapped_time(context, at)[0]
         if at.y() < content.ruler_px / 2:
             self._click = partial(self._lanes.playhead_requested.emit, time_s)
-            return MoveLoop(context, time_s)
-        gesture = MovePlayhead(context)
+            return gestures.MoveLoop(context, time_s)
+        gesture = gestures.MovePlayhead(context)
         gesture.move(at, held)
         return gesture
 
-    def _on_ground(self, context: GestureContext, at: QPointF) -> Callable[[], None]:
+    def _on_ground(self, context: gestures.GestureContext, at: QPointF) -> Callable[[], None]:
         def click() -> None:
             content = self._lanes.content
             lane = content.lane_at(at.y())
-            time_s = snapped_time(context, at)[0]
+            time_s = gestures.snapped_time(context, at)[0]
             tracks = () if lane is None else (lane.track.id,)
             view = replace(content.view, selected_inputs=tracks, selected_clips=())
             self._lanes.view_changed.emit(view)

@@ -17,13 +17,7 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
 from skinsource.base.arrays import Floats
 from skinsource.design.effects.level import Fade
 from skinsource_gui.fields.units import axis_unit
-from skinsource_gui.panels.timeline.content import (
-    MARGIN_PX,
-    Box,
-    Lane,
-    TimelineContent,
-    clip_name,
-)
+from skinsource_gui.panels.timeline.content import MARGIN_PX, Box, Lane, TimelineContent, clip_name
 from skinsource_gui.panels.timeline.gestures import GesturePreview
 from skinsource_gui.plots.curves import visible_course
 from skinsource_gui.plots.ranges import CachedColumns, Tick, linear_ticks, wave_of

@@ -39,7 +39,7 @@ def test_what_is_chosen_is_shown_with_what_it_answers_and_saved(window, settle_o
         settle_on(window)
         assert settings_of(window.document.view, "analysis", AnalysisSettings).shown == spec.name
         assert (panel.view.name, panel.view.title) == (spec.name, spec.title)
-        assert panel.answer.text == spec.answer
+        assert panel.answer.whole == spec.answer
         assert [view.isVisible() for view in panel._views.values()].count(True) == 1
         assert panel.copy.isVisible() == panel.view.copies
         assert not panel.view.is_stale

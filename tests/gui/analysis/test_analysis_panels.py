@@ -163,7 +163,7 @@ def test_another_output_and_window_are_computed(show, window, settle):
     panel = show("spectrogram")
     panel.output.choose("22")
     settle()
-    assert panel.note_label.text.startswith("Output 22")
+    assert panel.note_label.whole.startswith("Output 22")
     columns = panel.picture.content.spectrogram.time_s.size
     panel.window_length.choose("200")
     settle()
@@ -172,22 +172,22 @@ def test_another_output_and_window_are_computed(show, window, settle):
 
 def test_transfer_functions_are_of_the_selected_input(show, window, settle):
     panel = show("transfer")
-    assert panel.place.text.startswith("From place 7")
+    assert panel.place.whole.startswith("From place 7")
     document = window.document
     added = document.design.adding(track(13, Tap()))
     selected = replace(document.view, selected_inputs=(added.inputs[-1].id,))
     document.apply(changed("Add", added, selected))
     settle()
-    assert panel.place.text.startswith("From place 13")
+    assert panel.place.whole.startswith("From place 13")
     panel.grab()
     panel.figure.setFocus()
     QTest.keyClick(panel.figure, Qt.Key.Key_Home)
-    assert panel.note_label.text.startswith("0.0 Hz")
+    assert panel.note_label.whole.startswith("0.0 Hz")
     QTest.keyClick(panel.figure, Qt.Key.Key_Right, Qt.KeyboardModifier.ShiftModifier)
-    assert not panel.note_label.text.startswith("0.0 Hz")
-    assert "coherence" in panel.note_label.text
+    assert not panel.note_label.whole.startswith("0.0 Hz")
+    assert "coherence" in panel.note_label.whole
     QTest.keyClick(panel.figure, Qt.Key.Key_Escape)
-    assert panel.note_label.text.startswith("Coherence ≥ 0.75")
+    assert panel.note_label.whole.startswith("Coherence ≥ 0.75")
     panel.coherence.click()
     settle()
     panel.grab()
@@ -204,7 +204,7 @@ def test_a_single_axis_has_no_main_axis_and_circles_say_so(show, window, settle)
     shown = panel.picture.content
     panel.grab()
     panel.picture.move_cursor(QPointF(30, 30))
-    assert panel.note_label.text.startswith("20 III nail rad.: x ")
+    assert panel.note_label.whole.startswith("20 III nail rad.: x ")
     none = replace(shown.main_axes, none=np.ones(4, bool))
     panel.picture.show_axes(replace(shown, main_axes=none))
     assert panel.picture.content.text_of(0) == "20 III nail rad.: no main axis"
@@ -216,7 +216,7 @@ def test_the_wave_says_speed_and_attenuation_along_the_selection(show, window, s
     panel = show("wave", outputs=(29, 31, 33, 35))
     document = window.document
     wave = evaluate(document.design, "line_wave", view=document.view)["line_wave"].wave
-    assert f"attenuation {wave.attenuation_db_per_cm:.2f}" in panel.note_label.text
+    assert f"attenuation {wave.attenuation_db_per_cm:.2f}" in panel.note_label.whole
     panel.grab()
     line, *dots = panel.picture.diagrams[1].curves
     slope = np.diff(line.y) / np.diff(line.x)
@@ -225,7 +225,7 @@ def test_the_wave_says_speed_and_attenuation_along_the_selection(show, window, s
     origin, axes = panel.picture.placed[1]
     places = axes.to_screen(wave.distance_m, wave.level_db) + origin.toTuple()
     panel.picture.move_cursor(QPointF(*places[2]))
-    assert panel.note_label.text.startswith("33: ")
+    assert panel.note_label.whole.startswith("33: ")
     assert panel.table_text().splitlines()[3].startswith("33\t")
     window.document.look(replace(document.view, outputs=(20,)))
     settle()
@@ -245,7 +245,7 @@ def test_the_wave_cautions_where_inputs_at_several_places_sound(show, window, se
     ):
         window.document.edit("Add", replace(design, inputs=(*design.inputs, other)))
         settle()
-        assert ("waves of several inputs overlap" in panel.note_label.text) is overlap
+        assert ("waves of several inputs overlap" in panel.note_label.whole) is overlap
 
 
 @pytest.mark.parametrize("scale", [1.0, 1.75])

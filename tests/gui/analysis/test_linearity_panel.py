@@ -68,13 +68,13 @@ def test_strengths_of_one_stimulus_lie_on_each_other_once_divided(show):
     assert isinstance(panel.result, Proportion)
     assert panel.result.strengths.tolist() == [1.0, 2.0, 4.0]
     assert panel.result.largest_difference < 1e-9
-    assert "3 strengths" in panel.note_label.text
+    assert "3 strengths" in panel.note_label.whole
     over, growth, straight = panel.picture.diagrams
     assert len(over.curves) == 3 * len(OUTPUTS)
     assert np.ptp([curve.y for curve in over.curves[:3]], axis=0).max() < 1e-9
     assert growth.x.title == "Strength (m/s²)"
     assert straight.y.title == "Adjusted R²"
-    assert "synthetic" in panel.about.text
+    assert "synthetic" in panel.about.whole
     panel.grab()
     # Below the pointer are numbers.
     frame = panel.picture.placed[1][1].frame
@@ -89,17 +89,17 @@ def test_snapshots_count_alone_where_the_design_in_the_window_is_something_else(
     assert head == "output\taxis\tpearson_r"
     assert [row.split("\t")[:2] for row in rows] == [["20", "z"], ["26", "z"]]
     assert [float(row.split("\t")[2]) for row in rows] == pytest.approx([1.0, 1.0])
-    assert "Sum of separate and joint" in panel.note_label.text
-    assert "alone" not in panel.about.text
+    assert "Sum of separate and joint" in panel.note_label.whole
+    assert "alone" not in panel.about.whole
     result = panel.result
     window.document.edit("Elsewhere", played(3))
-    qtbot.waitUntil(lambda: "snapshots alone" in panel.about.text)
+    qtbot.waitUntil(lambda: "snapshots alone" in panel.about.whole)
     assert isinstance(panel.result, Superposition)
     assert panel.result.largest_difference < 1e-9
     assert panel.result.largest_difference == result.largest_difference
     assert panel.figure.message == ""
     window.document.edit("Again", PARTS[0])
-    qtbot.waitUntil(lambda: "alone" not in panel.about.text)
+    qtbot.waitUntil(lambda: "alone" not in panel.about.whole)
 
 
 def test_while_snapshots_are_computed_anew_what_is_drawn_is_told_to_be_of_others(show, qtbot):
@@ -184,7 +184,7 @@ def test_adjusted_r2_is_told_of_all_outputs(show, qtbot):
     straight = panel.picture.diagrams[2]
     assert [curve.label for curve in straight.curves] == ["median", "worst"]
     assert straight.y.title == "Adjusted R², all outputs"
-    assert "of all 72 outputs" in panel.note_label.text
+    assert "of all 72 outputs" in panel.note_label.whole
     head, *rows = (line.split("\t") for line in panel.table_text().splitlines())
     assert head == ["frequency_hz", *(f"adjusted_r2_{k}_z" for k in range(1, 73))]
     assert len(rows) == panel.all_outputs.frequency_hz.size

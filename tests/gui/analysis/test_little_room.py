@@ -6,12 +6,7 @@ from PySide6.QtCore import QRectF
 import skinsource as ss
 from skinsource.design.design import Design, track
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
-from skinsource_gui.panels.analysis.windowed import (
-    CURVES,
-    curve_names,
-    least_height,
-    strip_layout,
-)
+from skinsource_gui.panels.analysis.windowed import CURVES, curve_names, least_height, strip_layout
 from skinsource_gui.shell.appearance import LARGEST_TEXT
 from tests.gui.analysis.analysis_bench import analysis
 

@@ -65,30 +65,30 @@ def test_each_panel_of_analysis_says_what_the_limb_says(window, qtbot):
     assert all(600.0 < row.values[3] < 800.0 or row.values[3] < 200.0 for row in rows)
     spectrogram = panels["spectrogram"]
     assert spectrogram.output.itemText(1) == "31 sensor 31"
-    assert "sensor 9" in spectrogram.note_label.text
+    assert "sensor 9" in spectrogram.note_label.whole
     transfer = panels["transfer"]
-    assert "From place 3, site 3" in transfer.place.text
+    assert "From place 3, site 3" in transfer.place.whole
     # A lab does not say in which band it measured: nothing is shaded, all frequencies count.
     assert transfer.picture.content.transfer.band_hz is None
-    assert "from 0 to 2000 Hz" in transfer.note_label.text
+    assert "from 0 to 2000 Hz" in transfer.note_label.whole
     assert {finding.name: finding.state for finding in judged(window)}["band"] == "unknown"
     assert float(transfer.table_text().splitlines()[-1].split("\t")[0]) == pytest.approx(
         2000.0, abs=25
     )
     wave = panels["wave"]
     axis = "x" if one_axis else "z"
-    assert wave.about.text.startswith(f"Along {axis}")
+    assert wave.about.whole.startswith(f"Along {axis}")
     assert f"level_{axis}_db" in wave.table_text()
     if one_axis:
         assert "measured along one alone" in panels["main_axis"].figure.message
     else:
         assert "sensor 4" in panels["main_axis"].picture.content.text_of(0)
-        assert "point another way" not in panels["main_axis"].note_label.text
+        assert "point another way" not in panels["main_axis"].note_label.whole
     windowed = panels["windowed"]
     assert windowed.strip.content.levels_db.shape[1] == N_OUTPUTS
     assert windowed.strip.message == ""
     assert "Lab 1" in windowed._heading()
-    assert "not known" in panels["regions"].about.text
+    assert "not known" in panels["regions"].about.whole
     assert "published limbs only" in panels["perception"].message
     assert panels["compare"].maps.content.message.startswith("There is no other limb")
 

@@ -63,7 +63,7 @@ def test_people_and_snapshots_stand_side_by_side_and_cost_nothing_while_hidden(
     # What comes into sight anew is computed anew, and cannot be copied until it is there.
     qtbot.waitUntil(window.panel("analysis").copy.isEnabled, timeout=60_000)
     assert copied(window).splitlines()[1].startswith("Digit I\t")
-    assert "RMS in dB re 1 m/s²" in panel.about.text
+    assert "RMS in dB re 1 m/s²" in panel.about.whole
     panel.grab()
     window.docks["analysis"].toggleViewAction().trigger()
     settle()
@@ -81,7 +81,7 @@ def test_matched_levels_of_snapshots_are_said_above_the_table_and_never_copied(
     panel = analysis(window, "regions")
     document.look(replace(document.view, levels_matched=True))
     settle()
-    assert "levels matched" not in panel.about.text
+    assert "levels matched" not in panel.about.whole
     window.do("store_snapshot_1")
     louder = document.design.with_input(0, amplitude=2.0)
     document.apply(Edit(label="Louder", design=louder, view=document.view))
@@ -89,17 +89,17 @@ def test_matched_levels_of_snapshots_are_said_above_the_table_and_never_copied(
 
     qtbot.waitUntil(window.panel("analysis").copy.isEnabled, timeout=12_000)
     qtbot.waitUntil(lambda: "−6.0 dB" in panel.columns[1].hint, timeout=12_000)
-    assert "snapshots: 2: −6.0 dB, matched" in panel.about.text
+    assert "snapshots: 2: −6.0 dB, matched" in panel.about.whole
     assert panel.columns[0].numbers == pytest.approx(panel.columns[1].numbers)
     text = copied(window)
     assert text.splitlines()[0].split("\t")[1:4] == ["1, synthetic", "2, synthetic", "Synthetic 1"]
     quiet, second = np.array([row.split("\t")[1:3] for row in text.splitlines()[1:3]], float).T
     assert second - quiet == pytest.approx(20.0 * np.log10(2.0))
     settle()
-    assert "snapshots: 2: −6.0 dB, matched" in panel.about.text
+    assert "snapshots: 2: −6.0 dB, matched" in panel.about.whole
     window.do("match_levels")
     settle()
-    assert "matched" not in panel.about.text
+    assert "matched" not in panel.about.whole
     assert copied(window) == text
 
 

@@ -69,8 +69,8 @@ def test_four_limbs_have_their_own_levels_one_scale_one_pointer_and_one_selectio
     assert maps.output == output
     assert all(ring(maps, k, output) != before[k] for k in range(4))
     for values in expected:
-        assert f"{values[output - 1]:.1f}".replace("-", "−") in panel.text_label.text
-    assert panel.text_label.text.startswith("Output 23")
+        assert f"{values[output - 1]:.1f}".replace("-", "−") in panel.text_label.whole
+    assert panel.text_label.whole.startswith("Output 23")
     QTest.mouseClick(maps, Qt.MouseButton.LeftButton, pos=at)
     assert window.document.view.outputs == (output,)
     QApplication.sendEvent(maps, QEvent(QEvent.Type.Leave))
@@ -184,7 +184,7 @@ def test_each_map_can_be_drawn_to_its_own_maximum(window, panel, qtbot):
         assert np.nanmax(cell.small.field_levels_db) == pytest.approx(0.0, abs=1.0)
         assert cell.value_text(None).startswith(f"max {values.max():.1f} dB".replace("-", "−"))
     point_at(panel.maps, 1, 23)
-    assert panel.text_label.text.endswith(" dB re each map's maximum")
+    assert panel.text_label.whole.endswith(" dB re each map's maximum")
     panel.copy.click()
     head, *rows = QGuiApplication.clipboard().text().splitlines()
     for column, values in enumerate(before, 1):

@@ -173,7 +173,7 @@ def test_every_axis_says_by_how_much(window, settle, gain_text):
     assert wave.placed[1][1].y.title.endswith(f", {gain_text}")
     for name in ("statistics", "perception", "regions"):
         panel = brought_forward(window, settle, name).view
-        about = panel.limits.text() if name == "perception" else panel.about.text
+        about = panel.limits.text() if name == "perception" else panel.about.whole
         assert gain_text in about, name
     gain_db = 20 * np.log10(window.document.view.match_gain(window.document.design))
     choose(window, of="limbs")

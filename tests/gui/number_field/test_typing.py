@@ -13,13 +13,7 @@ from skinsource.specs.numbers import NumberSpec
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.number_field import fitting_text
 from skinsource_gui.fields.units import number_text, parse_number, value_text
-from tests.gui.number_field.bench import (
-    AMPLITUDE,
-    DURATION,
-    FREQUENCY,
-    PHASE,
-    SEED,
-)
+from tests.gui.number_field.bench import AMPLITUDE, DURATION, FREQUENCY, PHASE, SEED
 
 ANYTHING = NumberSpec(label="Offset", minimum=-math.inf, maximum=math.inf)
 

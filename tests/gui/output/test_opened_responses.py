@@ -6,15 +6,7 @@ from PySide6.QtWidgets import QFileDialog
 
 import skinsource as ss
 from skinsource.design.view import View
-from tests.gui.output.bench import (
-    TONE,
-    brought_forward,
-    choose,
-    design_of,
-    figures,
-    number,
-    settle,
-)
+from tests.gui.output.bench import TONE, brought_forward, choose, design_of, figures, number, settle
 
 
 @pytest.fixture

@@ -14,11 +14,7 @@ from skinsource.design.design import track
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import CentredTap, Tap
 from skinsource.engine.actuator_demand import LONGEST_S, listed_name, profile_of, strongest
-from skinsource_gui.panels.output.figures import (
-    frequencies_of,
-    frequency_axis,
-    response_curves,
-)
+from skinsource_gui.panels.output.figures import frequencies_of, frequency_axis, response_curves
 from skinsource_gui.panels.output.panel import with_actuator, with_equaliser
 from tests.gui.output.bench import (
     COIL,

@@ -4,10 +4,7 @@ import pytest
 from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.surface.surface import surface_operator
 from skinsource_gui.panels.skin.panel import SkinPanel
-from tests.gui.skin.bench import (
-    SEED,
-    Window,
-)
+from tests.gui.skin.bench import SEED, Window
 
 
 @pytest.fixture(scope="module")

@@ -16,10 +16,7 @@ from skinsource.export.video import video_file
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.perception.validity import Finding
 from skinsource_gui.panels.skin import film as animation
-from skinsource_gui.panels.skin.film import (
-    export_animation,
-    film_of,
-)
+from skinsource_gui.panels.skin.film import export_animation, film_of
 from skinsource_gui.panels.skin.settings import MAGNITUDE, RMS, SkinSettings, Z
 from skinsource_gui.panels.skin.time import slow_down_factor
 from skinsource_gui.plots.pictures import PictureOptions, with_caption

@@ -7,12 +7,7 @@ from skinsource.design.comparing import Snapshot
 from skinsource.signals.map_range import map_range_db
 from skinsource_gui.panels.skin.settings import Z
 from skinsource_gui.state.compared import Compared
-from tests.gui.skin.bench import (
-    CONTROL,
-    LEFT,
-    PLAIN,
-    drag,
-)
+from tests.gui.skin.bench import CONTROL, LEFT, PLAIN, drag
 
 
 def test_the_automatic_range_holds_the_loudest_output(window):

@@ -18,11 +18,7 @@ from skinsource_gui.plots.small_map import FieldImage
 from skinsource_gui.qt.frames import fitted
 from skinsource_gui.qt.theme import LIGHT
 from skinsource_gui.state.compared import SILENT
-from tests.gui.skin.bench import (
-    SEED,
-    pixel,
-    place,
-)
+from tests.gui.skin.bench import SEED, pixel, place
 
 
 def test_the_surface_is_asked_for_only_while_the_map_is_interpolated(window):

@@ -11,17 +11,7 @@ from skinsource_gui.panels.skin.layout import HAND
 from skinsource_gui.panels.skin.panel import SkinPanel
 from skinsource_gui.qt.theme import LIGHT
 from skinsource_gui.qt.wheel import FREE, PAUSE_S, WHOLE, ScrollGesture
-from tests.gui.skin.bench import (
-    CONTROL,
-    LEFT,
-    MIDDLE,
-    PLAIN,
-    Window,
-    drag,
-    pixel,
-    place,
-    wheel,
-)
+from tests.gui.skin.bench import CONTROL, LEFT, MIDDLE, PLAIN, Window, drag, pixel, place, wheel
 
 # Zooming
 
