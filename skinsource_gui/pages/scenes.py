@@ -19,7 +19,7 @@ from skinsource.studies.scenes.catalog import (
 from skinsource.studies.scenes.opened_scene import Scene
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.page import PictureView, ToolPage
-from skinsource_gui.qt.buttons import scrolled
+from skinsource_gui.qt.buttons import page_label, scrolled
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.resources import resource_folder
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
@@ -32,35 +32,9 @@ TITLE = "Scenes"
 _SIZE_PX = (1120, 650)
 _ICON_PX = (72, 44)
 _LIST_PX = 360
-_TEXT_LINES = 8
 _OF_THE_PAPER = "The limbs of the paper"
 _PLAYED_ON = "On which limb the scenes are played: those of the paper, or one of your own"
 _PICTURES = "Pictures are computed on synthetic limbs."
-
-
-class SceneText(QtWidgets.QLabel):
-    """Wraps its text, and is as high as all of it."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.setObjectName("scene_words")
-        self.setTextFormat(Qt.TextFormat.RichText)
-        self.setWordWrap(True)
-        self.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
-
-    def show_text(self, text: str) -> None:
-        """Show another text."""
-        self.setText(text)
-        self._make_room()
-
-    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._make_room()
-
-    def _make_room(self) -> None:
-        # The text has the same height for most scenes, so that the picture does not move.
-        least = _TEXT_LINES * self.fontMetrics().lineSpacing()
-        self.setMinimumHeight(max(least, self.heightForWidth(self.width())))
 
 
 class ScenesPage(ToolPage):
@@ -106,7 +80,8 @@ class ScenesPage(ToolPage):
         self.list.setSpacing(1)
         self.picture = PictureView()
         self.picture.setMinimumSize(*_LEAST_PX)
-        self.text = SceneText()
+        self.text = page_label("scene_words")
+        self.text.setTextFormat(Qt.TextFormat.RichText)
         self.buttons = QtWidgets.QDialogButtonBox(
             QtWidgets.QDialogButtonBox.StandardButton.Open
             | QtWidgets.QDialogButtonBox.StandardButton.Cancel
@@ -186,7 +161,7 @@ class ScenesPage(ToolPage):
             _dim(_source_of(scene)),
         ]
         lines.append(self._reason_text(reason) if reason else self._limbs_text(scene))
-        self.text.show_text("<br>".join(lines))
+        self.text.setText("<br>".join(lines))
 
     def _reason_text(self, reason: str) -> str:
         text = f"Does not apply on {limb_label(self.played_on.value).title}: {reason}"

@@ -269,7 +269,7 @@ def paint_small_map(
     Parameters
     ----------
     painter, area
-        Nothing is drawn outside of the area.
+        Nothing is drawn outside of the area, but half of the outline.
     shown
         The map.
     design
@@ -282,7 +282,7 @@ def paint_small_map(
     limb_map, frame = shown.limb_map, small_frame(shown, area)
     outline = frame.transform().map(_outline(limb_map))
     painter.save()
-    painter.setClipRect(area, Qt.ClipOperation.IntersectClip)
+    painter.setClipRect(area.adjusted(-2, -2, 2, 2), Qt.ClipOperation.IntersectClip)
     painter.setRenderHints(
         QtGui.QPainter.RenderHint.Antialiasing | QtGui.QPainter.RenderHint.SmoothPixmapTransform
     )
@@ -675,7 +675,7 @@ def paint_scale_row(
     """Draw the colours in the middle of ``area``, with numbers, and a text below or beside them."""
     line = painter.fontMetrics().height()
     width = max(min(area.width() - 4.0 * line, 20.0 * line), 4.0 * line)
-    low = area.height() < scale_row_px(line)
+    low = area.height() < scale_row_px(line) - line / 2.0
     text_px = painter.fontMetrics().horizontalAdvance(scale.text_below) if low else 0.0
     width = max(min(width, area.width() - text_px - 6.0 * line), 4.0 * line)
     left = area.center().x() - (width + text_px) / 2.0

@@ -47,46 +47,6 @@ from skinsource_gui.state.engine import (
 from skinsource_gui.state.panel import Panel, PanelRegistry
 from skinsource_gui.state.worker import fault_text
 
-
-class StayingMatched(QObject):
-    """Shows the snapshot in the window anew where its gain has changed.
-
-    Parameters
-    ----------
-    document
-        The document with the snapshots; also the parent.
-    show
-        Shows the snapshot of a number, as loud as the others.
-    """
-
-    def __init__(self, document: Document, show: Callable[[int], None]) -> None:
-        super().__init__(document)
-        self._document, self._show = document, show
-        self._last = self._gain_sources()
-        document.settled.connect(self._follow)
-        # An opened design is shown with the gain that it was saved with.
-        document.jumped.connect(self._note_jump)
-
-    def _gain_sources(self) -> tuple[Any, ...]:
-        view = self._document.view
-        designs = {snapshot.number: snapshot.design for snapshot in view.snapshots}
-        return view.levels_matched, view.axes, view.method, view.span, designs
-
-    def _note_jump(self) -> None:
-        self._last = self._gain_sources()
-
-    def _follow(self) -> None:
-        before, self._last = self._last, self._gain_sources()
-        view = self._document.view
-        if before == self._last or not view.levels_matched:
-            return
-        stored = shown_snapshot(view.snapshots, self._document.design)
-        just_switched_on = not before[0]
-        # A snapshot that was not shown since it was stored has no gain.
-        if stored is not None and (just_switched_on or stored.gain != 1.0):
-            self._show(stored.number)
-
-
 _LEVELS = frozenset({"output_levels_db", UNPLAYABLE})
 _AS_STORED = "Edit > Match levels of snapshots, switched off, shows it as stored"
 
@@ -100,19 +60,12 @@ class _Known:
 
     key: tuple[Any, ...]
     outputs: tuple[int, ...]
-    result: Mapping[str, Any] | str
-
-    @property
-    def values(self) -> Mapping[str, Any] | None:
-        return None if isinstance(self.result, str) else self.result
-
-    @property
-    def problem(self) -> str:
-        return self.result if isinstance(self.result, str) else ""
+    values: Mapping[str, Any] | None
+    problem: str
 
     def holds(self, wanted: frozenset[str]) -> bool:
         """Return whether nothing of ``wanted`` is missing."""
-        return isinstance(self.result, str) or wanted <= self.result.keys()
+        return self.values is None or wanted <= self.values.keys()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -158,6 +111,8 @@ class Comparison(QObject):
         self._when_complete: Callable[[], None] | None = None
         # Showing snapshots in turn is one step of the history, or none where all is as before.
         self._showing = new_gesture()
+        self._gains_follow: tuple[Any, ...] = ()
+        self._note_gains()
 
     def begin(self) -> None:
         """Follow the document, after the conductor of the window, which requests its results."""
@@ -166,7 +121,9 @@ class Comparison(QObject):
         self._engine.rested.connect(self._ask)
         self._panels.each(lambda panel: panel.visibility_changed.connect(self._follow))
         self._panels.each(lambda panel: panel.snapshot_requested.connect(self.show))
-        StayingMatched(self._document, self.show)
+        self._document.settled.connect(self._stay_matched)
+        # An opened design is shown with the gain that it was saved with.
+        self._document.jumped.connect(self._note_gains)
 
     def store(self, number: str) -> None:
         """Store the present design under a number."""
@@ -225,14 +182,12 @@ class Comparison(QObject):
         self._when_complete = show_matched
         self._ask()
 
-    def _snapshots(self) -> tuple[Snapshot, ...]:
-        """Return all snapshots, and the present design where it is none of them."""
-        return with_edited(self._document.view.snapshots, self._document.design)
-
     def _of_snapshots(self) -> list[_Side]:
+        """Return all snapshots, and the present design where it is none of them."""
         # The working design comes last.
-        order = sorted(self._snapshots(), key=lambda each: each.number or math.inf)
         view = self._document.view
+        snapshots = with_edited(view.snapshots, self._document.design)
+        order = sorted(snapshots, key=lambda each: each.number or math.inf)
         return [
             _Side(
                 Slot(f"snapshot {each.number}"),
@@ -322,9 +277,9 @@ class Comparison(QObject):
         of_window = request.place == (FIRST_SLOT, Purpose.SHOW) and outcome.values is not None
         if not (of_window or request.slot in self._requests):
             return
-        given = request.given
-        result = fault_text(outcome.error) if outcome.values is None else outcome.values
-        self._known[request.slot] = _Known(key_of_levels(given), given["outputs"], result)
+        given, problem = request.given, "" if outcome.values else fault_text(outcome.error)
+        known = _Known(key_of_levels(given), given["outputs"], outcome.values, problem)
+        self._known[request.slot] = known
         self._ask()
         self._tell()
 
@@ -360,6 +315,24 @@ class Comparison(QObject):
             problem=known.problem if known else "",
             is_stale=known is None,
         )
+
+    def _note_gains(self) -> None:
+        """Note all that the gains of snapshots follow from."""
+        view = self._document.view
+        designs = {snapshot.number: snapshot.design for snapshot in view.snapshots}
+        self._gains_follow = view.levels_matched, view.axes, view.method, view.span, designs
+
+    def _stay_matched(self) -> None:
+        """Show the snapshot in the window anew where its gain has changed."""
+        before, view = self._gains_follow, self._document.view
+        self._note_gains()
+        if before == self._gains_follow or not view.levels_matched:
+            return
+        stored = shown_snapshot(view.snapshots, self._document.design)
+        just_switched_on = not before[0]
+        # A snapshot that was not shown since it was stored has no gain.
+        if stored is not None and (just_switched_on or stored.gain != 1.0):
+            self.show(stored.number)
 
     def _gain(self, number: int) -> float:
         """Return the factor with which a snapshot is as loud as that of the lowest number."""

@@ -17,9 +17,7 @@ from skinsource.design.comparing import (
     Snapshot,
     difference_db,
     frequency_of,
-    louder,
     mean_and_spread_over,
-    same_but_rounding,
     same_outputs,
     scale_end_db,
     shown_snapshot,
@@ -67,7 +65,6 @@ from skinsource_gui.state.compared import (
     Compared,
     display_gain_text,
     gain_db,
-    have_matching_level,
     is_silent,
     matched_text,
 )
@@ -327,8 +324,7 @@ def _difference(side: Compared, names: Names, base: Compared, of_base: Names) ->
     both = _synthetic(side) or _synthetic(base)
     small = _map(side, levels, _noisy(side, base))
     if np.abs(levels).max() < _LEAST_DB:
-        equal = f"{names[-1]} equals {of_base[-1]}"
-        headings = (f"{equal}: {_why_equal(side, base)}", equal)
+        headings = (f"{names[-1]} equals {of_base[-1]}",)
     return replace(cell, headings=headings, small=small, synthetic=both)
 
 
@@ -390,19 +386,6 @@ def _minus(names: Names, other: Names) -> Names:
     n = max(len(names), len(other))
     pairs = [(names[min(k, len(names) - 1)], other[min(k, len(other) - 1)]) for k in range(n)]
     return tuple(f"{first} minus {second}" for first, second in pairs)
-
-
-def _why_equal(side: Compared, base: Compared) -> str:
-    """Return why two designs have the same levels."""
-    mine, theirs = side.snapshot.design, base.snapshot.design
-    if mine == theirs:
-        return "the same inputs, scaling and limb"
-    # The louder one is turned down: an amplitude may be the largest there is.
-    ratio = side.gain / base.gain
-    turned_down = louder(mine, min(ratio, 1.0)), louder(theirs, min(1.0 / ratio, 1.0))
-    if same_but_rounding(*turned_down):
-        return "the same inputs once levels match"
-    return "the same levels by other inputs"
 
 
 def _reached_db(drawn: Sequence[Floats]) -> Range | None:
@@ -721,9 +704,9 @@ def matching_text(compared: Sequence[Compared]) -> str:
     known = [side for side in compared if played_db(side) is not None]
     if len(known) < LEAST_COMPARED:
         return ""
-    if have_matching_level(compared, matched=True):
-        return f"{LEVELS_MATCHED}: {card_level_text(known[0])} at the loudest output"
     reference = min(compared, key=lambda side: side.snapshot.number)
+    if not (is_silent(reference) or reference.problem):
+        return f"{LEVELS_MATCHED}: {card_level_text(known[0])} at the loudest output"
     why = "cannot be predicted" if reference.problem else "is silent"
     return f"{snapshot_name(reference.snapshot.number)} {why}: levels cannot be matched to it"
 

@@ -114,8 +114,7 @@ class MapsPanel(Panel):
         self.compared = compared
         self.show_maps()
 
-    def show_on_limbs(self, compared: Sequence[Compared]) -> None:
-        self.show_snapshots(compared)
+    show_on_limbs = show_snapshots
 
     def show_maps(self) -> None:
         """Draw what is known of the designs."""

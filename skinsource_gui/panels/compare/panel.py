@@ -41,7 +41,6 @@ from skinsource_gui.qt.fitting import FoldingRow
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, on_paper, tabular
-from skinsource_gui.state.compared import Compared
 
 
 class LimbsButton(QtWidgets.QToolButton):
@@ -105,6 +104,19 @@ class LimbsButton(QtWidgets.QToolButton):
 _LINES_WITH_ROOM = 14
 
 
+# Names, texts and hints of buttons, and what they do.
+_OF_SNAPSHOTS = (
+    (
+        "match",
+        "Match levels",
+        "Make their loudest outputs equally loud",
+        "match_levels",
+    ),
+    ("toggle", "A/B (X)", "Show the other one of the last two", "toggle_snapshots"),
+    ("file", "From file…", "Keep the design of a file as a snapshot", "take_snapshot"),
+)
+
+
 class ChoicesBar(QtWidgets.QWidget):
     """The choices above the maps; a choice emits another view.
 
@@ -140,17 +152,14 @@ class ChoicesBar(QtWidgets.QWidget):
         self.frequencies = NumbersEditor(FREQUENCIES, self)
         self.frequencies.setObjectName("compare_frequencies")
         self.frequencies.edited.connect(lambda numbers, _: self._change(frequencies_hz=numbers))
-        hint = "Show snapshots as loud as each other at their loudest output"
-        self.match = tool_button(self, "compare_match", "Match levels", hint, checkable=True)
-        self.match.clicked.connect(partial(self.action_requested.emit, "match_levels"))
-        hint = "Show the other one of the last two that were shown"
-        self.toggle = tool_button(self, "compare_toggle", "A/B (X)", hint)
-        self.toggle.clicked.connect(partial(self.action_requested.emit, "toggle_snapshots"))
-        hint = "Keep the design of a file as a snapshot, and show it here"
-        self.file = tool_button(self, "compare_file", "From file…", hint)
-        self.file.clicked.connect(partial(self.action_requested.emit, "take_snapshot"))
+        self.match, self.toggle, self.file = self._of_snapshots = tuple(
+            tool_button(self, f"compare_{name}", text, hint)
+            for name, text, hint, _ in _OF_SNAPSHOTS
+        )
+        self.match.setCheckable(True)
+        for button, (*_, action) in zip(self._of_snapshots, _OF_SNAPSHOTS, strict=True):
+            button.clicked.connect(partial(self.action_requested.emit, action))
         of_others = self.own_maximum, self.limbs, self.frequencies
-        self._of_snapshots = self.match, self.toggle, self.file
         self._row = FoldingRow((self.of, self.shown, *of_others, *self._of_snapshots), UNIT_PX // 2)
         margins = UNIT_PX // 2, 1, UNIT_PX // 2, 1
         in_column(self._row, of=self, margins=margins, gap_px=2)
@@ -239,18 +248,14 @@ class ComparePanel(MapsPanel):
     def show_state(self, design: Design, view: View) -> None:
         self.bar.show_state(design, view)
         settings = self.bar.settings
-        before, kind = self.kind, KINDS[settings.of]
+        kind = KINDS[settings.of]
         moves = kind.shown(settings) == MOTION
         self.take_state(design, view, kind, settings, moves=moves)
-        if kind is not before:
-            self._show_cards()
-
-    def show_snapshots(self, compared: Sequence[Compared]) -> None:
-        super().show_snapshots(compared)
         self._show_cards()
 
     def show_maps(self) -> None:
         super().show_maps()
+        self._show_cards()
         # A table would lack the columns that are still computed.
         cells = self.maps.content.cells
         drawn = [cell.small is not None for cell in cells]

@@ -3,7 +3,6 @@
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 from math import ceil
 
 import numpy as np
@@ -71,50 +70,26 @@ class Places:
     low: bool = False
 
 
-def places_of(
-    room: QRectF,
-    n: int,
-    line: float,
-    *,
-    common: bool,
-    heading_lines: int = 1,
-    head_lines: float = 1.2,
-    low: bool = False,
+def _laid_out(
+    room: QRectF, content: CompareContent, line: float, heading_lines: int, *, low: bool
 ) -> Places:
-    """Lay ``n`` maps out in ``room``, in as many rows as give the largest maps.
+    """Lay maps out with so many lines of heading, in as many rows as give the largest ones.
 
-    Parameters
-    ----------
-    room
-        Area of all maps.
-    n
-        Number of maps.
-    line
-        Height of a line of text.
-    common
-        Whether one scale serves all of them.
-    heading_lines
-        How many lines the heading of each has; below it is one for a value.
-    head_lines
-        Height of the line above.
-    low
-        Whether there is little room: in wide cells words stand beside maps of hands.
+    ``low``: in wide cells words stand beside maps of hands.
     """
-    edge = 0.3 * line
-    scale_height = scale_row_px(line)
+    edge, n, common = 0.3 * line, len(content.cells), content.common_scale is not None
     inner = room.adjusted(edge, 0.0, -edge, -edge)
-    head = QRectF(inner.left(), inner.top(), inner.width(), head_lines * line)
+    head = QRectF(inner.left(), inner.top(), inner.width(), content.head_lines * line)
     foot = scale_row_px(line, low=low) if common else 0.0
     scale = QRectF(inner.left(), inner.bottom() - foot, inner.width(), foot)
     maps = QRectF(inner.left(), head.bottom(), inner.width(), scale.top() - head.bottom())
     words = (heading_lines + 1.0) * line
-    below = edge + (0.0 if common else scale_height)
+    below = edge + (0.0 if common else scale_row_px(line))
     beside = low and inner.width() >= _WIDE_LINES * line * n
+    wholes = map_grid(maps, n, words + below)
     if beside:
         width = inner.width() / n
-        wholes = [maps.adjusted(k * width, 0, (k + 1 - n) * width, 0) for k in range(n)]
-    else:
-        wholes = list(map_grid(maps, n, words + below))
+        wholes = tuple(maps.adjusted(k * width, 0, (k + 1 - n) * width, 0) for k in range(n))
     cells = tuple(_cell(whole, line, words, below, beside=beside) for whole in wholes)
     return Places(head=head, cells=cells, scale=scale, low=low)
 
@@ -161,17 +136,9 @@ def places_for(
     """
     line, n = QtGui.QFontMetricsF(font).height(), len(content.cells)
     metrics = QtGui.QFontMetricsF(bold(font))
-    lay_out = partial(
-        places_of,
-        room,
-        n,
-        line,
-        common=content.common_scale is not None,
-        head_lines=content.head_lines,
-    )
     for low in (False, True):
         for lines in range(1, _MOST_LINES + 1):
-            places = lay_out(heading_lines=lines, low=low)
+            places = _laid_out(room, content, line, lines, low=low)
             pairs = zip(content.cells, places.cells, strict=True)
             if all(_fits(metrics, cell.headings, place.heading) for cell, place in pairs):
                 break

@@ -1,6 +1,6 @@
 """The library panel: search, list, preview and buttons for presets."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import ClassVar
 
@@ -19,7 +19,7 @@ from skinsource_gui.panels.library.list import PresetList, PresetPreview, Preset
 from skinsource_gui.qt.buttons import page_button, page_label, passing_menu
 from skinsource_gui.qt.fitting import FoldingRow
 from skinsource_gui.qt.keys import KEYS, key_text
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import in_row
 from skinsource_gui.qt.questions import ask_yes
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.panel import Panel
@@ -27,27 +27,23 @@ from skinsource_gui.state.panel import Panel
 _PLACE = "library"
 
 
-class LibraryButtons(QtWidgets.QWidget):
+class LibraryButtons(FoldingRow):
     """Buttons that place, save, rename and delete presets."""
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
-        place_hint = (
-            f"Place it at the playhead, on the selected track ({key_text(_PLACE, 'place')}); or "
-            "drag it onto a place of the hand or a track"
+    def __init__(self) -> None:
+        keys = {name: key_text(_PLACE, name) for name in ("place", "rename", "remove")}
+        buttons = (
+            page_button(f"preset_{name}", text, hint)
+            for name, text, hint in (
+                ("place", "Place", f"At the playhead, on the selected track ({keys['place']})"),
+                ("save", "Save…", "Keep clips, or the whole design, in the library"),
+                ("rename", "Rename", f"Only your own ({keys['rename']})"),
+                ("delete", "Delete", f"Only your own ({keys['remove']})"),
+            )
         )
-        self.place = page_button("preset_place", "Place", place_hint)
-        save_hint = "Keep clips, or the whole design, in the library"
-        self.save = page_button("preset_save", "Save…", save_hint)
-        own = "Only your own"
-        self.rename = page_button(
-            "preset_rename", "Rename", f"{own} ({key_text(_PLACE, 'rename')})"
-        )
-        self.delete = page_button(
-            "preset_delete", "Delete", f"{own} ({key_text(_PLACE, 'remove')})"
-        )
-        row = FoldingRow((self.place, self.save, self.rename, self.delete), 4)
-        in_column(row, of=self, margins=0)
+        place, save, rename, delete = buttons
+        super().__init__((place, save, rename, delete), 4)
+        self.place, self.save, self.rename, self.delete = place, save, rename, delete
         self.show_current(False, False)
 
     def show_current(self, exists: bool, own: bool) -> None:
@@ -184,21 +180,21 @@ class PresetFolders(QObject):
 
     def rename(self, entry: Entry, name: str) -> Path:
         """Rename a preset of the user; return its file."""
-        path = entry.path
-        try:
-            path = presets.rename_preset(self.folder, path, name)
-        except SkinSourceError as error:
-            self.failed.emit(str(error))
-        self.read()
-        return path
+        return self._changed(lambda: presets.rename_preset(self.folder, entry.path, name), entry)
 
     def delete(self, entry: Entry) -> None:
         """Delete a preset of the user."""
+        self._changed(lambda: presets.delete_preset(self.folder, entry.path), entry)
+
+    def _changed(self, change: Callable[[], Path | None], entry: Entry) -> Path:
+        """Return the file of a preset after a change."""
+        path = None
         try:
-            presets.delete_preset(self.folder, entry.path)
+            path = change()
         except SkinSourceError as error:
             self.failed.emit(str(error))
         self.read()
+        return path or entry.path
 
     def _watch(self) -> None:
         """Watch the user's folder and its present files, and nothing else."""

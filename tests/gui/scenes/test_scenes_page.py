@@ -74,6 +74,7 @@ def test_the_gallery_lists_all_scenes_and_shows_the_selected_one(window):
     text = page.text.text()
     assert ss.scenes.scene("2F").sentence in text
     assert "Fig. 2F" in text
+    assert page.text.textFormat() == Qt.TextFormat.RichText
     assert "Opens on Synthetic 3 (185 mm)." in text
     assert "SYNTHETIC" in text
     page.list.setCurrentRow(headings.index("2H · A sensation that contracts or expands"))
