@@ -34,6 +34,7 @@ from skinsource_gui.panels.skin.scale import ColourBar
 from skinsource_gui.panels.skin.settings import (
     SKIN,
     STILL,
+    LevelRange,
     SkinSettings,
     chosen_range,
     in_motion,
@@ -290,9 +291,7 @@ class SkinPanel(Panel):
         measure.settings_chosen.connect(lambda _: self.setFocus(Qt.FocusReason.OtherFocusReason))
         measure.arm.clicked.connect(lambda shown: stage.show_arm(shown=shown))
         stage.changed.connect(lambda: measure.arm.setChecked(stage.pan_zoom.fit == WHOLE))
-        self.colour_bar.range_chosen.connect(
-            lambda chosen: self._look(with_range(self.seen, chosen))
-        )
+        self.colour_bar.range_chosen.connect(self._choose_range)
         self.map.readout_changed.connect(self._show_readout)
         self.map.input_pointed_at.connect(self.input_pointed_at)
         self.map.place_pointed_at.connect(self.place_pointed_at)
@@ -308,6 +307,12 @@ class SkinPanel(Panel):
         if settings.quantity == self.seen.quantity:
             settings = replace(settings, quantity=self.settings.quantity)
         self.view_changed.emit(with_settings(self._view, self.name, settings))
+
+    def _choose_range(self, chosen: LevelRange | None) -> None:
+        """Use this range, or fit one to what is shown now."""
+        self.reset_range()
+        self._look(with_range(self.seen, chosen))
+        self._show()
 
     def _edit(self, edit: Callable[..., Edit | Refusal], value: Any) -> None:
         if self._design is not None:

@@ -233,25 +233,13 @@ def measured_between(results: Mapping[str, Any], between_s: Range) -> Measured:
     )
 
 
-def _delay_notes(delay_s: float, *, removed: bool) -> tuple[str, ...]:
-    """Return the notes on the delay after the unit, longest first."""
-    delay = f"{delay_s * 1e3:.3g} ms"
-    if removed or delay_s == 0.0:
-        return ("",)
-    return (
-        f" · responses start ~{delay} late (pre-trigger of the measurement)",
-        f" · starts ~{delay} late (pre-trigger)",
-        f", ~{delay} late",
-        "",
-    )
-
-
 @cache
 def _axis(unit: str, delay_s: float, *, removed: bool) -> XAxis:
     """Return the time axis in ms or s, with a note on the delay."""
-    notes = _delay_notes(delay_s, removed=removed)
+    late = f" · responses start ~{delay_s * 1e3:.3g} ms late (pre-trigger of the measurement)"
+    plain = f"Time ({unit})"
     return XAxis(
-        titles=tuple(f"Time ({unit}){note}" for note in notes),
+        titles=(plain,) if removed or delay_s == 0.0 else (f"{plain}{late}", plain),
         unit=unit,
         column="time_s",
         factor=1e3 if unit == "ms" else 1.0,

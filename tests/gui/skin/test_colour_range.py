@@ -31,11 +31,16 @@ def test_the_automatic_range_stays_while_the_loudest_output_changes_a_little(win
         window.deliver(output_levels_db=window.results["output_levels_db"] + by)
         assert window.panel.colour_bar.value_range == (top - 50.0, top)
     window.deliver()
-    window.deliver(output_levels_db=window.results["output_levels_db"] - 6.0)
-    # Another design begins with its own.
-    window.panel.reset_range()
-    window.deliver(output_levels_db=window.results["output_levels_db"] - 6.0)
-    assert window.panel.colour_bar.value_range == (-65.0, -15.0)
+    for begin in (
+        window.panel.reset_range,  # another design has its own
+        lambda: QTest.mouseDClick(window.panel.colour_bar.strip, LEFT, PLAIN, QPoint(60, 12)),
+    ):
+        window.deliver(output_levels_db=window.results["output_levels_db"] - 6.0)
+        assert window.panel.colour_bar.value_range == (-60.0, -10.0)
+        begin()
+        window.deliver(output_levels_db=window.results["output_levels_db"] - 6.0)
+        assert window.panel.colour_bar.value_range == (-65.0, -15.0)
+        window.deliver()
 
 
 def test_the_automatic_range_spans_snapshots_too_as_loud_as_they_are_shown(window):
