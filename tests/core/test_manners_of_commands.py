@@ -87,7 +87,7 @@ def test_the_import_of_a_limb_names_all_that_is_missing_by_option(run, tmp_path)
     [
         (("export", "--format", "flac", "--out", "d.wav"), "d.wav ends as files of wav do"),
         (("export", "--format", "wav", "--out", "d.csv"), "d.csv ends as files of csv do"),
-        (("pack", "--out", "p.txt"), "p.txt is no name of a zip file"),
+        (("pack", "--out", "p.txt"), "p.txt is not the name of a zip file"),
     ],
 )
 def test_an_ending_that_says_something_else_is_refused(run, tmp_path, arguments, message):

@@ -75,7 +75,7 @@ def test_conditions_are_explained_and_repaired_from_the_chip(window, qtbot, by_k
     assert "mm/s" in card.findChild(QLabel, "validity_drive").text()
     card.findChild(QPushButton, "mend_drive").click()
     qtbot.waitUntil(lambda: state_of(window, "drive") == "kept", timeout=30_000)
-    assert window.document.undo_stack.undoText() == "Play within 40 mm/s"
+    assert window.document.undo_stack.undoText() == "Limit to 40 mm/s"
     qtbot.waitUntil(lambda: window.findChild(ConditionsCard) is None)
 
 

@@ -29,7 +29,7 @@ def not_negative(label: str, unit: str, hint: str = "") -> NumberSpec:
 
 RESISTANCE = positive("Resistance", "Ω", "Of the coil")
 INDUCTANCE = positive("Inductance", "H", "Of the coil")
-FORCE_FACTOR = not_negative("Force factor", "N/A", "Force for each ampere, and volts for each m/s")
+FORCE_FACTOR = not_negative("Force factor", "N/A", "Force per ampere, and volts per m/s")
 MOVING_MASS = positive("Moving mass", "kg")
 DAMPING = not_negative("Damping", "N s/m", "Of the suspension")
 STIFFNESS = not_negative("Stiffness", "N/m", "Of the suspension")
@@ -172,7 +172,6 @@ def _laplace_variable(frequency_hz: ArrayLike) -> Complexes:
 def _check_finite(values: Complexes) -> Complexes:
     if not np.isfinite(values).all():
         raise InvalidInputError(
-            "the response is beyond all floating-point numbers; move the parameters nearer to "
-            "those of real actuators"
+            "the response overflows; choose parameters nearer to those of real actuators"
         )
     return values

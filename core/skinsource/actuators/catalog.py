@@ -128,8 +128,8 @@ def load(name: str) -> Model:
     model = profile(name).model
     if isinstance(model, ResponseShape):
         raise InvalidInputError(
-            f"actuator {quoted(name)} is known by the shape of its response only; take load_shape, "
-            f"or one of {', '.join(names())}"
+            f"actuator {quoted(name)} has only a response shape; use load_shape, or choose one of "
+            f"{', '.join(names())}"
         )
     return model
 
@@ -150,7 +150,7 @@ def load_shape(name: str) -> ResponseShape:
     """
     model = profile(name).model
     if not isinstance(model, ResponseShape):
-        raise InvalidInputError(f"actuator {quoted(name)} has a model; take load")
+        raise InvalidInputError(f"actuator {quoted(name)} has a model; use load")
     return model
 
 

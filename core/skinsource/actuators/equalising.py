@@ -145,7 +145,7 @@ def gain_in_band(actuator: Actuator, band_hz: Band = BAND_HZ) -> Floats:
     if not gain.max() > 0.0:
         raise InvalidInputError(
             f"the actuator does not move from {band_hz[0]:g} to {band_hz[1]:g} Hz, so no equaliser "
-            "can make it; give it a force factor or a coupling above 0"
+            "can help; give it a force factor or a coupling above 0"
         )
     return gain
 
@@ -354,7 +354,7 @@ RESONANCE = NumberSpec(
     maximum=2000.0,
     step=0.01,
     logarithmic=True,
-    hint="That of the actuator, which is taken out",
+    hint="Resonance of the actuator, which the filter removes",
 )
 QUALITY = NumberSpec(
     label="Quality",
@@ -362,13 +362,13 @@ QUALITY = NumberSpec(
     maximum=10_000.0,
     step=0.02,
     logarithmic=True,
-    hint="That of the actuator",
+    hint="Quality factor of the actuator",
 )
 NEW_QUALITY = replace(
     QUALITY,
     label="New quality",
     maximum=10.0,
-    hint="What takes its place; 0.7 rings no longer than it must",
+    hint="Quality factor afterwards; 0.7 rings least",
 )
 
 
@@ -458,12 +458,12 @@ BOOST = NumberSpec(
     minimum=0.0,
     maximum=60.0,
     step=1.0,
-    hint="How much more voltage than where it moves most the filter may ask for",
+    hint="Largest voltage gain, relative to that at the response's peak",
 )
 PHASE = ChoiceSpec(
     label="Phase",
     options=(("linear", "Linear"), ("minimum", "Minimum")),
-    hint="Linear: nothing is delayed, and it begins to swing a little before; minimum: it does not",
+    hint="Linear: no delay, some ringing before the onset; minimum: no such ringing",
 )
 # Grid on which a gain's phase is computed, and floor of the gain relative to its peak.
 _LENGTH, _RATE_HZ, _FLOOR = 2**16, 48_000.0, 1e-5

@@ -125,10 +125,8 @@ def measured_arrays(frequency_hz: ArrayLike, response: ArrayLike) -> tuple[Float
             "expected two rows of equal length, at least 2"
         )
     if not np.isfinite(values).all() or not values.all():
-        raise InvalidInputError(
-            "response holds zeros or values that are no numbers; leave them out"
-        )
+        raise InvalidInputError("response holds zeros or values that are not numbers; remove them")
     if not (rising_hz > 0.0).all():
-        raise InvalidInputError("frequency_hz holds frequencies of 0 or below; leave them out")
+        raise InvalidInputError("frequency_hz holds frequencies of 0 or below; remove them")
     order = np.argsort(rising_hz, kind="stable")
     return rising_hz[order], values.astype(np.complex128)[order]

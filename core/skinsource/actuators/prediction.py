@@ -51,7 +51,7 @@ class Limits(fields.CheckedModel):
     peak_current_a, rms_current_a
         Largest current, and its RMS over the loudest second.
     duty
-        Largest share of the time in which it is driven, above 0 to 1.
+        Largest share of time that it is driven, above 0 to 1.
     """
 
     peak_voltage_v: float | None = fields.field(_limit("Peak voltage", "V", "Largest"), None)
@@ -61,14 +61,14 @@ class Limits(fields.CheckedModel):
     slew_v_per_s: float | None = fields.field(_limit("Slew", "V/s", "Fastest change"), None)
     duration_s: float | None = fields.field(_limit("Duration", "s", "Longest stimulus"), None)
     displacement_m: float | None = fields.field(
-        _limit("Displacement", "m", "Farthest from rest, to either side"), None
+        _limit("Displacement", "m", "Largest distance from rest"), None
     )
     peak_current_a: float | None = fields.field(_limit("Peak current", "A", "Largest"), None)
     rms_current_a: float | None = fields.field(
         _limit("RMS current", "A", "Over the loudest second"), None
     )
     duty: float | None = fields.field(
-        _limit("Duty", "", "Largest share of the time in which it is driven", 1.0), None
+        _limit("Duty", "", "Largest share of time that it is driven", 1.0), None
     )
 
 

@@ -53,14 +53,14 @@ __all__ = [
 
 PLACE = NumberSpec(label="Place", minimum=1, maximum=MOST_LOCATIONS, whole=True)
 NAME = TextSpec(label="Actuator", longest=100, one_line=True)
-DEVICE = TextSpec(label="Device", longest=200, one_line=True, hint="Sound card, as it is called")
+DEVICE = TextSpec(label="Device", longest=200, one_line=True, hint="Name of the sound card")
 OUTPUT = NumberSpec(label="Output", minimum=1, maximum=1024, whole=True, hint="Of the device")
 FULL_SCALE = OptionalSpec(
     label="Full scale",
     of=NumberSpec(label="Full scale", unit="V", minimum=SMALLEST, maximum=1e6),
-    hint="Volts at the connector of the device where a sample is 1",
+    hint="Volts at the device output for a sample of 1",
 )
-GAIN = NumberSpec(label="Amplifier gain", minimum=SMALLEST, maximum=1e6, hint="Volts for each volt")
+GAIN = NumberSpec(label="Amplifier gain", minimum=SMALLEST, maximum=1e6, hint="Volts per volt")
 POLARITY = ChoiceSpec(
     label="Polarity",
     options=(("normal", "Normal"), ("inverted", "Inverted")),

@@ -18,7 +18,7 @@ def add_to(subparsers: Any) -> None:
     parser = subparsers.add_parser(
         "check",
         help="check linearity and superposition, and agreement with recorded responses",
-        description="For each design: whether outputs are in proportion to inputs, whether inputs "
+        description="For each design: whether outputs are proportional to inputs, whether inputs "
         "add up, and, with --measured, the figures of the paper's Fig. 4 against recorded "
         "responses (CSV, NPZ, MATLAB, HDF5: times by outputs and axes).",
     )
@@ -35,13 +35,13 @@ def add_to(subparsers: Any) -> None:
         "--axes",
         default="",
         choices=tuple(word.name for word in AXES),
-        help="axes that were recorded; all of the limb unless given",
+        help="recorded axes (default: all axes of the limb)",
     )
     parser.add_argument(
         "--rate",
         type=float,
         metavar="HZ",
-        help="rate of recordings that say none; that of the limb unless given",
+        help="rate of recordings that state none (default: that of the limb)",
     )
     parser.add_argument("--out", type=Path, metavar="FILE", help="an HTML report to write")
     parser.set_defaults(run=_check)

@@ -34,8 +34,8 @@ def add_to(subparsers: Any) -> None:
     show = subparsers.add_parser(
         "show",
         help="show what is in a design file, and its levels",
-        description="Shows what is in a design file, conditions of the measurement that it does "
-        "not keep, and the level at each output as a table.",
+        description="Shows the content of a design file, the conditions of the measurement that it "
+        "does not meet, and a table with the level at each output.",
     )
     render = subparsers.add_parser(
         "render",
@@ -46,9 +46,9 @@ def add_to(subparsers: Any) -> None:
     film = subparsers.add_parser(
         "film",
         help="write the vibration of a design file in slow motion: MP4, WebM or GIF",
-        description="Writes how the vibration travels over hand and arm, in slow motion; places "
-        "that play are ringed. The time axis of the file is filmed. Needs the extras plot and "
-        "video.",
+        description="Writes a film of the vibration on hand and arm in slow motion; rings mark "
+        "active inputs. It covers the time range of the view in the file. Needs the extras plot "
+        "and video.",
     )
     film.add_argument(
         "--out", type=Path, required=True, metavar="FILE", help="a .mp4, .webm or .gif file"
@@ -63,7 +63,7 @@ def add_to(subparsers: Any) -> None:
         "--slow-motion",
         type=float,
         metavar="X",
-        help="how many times slower than it happens (default: 20, or as slow as waves need)",
+        help="how many times slower than real time (default: 20, or more for fast waves)",
     )
     film.set_defaults(run=_film)
     for parser in (show, render, film):
@@ -200,7 +200,7 @@ def _add_pack(subparsers: Any) -> None:
 def _pack(arguments: argparse.Namespace) -> int:
     if arguments.out.suffix.lower() != ".zip":
         raise InvalidInputError(
-            f"{printable(arguments.out.name)} is no name of a zip file. Call it *.zip."
+            f"{printable(arguments.out.name)} is not the name of a zip file. Call it *.zip."
         )
     content = open_design(arguments.design)
     rig = None if arguments.rig is None else open_rig(arguments.rig)

@@ -17,12 +17,12 @@ from skinsource.export.stimulus_export.options import Nothing, StimulusOptions
 from skinsource.export.wiring import export_wiring
 
 _TIME_OPTIONS = {
-    "--from": ("from_s", "begin of the part of the design that is exported"),
-    "--to": ("to_s", "its end"),
-    "--lead-in": ("lead_in_s", "silence before it (default: 0.1 s with an equaliser)"),
-    "--tail": ("tail_s", "silence after it (default: 0.1 s with an equaliser)"),
-    "--fade-in": ("fade_in_s", "fade at its begin"),
-    "--fade-out": ("fade_out_s", "fade at its end"),
+    "--from": ("from_s", "start of the exported part of the design"),
+    "--to": ("to_s", "end of the exported part"),
+    "--lead-in": ("lead_in_s", "silence before the stimulus (default: 0.1 s with an equaliser)"),
+    "--tail": ("tail_s", "silence after the stimulus (default: 0.1 s with an equaliser)"),
+    "--fade-in": ("fade_in_s", "fade at the start"),
+    "--fade-out": ("fade_out_s", "fade at the end"),
 }
 
 
@@ -45,13 +45,13 @@ def add_to(subparsers: Any) -> None:
         "--format",
         choices=export_formats(),
         metavar="FORMAT",
-        help="one of those below (default: as the ending of PATH says)",
+        help="one of those below (default: from the ending of PATH)",
     )
-    add("--confirm", action="store_true", help="write it even though samples clip or limits pass")
+    add("--confirm", action="store_true", help="write even if samples clip or limits are exceeded")
     add(
         "--accept-loss",
         action="store_true",
-        help="write it even though a channel loses more than 1 dB of its energy to the rate",
+        help="write even if a channel loses more than 1 dB of its energy at this rate",
     )
     add_time = parser.add_argument_group("time").add_argument
     add_time("--rate", type=int, metavar="HZ", help="sample rate (default: that of the format)")
@@ -80,12 +80,12 @@ def add_to(subparsers: Any) -> None:
 
 def _add_channels(add: Any) -> None:
     add("--inputs", type=int, nargs="+", metavar="N", help="only these inputs, by number")
-    add("--per", choices=("place", "input"), default="place", help="what has a channel of its own")
+    add("--per", choices=("place", "input"), default="place", help="what gets its own channel")
     add(
         "--file-per-input",
         dest="one_file_per_input",
         action="store_true",
-        help="a file of one channel for each input",
+        help="one file with one channel for each input",
     )
     add("--sync", action="store_true", help="add a channel that marks time 0, or --from")
     add(
@@ -95,7 +95,7 @@ def _add_channels(add: Any) -> None:
         nargs="+",
         default=(),
         metavar="N",
-        help="for each output of the device the channel that it gets; 0: none",
+        help="channel of each output of the device, in order; 0: none",
     )
 
 
@@ -104,14 +104,14 @@ def _add_numbers(add: Any) -> None:
         "--full-scale",
         type=float,
         metavar="X",
-        help="drive that is full scale, in its unit (default: the largest sample)",
+        help="drive at full scale, in its unit (default: the largest sample)",
     )
     add(
         "--dither",
         dest="dither_seed",
         type=int,
         metavar="SEED",
-        help="dither whole numbers, with this seed",
+        help="add dither to integer samples, with this seed",
     )
     for name, (formats, options) in _choices().items():
         add(
@@ -127,9 +127,9 @@ def _add_rig(add: Any) -> None:
     add(
         "--equalise",
         choices=("linear", "minimum", "none"),
-        help="make volts of accelerations, with this phase (default: as the design says)",
+        help="convert accelerations to volts, with this phase (default: from the design)",
     )
-    add("--boost", type=float, metavar="DB", help="most that --equalise boosts (default: 20)")
+    add("--boost", type=float, metavar="DB", help="largest boost of --equalise (default: 20)")
 
 
 def _choices() -> dict[str, tuple[list[str], list[str]]]:

@@ -23,12 +23,12 @@ def add_to(subparsers: Any) -> None:
     rig = subparsers.add_parser(
         "rig",
         help="measure the actuators of a rig",
-        description="Rigs: what is wired to which output, and how it answers. Play > Rig… of the "
-        "studio describes one.",
+        description="A rig says what is wired to which output, and how it responds. To edit one, "
+        "use Play > Rig… in the studio.",
     )
     actions = rig.add_subparsers(title="actions", metavar="ACTION", required=True)
     _add_measure(actions)
-    parser = actions.add_parser("devices", help="show what can be played on and recorded from")
+    parser = actions.add_parser("devices", help="list devices for playback and recording")
     parser.set_defaults(run=_devices)
 
 
@@ -38,7 +38,7 @@ def _add_measure(actions: Any) -> None:
         "measure", help="measure a channel with an accelerometer", description=_MEASURE
     )
     parser.add_argument("rig", type=Path, metavar="RIG", help="a .skinrig file")
-    parser.add_argument("--out", type=Path, metavar="FILE", help="rig to write (default: the same)")
+    parser.add_argument("--out", type=Path, metavar="FILE", help="rig to write (default: RIG)")
     add = parser.add_argument_group("channel and accelerometer").add_argument
     add("--place", type=int, required=True, metavar="N", help="of the channel")
     add(
@@ -46,14 +46,14 @@ def _add_measure(actions: Any) -> None:
         type=float,
         required=True,
         metavar="V",
-        help="of the accelerometer, V per m/s² (100 mV per g is 0.0102)",
+        help="sensitivity of the accelerometer, V per m/s² (100 mV per g is 0.0102)",
     )
     add(
         "--input-volts",
         type=float,
         required=True,
         metavar="V",
-        help="at the input where a recorded sample is 1",
+        help="volts at the input for a recorded sample of 1",
     )
     add("--input", type=int, default=default.input_number, metavar="N", help="from 1")
     add(
@@ -61,7 +61,7 @@ def _add_measure(actions: Any) -> None:
         type=int,
         default=default.loopback_input,
         metavar="N",
-        help="input that is wired to the output, to tell the delay (default: none)",
+        help="input that is wired to the output, to measure the delay (default: none)",
     )
     add = parser.add_argument_group("sweeps").add_argument
     add(
@@ -79,12 +79,12 @@ def _add_measure(actions: Any) -> None:
         nargs=2,
         default=default.band_hz,
         metavar="HZ",
-        help="lowest and highest frequency that are wanted (default: 20 1000)",
+        help="lowest and highest frequency to measure (default: 20 1000)",
     )
     add = parser.add_argument_group("audio devices").add_argument
     add("--rate", type=int, default=output.sample_rate_hz, metavar="HZ")
-    add("--device", default="", metavar="NAME", help="where the rig names none (default: usual)")
-    add("--input-device", default="", metavar="NAME", help="default: the one that is played on")
+    add("--device", default="", metavar="NAME", help="default: that of the rig, or the system")
+    add("--input-device", default="", metavar="NAME", help="default: the playback device")
     parser.set_defaults(run=_measure)
 
 

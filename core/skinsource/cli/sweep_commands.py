@@ -19,22 +19,22 @@ def add_to(subparsers: Any) -> None:
         "sweep",
         help="measure many stimuli: designs x frequencies x places x ...",
         description="Measures all combinations that a TOML file names, on all cores, and writes "
-        "stimuli.csv with one row for each. Run again after it was stopped, it goes on.",
-        epilog="A stimulus that cannot be measured is left out: its row says why, all others are "
-        "measured. Ends with 0 where all rows were measured, with 1 where one was left out or the "
-        "sweep could not be run, with 130 where it was stopped.",
+        "stimuli.csv with one row for each. Run it again after a stop, and it continues.",
+        epilog="A stimulus that cannot be measured is left out, and its row says why. Exit codes: "
+        "0, all rows were measured; 1, one was left out or the sweep could not run; 130, it was "
+        "stopped.",
     )
     sweep.add_argument("sweep", type=Path, metavar="SWEEP", help="a .toml file")
     sweep.add_argument(
-        "--out", type=Path, required=True, metavar="FOLDER", help="where to write, and to go on"
+        "--out", type=Path, required=True, metavar="FOLDER", help="folder to write or continue in"
     )
     sweep.add_argument(
-        "--processes", type=int, metavar="N", help="how many measure at once (default: all cores)"
+        "--processes", type=int, metavar="N", help="number of processes (default: all cores)"
     )
     sweep.add_argument(
         "--scheduler",
         metavar="ADDRESS",
-        help="of a Dask cluster that measures instead: tcp://host:8786",
+        help="address of a Dask cluster that measures instead: tcp://host:8786",
     )
     sweep.set_defaults(run=_sweep)
 

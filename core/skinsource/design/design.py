@@ -41,13 +41,13 @@ AMPLITUDE = NumberSpec(
     minimum=-1000.0,
     maximum=1000.0,
     step=0.05,
-    hint="A negative amplitude turns the polarity",
+    hint="A negative amplitude inverts the polarity",
 )
 #: For an input whose amplitude is a plain factor, see `skinsource.design.amplitudes.is_gain`.
 AMPLITUDE_GAIN = replace(
     AMPLITUDE,
     label="Gain",
-    hint="Factor on what was recorded. A negative gain turns the polarity",
+    hint="Factor on the recording; a negative gain inverts the polarity",
 )
 
 TITLE = TextSpec(label="Title", longest=200, one_line=True)
@@ -58,14 +58,14 @@ LICENCE = TextSpec(label="Licence", longest=2_000)
 CLIPS = ListSpec(label="Clips", of=ModelSpec(label="Clip", kinds=lambda: (Clip,)), most=MAX_CLIPS)
 GAIN_CURVE = CurveSpec(
     label="Gain curve",
-    hint="What all clips of the track are multiplied with, over the time of the design",
+    hint="Factor on all clips of the track, over time",
     x=NumberSpec(label="Time", unit="s", minimum=0.0, maximum=LATEST_S),
     y=NumberSpec(label="Gain", minimum=0.0, maximum=1000.0),
     fewest=0,
     most=1000,
 )
 MUTED = SwitchSpec(label="Mute", hint="A muted input is silent")
-SOLO = SwitchSpec(label="Solo", hint="Where any input is solo, only solo inputs are heard")
+SOLO = SwitchSpec(label="Solo", hint="If any input is solo, only solo inputs play")
 COLOUR = NumberSpec(label="Colour", minimum=0, maximum=2**31 - 1, whole=True)
 
 LIMB = TextSpec(label="Limb", longest=200, one_line=True)

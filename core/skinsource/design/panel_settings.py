@@ -69,12 +69,12 @@ ALL, FREQUENCY, AMPLITUDE, ONSET = "all", "frequency", "amplitude", "onset"
 CONTROL = ChoiceSpec(
     label="Knob",
     options=(
-        (ALL, "First that applies"),
+        (ALL, "Automatic"),
         (FREQUENCY, "Frequency"),
         (AMPLITUDE, "Amplitude"),
         (ONSET, "Onset"),
     ),
-    hint="The one number that is turned in front of people",
+    hint="Number that the knob changes",
 )
 COMPARED = SwitchSpec(label="Compared", hint="Show what the Compare panel compares")
 PLOT = ChoiceSpec(

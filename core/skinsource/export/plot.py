@@ -968,7 +968,7 @@ def strip(
     n = min(windowed.windows.count, MOST_MAPS)
     if n == 0:
         raise InvalidInputError(
-            "no whole window fits into the response; choose a shorter one, or a longer stimulus"
+            "no whole window fits into the response; choose a shorter window, or a longer stimulus"
         )
     return _strip_figure(windowed, n, range_db, title)
 

@@ -54,7 +54,7 @@ def change_motion(design: Design, view: View, index: int, motion: Motion) -> Edi
 def _with_motion(design: Design, view: View, motion: Motion, index: int | None) -> Edit | Refusal:
     if not isinstance(motion, Motion):
         return Refusal(
-            sentence=f"{quoted(motion)} is no motion; make one of skinsource.design.motions."
+            sentence=f"{quoted(motion)} is not a motion; make one of skinsource.design.motions."
         )
     written = motion.tracks()
     old = set() if index is None else set(design.motions[index].clips)

@@ -62,7 +62,7 @@ class Drawn(HoldsSamples):
 
 
 RECORDING_SAMPLES = SamplesSpec(label="Samples", unit=None, hint="What was recorded")
-NAME = TextSpec(label="Name", longest=200, one_line=True, hint="Where it comes from")
+NAME = TextSpec(label="Name", longest=200, one_line=True, hint="Source of the recording")
 SOURCE_RATE = OptionalSpec(
     label="Recorded at",
     of=NumberSpec(label="Recorded at", unit="Hz", minimum=1e-6, maximum=1e9),
@@ -168,12 +168,12 @@ PARTS = ListSpec(
     of=ModelSpec(label="Clip", kinds=lambda: (Clip,)),
     fewest=1,
     most=MAX_PARTS,
-    hint="Clips, as they lie to each other",
+    hint="Clips with their relative onsets",
 )
 MODE = ChoiceSpec(
     label="Together",
     options=(("sum", "Sum"), ("product", "Product")),
-    hint="A product is 0 where one of the parts does not play",
+    hint="A product is 0 where any part is silent",
 )
 
 

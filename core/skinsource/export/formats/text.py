@@ -55,7 +55,7 @@ class Csv(StimulusFormat):
                 ("keysight", "Keysight M8190 series"),
                 ("pwl", "Time and value, one channel"),
             ),
-            hint="A table says what its columns are; generators and simulators want less",
+            hint="Tables name their columns; generators and simulators read numbers only",
         )
     }
 

@@ -171,8 +171,8 @@ def write_prepared(
     objections = ready.objections
     if objections and not confirmed:
         raise NotConfirmedError(
-            f"{' '.join(objections)} Nothing was written. Lower the amplitudes, choose a larger "
-            "full scale, or confirm that it shall be written all the same (--confirm)."
+            f"{' '.join(objections)} Lower the amplitudes, choose a larger full scale, or confirm "
+            "that it is written anyway (--confirm)."
         )
     paths = tuple(path.with_name(file.name) for file in ready.files)
     with ExitStack() as stack:

@@ -76,6 +76,6 @@ class StimulusOptions:
             real_number("full_scale", self.full_scale, expected, least=least, most=1e30)
         if self.one_file_per_input and self.channel_map:
             raise InvalidInputError(
-                "channel_map says what each output of one file gets, and each input shall have a "
-                "file of its own. Leave one of them out."
+                "channel_map is for one file, and file_per_input writes several. Remove one of "
+                "them."
             )

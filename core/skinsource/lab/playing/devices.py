@@ -134,9 +134,9 @@ def output_from_text(text: str) -> Output:
 
 
 _LIBRARY = (
-    "PortAudio is not installed, without which nothing can be played. On Linux it is a package of "
-    "the system: sudo apt install libportaudio2 (Debian, Ubuntu), sudo dnf install portaudio "
-    "(Fedora). Then start the studio again."
+    "PortAudio, which playback needs, is not installed. On Linux, install it with: sudo apt "
+    "install libportaudio2 (Debian, Ubuntu), sudo dnf install portaudio (Fedora). Then start the "
+    "studio again."
 )
 
 
@@ -159,7 +159,7 @@ def sound_library() -> ModuleType:
         raise NothingToPlayOnError(f"{_LIBRARY} ({printable(error)})") from error
 
 
-_NO_DEVICE = "No device to play on was found. Connect one and look again."
+_NO_DEVICE = "No audio device was found. Connect one and press Refresh."
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -255,8 +255,8 @@ def device_of(output: Output, known_devices: Sequence[Device]) -> Device:
         if device.name == output.device and output.host_api in ("", device.host_api):
             return device
     raise PlaybackError(
-        f"The device {quoted(output.device)} is not there. Connect it and look again, or choose "
-        f"another; there {'is' if len(known_devices) == 1 else 'are'} "
+        f"The device {quoted(output.device)} was not found. Connect it and press Refresh, or "
+        f"choose another; there {'is' if len(known_devices) == 1 else 'are'} "
         f"{', '.join(device.name for device in known_devices[:5])}."
     )
 
@@ -272,10 +272,9 @@ def check_outputs(device: Device, outputs: Mapping[int, int]) -> None:
     place, output = max(outputs.items(), key=lambda pair: pair[1], default=(0, 0))
     if output > device.n_outputs:
         raise PlaybackError(
-            f"{device.name} has {counted(device.n_outputs, 'output')}, "
-            f"and place {place} is to play on output "
-            f"{output}. Mute what has no actuator, give it another output, or choose another "
-            "device."
+            f"{device.name} has {counted(device.n_outputs, 'output')}, and place {place} is "
+            f"assigned to output {output}. Mute what has no actuator, give it another output, or "
+            "choose another device."
         )
 
 

@@ -189,5 +189,5 @@ def _check_length(stimulus: Stimulus, rate_hz: int) -> None:
     if samples > MOST_SAMPLES:
         raise InvalidInputError(
             f"The design lasts {stimulus.duration_s:.4g} s on {len(stimulus.channels)} outputs, "
-            f"which is too much to be held at {rate_hz} Hz. Choose a lower rate, or mute inputs."
+            f"which does not fit into memory at {rate_hz} Hz. Choose a lower rate, or mute inputs."
         )

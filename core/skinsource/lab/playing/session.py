@@ -373,7 +373,7 @@ def _check_rig_device(rig: Rig | None, device: Device) -> None:
     for channel in rig.channels if rig is not None else ():
         if channel.device and channel.device not in (device.name, device.title):
             raise PlaybackError(
-                f"The rig is wired to {quoted(channel.device)}, and {device.name} is chosen. "
+                f"The rig is wired to {quoted(channel.device)}, but {device.name} is chosen. "
                 "Choose that device, another rig, or none."
             )
 

@@ -19,10 +19,7 @@ from skinsource.limbs.dataset.published import (
 )
 from skinsource.limbs.dataset.store import StoreInfo
 
-STOPPED = (
-    "Downloading was stopped; what has arrived is kept, and 'skinsource dataset fetch' goes on "
-    "from there."
-)
+STOPPED = "Downloading was stopped; 'skinsource dataset fetch' continues where it stopped."
 _GO_ON = "Check the connection and run 'skinsource dataset fetch' again"
 _CONNECT_S, _READ_S = 10.0, 30.0
 _PIECE_BYTES = 2**16
@@ -129,7 +126,7 @@ def _first_byte(answer: Any) -> int | None:
 
 def _failure_text(file: RemoteFile, part: Path, reason: str) -> str:
     have = _size(part)
-    progress_note = f"; {have} of {file.size_bytes} bytes have arrived and are kept" if have else ""
+    progress_note = f"; {have} of {file.size_bytes} bytes are downloaded" if have else ""
     return f"{file.url}: cannot be downloaded ({reason}){progress_note}. {_GO_ON}."
 
 
