@@ -109,8 +109,8 @@ class AccuracyPlot(Figure):
 
 
 _TITLE = "Measuring accuracy and speed"
-_BEGIN = "Measuring takes about half a minute; other work would spoil the times."
-_CANCELLED = "Cancelled. Nothing was kept."
+_BEGIN = "Measuring takes about half a minute; other work would distort the times."
+_CANCELLED = "Cancelled. Nothing was stored."
 _SIZE_PX = (1180, 640)
 
 
@@ -249,7 +249,7 @@ class AccuracyPage(ToolPage):
 
     def _take(self, _job: Job[Any], rows: tuple[Row, ...]) -> None:
         self._show_rows(rows)
-        self.say("Choose a row: its case is named in the plot.")
+        self.say("Choose a row: the plot names its case.")
         self.table.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def _show_running(self) -> None:

@@ -309,7 +309,7 @@ def stimulus_text(design: Design) -> str:
     parts = [_input_text(track, design) for track in audible[:_MOST_INPUTS]]
     if len(audible) > _MOST_INPUTS:
         parts.append(f"and {counted(len(audible) - _MOST_INPUTS, 'more input')}")
-    return "; ".join(parts) or "Silent: nothing is driven"
+    return "; ".join(parts) or "No active input"
 
 
 def stimuli_text(named: Sequence[Named]) -> str:
@@ -514,7 +514,7 @@ KIND = ChoiceSpec(
 LAYOUT = ChoiceSpec(
     label="For",
     options=((OWN, "Custom size"), *((layout.name, layout.title) for layout in LAYOUTS)),
-    hint="Width and height for a column of a paper, a slide, or a poster",
+    hint="Size for a paper column, a slide or a poster",
 )
 _SIDE: dict[str, Any] = {
     "unit": "px",

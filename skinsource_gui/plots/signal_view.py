@@ -336,7 +336,7 @@ class SignalView(QtWidgets.QWidget):
         self._cursors = self.add_switch_in_menu(
             "cursors",
             "Cursors",
-            "Measure between two lines; drag them, or keys I and O at the crosshair",
+            "Measure between two lines; drag them, or press I and O",
             self._ask_cursors,
         )
         self.toolbar.everything_requested.connect(self._show_everything)

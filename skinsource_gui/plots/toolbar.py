@@ -58,7 +58,7 @@ class PlotToolbar(QtWidgets.QWidget):
         self._rows.addLayout(self._segments)
         self._rows.addLayout(self._row, 1)
         self._row.addStretch(1)
-        self._everything = self._button("show-all", "Show all", "Leave the zoom (key 0)")
+        self._everything = self._button("show-all", "Show all", "Reset zoom (key 0)")
         self._everything.setCheckable(False)
         self._everything.clicked.connect(self.everything_requested)
         self._everything.setVisible(False)

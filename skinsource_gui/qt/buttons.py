@@ -256,7 +256,7 @@ def solo_button(parent: QtWidgets.QWidget | None = None) -> LetterButton:
     """Return the button that silences all other inputs."""
     button = LetterButton("S", "Solo", "accent", parent)
     button.setObjectName("solo_button")
-    button.setToolTip(f"Solo: only inputs with S are driven ({key_text('inputs', 'solo')})")
+    button.setToolTip(f"Solo: play only solo inputs ({key_text('inputs', 'solo')})")
     return button
 
 

@@ -15,7 +15,7 @@ from skinsource.design.view import View
 #: The note where designs are shown with matched levels.
 LEVELS_MATCHED = "levels matched"
 #: The note in place of a design that drives nothing.
-SILENT = "Silent: nothing is driven"
+SILENT = "No active input"
 #: Why two designs have no difference map.
 SILENCE = "One of them is silent: there is no difference in dB."
 ELSEWHERE = "Their limbs have their outputs at other places: there is no difference."

@@ -278,9 +278,9 @@ class Comparison(QObject):
         replaced = " in place of another, which Undo brings back"
         replacement = replaced if document.undo_stack.index() > steps else ""
         other = other_snapshot(document.view.snapshots, document.design)
-        hint = "change the design, and X goes to and fro"
+        hint = "change the design, and X switches"
         if other is not None:
-            hint = f"X shows {snapshot_name(other.number)}, and this again"
+            hint = f"X shows {snapshot_name(other.number)}, then this again"
         self.done.emit(f"Stored snapshot {number}{replacement}; {hint}")
 
     def forget_problems(self) -> None:

@@ -57,7 +57,8 @@ def test_the_chip_names_what_a_design_leaves(qtbot, states, text):
     qtbot.addWidget(chip)
     chip.show_findings(FINDINGS)
     assert chip.worst == "band"
-    assert chip.accessibleDescription() == "band: caution\ndrive: unknown\nnoise: kept"
+    described = "frequency range: caution\nprobe velocity: unknown\nnoise: OK"
+    assert chip.accessibleDescription() == described
 
 
 @pytest.mark.parametrize("by_key", [False, True])

@@ -78,7 +78,7 @@ def findings_lines(findings: Findings) -> list[str]:
 
 
 _FIELD = re.compile(r"(\{:[^}]*\})")
-_NOT_JUDGED = "whether conditions of the measurement are kept was not judged"
+_NOT_JUDGED = "conditions of the measurement were not checked"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

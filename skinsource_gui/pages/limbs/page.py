@@ -30,7 +30,7 @@ from skinsource_gui.state.job_runner import JobProgress, JobRunner, PageJobs
 from skinsource_gui.state.preferences import InstalledLimbs
 
 _NO = QtWidgets.QMessageBox.StandardButton.No
-_LOST = "Its responses cannot be had back from here"
+_LOST = "Its responses cannot be restored"
 
 
 def ask_to_replace(parent: QtWidgets.QWidget, name: str) -> bool:
@@ -60,7 +60,7 @@ def _limb_text(name: str) -> str:
 
 
 _NONE = "No limb was imported yet."
-_DAMAGED = "Damaged: import it again."
+_DAMAGED = "Damaged; import it again."
 
 
 class OwnList(QtWidgets.QWidget):
@@ -192,15 +192,15 @@ class LimbPage(ToolPage):
         self.click.set_value("inputs")
         self._back = self.add_button(
             "remove_last",
-            "Take back",
+            "Remove last",
             "Remove the point clicked last",
             lambda: self._take(self.draft.without_last(self.click.value)),
         )
         self._import = self.add_button(
-            "import_limb", "Import", "Check all of it, and keep it", self._start
+            "import_limb", "Import", "Check and store the limb", self._start
         )
         self._cancel = self.add_button(
-            "cancel_import", "Cancel", "Stop it; nothing is kept of it", self._jobs.cancel
+            "cancel_import", "Cancel", "Stop the import; nothing is stored", self._jobs.cancel
         )
         self._close = self.add_button("close_page", "Close", "Close; an import goes on", self.close)
         self._lay_out()

@@ -220,7 +220,7 @@ class StimulusPart(ExportPart):
         self._notes = page_label("stimulus_loses", tone="dim")
         self._notes.setTextFormat(Qt.TextFormat.PlainText)
         self._preparing = PreparingBar()
-        self._confirm = QtWidgets.QCheckBox("Write it all the same")
+        self._confirm = QtWidgets.QCheckBox("Write anyway")
         self._confirm.setObjectName("stimulus_confirm")
         self._confirm.hide()
         self._copy = page_button("stimulus_copy_methods", "", "Text for the methods of a paper")

@@ -548,7 +548,7 @@ class SpectrumStrip(QtWidgets.QWidget):
         if shown == self._shown:
             return
         self._shown, self.outside = shown, 0.0
-        text = "In which band this limb was measured is not known"
+        text = "The measured band of this limb is unknown"
         if samples is not None and not samples.size:
             samples = None
         if band_hz is not None:

@@ -64,7 +64,7 @@ class LimbsButton(QtWidgets.QToolButton):
         self.setText("Limbs…")
         # The dots in the text show that a menu opens.
         self.setStyleSheet("QToolButton::menu-indicator { image: none; }")
-        self.setToolTip("Which limbs are shown, two to six")
+        self.setToolTip("Limbs to show, two to six")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
         self.menu_of_limbs = QtWidgets.QMenu(self)
@@ -79,7 +79,7 @@ class LimbsButton(QtWidgets.QToolButton):
         """Offer the limbs that there are now."""
         menu = self.menu_of_limbs
         menu.clear()
-        usual = menu.addAction("Those that belong together")
+        usual = menu.addAction("Related limbs")
         usual.setToolTip("The four of one kind, or own limbs with the same outputs")
         usual.setCheckable(True)
         usual.setChecked(self._usual)
@@ -146,13 +146,13 @@ class ChoicesBar(QtWidgets.QWidget):
         self.frequencies = NumbersEditor(FREQUENCIES, self)
         self.frequencies.setObjectName("compare_frequencies")
         self.frequencies.edited.connect(lambda numbers, _: self._change(frequencies_hz=numbers))
-        hint = "Show snapshots as loud as each other at their loudest output"
+        hint = "Show snapshots equally loud at their loudest output"
         self.match = tool_button(self, "compare_match", "Match levels", hint, checkable=True)
         self.match.clicked.connect(partial(self.action_requested.emit, "match_levels"))
-        hint = "Show the other one of the last two that were shown"
+        hint = "Switch between the last two that were shown"
         self.toggle = tool_button(self, "compare_toggle", "A/B (X)", hint)
         self.toggle.clicked.connect(partial(self.action_requested.emit, "toggle_snapshots"))
-        hint = "Keep the design of a file as a snapshot, and show it here"
+        hint = "Store the design of a file as a snapshot"
         self.file = tool_button(self, "compare_file", "From file…", hint)
         self.file.clicked.connect(partial(self.action_requested.emit, "take_snapshot"))
         parts = self.of, self.shown, self.own_maximum, self.limbs, self.frequencies

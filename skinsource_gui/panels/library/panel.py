@@ -33,13 +33,13 @@ class LibraryButtons(QtWidgets.QWidget):
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         place_hint = (
-            f"Place it at the playhead, on the selected track ({key_text(_PLACE, 'place')}); or "
-            "drag it onto a place of the hand or a track"
+            f"Add it at the playhead, on the selected track ({key_text(_PLACE, 'place')}); or drag "
+            "it to a place or a track"
         )
         self.place = page_button("preset_place", "Place", place_hint)
-        save_hint = "Keep clips, or the whole design, in the library"
+        save_hint = "Save clips or the whole design to the library"
         self.save = page_button("preset_save", "Save…", save_hint)
-        own = "Only your own"
+        own = "Only your own presets"
         self.rename = page_button(
             "preset_rename", "Rename", f"{own} ({key_text(_PLACE, 'rename')})"
         )
@@ -218,7 +218,7 @@ class PresetFolders(QObject):
 
 
 _WIDE_PX, _HIGH_PX = 340, 440
-_NOTHING = "No preset is like that. Search for other words, or choose all tags."
+_NOTHING = "No matches. Search for other words, or choose all tags."
 _NO = QtWidgets.QMessageBox.StandardButton.No
 
 
@@ -349,8 +349,8 @@ class LibraryPanel(Panel):
 
     def _delete(self, entry: Entry) -> None:
         question = (
-            f"Delete “{entry.preset.name}” from your library? It cannot be taken back; designs in "
-            "which it was placed keep it."
+            f"Delete “{entry.preset.name}” from your library? This cannot be undone; designs that "
+            "use it are not changed."
         )
         if ask_yes(self, "Delete from the library", question, otherwise=_NO):
             self.folders.delete(entry)

@@ -120,9 +120,7 @@ QUANTITY = ChoiceSpec(
         (MAGNITUDE, "In time: magnitude"),
         (RMS, "In time: sliding RMS"),
     ),
-    hint="The level of the whole response; how far it is above the threshold of detection; or what "
-    "the skin does where the playhead is: its acceleration along z with its sign, the length of "
-    "the acceleration, or its RMS over a window",
+    hint="RMS level, level above threshold, or acceleration at the playhead",
 )
 RMS_WINDOW = NumberSpec(
     label="Window",
@@ -130,7 +128,7 @@ RMS_WINDOW = NumberSpec(
     minimum=0.001,
     maximum=0.5,
     step=0.001,
-    hint="What the sliding RMS is taken over; the playhead is in its middle",
+    hint="Window of the sliding RMS, centred on the playhead",
 )
 Z_LIMITS = RangeSpec(label="Limits", unit="m/s²")
 MAP_STYLE = ChoiceSpec(

@@ -96,7 +96,7 @@ CLIP: tuple[ActionSpec, ...] = (
     action(
         "show_clip_editor",
         "Edit clip",
-        "Show the selected clip large; again: go back",
+        "Open the selected clip in the clip editor, or close it",
         "F4",
         command="panel_focus.show",
         argument="clip_editor",
@@ -105,7 +105,7 @@ CLIP: tuple[ActionSpec, ...] = (
     action(
         "draw_clip",
         "Draw clip",
-        "Show the selected clip large, and take the pen",
+        "Draw the selected clip with the pen",
         command="clip_drawing.begin",
         argument="pen",
         enabled=_has_leading_clip,
@@ -114,7 +114,7 @@ CLIP: tuple[ActionSpec, ...] = (
     action(
         "shape_envelope",
         "Shape envelope",
-        "Show the selected clip large, with its envelope",
+        "Edit the envelope of the selected clip",
         command="clip_drawing.begin",
         argument="envelope",
         enabled=_has_leading_clip,
@@ -140,7 +140,7 @@ CLIP: tuple[ActionSpec, ...] = (
     action(
         "fade_in",
         "Fade in",
-        "Let the selected clips begin softly",
+        "Fade the selected clips in",
         edit=partial(_fade, 0),
         enabled=_has_clip,
         checked=partial(_faded, 0),
@@ -149,7 +149,7 @@ CLIP: tuple[ActionSpec, ...] = (
     action(
         "fade_out",
         "Fade out",
-        "Let the selected clips end softly",
+        "Fade the selected clips out",
         edit=partial(_fade, 1),
         enabled=_has_clip,
         checked=partial(_faded, 1),
@@ -183,7 +183,7 @@ CLIP: tuple[ActionSpec, ...] = (
     _on_timeline(
         "remove_clips",
         "Remove clips",
-        "Take the selected clips off their tracks",
+        "Remove the selected clips from their tracks",
         "remove",
         edit=_of_chosen(edits.remove_clips),
         keywords="delete",

@@ -86,8 +86,8 @@ def _key(name: str) -> str:
 
 
 EDIT: tuple[ActionSpec, ...] = (
-    action("undo", "Undo", "Take the last edit back", "Ctrl+Z", command="steps.undo"),
-    action("redo", "Redo", "Do it again", "Ctrl+Shift+Z", "Ctrl+Y", command="steps.redo"),
+    action("undo", "Undo", "Undo the last edit", "Ctrl+Z", command="steps.undo"),
+    action("redo", "Redo", "Redo an undone edit", "Ctrl+Shift+Z", "Ctrl+Y", command="steps.redo"),
     action(
         "cut_clips",
         "Cut clips",
@@ -118,7 +118,7 @@ EDIT: tuple[ActionSpec, ...] = (
     action(
         "save_to_library",
         "Save to library…",
-        "Keep the selected clips, a track or the whole design as a preset",
+        "Save the selected clips, a track or the design as a preset",
         command="library.ask_and_save",
         enabled=_has_clips,
         keywords="preset keep store template reuse",
@@ -126,7 +126,7 @@ EDIT: tuple[ActionSpec, ...] = (
     action(
         "add_input",
         "Add input",
-        "Add an input at the next place without one, as the selected one is",
+        "Add an input like the selected one at the next free place",
         "Ctrl+Shift+N",
         edit=edits.add_input,
         keywords="new track place insert",
@@ -163,7 +163,7 @@ EDIT: tuple[ActionSpec, ...] = (
     action(
         "solo_input",
         "Solo input",
-        "Only solo inputs are felt, all others rest",
+        "Play only solo inputs",
         "Ctrl+Shift+M",
         edit=_of_selected(edits.toggle_solo),
         enabled=_has_selected,
@@ -172,8 +172,8 @@ EDIT: tuple[ActionSpec, ...] = (
     ),
     action(
         "shift_input_up",
-        "Move input up in the list",
-        f"List the selected inputs one place further up ({_key('shift_up')}, in the list)",
+        "Move input up",
+        f"Move the selected inputs up ({_key('shift_up')}, in the list)",
         edit=_of_selected(partial(edits.shift_inputs, down=False)),
         enabled=_has_selected,
         keywords="reorder order sort before",
@@ -181,8 +181,8 @@ EDIT: tuple[ActionSpec, ...] = (
     ),
     action(
         "shift_input_down",
-        "Move input down in the list",
-        f"List the selected inputs one place further down ({_key('shift_down')}, in the list)",
+        "Move input down",
+        f"Move the selected inputs down ({_key('shift_down')}, in the list)",
         edit=_of_selected(partial(edits.shift_inputs, down=True)),
         enabled=_has_selected,
         keywords="reorder order sort after",
@@ -190,8 +190,7 @@ EDIT: tuple[ActionSpec, ...] = (
     action(
         "select_all_inputs",
         "Select all inputs",
-        "Edit, mute, move or remove them together "
-        f"({_key('select_all')}, on the hand and in the list)",
+        f"Edit all inputs together ({_key('select_all')}, on the hand and in the list)",
         edit=edits.select_all_inputs,
         enabled=_has_inputs,
         keywords="several multiple everything",
@@ -200,15 +199,15 @@ EDIT: tuple[ActionSpec, ...] = (
     action(
         "clear_inputs",
         "Remove all inputs",
-        "Empty the hand",
+        "Remove all inputs from the hand",
         edit=edits.clear_inputs,
         enabled=_has_inputs,
         keywords="delete clear actuators",
     ),
     action(
         "select_no_outputs",
-        "Select no outputs",
-        "Empty the selection of outputs",
+        "Deselect outputs",
+        "Clear the selection of outputs",
         "Ctrl+Shift+A",
         edit=_select_no_outputs,
         enabled=_has_outputs,
@@ -219,7 +218,7 @@ EDIT: tuple[ActionSpec, ...] = (
         ActionSpec(
             name=f"store_snapshot_{number}",
             text=f"Store snapshot {number}",
-            hint="Keep the design as it is now, to compare others with it",
+            hint="Store the design, to compare others with it",
             keys=(f"Ctrl+Shift+{number}",),
             keywords="a/b compare keep variant version",
             command="comparison.store",
@@ -232,7 +231,7 @@ EDIT: tuple[ActionSpec, ...] = (
         ActionSpec(
             name=f"show_snapshot_{number}",
             text=f"Show snapshot {number}",
-            hint="Put it in place of the design; Undo brings that back",
+            hint="Replace the design by the snapshot; Undo brings it back",
             keys=(f"Ctrl+{number}",),
             keywords="a/b compare recall variant version",
             command="comparison.recall",
@@ -244,14 +243,14 @@ EDIT: tuple[ActionSpec, ...] = (
     action(
         "take_snapshot",
         "Snapshot from a file…",
-        "Keep the design of a file as a snapshot, to compare this one with it",
+        "Store the design of a file as a snapshot",
         command="files.take_snapshot",
         keywords="a/b compare design file side by side open",
     ),
     action(
         "toggle_snapshots",
-        "Compare with the one before",
-        "Show the other one of the last two snapshots that were shown",
+        "Compare with previous snapshot",
+        "Switch between the last two snapshots that were shown",
         "X",
         command="comparison.toggle",
         enabled=_has_snapshots,
@@ -260,15 +259,15 @@ EDIT: tuple[ActionSpec, ...] = (
     action(
         "match_levels",
         "Match levels of snapshots",
-        "Show snapshots as loud as each other at their loudest output",
+        "Show snapshots equally loud at their loudest output",
         edit=_toggle_match,
         checked=_matched,
         keywords="a/b loudness gain equal snapshot",
     ),
     action(
         "keep_match_gain",
-        "Keep the match gain",
-        "Give the design the amplitudes that it is shown with to match another snapshot",
+        "Apply match gain",
+        "Change the amplitudes to those shown for the matched level",
         edit=edits.keep_match_gain,
         enabled=_has_match_gain,
         keywords="a/b loudness level snapshot amplitude",

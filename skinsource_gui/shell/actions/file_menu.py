@@ -23,7 +23,7 @@ FILE: tuple[ActionSpec, ...] = (
     action(
         "show_scenes",
         "Scenes…",
-        "Open a panel of the paper's figures: what it shows, its source and its design",
+        "Open a panel of the paper's figures as a design",
         command="scenes.show",
         keywords="paper figure gallery example examples demo template interference wavelet",
     ),
@@ -36,15 +36,15 @@ FILE: tuple[ActionSpec, ...] = (
     ),
     action(
         "show_left_over",
-        "Unsaved work of earlier sessions…",
-        "What a studio kept that was ended before its work was saved",
+        "Recover unsaved work…",
+        "Open work that an earlier session did not save",
         command="keeping.show",
         keywords="recover restore autosave crash lost backup",
     ),
     action(
         "import_recording",
         "Import recording…",
-        "Place a signal from a WAV, FLAC, CSV, NPY, MATLAB, HDF5 or other file",
+        "Place a signal from WAV, FLAC, CSV, NPY, MATLAB, HDF5 or others",
         "Ctrl+I",
         command="imports.ask_and_import",
         keywords="open load wav flac aiff ogg csv tsv npy npz mat matlab hdf5 audio",
@@ -59,7 +59,7 @@ FILE: tuple[ActionSpec, ...] = (
     action(
         "check_recording",
         "Check against a recording…",
-        "Hold the prediction against responses that were recorded, and write a report",
+        "Compare the prediction with recorded responses, and write a report",
         command="pages.show_check",
         keywords="measurement validate compare error correlation linearity superposition report",
     ),
@@ -91,8 +91,8 @@ FILE: tuple[ActionSpec, ...] = (
     ),
     action(
         "cancel_job",
-        "Cancel what is running",
-        "Stop the export, installation or benchmark that runs; nothing half done is left",
+        "Cancel task",
+        "Stop the running export, installation or benchmark, and clean up",
         "Ctrl+.",
         command="jobs.cancel",
         keywords="stop abort export installation benchmark",

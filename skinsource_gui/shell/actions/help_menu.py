@@ -16,7 +16,7 @@ HELP: tuple[ActionSpec, ...] = (
     action(
         "show_accuracy",
         "Accuracy and speed…",
-        "What is promised about errors and times, what is measured now, and a benchmark",
+        "Targets and results for errors and times, and a benchmark",
         command="pages.show_accuracy",
         keywords="error benchmark precision performance",
     ),
@@ -31,7 +31,7 @@ HELP: tuple[ActionSpec, ...] = (
     action(
         "show_first_steps",
         "First steps",
-        "Three hints to begin with, as on the first start",
+        "Show the three hints of the first start",
         command="hints.show",
         keywords="tutorial introduction begin start help hints",
     ),
@@ -45,7 +45,7 @@ HELP: tuple[ActionSpec, ...] = (
     action(
         "copy_citation",
         "Copy citation",
-        "Copy what to cite: the paper, the dataset, this version, and the limb of the design",
+        "Copy the citation of paper, dataset, this version and the limb",
         command="exports.copy_citation",
         keywords="cite reference bibliography doi paper clipboard",
     ),

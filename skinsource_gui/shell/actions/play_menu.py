@@ -7,15 +7,15 @@ PLAY: tuple[ActionSpec, ...] = (
     action(
         "play",
         "Animate or stop",
-        "The wave runs over the skin; no actuator moves",
+        "Animate the wave on the skin; no actuator moves",
         "Space",
         command="player.play_or_stop",
         keywords="play run start transport wave time",
     ),
     action(
         "pause",
-        "Pause or go on",
-        "Stop where the playhead is, and go on from there",
+        "Pause or continue",
+        "Pause at the playhead, and continue from there",
         "Shift+Space",
         command="pace.pause",
         keywords="hold freeze frame stop time",
@@ -32,15 +32,15 @@ PLAY: tuple[ActionSpec, ...] = (
     action(
         "stop_at_once",
         "Stop at once",
-        "Silence within a millisecond, actuators off, and the first gain again "
+        "Silence within a millisecond, actuators off, gain reset "
         f"({KEYS['window'].gestures['stop'].shown})",
         command="player.stop_at_once",
         keywords="panic emergency silence halt mute",
     ),
     action(
         "repeat",
-        "Repeat or not",
-        "Play the whole design again and again; a loop on the ruler is repeated in any case",
+        "Loop playback",
+        "Repeat the whole design; a loop on the ruler always repeats",
         "Ctrl+L",
         command="player.toggle_loop",
         keywords="loop cycle again",
@@ -49,7 +49,7 @@ PLAY: tuple[ActionSpec, ...] = (
     action(
         "play_slower",
         "Slower",
-        "Slow motion, up to 200 times slower than it happens: seen, not heard",
+        "Slow motion, up to 200 times slower, without sound",
         "Ctrl+Shift+Left",
         command="pace.slower",
         keywords="slow motion speed time wave animation",
@@ -58,7 +58,7 @@ PLAY: tuple[ActionSpec, ...] = (
     action(
         "play_faster",
         "Faster",
-        "Less slow motion, up to as fast as it happens",
+        "Less slow motion, up to real time",
         "Ctrl+Shift+Right",
         command="pace.faster",
         keywords="slow motion speed time wave animation",
@@ -93,21 +93,21 @@ PLAY: tuple[ActionSpec, ...] = (
     action(
         "match_strength",
         "Matching…",
-        "Make vibrations equally strong by feel: reference and test in turn, stored in a table",
+        "Match vibrations in strength by feel; a table stores the results",
         command="matching.show",
         keywords="equal strength loudness adjustment method person table psychophysics",
     ),
     action(
         "edit_rig",
         "Rig…",
-        "What is wired to what: places, outputs, volts, measured responses, delays, limits",
+        "Wiring: places, outputs, volts, measured responses, delays, limits",
         command="rigs.show",
         keywords="wiring calibration accelerometer volts amplifier polarity skinrig limits channel",
     ),
     action(
         "open_response",
         "Measured response…",
-        "Choose an actuator that was measured: a table, or a recorded sweep",
+        "Load a measured actuator: a table, or a recorded sweep",
         command="rigs.open_response",
         keywords="actuator frequency response accelerometer csv wav sweep equaliser panel",
     ),

@@ -54,7 +54,7 @@ VIEW: tuple[ActionSpec, ...] = (
     action(
         "reset_workspace",
         "Reset arrangement",
-        "Put the panels of this workspace back where they were at first",
+        "Restore the first arrangement of this workspace",
         command="workspaces.reset",
         keywords="arrange layout panels docks default",
     ),
@@ -94,7 +94,7 @@ VIEW: tuple[ActionSpec, ...] = (
     action(
         "next_tab",
         "Show next tab",
-        "Bring the next of the panels that share a place to the front",
+        "Show the next of the panels that share a place",
         "Ctrl+Tab",
         "Ctrl+PgDown",
         command="dock_tabs.next",
@@ -103,7 +103,7 @@ VIEW: tuple[ActionSpec, ...] = (
     action(
         "previous_tab",
         "Show previous tab",
-        "Bring the one before of the panels that share a place to the front",
+        "Show the previous of the panels that share a place",
         "Ctrl+Shift+Tab",
         "Ctrl+PgUp",
         command="dock_tabs.previous",
@@ -121,13 +121,13 @@ VIEW: tuple[ActionSpec, ...] = (
             separated=name == "light",
         )
         for name, hint in (
-            ("light", "Dark words on a light ground"),
-            ("dark", "Light words on a dark ground"),
+            ("light", "Dark text on a light background"),
+            ("dark", "Light text on a dark background"),
             (
                 "contrast",
-                "White words on black, and strong lines, for poor projectors and tired eyes",
+                "White text on black, for poor projectors and tired eyes",
             ),
-            ("system", "As the desktop has it"),
+            ("system", "Follow the desktop"),
         )
     ),
     *(
@@ -146,7 +146,7 @@ VIEW: tuple[ActionSpec, ...] = (
     action(
         "enlarge_text",
         "Larger text",
-        "Make all words larger, for a lecture hall or tired eyes",
+        "Make all text larger, for a lecture hall or tired eyes",
         "Ctrl++",
         "Ctrl+=",
         command="appearance.enlarge_text",
@@ -156,7 +156,7 @@ VIEW: tuple[ActionSpec, ...] = (
     action(
         "shrink_text",
         "Smaller text",
-        "Make all words smaller",
+        "Make all text smaller",
         "Ctrl+-",
         command="appearance.shrink_text",
         keywords="font size zoom small",
@@ -164,16 +164,15 @@ VIEW: tuple[ActionSpec, ...] = (
     action(
         "reset_text",
         "Normal text",
-        "Make words as large as the desktop has them",
+        "Use the text size of the desktop",
         "Ctrl+0",
         command="appearance.reset_text",
         keywords="font size zoom reset",
     ),
     action(
         "present",
-        "Present, or end it",
-        f"The stage over the whole screen; {_presenting('next')}, or a clicker, steps through the "
-        "scenes",
+        "Start or end presentation",
+        f"Show the stage full screen; {_presenting('next')}or a clicker steps through scenes",
         "F9",
         command="presenter.toggle",
         keywords="lecture slides show talk clicker beamer projector full screen scenes",
@@ -182,7 +181,7 @@ VIEW: tuple[ActionSpec, ...] = (
     action(
         "next_scene",
         "Next scene",
-        "Open the next design of this folder, or the next scene of the paper",
+        "Open the next design of this folder, or the next scene",
         "Ctrl+Alt+PgDown",
         command="presenter.next_scene",
         keywords="present lecture step clicker page",
@@ -190,15 +189,15 @@ VIEW: tuple[ActionSpec, ...] = (
     action(
         "previous_scene",
         "Previous scene",
-        "Open the design before this one in its folder, or the scene before",
+        "Open the previous design of this folder, or the previous scene",
         "Ctrl+Alt+PgUp",
         command="presenter.previous_scene",
         keywords="present lecture step clicker page back",
     ),
     action(
         "cover_map",
-        "Cover the map, or reveal it",
-        "Hide what was computed, so that people guess first",
+        "Cover or reveal map",
+        "Hide the results, so that people guess first",
         "Ctrl+Shift+B",
         command="presenter.cover",
         keywords="present lecture hide reveal guess quiz blank",
@@ -206,14 +205,14 @@ VIEW: tuple[ActionSpec, ...] = (
     action(
         "show_notes",
         "Notes of the scene",
-        "Notes and the next scene in a window of their own, for another screen",
+        "Show notes and the next scene in a window of their own",
         command="presenter.show_notes",
         keywords="present lecture speaker second screen",
     ),
     action(
         "toggle_full_screen",
         "Full screen",
-        "The window over the whole screen",
+        "Show the window over the whole screen",
         "F11",
         command="frame.toggle_full_screen",
         keywords="maximise present",

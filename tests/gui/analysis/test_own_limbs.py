@@ -80,7 +80,7 @@ def test_each_panel_of_analysis_says_what_the_limb_says(window, qtbot):
     assert wave.about.text.startswith(f"Along {axis}")
     assert f"level_{axis}_db" in wave.table_text()
     if one_axis:
-        assert "measured along one alone" in panels["main_axis"].figure.message
+        assert "measured along one only" in panels["main_axis"].figure.message
     else:
         assert "sensor 4" in panels["main_axis"].picture.content.text_of(0)
         assert "point another way" not in panels["main_axis"].note_label.text

@@ -75,8 +75,8 @@ def test_a_file_in_the_layout_is_imported_and_can_be_chosen_at_once(
     assert own_limb_names() == ()
     assert asked == [
         (
-            "Remove “Lab 1” (lab-1)? Its responses cannot be had back from here, and its designs "
-            "open read-only.",
+            "Remove “Lab 1” (lab-1)? Its responses cannot be restored, and its designs open "
+            "read-only.",
             NO,
         )
     ]

@@ -97,7 +97,7 @@ SLOT = NumberSpec(
     hint="Time between wavelet centres; longer wavelets overlap",
 )
 FAMILY = ChoiceSpec(
-    label="Wavelet shape",
+    label="Shape",
     options=(("gabor", "Gabor"), ("ricker", "Ricker"), ("hann", "Hann burst")),
     hint="Shape of each wavelet",
 )
