@@ -235,7 +235,7 @@ class AccuracyPage(ToolPage):
         design, chosen = self._document.design, bool(self._limb.currentIndex())
         limb = (design.limb, design.limb_digest) if chosen else ("", "")
         self._show_rows(())
-        self.say("Waiting until other work is done…")
+        self.say("Waiting for other work…")
         self.run.add(Job(_TITLE, partial(measured, *limb)))
 
     def _give_up(self) -> None:

@@ -209,7 +209,7 @@ def levels_of(shown: Design | ArrayLike, limb: Limb | str | None, view: View | N
         )
     if limb is None:
         raise InvalidInputError(
-            "levels need the limb that they belong to: map(levels_db, limb=...); a Design knows it"
+            "levels need their limb; use map(levels_db, limb=...), or hand over a Design"
         )
     loaded = limb_of(limb)
     values = finite_array("levels", shown)
@@ -741,7 +741,7 @@ def _designs(shown: Design | Sequence[Design], labels: Sequence[str]) -> list[De
     if not designs or not all(isinstance(design, Design) for design in designs):
         raise InvalidInputError(f"shown is {quoted(shown)}, expected a Design, or several")
     if labels and len(labels) != len(designs):
-        raise InvalidInputError(f"{len(labels)} labels for {len(designs)} designs: one for each")
+        raise InvalidInputError(f"{len(labels)} labels, expected {len(designs)}, one a design")
     return designs
 
 
@@ -767,8 +767,8 @@ def _waves(
     within = np.flatnonzero((time_s >= low) & (time_s <= high))
     if not within.size:
         raise InvalidInputError(
-            f"view.time_range_s is {quoted(range_s)}, but the response lies between "
-            f"{time_s[0]:g} and {time_s[-1]:g} s"
+            f"view.time_range_s is {quoted(range_s)}, expected times between {time_s[0]:g} and "
+            f"{time_s[-1]:g} s"
         )
     first, end = int(within[0]), int(within[-1]) + 1
     points_of = _wave_points if end - first <= _MOST_JOINED else _wave_extremes

@@ -262,7 +262,9 @@ def read_matches(path: Path) -> tuple[Match, ...]:
         text = read_bytes(path, most=_MOST_BYTES).decode()
         rows = list(csv.reader(io.StringIO(text, newline=""), strict=True))
     except (ValueError, csv.Error) as error:
-        raise FileFormatError(f"{path_text(path)}: is no CSV text ({printable(error)}).") from error
+        raise FileFormatError(
+            f"{path_text(path)}: expected CSV text ({printable(error)})."
+        ) from error
     if not rows or tuple(rows[0]) != _COLUMNS:
         raise FileFormatError(
             f"{path_text(path)}: is no table of matches: its first line is "

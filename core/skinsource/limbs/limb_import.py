@@ -247,7 +247,7 @@ def _complete(values: dict[str, Any], shape: tuple[int, int, int, int]) -> None:
         raise InvalidInputError("; ".join(missing))
     unknown = sorted(set(values) - known)
     if unknown:
-        raise InvalidInputError(f"{', '.join(unknown)} says nothing about a limb")
+        raise InvalidInputError(f"{', '.join(unknown)} says nothing about a limb; remove it")
     if not isinstance(values["axes"], str) or len(values["axes"]) != shape[2]:
         raise InvalidInputError(
             f"axes is {quoted(values['axes'])}, expected {shape[2]} of x, y and z, as many as the "

@@ -140,7 +140,7 @@ def read_threshold_table(path: Path) -> ThresholdTable:
         )
     table = tuple(sorted(rows))
     if len({frequency for frequency, _ in table}) < len(table):
-        raise FileFormatError(f"{quoted(path.name)} has two rows for one frequency")
+        raise FileFormatError(f"{quoted(path.name)} has two rows for one frequency; remove one")
     return table
 
 

@@ -94,8 +94,8 @@ def reader_of(path: Path) -> Reader:
             beginning = file.read(_BEGINNING_BYTES)
     except OSError as error:
         raise StorageError(
-            f"{path_text(path)}: cannot be read ({error.strerror or error}). Ask its owner for the "
-            "right to read it."
+            f"{path_text(path)}: cannot be read ({error.strerror or error}). Ask its owner for "
+            "permission to read it."
         ) from error
     return next(reader for reader in _READERS if reader.recognises(beginning))
 

@@ -140,7 +140,7 @@ def _tree(file: "h5py.File", size: int) -> Tree:
     samples = {digest: _samples(group, digest, each, size) for digest, each in facts.items()}
     stored = sum(signal.values.nbytes for signal in samples.values())
     if size > MAX_TEXT_BYTES + stored + _allowance(len(samples)):
-        raise FileFormatError(f"{size} bytes, of which {stored} are samples. {_DAMAGED}")
+        raise FileFormatError(f"{size} bytes, {stored} of them in samples. {_DAMAGED}")
     return with_samples(stored_tree["content"], samples)
 
 

@@ -157,7 +157,7 @@ def _rms(field: Floats) -> Floats:
 def _normalised(name: str, field: Floats) -> Floats:
     mean = float(_rms(field).mean())
     if mean == 0.0:
-        raise InvalidInputError(f"{name} is silent throughout, so there is nothing to compare")
+        raise InvalidInputError(f"{name} is silent throughout; choose another")
     return field / mean
 
 

@@ -108,7 +108,7 @@ class Draft:
     def source(self) -> LimbSource:
         """Return what is imported; the file's own values count where nothing was chosen."""
         if self.responses is None:
-            raise ValueError("no responses are chosen")
+            raise ValueError("no responses are chosen; open a file")
         values = dict(self.values)
         if len(self.hand) == 2:
             values["hand_length_px"] = float(np.linalg.norm(self.hand[1] - self.hand[0]))

@@ -187,8 +187,8 @@ def test_a_table_that_cannot_be_written_keeps_the_trial(tmp_path):
         (lambda text: text.replace("ending,", "ending,x", 1), "start_db"),
         (lambda text: text.replace("scending", "scended", 1), "direction"),
         (lambda text: text[:-4] + "\n", "it has 10 values"),
-        (lambda text: text + '"', "no CSV"),
-        (lambda text: "\0" + text, "no table|no CSV"),
+        (lambda text: text + '"', "expected CSV"),
+        (lambda text: "\0" + text, "no table|expected CSV"),
     ],
 )
 def test_a_damaged_table_is_one_error_that_says_where(tmp_path, change, message):

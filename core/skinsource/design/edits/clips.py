@@ -236,7 +236,7 @@ def repeat_clips(design: Design, view: View, ids: Iterable[int], times: int) -> 
         return Refusal(sentence=f"Choose 2 to {MAX_CLIPS} repetitions.")
     length_s = max(clip.end_s for clip in chosen) - min(clip.onset_s for clip in chosen)
     if max(clip.onset_s for clip in chosen) + (times - 1) * length_s > ONSET.maximum:
-        return Refusal(sentence=f"Too many: the last would begin after {ONSET.maximum:g} s.")
+        return Refusal(sentence=f"Choose fewer: the last would begin after {ONSET.maximum:g} s.")
     copies = []
     for k in range(1, times):
         copies += _moved(design, chosen, k * length_s, 0)
@@ -379,7 +379,7 @@ def _moved(
     if isinstance(by_s, bool) or not isinstance(by_s, int | float) or by_s != by_s:
         raise InvalidInputError(NO_TIME)
     if isinstance(by_tracks, bool) or not isinstance(by_tracks, int):
-        raise InvalidInputError("Tracks are counted in whole numbers.")
+        raise InvalidInputError("Choose a whole number of tracks.")
     onsets = [clip.onset_s for clip in chosen]
     by_s = min(max(by_s, ONSET.minimum - min(onsets)), ONSET.maximum - max(onsets))
     row_of = {clip.id: row for row, track in enumerate(design.inputs) for clip in track.clips}

@@ -287,7 +287,7 @@ def group_clips(
     if not chosen_ids <= {clip.id for clip in owner.clips}:
         return Refusal(sentence="A group holds clips of one track; select those of one track.")
     if len(chosen) > MAX_PARTS:
-        return Refusal(sentence=f"A group holds at most {MAX_PARTS} clips.")
+        return Refusal(sentence=f"A group holds at most {MAX_PARTS} clips; select fewer.")
     start_s = min(clip.onset_s for clip in chosen)
     parts = tuple(replace(clip, onset_s=short(clip.onset_s - start_s), id=0) for clip in chosen)
     first = chosen[0]

@@ -252,6 +252,6 @@ def mend(design: Design, view: View, finding: Finding) -> Edit | Refusal:
     if finding.repair == "deselect":
         outputs = tuple(output for output in view.outputs if output not in finding.outputs)
         if outputs == view.outputs:
-            return Refusal(sentence="None of the selected outputs is mostly noise.")
+            return Refusal(sentence="No selected output is mostly noise; select others.")
         return change_view(design, view, "Deselect noisy outputs", outputs=outputs)
     return _NO_REPAIR

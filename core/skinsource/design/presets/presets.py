@@ -305,8 +305,7 @@ def delete_preset(folder: Path, path: Path) -> None:
 def _check_own(folder: Path, path: Path) -> None:
     if path.parent != folder or path.suffix != SUFFIX:
         raise InvalidInputError(
-            f"{path_text(path)} is not a preset in {path_text(folder)}; only your own can be "
-            "renamed and deleted"
+            f"{path_text(path)} is not a preset in {path_text(folder)}; choose one of your own"
         )
 
 

@@ -121,16 +121,18 @@ def output_from_text(text: str) -> Output:
     try:
         values = json.loads(text)
     except (ValueError, RecursionError) as error:
-        raise InvalidInputError(f"{quoted(text)} describes no output") from error
+        raise InvalidInputError(f"{quoted(text)} is no output, expected its JSON") from error
     if not isinstance(values, dict) or not set(values) <= set(Output.__slots__):
-        raise InvalidInputError(f"{quoted(text)} describes no output")
+        raise InvalidInputError(f"{quoted(text)} is no output, expected its JSON")
     try:
         values["outputs"] = tuple((place, output) for place, output in values.get("outputs", ()))
         if not isinstance(values.get("stand_in", False), bool):
             raise TypeError("stand_in is no switch")
         return Output(**values)
     except (TypeError, ValueError) as error:
-        raise InvalidInputError(f"{quoted(text)} describes no output: {error}") from error
+        raise InvalidInputError(
+            f"{quoted(text)} is no output, expected its JSON: {error}"
+        ) from error
 
 
 _LIBRARY = (

@@ -306,7 +306,7 @@ def decoded(image: bytes) -> SurfaceOperator:
         image[: len(_HEAD)] != _HEAD
         or hashlib.sha256(content).digest() != image[len(_HEAD) : start]
     ):
-        raise ValueError("not a kept operator, or damaged")
+        raise ValueError("not a stored operator, or damaged")
     stream = io.BytesIO(content)
     header, data, indices, indptr, mask, x_mm, y_mm = (
         np.load(stream, allow_pickle=False) for _ in range(7)

@@ -1,0 +1,34 @@
+"""Labels have at most four words, hints twelve; errors two sentences, and say what to do."""
+
+from tests.nightly.strings import Found, strings_of_users
+
+#: Parts of longer messages, and words in figures of the paper, where there is room for them.
+EXCEPTIONS = (
+    "the text is not what SkinSource writes",
+    "reading it crashed",
+    "{}: {} Nothing was opened.",
+    "of a number",
+    "the encoder wrote nothing",
+    "the content is nested too deep",
+    "the content holds samples that nothing uses",
+    "the content names samples {} that are not there",
+    "r = 0.99; the paper measured more",
+    "each row relative to its peak",
+    "magnitude, dB re 1 m/s²",
+)
+
+
+def test_strings_keep_their_limits():
+    found = [each for each in strings_of_users() if each.text not in EXCEPTIONS]
+    assert {"label", "tooltip", "help", "error", "heading"} <= {each.kind for each in found}
+    assert [each for each in found if each.faults()] == []
+
+
+def test_faults_are_found():
+    assert Found("a.py:1", "label", "Show all of the arm").faults() == ["5 words"]
+    assert Found("a.py:1", "tooltip", "word " * 13).faults() == ["13 words"]
+    assert Found("a.py:1", "error", "That failed. Really. {} is wrong.").faults() == [
+        "3 sentences",
+        "no cure",
+    ]
+    assert Found("a.py:1", "message", "what plays is kept").faults() == ["what plays", "kept"]
