@@ -77,12 +77,12 @@ class Actuation:
     actuators
         At most one for each place, and one for all others.
     equaliser
-        What makes volts of the drives, which are then accelerations in m/s² that the contactor
-        shall make; None: nothing does, and drives are volts.
+        Filter from drives to volts; drives are then accelerations of the contactor, m/s². None:
+        there is no filter, and drives are volts.
     rig
         Title of the rig that it was taken from, or "".
     on
-        Whether predictions go through it; off, it is only remembered.
+        Whether predictions go through it; if not, it is only stored.
     """
 
     actuators: tuple[ActuatorAt, ...] = fields.field(ACTUATORS)

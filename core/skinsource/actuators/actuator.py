@@ -84,7 +84,7 @@ class Actuator(ABC):
         Parameters
         ----------
         frequency_hz
-            Of any shape, finite; at 0 nothing is accelerated for ever.
+            Of any shape, finite; at 0 Hz the acceleration is 0.
 
         Returns
         -------
@@ -115,7 +115,7 @@ class Actuator(ABC):
         Raises
         ------
         InvalidInputError
-            The voltage is not one row of finite numbers, or the motion is beyond all floats.
+            The voltage is not one row of finite numbers, or the motion overflows.
         """
 
 

@@ -44,13 +44,13 @@ class ActuatorProfile(fields.CheckedModel):
     source
         Where the numbers come from.
     calibration
-        What of it is calibrated, and what is not.
+        Which of its numbers are calibrated.
     gain_calibrated
-        Whether m/s² for each volt may be trusted; else the shape of the response is what counts.
+        Whether m/s² for each volt may be trusted; else only the shape of the response counts.
     model
         A model that moves, or a `ResponseShape` where too little is known for one.
     limits, thermal
-        What must not be passed; how it warms, where that is known.
+        Its limits; how it warms, where that is known.
     """
 
     title: str = fields.field(TextSpec(label="Title", longest=100, one_line=True))

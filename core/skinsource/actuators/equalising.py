@@ -154,8 +154,8 @@ def gain_in_band(actuator: Actuator, band_hz: Band = BAND_HZ) -> Floats:
 def followed_band(band_hz: Band | None, sample_rate_hz: float) -> Band:
     """Return the band in which drives are followed on a limb: that of its measurement.
 
-    It ends at 12/13 of half the rate at most.  Where its lab does not say one, None, it is all up
-    to there.  What begins at 0 is followed from 25 Hz on, or over its upper octave if that is less.
+    It ends at most at 12/13 of half the rate; None: the band is unknown, and ends there. A band
+    that begins at 0 is followed from 25 Hz, or over its upper octave if that is lower.
 
     Examples
     --------
@@ -300,7 +300,7 @@ def equalised(
     Raises
     ------
     InvalidInputError
-        A drive leaves a velocity, so that nothing can follow it.
+        A drive ends with a velocity, which no actuator can follow.
 
     Examples
     --------
@@ -412,10 +412,10 @@ class PolePairReplacement(fields.CheckedModel, Equaliser):
 def resonance_of(actuator: Actuator) -> tuple[float, float]:
     """Return the resonance of an actuator, in Hz, and its quality, for `PolePairReplacement`.
 
-    Of a voice coil they follow from its parameters: sqrt(k / m) / 2 pi and
-    sqrt(k m) / (c + Bl² / R).  Of others the response tells: displacement, acceleration over the
-    square of the frequency, lags by a quarter of a turn at the resonance, and its phase passes
-    there with a slope of 2 Q over the logarithm of the frequency.
+    Of a voice coil they follow from its parameters: sqrt(k / m) / 2 pi and sqrt(k m) / (c + Bl² /
+    R).  For others it follows from the response: displacement, acceleration over the square of the
+    frequency, lags by a quarter of a turn at the resonance, and its phase passes there with a slope
+    of 2 Q over the logarithm of the frequency.
 
     Examples
     --------
@@ -484,9 +484,9 @@ class RegularisedInverse(fields.CheckedModel, Equaliser):
     boost_db
         0 to 60 dB.
     phase
-        ``"linear"``: the filter undoes the phase of the actuator too, so that it moves as the
-        drive says, nothing late, and rings a little before sharp starts; ``"minimum"``: the same
-        gain with the least delay, nothing before a start.
+        ``"linear"``: the filter also removes the phase of the actuator: no delay, but some ringing
+        before sharp starts; ``"minimum"``: the same gain with the least delay, and no ringing
+        before a start.
 
     References
     ----------

@@ -29,10 +29,10 @@ def fit(
 ) -> VoiceCoil:
     """Return the voice coil whose response is nearest to a measured one.
 
-    Nearest means: the sum of squares of the relative differences is the least.  A response in
-    m/s² per V tells four things of the six that make a coil, so the resistance is taken as given
-    (an ohmmeter tells it), and so is the mass, where it is given; without it the model moves as
-    was measured, and its current is a guess.
+    Nearest means: the sum of squares of the relative differences is the least.  A response in m/s²
+    per V determines four of the six parameters of a coil: the resistance is given (measure it with
+    an ohmmeter), and the mass may be; without it the motion is that of the measurement, and the
+    current is a guess.
 
     Parameters
     ----------

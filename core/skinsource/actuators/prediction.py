@@ -36,7 +36,7 @@ def _limit(label: str, unit: str, hint: str, most: float = float("inf")) -> Opti
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Limits(fields.CheckedModel):
-    """What must not be passed; None: nothing is known, and nothing is limited.
+    """Limits of an actuator; None: unknown, and not checked.
 
     Attributes
     ----------
@@ -181,8 +181,8 @@ def predicted(
     thermal
         How they warm; None: not known.
     least_rate_hz
-        Rate to which a lower one is raised: peaks between samples are found, and 600 Hz is kept
-        within 0.005 dB, from 48 kHz on.
+        Lower rates are raised to this one, so that peaks between samples are found: from 48 kHz on,
+        within 0.005 dB at 600 Hz.
 
     Returns
     -------

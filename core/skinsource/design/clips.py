@@ -51,7 +51,7 @@ class Clip:
     gain
         Factor relative to the other clips of the track.
     waveform
-        What it plays; by default a tone.
+        Its waveform; by default a tone.
     effects
         Effects on the waveform, one after the other.
     muted

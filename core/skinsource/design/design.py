@@ -166,7 +166,7 @@ class Design:
         Name of the limb, see `skinsource.load_limb`; it need not be available here.
     limb_digest
         SHA-256 of all numbers of an imported limb, see `skinsource.limbs.own_limbs.facts_of`.
-        Empty: any limb of the name will do.
+        Empty: any limb of this name.
     inputs
         In the order of the list.  Inputs and clips without an id get one.
     scaling
@@ -174,7 +174,7 @@ class Design:
         probe scaling, because there a new clip does not change the effect of the others.
     actuation
         Actuators, the equaliser that makes their voltages, and whether predictions go through both;
-        exported and played is what the equaliser makes in either case.  None: none is chosen.
+        the output of the equaliser is exported and played in either case. None: no actuators.
     rig
         The wiring that is exported and played for; None: not known.
     markers

@@ -277,14 +277,14 @@ def map(
         Values of the lowest and the highest colour.  Unless given, from the loudest output 50 dB
         down; of diverging colours, as far below 0 as above.
     label
-        Stands beside the colour bar; dB re 1 m/s², or the difference in dB, unless given.
+        Label of the colour bar; dB re 1 m/s², or the difference in dB, unless given.
     colours
         ``"sequential"``, or ``"diverging"``, which are white at 0.  Unless given, arrays that reach
         about as far above 0 as below diverge: they are differences.
     outputs
         Outputs that are ringed and numbered.
     title
-        Stands above it.
+        Title above it.
     ax
         Axes to draw into, without a colour bar; a figure of its own with one where none is given.
 
@@ -647,7 +647,7 @@ def traces(
     normalised
         Whether each row is scaled to its own peak; all have one scale otherwise.
     title
-        Stands above.
+        Title above it.
     ax
         Axes to draw into; a figure of its own where none is given.
 
@@ -928,7 +928,7 @@ def strip(
 ) -> Any:
     """Draw a map for each of consecutive windows, all in one colour scale, and their extent.
 
-    Windows begin as late as the pre-trigger delay is long.
+    The first window begins after the pre-trigger delay.
 
     Parameters
     ----------
@@ -943,7 +943,7 @@ def strip(
         Levels of the lowest and the highest colour; from the loudest output 50 dB down unless
         given.
     title
-        Stands above.
+        Title above it.
 
     Returns
     -------
@@ -1062,7 +1062,7 @@ def film(
 ) -> Path:
     """Write how the vibration travels over hand and arm, as MP4, WebM or GIF.
 
-    It needs the extras ``plot`` and ``video``.  Places that play are ringed.
+    It needs the extras ``plot`` and ``video``.  Rings mark active inputs.
 
     Parameters
     ----------
@@ -1080,7 +1080,7 @@ def film(
     limit
         Acceleration of the last colour, m/s²; a quarter of the largest unless given.
     title
-        Stands above.
+        Title above it.
     progress, stop
         Called with the progress; asked whether to stop.
 

@@ -1,8 +1,8 @@
 """Edits of a design and of the view on it: pure functions that return an `Edit`.
 
-An edit that cannot be done is a `Refusal` with one sentence, whatever it gets.  Selections and
-questions raise an `InvalidInputError` for arguments of wrong types.
-To add one, write a function in the module of its subject, and name it here.
+An edit that cannot be done is a `Refusal` with one sentence, for any arguments.  Selections and
+questions raise an `InvalidInputError` for arguments of wrong types. To add one, write a function in
+the module of its subject, and name it here.
 """
 
 from skinsource.design.edits.clips import (

@@ -31,8 +31,7 @@ class StimulusOptions:
     fade_in_s, fade_out_s
         Fades at the ends of that part.
     lead_in_s, tail_s
-        Silence before and after it, in which it may ring where nothing is cut off or faded; None:
-        as long as an equaliser needs, 0.1 s, and none without.
+        Silence before and after it, where it may ring; None: 0.1 s with an equaliser, else none.
     sync
         Whether a last channel marks time 0, or ``from_s``, with a pulse at full scale.
     channel_map
@@ -42,7 +41,7 @@ class StimulusOptions:
     dither_seed
         Seed of dither where whole numbers are written; None: no dither.
     accept_loss
-        Whether it is written even though a channel loses more than 1 dB of its energy to the rate.
+        Whether it is written even if a channel loses more than 1 dB of its energy at the rate.
     choices
         Options of the format: ``{"samples": "pcm24"}``.
     """
