@@ -224,8 +224,8 @@ _ERROR = (
 _AMPLITUDE = "100 |RMS(p/P) - RMS(m/M)| / RMS(m/M); letters as of Error"
 _CHANNELS = "Channels"
 _COLUMNS = {
-    "Design": "What is predicted",
-    "Recording": "What was recorded of it",
+    "Design": "Design that is predicted",
+    "Recording": "Recording of the design",
     "Hz": "Frequency with the most power in the prediction",
     "Linear": "Smallest adjusted R² of outputs over the level of the inputs; 1: linear",
     "Superposed": "Smallest Pearson's r between the sum of the inputs and all together",
@@ -300,7 +300,7 @@ class CheckList(QtWidgets.QWidget):
         self.rows, self._preferences = tuple(rows), preferences
         self.table = RowTable("check_table", "Designs that are checked", _COLUMNS, wide=(0, 1))
         recording = page_button(
-            "choose_recording", "Recording…", "Choose what was recorded of the selected design"
+            "choose_recording", "Recording…", "Choose the recording of the selected design"
         )
         add = page_button("add_design", "Add design…", "Check another design as well")
         remove = page_button("remove_design", "Remove", "Remove the selected design from the list")
@@ -429,7 +429,7 @@ class CheckingPage(ToolPage):
             "check_designs", "Check", "Check all designs in the table", self.check
         )
         self._save = self.add_button(
-            "save_report", "Save report…", "Save what was found as HTML", self._ask_and_save
+            "save_report", "Save report…", "Save the results as HTML", self._ask_and_save
         )
         self._close = self.add_button(
             "close_page", "Close", "Close, and stop the check", self.close

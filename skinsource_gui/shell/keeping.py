@@ -89,7 +89,7 @@ class UnsavedWorkPage(ToolPage):
         self.say(
             "The studio ended before this work was saved. A copy of each is stored."
             if self._left
-            else "There is no unsaved work of earlier sessions."
+            else "No earlier session left unsaved work."
         )
         self.rows.clear()
         for left in self._left:

@@ -202,7 +202,7 @@ HINTS = (
     "the paper to begin with.",
 )
 NEXT, DONE, ENOUGH = "Next", "Done", "No more hints"
-LATER = "First steps come once nobody presents"
+LATER = "End the presentation to see the first steps"
 
 
 class FirstHints(QObject):

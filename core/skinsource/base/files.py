@@ -150,7 +150,7 @@ def read_bytes(path: Path, *, most: int) -> bytes:
             status = os.fstat(file.fileno())
             if not stat.S_ISREG(status.st_mode):
                 raise StorageError(
-                    f"{path_text(path)}: cannot be read (it is no regular file). Choose a file."
+                    f"{path_text(path)}: cannot be read (it is not a regular file). Choose a file."
                 )
             # It may grow while it is read.
             content = b"" if status.st_size > most else file.read(status.st_size + 1)

@@ -33,7 +33,7 @@ def add_to(subparsers: Any) -> None:
     """Add the commands ``show``, ``render``, ``film`` and ``pack``."""
     show = subparsers.add_parser(
         "show",
-        help="show what is in a design file, and its levels",
+        help="show the content of a design file, and its levels",
         description="Shows the content of a design file, the conditions of the measurement that it "
         "does not meet, and a table with the level at each output.",
     )

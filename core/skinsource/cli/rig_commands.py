@@ -40,7 +40,7 @@ def _add_measure(actions: Any) -> None:
     parser.add_argument("rig", type=Path, metavar="RIG", help="a .skinrig file")
     parser.add_argument("--out", type=Path, metavar="FILE", help="rig to write (default: RIG)")
     add = parser.add_argument_group("channel and accelerometer").add_argument
-    add("--place", type=int, required=True, metavar="N", help="of the channel")
+    add("--place", type=int, required=True, metavar="N", help="place of the channel")
     add(
         "--sensitivity",
         type=float,
@@ -69,9 +69,9 @@ def _add_measure(actions: Any) -> None:
         type=float,
         default=default.level_db,
         metavar="DB",
-        help=f"of full scale (default: {default.level_db:g})",
+        help=f"dB of full scale (default: {default.level_db:g})",
     )
-    add("--seconds", type=float, default=default.sweep_s, metavar="S", help="per sweep")
+    add("--seconds", type=float, default=default.sweep_s, metavar="S", help="length of each sweep")
     add("--repeats", type=int, default=default.repeats, metavar="N")
     add(
         "--band",

@@ -511,8 +511,8 @@ class TapSequence(fields.CheckedModel):
     )
     limits: ClassVar[str] = (
         "From 20 to 260 ms between taps, taps are felt between the places, as if something hopped "
-        "along; slower ones stay where they are. Found on the arm: where the skin tells places "
-        "apart well, as on the palm and most of all at the fingertips, hops are short."
+        "along; slower ones stay where they are. Found on the arm: where the skin resolves places "
+        "well, as on the palm and most of all at the fingertips, hops are short."
     )
 
     path: tuple[int, ...] = fields.field(PATH, (16, 18, 20))

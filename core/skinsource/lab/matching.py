@@ -267,7 +267,7 @@ def read_matches(path: Path) -> tuple[Match, ...]:
         ) from error
     if not rows or tuple(rows[0]) != _COLUMNS:
         raise FileFormatError(
-            f"{path_text(path)}: is no table of matches: its first line is "
+            f"{path_text(path)}: is not a table of matches: its first line is "
             f"{quoted(','.join(rows[0]) if rows else '')}, expected {','.join(_COLUMNS)}. Choose "
             "another file."
         )
@@ -278,7 +278,7 @@ def read_matches(path: Path) -> tuple[Match, ...]:
             match = _match(row)
             before = known.setdefault(match.key, line)
             if before != line:
-                raise InvalidInputError(f"the same match stands in line {before} already")
+                raise InvalidInputError(f"the same match is in line {before} already")
             if match.reference != (matches or [match])[0].reference:
                 raise InvalidInputError("its reference is not that of line 2")
         except InvalidInputError as error:

@@ -260,9 +260,7 @@ def _complete(values: dict[str, Any], shape: tuple[int, int, int, int]) -> None:
                 f"{name} has shape {np.shape(points)}, expected ({n}, 2): the responses have {n}"
             )
     if not np.isfinite(values["output_positions"]).all(axis=1).any():
-        raise InvalidInputError(
-            "no output has a place on the map, expected one at least: nothing could be drawn of it"
-        )
+        raise InvalidInputError("no output has a place on the map, expected at least one")
     if values["outline"] is None:
         values["outline"] = hull_around(
             np.vstack((values["input_positions"], values["output_positions"]))

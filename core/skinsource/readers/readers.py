@@ -88,7 +88,7 @@ def reader_of(path: Path) -> Reader:
         The file cannot be read, or is no regular file.
     """
     if not is_file(path):
-        raise StorageError(f"{path_text(path)}: cannot be read (it is no file). Choose a file.")
+        raise StorageError(f"{path_text(path)}: cannot be read (it is not a file). Choose a file.")
     try:
         with path.open("rb") as file:
             beginning = file.read(_BEGINNING_BYTES)

@@ -352,7 +352,7 @@ class FileActions(QObject):
         return self._on_disk.state() != "changed" or ask_yes(
             self._window,
             "Replace the changed file?",
-            f"{path.name} {_CHANGED}. Replace it, and lose what was saved there?",
+            f"{path.name} {_CHANGED}. Replace it? What was saved there is lost.",
         )
 
     def _save_to(self, path: Path) -> bool:

@@ -162,7 +162,7 @@ _CLICKS = ChoiceSpec(
         ("outline", "a corner of the outline"),
         ("hand", "an end of the hand's length"),
     ),
-    hint="What a click on the photograph means",
+    hint="Point that a click on the photograph sets",
 )
 _KINDS = {
     "responses": "Responses (*.h5 *.hdf5 *.mat *.npy *.npz);;All files (*)",
@@ -202,7 +202,9 @@ class LimbPage(ToolPage):
         self._cancel = self.add_button(
             "cancel_import", "Cancel", "Stop the import; nothing is stored", self._jobs.cancel
         )
-        self._close = self.add_button("close_page", "Close", "Close; an import goes on", self.close)
+        self._close = self.add_button(
+            "close_page", "Close", "Close; an import continues", self.close
+        )
         self._lay_out()
         self._connect()
         self._show()

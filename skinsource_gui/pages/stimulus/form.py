@@ -71,7 +71,7 @@ OTHER = "other"
 FORMAT = ChoiceSpec(
     label="Format",
     options=tuple((stimulus_format.name, stimulus_format.title) for stimulus_format in FORMATS),
-    hint="What the file is for",
+    hint="Format of the file",
 )
 RATE = ChoiceSpec(
     label="Rate",

@@ -50,7 +50,7 @@ VIEWS: tuple[ViewSpec, ...] = (
     ViewSpec(
         name="transfer",
         title="Transfer",
-        answer="How does each selected output answer the selected input at each frequency?",
+        answer="How does each selected output respond to the selected input at each frequency?",
     ),
     ViewSpec(
         name="perception",
@@ -65,7 +65,7 @@ VIEWS: tuple[ViewSpec, ...] = (
     ViewSpec(
         name="linearity",
         title="Linearity",
-        answer="Do outputs grow in proportion to inputs, and do inputs add up?",
+        answer="Are outputs proportional to inputs, and do inputs add up?",
     ),
     ViewSpec(
         name="windowed",

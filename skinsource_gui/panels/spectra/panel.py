@@ -83,8 +83,8 @@ _SCALINGS = {
     "record": ("amplitude over the whole record", "over the whole record", "whole record"),
     "loudest": (
         # The window differs from that of levels, which needs a reason.
-        f"amplitude in the loudest {_HOLD} of each frequency, which tell "
-        f"{1 / HOLD_WINDOW_S:.0f} Hz apart; the {_LOUDEST} of levels would tell "
+        f"amplitude in the loudest {_HOLD} of each frequency, which resolve "
+        f"{1 / HOLD_WINDOW_S:.0f} Hz apart; the {_LOUDEST} of levels would resolve "
         f"{1 / LOUDEST_WINDOW_S:.0f} Hz",
         f"amplitude in the loudest {_HOLD} of each frequency",
         f"loudest {_HOLD}",

@@ -155,7 +155,7 @@ def test_without_left_over_work_nothing_is_offered_and_the_page_says_so(window):
     window.do("show_left_over")
     (page,) = window.findChildren(UnsavedWorkPage)
     assert not page.open_button.isEnabled()
-    assert "no unsaved work" in page.message.text()
+    assert "No earlier session" in page.message.text()
     page.close()
     window.keeping.offer(window.notice)
     assert window.notice.text == ""

@@ -47,7 +47,7 @@ def change_motion(design: Design, view: View, index: int, motion: Motion) -> Edi
     Change sweep at 2 places
     """
     if index not in range(len(design.motions)):
-        return Refusal(sentence="That motion is no longer there; add it anew.")
+        return Refusal(sentence="That motion is no longer there; add it again.")
     return _with_motion(design, view, motion, index)
 
 

@@ -18,7 +18,7 @@ from skinsource.specs.numbers import ListSpec, ModelSpec, NumberSpec, OptionalSp
 from skinsource.specs.samples import Samples
 from skinsource.specs.spec import ChoiceSpec, TextSpec
 
-SAMPLES = SamplesSpec(label="Samples", hint="What was drawn")
+SAMPLES = SamplesSpec(label="Samples", hint="Drawn samples")
 #: A single swell of 0.1 s, with which a drawing starts.
 SWELL = Samples(values=window("hanning", 130), sample_rate_hz=SAMPLE_RATE_HZ)
 
@@ -61,7 +61,7 @@ class Drawn(HoldsSamples):
     samples: Samples = fields.field(SAMPLES, SWELL)
 
 
-RECORDING_SAMPLES = SamplesSpec(label="Samples", unit=None, hint="What was recorded")
+RECORDING_SAMPLES = SamplesSpec(label="Samples", unit=None, hint="Recorded samples")
 NAME = TextSpec(label="Name", longest=200, one_line=True, hint="Source of the recording")
 SOURCE_RATE = OptionalSpec(
     label="Recorded at",

@@ -270,8 +270,8 @@ class StimulusFormat(ABC):
             if spec is None:
                 offered = ", ".join(self.choices) or "nothing"
                 raise InvalidInputError(
-                    f"{name} {quoted(value)} is no choice of the format {self.name}; choose one of "
-                    f"{offered}"
+                    f"{name} {quoted(value)} is not a choice of the format {self.name}; choose one "
+                    f"of {offered}"
                 )
             known = dict(spec.options)
             if value not in known:

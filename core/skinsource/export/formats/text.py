@@ -198,7 +198,7 @@ class CHeader(StimulusFormat):
                 ("int8", "8 bit, with sign"),
                 ("uint8", "8 bit, without sign"),
             ),
-            hint="What the converter takes; without a sign, 128 is silence",
+            hint="Type that the converter needs; without a sign, 128 is silence",
         )
     }
 

@@ -87,8 +87,8 @@ class Output:
             twice = next((number for number in numbers if numbers.count(number) > 1), None)
             if twice is not None:
                 raise InvalidInputError(
-                    f"{name} {twice} stands twice in the channel map, expected once: each place "
-                    "has an output of its own"
+                    f"{name} {twice} occurs twice in the channel map, expected once: each place "
+                    "needs its own output"
                 )
 
     def outputs_of(self, places: Iterable[int]) -> dict[int, int]:
@@ -208,7 +208,7 @@ def listed(direction: Literal["input", "output"]) -> list[dict[str, Any]]:
         if default < 0:
             default = next((api[f"default_{direction}_device"] for api in apis), -1)
     except library.PortAudioError as error:
-        raise PlaybackError(f"The sound system does not answer: {printable(error)}.") from error
+        raise PlaybackError(f"The sound system does not respond: {printable(error)}.") from error
     devices_of_direction = [
         {
             "index": index,
@@ -237,7 +237,7 @@ def refresh_devices() -> tuple[Device, ...]:
         library._terminate()
         library._initialize()
     except library.PortAudioError as error:
-        raise PlaybackError(f"The sound system does not answer: {printable(error)}.") from error
+        raise PlaybackError(f"The sound system does not respond: {printable(error)}.") from error
     return devices()
 
 

@@ -219,14 +219,14 @@ def measurable(
     volts = channel.volts_at_full_scale
     if volts is None:
         raise InvalidInputError(
-            f"place {channel.place}: the rig does not say the volts at full scale, without which "
-            "m/s² per V cannot be told; measure them with a tone and a voltmeter"
+            f"place {channel.place}: the rig does not state the volts at full scale, which m/s² "
+            "per V need; measure them with a tone and a voltmeter"
         )
     highest_hz = _HIGHEST_SHARE_OF_RATE * sample_rate_hz
     if setup.highest_hz > highest_hz:
         raise InvalidInputError(
-            f"the response is wanted up to {setup.highest_hz:g} Hz, and {sample_rate_hz:g} Hz can "
-            f"tell at most {highest_hz:.0f} Hz; choose a higher rate"
+            f"the response is requested up to {setup.highest_hz:g} Hz, and {sample_rate_hz:g} Hz "
+            f"resolves at most {highest_hz:.0f} Hz; choose a higher rate"
         )
     return volts, highest_hz
 

@@ -155,8 +155,8 @@ def _check_map(limb_map: LimbMap, hand_length_mm: float, spacing_mm: float) -> N
     outputs, outline, table = limb_map.output_positions, limb_map.outline, limb_map.visibility
     if outputs.ndim != 2 or outputs.shape[1] != 2 or not np.isfinite(outputs).all(axis=1).any():
         raise InvalidInputError(
-            f"the map's output positions have shape {outputs.shape}, and none is finite or they "
-            "are no points; expected (n_outputs, 2) with at least one finite row. Place an output."
+            f"the map's output positions have shape {outputs.shape}, and none is finite, or they "
+            "are not points; expected (n_outputs, 2) with at least one finite row. Place an output."
         )
     if table is not None and table.shape != (len(outline), len(outputs)):
         raise InvalidInputError(

@@ -323,8 +323,8 @@ def read_sweep(path: Path) -> Sweep:
         content = tomllib.loads(read_bytes(path, most=_MOST_BYTES).decode())
     except (ValueError, RecursionError) as error:
         raise FileFormatError(
-            f"{path_text(path)}: is no TOML text ({printable(error)}). Correct that place, and try "
-            "again."
+            f"{path_text(path)}: is not TOML text ({printable(error)}). Correct that place, and "
+            "try again."
         ) from error
     try:
         return _sweep(content, path.parent)
