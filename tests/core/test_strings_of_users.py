@@ -1,5 +1,7 @@
 """Labels have at most four words, hints twelve; errors two sentences, and say what to do."""
 
+from collections import Counter
+
 from tests.nightly.strings import Found, strings_of_users
 
 #: Parts of longer messages, and words in figures of the paper, where there is room for them.
@@ -20,7 +22,10 @@ EXCEPTIONS = (
 
 def test_strings_keep_their_limits():
     found = [each for each in strings_of_users() if each.text not in EXCEPTIONS]
-    assert {"label", "tooltip", "help", "error", "heading"} <= {each.kind for each in found}
+    # What reads the code still finds them.
+    kinds = Counter(each.kind for each in found)
+    assert all(kinds[kind] > 100 for kind in ("label", "help", "error", "heading"))
+    assert kinds["tooltip"] > 300
     assert [each for each in found if each.faults()] == []
 
 

@@ -556,7 +556,7 @@ class SpectrumStrip(QtWidgets.QWidget):
                 self.outside = share_outside_band(samples, sample_rate_hz, band_hz)
             share = 100 * self.outside
             number = "0" if share == 0 else "< 0.1" if share < 0.1 else f"{share:.3g}"
-            text = f"{number} % of the energy outside {band_hz[0]:g} to {band_hz[1]:g} Hz"
+            text = f"{number} % outside {band_hz[0]:g} to {band_hz[1]:g} Hz"
         self._preview.show_samples(samples, sample_rate_hz, band_hz)
         self._label.show_phrases((text,))
         set_tone(self._label, "warning" if self.outside > _NOTEWORTHY else "dim")
