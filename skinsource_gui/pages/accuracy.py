@@ -169,7 +169,7 @@ class AccuracyPage(ToolPage):
         self.say(_BEGIN)
         self._limb = DropDown()
         self._limb.setObjectName("accuracy_limb")
-        self._limb.setAccessibleName("Limb to be measured on")
+        self._limb.setAccessibleName("Limb to measure on")
         self._limb.setMinimumContentsLength(19)
         self._limb.addItems(["Synthetic responses", ""])
         self._measure = self.add_button(

@@ -268,7 +268,7 @@ def _without_cache(widget: QtWidgets.QWidget) -> Iterator[None]:
 
 
 #: In place of the name of a panel: the panel in use, and all visible panels.
-PANEL_IN_USE, ALL_VISIBLE = "panel in use", "all panels in sight"
+PANEL_IN_USE, ALL_VISIBLE = "active panel", "all visible panels"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

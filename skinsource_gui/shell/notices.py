@@ -494,7 +494,7 @@ class RunningJobs(QObject):
         titles = "; ".join(job.title for job in self._runner.unfinished)
         if not titles or self._ended:
             return True
-        question = f"Not finished yet: {titles}. Stop it and close? Nothing half done is left."
+        question = f"Still running: {titles}. Stop it and close? Unfinished files are removed."
         return ask_yes(self._window, "Something is running", question)
 
     def end(self) -> None:

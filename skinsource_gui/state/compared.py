@@ -18,7 +18,7 @@ LEVELS_MATCHED = "levels matched"
 SILENT = "No active input"
 #: Why two designs have no difference map.
 SILENCE = "One of them is silent: there is no difference in dB."
-ELSEWHERE = "Their limbs have their outputs at other places: there is no difference."
+ELSEWHERE = "Their limbs have outputs at different places, so no difference is shown."
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

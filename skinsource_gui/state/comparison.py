@@ -212,7 +212,7 @@ class StayingMatched(QObject):
 
 
 _LEVELS = frozenset({"output_levels_db", UNPLAYABLE})
-_AS_STORED = "Edit > Match levels of snapshots, switched off, shows it as stored"
+_AS_STORED = "Switch off Edit > Match levels of snapshots to show it as stored"
 # The number of the results of the window.
 _PRESENT = -1
 
@@ -278,7 +278,7 @@ class Comparison(QObject):
         replaced = " in place of another, which Undo brings back"
         replacement = replaced if document.undo_stack.index() > steps else ""
         other = other_snapshot(document.view.snapshots, document.design)
-        hint = "change the design, and X switches"
+        hint = "change the design, then X switches"
         if other is not None:
             hint = f"X shows {snapshot_name(other.number)}, then this again"
         self.done.emit(f"Stored snapshot {number}{replacement}; {hint}")

@@ -457,8 +457,8 @@ class Sweep:
         """Describe the times in a phrase."""
         return (
             f"{len(self.path)} places in {ms_text(self.waveform.duration_s)}, "
-            f"{ms_text(self.leg_s)} from one to the next; two play for "
-            f"{ms_text(self.overlap * self.leg_s)} of that"
+            f"{ms_text(self.leg_s)} from one to the next (overlap "
+            f"{ms_text(self.overlap * self.leg_s)})"
         )
 
     def tracks(self) -> tuple[Input, ...]:

@@ -210,10 +210,10 @@ def check_drive(
     net = net_velocity(drive.samples, sample_rate_hz, lowest_hz)
     if not net.returns:
         raise InvalidInputError(
-            f"Input at place {place} cannot be played through this actuator: it ends with a "
-            f"velocity, and {100.0 * net.share_below_band:.0f} % of its energy lies below "
-            f"{lowest_hz:g} Hz. Choose a waveform whose velocity returns to zero, for a tap the "
-            "'Centred tap', or let it fade in and out."
+            f"Input at place {place} cannot be played through this actuator: it leaves a velocity, "
+            f"and {100.0 * net.share_below_band:.0f} % of its energy lies below {lowest_hz:g} Hz. "
+            "Choose a waveform whose velocity returns to zero, for a tap the 'Centred tap', or let "
+            "it fade in and out."
         )
 
 

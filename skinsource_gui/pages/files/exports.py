@@ -280,7 +280,7 @@ class ExportActions(QObject):
     def copy_citation(self) -> None:
         """Put what to cite for the open design on the clipboard."""
         QtGui.QGuiApplication.clipboard().setText(packing.citation(self._document.design))
-        self._files.done.emit("Copied what to cite")
+        self._files.done.emit("Citation copied")
 
     def _forget_page(self) -> None:
         self.page = None
@@ -332,7 +332,7 @@ class ExportActions(QObject):
         def ask(error: Exception) -> bool:
             if not isinstance(error, TooInaccurateError):
                 return False
-            question = f"{path.name}: {error} Export it all the same?"
+            question = f"{path.name}: {error} Export anyway?"
             if ask_yes(self._window, "Inaccurate numbers", question):
                 self._add(path, write, note, math.inf)
             return True

@@ -333,9 +333,9 @@ _NUMBERS = {
         maximum=10.0,
         hint="Delay of the responses",
     ),
-    "lowest_hz": _end_of_band("Holds from", "Lowest valid frequency of the responses"),
+    "lowest_hz": _end_of_band("Valid from", "Lowest valid frequency of the responses"),
     "highest_hz": _end_of_band(
-        "Holds up to", "Highest valid frequency of the responses; 0: unknown"
+        "Valid up to", "Highest valid frequency of the responses; 0: unknown"
     ),
 }
 _BAND = ("lowest_hz", "highest_hz")

@@ -155,7 +155,7 @@ IMPORTING = "Importing a limb"
 
 
 _CLICKS = ChoiceSpec(
-    label="A click places",
+    label="Next click",
     options=(
         ("inputs", "the next input"),
         ("outputs", "the next output"),

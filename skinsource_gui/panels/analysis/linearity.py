@@ -173,9 +173,7 @@ _NEEDS = frozenset(
     }
 )
 _BAND_RMS = "output_band_rms"
-_TOO_MUCH = (
-    "Too long to be shown here; File > Check against a recording… checks whether it is linear"
-)
+_TOO_MUCH = "Too long to show here; File > Check against a recording… checks linearity"
 # More values would take too long to draw.
 _MOST_VALUES = 2_000_000
 

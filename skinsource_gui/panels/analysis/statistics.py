@@ -29,8 +29,7 @@ COLUMNS = (
     ("Main\nHz", "Frequency with the most power along the chosen axes"),
     (
         "Delay\nms",
-        f"From the start of the first input to where the output first reaches {BEGUN_SHARE:.0%} of "
-        "its peak; the pre-trigger counts unless it is removed",
+        f"From first input to {BEGUN_SHARE:.0%} of the peak; includes pre-trigger unless removed",
     ),
 )
 NOISE_MARK = "≈"

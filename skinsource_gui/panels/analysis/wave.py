@@ -67,7 +67,7 @@ class WavePicture(DiagramsPicture):
                 k = int(np.nanargmin(distances))
                 left_out = "" if wave.counted[k] else " · left out: silent or mostly noise"
                 if wave.counted[k] and not wave.timed[k]:
-                    left_out = " · no delay: too unlike the first"
+                    left_out = " · no delay: too different from the first"
                 delay = f"{wave.delay_s[k] * 1e3:.2f} ms, " if np.isfinite(wave.delay_s[k]) else ""
                 return minus(
                     f"{outputs[k]}: {wave.distance_m[k] * 1e3:.0f} mm, {delay}"
@@ -180,7 +180,7 @@ def wave_text(wave: TravellingWave) -> str:
     if wave.counted.sum() < 2:
         return "fewer than two outputs are more than noise"
     if wave.timed.sum() < 2:
-        speed = "No speed: the shapes are too unlike"
+        speed = "No speed: the shapes are too different"
     elif wave.straight < LEAST_STRAIGHT:
         speed = "No speed: the selected outputs do not form a line"
     elif wave.explained < LEAST_EXPLAINED or wave.speed_deviation_m_per_s >= abs(

@@ -33,8 +33,7 @@ class LibraryButtons(QtWidgets.QWidget):
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         place_hint = (
-            f"Add it at the playhead, on the selected track ({key_text(_PLACE, 'place')}); or drag "
-            "it to a place or a track"
+            f"Add at the playhead ({key_text(_PLACE, 'place')}), or drag to a place or track"
         )
         self.place = page_button("preset_place", "Place", place_hint)
         save_hint = "Save clips or the whole design to the library"

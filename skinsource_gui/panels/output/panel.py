@@ -267,7 +267,7 @@ class OutputPanel(Panel):
         self.text = page_label("output_words", tone="dim")
         for label in (self.problem, self.text):
             label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        more_hint = "Parameters, figures, response, sample rate, delay, test tones"
+        more_hint = "Parameters, figures, response, sample rate, latency, test tones"
         self.more = tool_button(None, "output_more", "More", more_hint)
         self.more.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.more.clicked.connect(self._unfold)

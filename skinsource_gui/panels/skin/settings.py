@@ -74,7 +74,7 @@ class MapQuantity:
         if self.name == SENSATION:
             return "Above threshold", self.signal, "loudest 100 ms", self.unit
         over = f"RMS over {self.window_s * 1e3:g} ms" if self.name == RMS else ""
-        return "In time", self.signal, over, self.unit
+        return "Animation", self.signal, over, self.unit
 
     @property
     def heading(self) -> str:
@@ -116,9 +116,9 @@ QUANTITY = ChoiceSpec(
     options=(
         (LEVELS, "RMS"),
         (SENSATION, "Above threshold"),
-        (Z, "In time: along z"),
-        (MAGNITUDE, "In time: magnitude"),
-        (RMS, "In time: sliding RMS"),
+        (Z, "Animation: z acceleration"),
+        (MAGNITUDE, "Animation: magnitude"),
+        (RMS, "Animation: sliding RMS"),
     ),
     hint="RMS level, level above threshold, or acceleration at the playhead",
 )

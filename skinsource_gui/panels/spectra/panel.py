@@ -32,7 +32,7 @@ LAYOUT = ChoiceSpec(
     options=(("overlaid", "Overlaid"), ("stacked", "Stacked"), ("axes", "Axes")),
     hint="All curves over each other, or each in its own row",
 )
-AXES_HINT = "Each output in its own row, with a curve for each axis of its sensor"
+AXES_HINT = "Each output in its own row, a curve for each axis"
 LOG_FREQUENCY = SwitchSpec(label="Log frequency", hint="Logarithmic frequency axis")
 LOG_MAGNITUDE = SwitchSpec(label="dB", hint="Logarithmic magnitude")
 RELATIVE = SwitchSpec(

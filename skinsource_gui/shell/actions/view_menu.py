@@ -69,7 +69,7 @@ VIEW: tuple[ActionSpec, ...] = (
     action(
         "close_panel",
         "Close panel",
-        "Close the panel in use; View > Panels brings it back",
+        "Close the active panel; View > Panels brings it back",
         "Ctrl+W",
         command="panel_in_use.close",
         keywords="hide dock remove",
@@ -77,7 +77,7 @@ VIEW: tuple[ActionSpec, ...] = (
     action(
         "next_panel",
         "Go to next panel",
-        "Give the keyboard to it",
+        "Move the keyboard focus there",
         "F6",
         command="panel_focus.next",
         keywords="focus keyboard",
@@ -86,7 +86,7 @@ VIEW: tuple[ActionSpec, ...] = (
     action(
         "previous_panel",
         "Go to previous panel",
-        "Give the keyboard to it",
+        "Move the keyboard focus there",
         "Shift+F6",
         command="panel_focus.previous",
         keywords="focus keyboard",
@@ -172,7 +172,7 @@ VIEW: tuple[ActionSpec, ...] = (
     action(
         "present",
         "Start or end presentation",
-        f"Show the stage full screen; {_presenting('next')}or a clicker steps through scenes",
+        f"Show the stage full screen; {_presenting('next')} or a clicker steps through scenes",
         "F9",
         command="presenter.toggle",
         keywords="lecture slides show talk clicker beamer projector full screen scenes",

@@ -128,7 +128,7 @@ def remove_delay(design: Design, view: View, removed: bool) -> Edit | Refusal:
         delay_s = facts_of(design.limb).pre_trigger_delay_s
         shift_s = -delay_s if removed else delay_s
         range_s = (range_s[0] + shift_s, range_s[1] + shift_s)
-    label = "Remove delay" if removed else "Bring back delay"
+    label = "Remove delay" if removed else "Restore delay"
     return change_view(design, view, label, delay_removed=removed, time_range_s=range_s)
 
 
