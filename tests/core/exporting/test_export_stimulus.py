@@ -306,7 +306,7 @@ def test_a_limit_that_is_passed_must_be_confirmed(design, tmp_path):
         ({"options": ss.StimulusOptions(choices={"samples": "pcm8"})}, "one of float32, pcm24"),
         ({"options": ss.StimulusOptions(choices={"layout": "table"})}, "offers samples"),
         ({"options": ss.StimulusOptions(from_s=0.2, to_s=0.1)}, "to_s is 0.1"),
-        ({"options": ss.StimulusOptions(inputs=(4,))}, "Nothing is heard"),
+        ({"options": ss.StimulusOptions(inputs=(4,))}, "No input is active"),
         ({"options": ss.StimulusOptions(channel_map=(1,))}, "Channel map"),
     ],
 )
