@@ -24,7 +24,7 @@ def train(you: Composer, _: Path) -> None:
         you.tab_to(name)
         you.type(text)
     you.tab_to("spacing_sweep")
-    you.type("L")
+    you.type("Lo")
     you.tab_to("order_sweep")
     you.type("R")
     you.key("Enter")

@@ -33,7 +33,10 @@ def train(you: Composer, _: Path) -> None:
     you.choose_of_popup("Wavelet train")
     you.settle()
     # Falling and rising again: the buttons do what they say.
-    for order, highest_first in (("Falling (expands)", True), ("Rising (contracts)", False)):
+    for order, highest_first in (
+        ("Falling (sensation expands)", True),
+        ("Rising (sensation contracts)", False),
+    ):
         _sweep(you, order)
         frequencies_hz = you.document.design.clips[0].waveform.frequencies_hz
         you.expect(

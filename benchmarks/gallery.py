@@ -31,7 +31,7 @@ _HEADING = """\
 Panels of the figures of the SkinSource paper as designs: `ss.scenes.open_scene("2F")`, the command
 `skinsource scenes 2F --out 2F.skinsource` and File > Scenes… open them. `skinsource figures --out
 FOLDER` draws them on the measured limbs where those are installed. The pictures below are computed
-on the **synthetic** limbs, which need not do what the sentences say of the measured ones. Made
+on the **synthetic** limbs, which may not show what the sentences say of the measured ones. Made
 by `python benchmarks/gallery.py`; do not edit.
 """
 

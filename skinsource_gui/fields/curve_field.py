@@ -30,7 +30,7 @@ from skinsource.specs.breakpoints import (
 )
 from skinsource_gui.fields.editor import Burst, Editor, new_gesture
 from skinsource_gui.qt.buttons import passing_menu
-from skinsource_gui.qt.keys import arrow_steps, claims_shortcut, key_text, meaning_of
+from skinsource_gui.qt.keys import arrow_steps, claims_shortcut, meaning_of
 from skinsource_gui.qt.theme import Theme, current_theme, tabular
 from skinsource_gui.qt.tooltips import tooltip
 
@@ -191,14 +191,7 @@ class CurveField(Editor, QtWidgets.QWidget):
             QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Fixed
         )
         self.setFont(tabular(self.font()))
-        self.setToolTip(
-            tooltip(
-                f"{spec.hint}. Click on the curve, or double-click beside it: a new point. "
-                "Drag, or the arrow keys: move it. "
-                f"{key_text('curve', 'segment')}: straight, smooth, held. "
-                f"{key_text('curve', 'remove')} or the menu of the right button: remove it"
-            )
-        )
+        self.setToolTip(tooltip(f"{spec.hint}. Click to add a point, drag to move it"))
 
     def set_value(self, points: Points) -> None:
         """Show other points without a signal."""

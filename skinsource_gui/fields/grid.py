@@ -17,7 +17,7 @@ LABEL_PX = 26
 # Space above and below the letters of a line.
 _AROUND_LINE_PX = 12
 
-_MIXED = "Inputs differ here; typing sets all, dragging moves all alike"
+_MIXED = "Inputs differ; typing sets all, dragging shifts all"
 
 
 class _FieldLabel(QtWidgets.QLabel):

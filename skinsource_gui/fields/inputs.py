@@ -142,7 +142,7 @@ def played_length_text(clip: Clip) -> str:
     """Return the text of the duration of a clip whose effects change it; else ""."""
     if abs(clip.duration_s - clip.waveform.duration_s) < _LEAST_S:
         return ""
-    return f"{duration_text(clip.duration_s)} with its effects"
+    return f"{duration_text(clip.duration_s)} after effects"
 
 
 def fixed_length_text(waveform: Waveform) -> str:

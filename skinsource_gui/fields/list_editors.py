@@ -37,12 +37,12 @@ from skinsource_gui.qt.theme import tabular
 
 _SPACING = ChoiceSpec(
     label="Spacing",
-    options=(("logarithmic", "Equal factors"), ("linear", "Equal steps")),
+    options=(("logarithmic", "Logarithmic"), ("linear", "Linear")),
     hint="From each frequency to the next",
 )
 _ORDER = ChoiceSpec(
     label="Order",
-    options=(("up", "Rising (contracts)"), ("down", "Falling (expands)")),
+    options=(("up", "Rising (sensation contracts)"), ("down", "Falling (sensation expands)")),
     hint="Low frequencies reach farther on the skin",
 )
 _MOST_SHOWN = 12
@@ -57,7 +57,7 @@ class SweepDialog(QtWidgets.QDialog):
         super().__init__(parent)
         self._spec = spec
         self.setObjectName("sweep_dialog")
-        self.setWindowTitle("Frequencies of a sweep")
+        self.setWindowTitle("Generate frequencies")
         count = NumberSpec(
             label="Count", minimum=max(spec.fewest, 1), maximum=spec.most, whole=True
         )
@@ -196,7 +196,7 @@ class NumbersEditor(ListEditor):
         super().__init__(spec, parent, f"{spec.hint}. Numbers between commas")
         if self._spec.of.unit != "Hz":
             return
-        hint = "Frequencies in equal factors or steps, rising or falling"
+        hint = "Generate frequencies, logarithmic or linear, rising or falling"
         self.sweep = tool_button(self, "sweep", "Sweep…", hint)
         self.sweep.clicked.connect(self._ask_sweep)
         # The line has the whole width.

@@ -61,8 +61,7 @@ def help_text(spec: NumberSpec) -> str:
     return tooltip(
         f"{spec.label}, {range_text(spec)}",
         spec.about,
-        "Drag, turn the wheel or press ↑ ↓: the next round number (Ctrl: finer, Shift or "
-        "Page Up, Page Down: ten times as far)",
+        "Drag, wheel or ↑ ↓: next round number; Ctrl: finer; Shift: coarser",
         "Double-click or type to enter a number",
     )
 

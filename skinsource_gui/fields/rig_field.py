@@ -12,7 +12,7 @@ from skinsource_gui.fields.choice_field import ChoiceField
 _SPEC = ChoiceSpec(
     label="Rig",
     options=(("none", "None"), ("file", "Choose a rig file…")),
-    hint="What is wired to what: polarity, volts, limits, calibration",
+    hint="Wiring of actuators: polarity, volts, limits, calibration",
 )
 _PRESENT = "kept"
 #: Filter of file dialogs for a measured response.

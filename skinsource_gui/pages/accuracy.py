@@ -109,8 +109,8 @@ class AccuracyPlot(Figure):
 
 
 _TITLE = "Measuring accuracy and speed"
-_BEGIN = "Measuring takes about half a minute; other work would spoil the times."
-_CANCELLED = "Cancelled. Nothing was kept."
+_BEGIN = "Measuring takes about half a minute; other work would distort the times."
+_CANCELLED = "Cancelled. Nothing was stored."
 _SIZE_PX = (1180, 640)
 
 
@@ -169,7 +169,7 @@ class AccuracyPage(ToolPage):
         self.say(_BEGIN)
         self._limb = DropDown()
         self._limb.setObjectName("accuracy_limb")
-        self._limb.setAccessibleName("Limb to be measured on")
+        self._limb.setAccessibleName("Limb to measure on")
         self._limb.setMinimumContentsLength(19)
         self._limb.addItems(["Synthetic responses", ""])
         self._measure = self.add_button(
@@ -235,7 +235,7 @@ class AccuracyPage(ToolPage):
         design, chosen = self._document.design, bool(self._limb.currentIndex())
         limb = (design.limb, design.limb_digest) if chosen else ("", "")
         self._show_rows(())
-        self.say("Waiting until other work is done…")
+        self.say("Waiting for other work…")
         self.run.add(Job(_TITLE, partial(measured, *limb)))
 
     def _give_up(self) -> None:
@@ -249,7 +249,7 @@ class AccuracyPage(ToolPage):
 
     def _take(self, _job: Job[Any], rows: tuple[Row, ...]) -> None:
         self._show_rows(rows)
-        self.say("Choose a row: its case is named in the plot.")
+        self.say("Choose a row: the plot names its case.")
         self.table.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def _show_running(self) -> None:

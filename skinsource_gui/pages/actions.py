@@ -302,7 +302,7 @@ class LibraryActions(QObject):
         """Open the page that asks for a name; None where there is no clip to save."""
         choices = pages.fragments_to_save(self._document.design, self._document.view)
         if not choices:
-            self.failed.emit("There is no clip to keep; place one first.")
+            self.failed.emit("There is no clip to save; add one first.")
             return None
         page = pages.SavePage(choices, self._window)
 

@@ -223,16 +223,16 @@ _ERROR = (
 _AMPLITUDE = "100 |RMS(p/P) - RMS(m/M)| / RMS(m/M); letters as of Error"
 _CHANNELS = "Channels"
 _COLUMNS = {
-    "Design": "What is predicted",
-    "Recording": "What was measured of it",
+    "Design": "Design that is predicted",
+    "Recording": "Recording of the design",
     "Hz": "Frequency with the most power in the prediction",
-    "Linear": "Smallest adjusted R² of outputs over the level of the inputs; 1: in proportion",
+    "Linear": "Smallest adjusted R² of outputs over the level of the inputs; 1: linear",
     "Superposed": "Smallest Pearson's r between the sum of the inputs and all together",
-    _CHANNELS: "How many are above twice the noise, and so count",
+    _CHANNELS: "Channels above twice the noise, which count",
     "Error": _ERROR,
     "Amplitude %": f"Difference in amplitude, median over the channels: {_AMPLITUDE}",
     "r": "Pearson's r over time, median over the channels",
-    "Shift": "By how many samples the recording was moved onto the prediction",
+    "Shift": "Samples by which the recording was shifted onto the prediction",
 }
 
 
@@ -275,18 +275,18 @@ _ALL = "all"
 _AXES = ChoiceSpec(
     label="Axes",
     options=((_ALL, "All of the limb"), ("x", "x"), ("y", "y"), ("z", "z")),
-    hint="Along which axes was recorded",
+    hint="Axes of the recording",
 )
 _RATE = NumberSpec(
     label="Rate",
     unit="Hz",
     minimum=1.0,
     maximum=768_000.0,
-    hint="Of recordings that say none themselves; other rates than that of the limb are resampled",
+    hint="Of recordings that state none; other rates are resampled",
 )
 _BEGIN = (
     "Choose a recording of the design: an array of times × outputs × axes, or a column for each "
-    "output and axis. Without one it is checked whether the prediction is linear."
+    "output and axis. Without one, the check is whether the prediction is linear."
 )
 _AGAIN = "Now press Check."
 _REPORTED = "The paper reports errors {0}, differences in amplitude {1} and r {2}."
@@ -320,10 +320,10 @@ class CheckingPage(ToolPage):
             "check_designs", "Check", "Check all designs in the table", self.check
         )
         self._save = self.add_button(
-            "save_report", "Save report…", "Save what was found as HTML", self._ask_and_save
+            "save_report", "Save report…", "Save the results as HTML", self._ask_and_save
         )
         self._close = self.add_button(
-            "close_page", "Close", "Close; what is being checked is given up", self.close
+            "close_page", "Close", "Close, and stop the check", self.close
         )
         self._lay_out()
         self._connect()
@@ -373,7 +373,7 @@ class CheckingPage(ToolPage):
         recording = self.add_button(
             "choose_recording",
             "Recording…",
-            "Choose what was recorded of the selected design",
+            "Choose the recording of the selected design",
             partial(self._ask, "Choose a recording", _RECORDINGS, self.take_recording),
         )
         self._add = self.add_button(
@@ -383,7 +383,7 @@ class CheckingPage(ToolPage):
             partial(self._ask, "Add a design", _DESIGNS, self.add_design),
         )
         remove = self.add_button(
-            "remove_design", "Remove", "Take the selected design off", self._remove
+            "remove_design", "Remove", "Remove the selected design from the list", self._remove
         )
         self._row_buttons = recording, remove
         bar = in_row(recording, self._add, remove, None)
@@ -456,7 +456,7 @@ class CheckingPage(ToolPage):
         elif any(condition.agreement is not None for condition in self.conditions):
             self.say(_REPORTED.format(*(reported for _, _, reported in FIGURES)))
         else:
-            self.say("Checked. Choose a recording to hold it against.")
+            self.say("Checked. Choose a recording to compare with.")
 
 
 def _name_of(document: Document) -> str:

@@ -103,7 +103,7 @@ class SavePage(ToolPage):
 
     def _lay_out(self) -> None:
         form = QtWidgets.QFormLayout()
-        self.tags.setPlaceholderText("between commas: tap, texture")
+        self.tags.setPlaceholderText("with commas between: tap, texture")
         self.description.setPlaceholderText("what it is for")
         self.source.setPlaceholderText("where its numbers come from")
         for label, field, name in (

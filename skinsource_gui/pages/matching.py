@@ -155,7 +155,7 @@ _NUMBERS = {
         minimum=0.001,
         maximum=MOST_AMPLITUDE,
         step=0.05,
-        hint="Of the reference; at a gain of 0 dB an amplitude of 1 is full scale of the device",
+        hint="Drive of the reference; at 0 dB, 1 is full scale",
     ),
     "gain_db": NumberSpec(
         label="Gain",
@@ -163,14 +163,14 @@ _NUMBERS = {
         minimum=LOWEST_DB,
         maximum=HIGHEST_DB,
         step=1.0,
-        hint="How loud all of it is played; it stays the same for all matches",
+        hint="Playback gain, the same for all matches",
     ),
     "seed": NumberSpec(
         label="Seed",
         minimum=0,
         maximum=2**31 - 1,
         whole=True,
-        hint="Of the order and the starts, which differ for each person",
+        hint="Seed of order and starts, which differ between persons",
     ),
 }
 _FIRST = {"reference_hz": 100.0, "reference_place": 7, "amplitude": 0.25, "seed": 1}
@@ -222,7 +222,7 @@ class SetupForm(QtWidgets.QWidget):
             self._add(name, spec.label, number)
         self.table = QtWidgets.QLineEdit(str(table))
         self.table.setToolTip(
-            tooltip("Table", "CSV that matches are added to; what it holds is not asked again")
+            tooltip("Table", "CSV for the matches; matches that it holds are skipped")
         )
         self.browse = page_button("matching_browse", "Choose…", "Choose the table")
         row = in_row((self.table, 1), self.browse)
@@ -284,9 +284,8 @@ class SetupForm(QtWidgets.QWidget):
 
 
 _DEVICE_LOST = (
-    "The device does not ask for sound any more: it may have been unplugged. Connect it, close "
-    "this page, look for devices again under Output, and come back: what was stored "
-    "stays."
+    "The device stopped responding: it may have been unplugged. Connect it, close this page, press "
+    "Refresh under Output, and come back: stored matches stay."
 )
 
 
@@ -386,8 +385,8 @@ class LatestDesignPlayer(QObject):
 
 _TABLE = "matches.csv"
 _INTRODUCTION = (
-    "A person feels a reference and a test in turn, again and again, and makes the test as strong "
-    "as the reference. Each test is met from below and from above. Sweeps take the table: "
+    "A person feels a reference and a test in turn, and adjusts the test until both feel equally "
+    "strong (method of adjustment, ascending and descending runs). Sweeps use the table: "
     'level = "matches.csv".'
 )
 _REHEARSAL = "Rehearsal: nothing is stored."
@@ -434,18 +433,16 @@ class MatchingPage(ToolPage):
         self._begin = self.add_button(
             "matching_begin",
             "Begin",
-            "Play, and store matches",
+            "Play and store matches",
             partial(self._start, rehearsal=False),
         )
         self._rehearse = self.add_button(
             "matching_rehearse",
             "Rehearse",
-            "The same, and nothing is stored",
+            "The same, without storing",
             partial(self._start, rehearsal=True),
         )
-        self._close = self.add_button(
-            "matching_close", "Close", "What was stored stays", self.reject
-        )
+        self._close = self.add_button("matching_close", "Close", "Stored matches stay", self.reject)
         self._lay_out()
         self._connect()
         self._show_armed(False)
@@ -528,7 +525,7 @@ class MatchingPage(ToolPage):
         elif self.run.step(STEP_DB if action == "stronger" else -STEP_DB):
             self._play()
         else:
-            self.view.show_note(f"The test can be made no {action}.")
+            self.view.show_note(f"The test cannot be made {action}.")
 
     def _store(self) -> None:
         run = self.run

@@ -267,9 +267,9 @@ class PathRow(QtWidgets.QWidget):
         self.field.setAccessibleName("Path")
         self.field.setToolTip("Numbers of places, in their order: 16, 18, 20")
         self._buttons = (
-            page_button("reverse_path", "Reverse", "Pass the places the other way round"),
-            page_button("remove_last", "Remove last", "Take the last place off the path"),
-            page_button("clear_path", "Clear", "Begin the path anew"),
+            page_button("reverse_path", "Reverse", "Reverse the order of places"),
+            page_button("remove_last", "Remove last", "Remove the last place of the path"),
+            page_button("clear_path", "Clear", "Remove all places of the path"),
         )
         self._lay_out()
         self.field.textEdited.connect(self._type)
@@ -342,7 +342,7 @@ class MotionPage(ToolPage):
         self.path_row = PathRow()
         self.strip = ClipStrip()
         limb = facts_of(document.design.limb)
-        spec = ModelSpec(label="Motion", kinds=lambda: MOTIONS, hint="What happens on the skin")
+        spec = ModelSpec(label="Motion", kinds=lambda: MOTIONS, hint="Kind of motion")
         self.fields = PartFields(spec.at_rate(limb.sample_rate_hz, limb.band_hz), new_editor, self)
         self._grid = FieldGrid()
         self._summary = page_label("motion_summary")

@@ -33,7 +33,7 @@ _SIZE_PX = (1120, 650)
 _ICON_PX = (72, 44)
 _LIST_PX = 360
 _OF_THE_PAPER = "The limbs of the paper"
-_PLAYED_ON = "On which limb the scenes are played: those of the paper, or one of your own"
+_PLAYED_ON = "Limbs for the scenes: those of the paper, or one of your own"
 _PICTURES = "Pictures are computed on synthetic limbs."
 
 

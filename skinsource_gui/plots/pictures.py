@@ -273,7 +273,7 @@ def _without_cache(widget: QtWidgets.QWidget) -> Iterator[None]:
 
 
 #: In place of the name of a panel: the panel in use, and all visible panels.
-PANEL_IN_USE, ALL_VISIBLE = "panel in use", "all panels in sight"
+PANEL_IN_USE, ALL_VISIBLE = "active panel", "all visible panels"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -314,7 +314,7 @@ def stimulus_text(design: Design) -> str:
     parts = [_input_text(track, design) for track in audible[:_MOST_INPUTS]]
     if len(audible) > _MOST_INPUTS:
         parts.append(f"and {counted(len(audible) - _MOST_INPUTS, 'more input')}")
-    return "; ".join(parts) or "Silent: nothing is driven"
+    return "; ".join(parts) or "No active input"
 
 
 def stimuli_text(named: Sequence[Named]) -> str:
@@ -519,7 +519,7 @@ KIND = ChoiceSpec(
 LAYOUT = ChoiceSpec(
     label="For",
     options=((OWN, "Custom size"), *((layout.name, layout.title) for layout in LAYOUTS)),
-    hint="Width and height for a column of a paper, a slide, or a poster",
+    hint="Size for a paper column, a slide or a poster",
 )
 _SIDE: dict[str, Any] = {
     "unit": "px",

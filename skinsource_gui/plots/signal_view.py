@@ -70,7 +70,7 @@ class PlotToolbar(QtWidgets.QWidget):
         self._buttons: list[QtWidgets.QToolButton] = []
         self._layouts = QtWidgets.QButtonGroup(self)
         self._layout_buttons: dict[str, QtWidgets.QToolButton] = {}
-        self._everything = self._button("show-all", "Fit", "Leave the zoom (key 0)", at=0)
+        self._everything = self._button("show-all", "Fit", "Reset zoom (key 0)", at=0)
         self._everything.setCheckable(False)
         self._everything.clicked.connect(self.everything_requested)
         self._everything.setVisible(False)
@@ -419,7 +419,7 @@ class SignalView(QtWidgets.QWidget):
         self._cursors = self.add_switch_in_menu(
             "cursors",
             "Cursors",
-            "Measure between two lines; drag them, or keys I and O at the crosshair",
+            "Measure between two lines; drag them, or press I and O",
             self._ask_cursors,
         )
         self.toolbar.everything_requested.connect(self._show_everything)

@@ -442,8 +442,7 @@ COLOURS = ChoiceSpec(
         ("CET-L1", "Grey"),
         ("turbo", "Turbo, like MATLAB's jet"),
     ),
-    hint="Colours of levels. All but the last grow evenly lighter, and are told apart with any "
-    "colour vision",
+    hint="All but the last are even, and safe for any colour vision",
 )
 
 # The panel whose settings hold the colours and the range.

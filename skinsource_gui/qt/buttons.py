@@ -227,7 +227,7 @@ def mute_button() -> LetterButton:
 
 def solo_button() -> LetterButton:
     """Return the button that silences all other inputs."""
-    hint = f"Solo: only inputs with S are driven ({key_text('inputs', 'solo')})"
+    hint = f"Solo: play only solo inputs ({key_text('inputs', 'solo')})"
     return LetterButton("solo_button", "S", "Solo", hint, checkable=True)
 
 

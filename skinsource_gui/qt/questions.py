@@ -90,10 +90,7 @@ class CopyButton(QtWidgets.QToolButton):
         self.as_stored: Callable[[], AbstractContextManager[None]] = nullcontext
         self.setObjectName(f"{panel}_copy")
         self.setText("Copy")
-        self.setToolTip(
-            "Copy the numbers as a table, with tabs between the columns; lines that begin with # "
-            "say what to know of them"
-        )
+        self.setToolTip("Copy the numbers as a tab-separated table; # lines explain them")
         self.setAccessibleName("Copy numbers")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self._exists, self._stale = True, False

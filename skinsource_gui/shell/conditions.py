@@ -30,13 +30,13 @@ from skinsource_gui.state.panel import Panel, PanelRegistry
 #: What conditions are called; the chip leaves out that of the limb, which stands on the map.
 NAMES = {
     "inputs": "inputs",
-    "band": "band",
-    "drive": "drive",
+    "band": "frequency range",
+    "drive": "probe velocity",
     "spacing": "sensor spacing",
     "noise": "noise",
     "scaling": "scaling",
 }
-STATES = {"kept": "kept", "left": "caution", "unknown": "unknown"}
+STATES = {"kept": "OK", "left": "caution", "unknown": "unknown"}
 #: What it says of one that the design leaves.
 _CAUTIONS = {
     "inputs": "inputs that cannot be played",
@@ -47,7 +47,7 @@ _CAUTIONS = {
     "scaling": "differences between places hidden",
 }
 _CAUTION = "⚠"
-_OLDER = "updating: of an older design"
+_OLDER = "updating: results of an older design"
 
 
 def chip_text(findings: Findings) -> str:
@@ -112,7 +112,7 @@ class ConditionsChip(QtWidgets.QToolButton):
 
 _REPAIRS = {
     "band_limit": "Limit to the band",
-    "quieter": "Play within it",
+    "quieter": "Lower amplitudes",
     "probe_scaling": "Use probe scaling",
     "deselect": "Deselect them",
 }

@@ -77,7 +77,7 @@ def kind_choices(document: Document) -> list[QtGui.QAction]:
     for kind in kinds():
         play = partial(_play, document, kind.__name__)
         there = bool(document.view.selected_inputs)
-        hint = "Let the selected inputs play this"
+        hint = "Use for the selected inputs"
         actions.append(choice_action(f"Waveform: {kind.title}", hint, play, None, there=there))
     return actions
 

@@ -65,9 +65,7 @@ class UnsavedWorkPage(ToolPage):
         discard: Callable[[UnsavedWork], None],
         parent: QtWidgets.QWidget,
     ) -> None:
-        super().__init__(
-            parent, "unsaved_work_page", "Unsaved work of earlier sessions", (560, 420)
-        )
+        super().__init__(parent, "unsaved_work_page", "Recover unsaved work", (560, 420))
         self._look, self._open_it, self._discard = look, open_it, discard
         self._left: tuple[UnsavedWork, ...] = ()
         self.rows = QtWidgets.QListWidget()
@@ -89,9 +87,9 @@ class UnsavedWorkPage(ToolPage):
     def _fill(self) -> None:
         self._left = self._look()
         self.say(
-            "The studio ended before this work was saved. A copy of each was kept."
+            "The studio ended before this work was saved. A copy of each is stored."
             if self._left
-            else "There is no unsaved work of earlier sessions."
+            else "No earlier session left unsaved work."
         )
         self.rows.clear()
         for left in self._left:
@@ -242,12 +240,12 @@ def _offers(leftover: Found) -> list[str]:
     if len(leftover.left) == 1:
         left: UnsavedWork = leftover.left[0]
         sentences.append(
-            f"The studio ended before your work on {left.name} was saved. "
-            f"A copy was kept {left.age()}."
+            f"The studio ended before your work on {left.name} was saved. A copy was stored "
+            f"{left.age()}."
         )
     elif leftover.left:
         sentences.append(
-            "The studio ended before your work was saved. Copies were kept of "
+            "The studio ended before your work was saved. Copies were stored of "
             f"{len(leftover.left)} designs."
         )
     return sentences

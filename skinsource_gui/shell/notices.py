@@ -208,7 +208,7 @@ HINTS = (
     "the paper to begin with.",
 )
 NEXT, DONE, ENOUGH = "Next", "Done", "No more hints"
-LATER = "First steps come once nobody presents"
+LATER = "End the presentation to see the first steps"
 
 
 class FirstHints(QObject):
@@ -500,7 +500,7 @@ class RunningJobs(QObject):
         titles = "; ".join(job.title for job in self._runner.unfinished)
         if not titles or self._ended:
             return True
-        question = f"Not finished yet: {titles}. Stop it and close? Nothing half done is left."
+        question = f"Still running: {titles}. Stop it and close? Unfinished files are removed."
         return ask_yes(self._window, "Something is running", question)
 
     def end(self) -> None:

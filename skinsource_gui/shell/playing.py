@@ -145,10 +145,10 @@ class RigPages(QObject):
         self.opened.emit(f"Opened {printable(path.name)}.")
 
 
-_PLAY = "Animate or stop", "The wave runs over the skin; no actuator moves."
+_PLAY = "Animate or stop", "Animate the wave on the skin; no actuator moves."
 _REPEAT = (
     "Repeat",
-    "Play the whole design again and again; a loop on the ruler is repeated in any case.",
+    "Repeat the whole design; a loop on the ruler always repeats.",
 )
 
 

@@ -66,7 +66,7 @@ class NotesWindow(QtWidgets.QWidget):
     def show_scene(self, heading: str, notes: str, following: str) -> None:
         """Show what belongs to a scene, and the title of the one after it."""
         self.heading.setText(heading)
-        self.notes.setPlainText(notes or "No notes: a design carries them, see its properties.")
+        self.notes.setPlainText(notes or "No notes. File > Show… adds them.")
         self.next.setText(f"Next: {following}" if following else "This is the last one.")
 
     def show_beside(self, window: QtWidgets.QWidget) -> None:

@@ -261,7 +261,7 @@ class StatusLine(FittingLabel):
 
     def times_and_error(self) -> str:
         """Times of the latest edits, and the error of the traces, as a sentence or two."""
-        times = summary(self.clock.times.seconds()) or "Nothing was edited yet."
+        times = summary(self.clock.times.seconds()) or "No edit yet."
         known = "" if self.error is None else f" Traces that are shown: {error_text(self.error)}."
         return f"{times}{known}"
 
@@ -289,8 +289,8 @@ class StatusLine(FittingLabel):
 
 
 _ABOUT = (
-    "What is shown and played has this gain; the design, its file and all exports have the "
-    "amplitudes that were stored. Click to keep it, or to see the design as stored."
+    "Display and playback have this gain; the design and all exports have the stored amplitudes. "
+    "Click to apply it, or to see the design as stored."
 )
 
 
@@ -370,7 +370,7 @@ class JobBar(QtWidgets.QWidget):
         self._runner = runner
         self._name = QtWidgets.QLabel()
         self._name.setObjectName("job_name")
-        self._name.setAccessibleName("What is being done")
+        self._name.setAccessibleName("Running task")
         self._percent = QtWidgets.QLabel()
         self._percent.setObjectName("job_percent")
         self._percent.setFont(tabular(self.font()))
@@ -381,9 +381,9 @@ class JobBar(QtWidgets.QWidget):
         self._bar.setAccessibleName("Progress")
         self._bar.setTextVisible(False)
         self._bar.setFixedSize(_BAR_PX, UNIT_PX)
-        hint = "Stop this; nothing half done is left"
+        hint = "Stop this task, and clean up"
         self._cancel = page_button("cancel_running_job", "Cancel", hint)
-        self._cancel.setAccessibleName("Cancel what is being done")
+        self._cancel.setAccessibleName("Cancel task")
         self._cancel.clicked.connect(lambda: runner.cancel())
         # It does not grow where the status bar has room to spare.
         self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Fixed, QtWidgets.QSizePolicy.Policy.Fixed)

@@ -15,10 +15,10 @@ from skinsource.design.view import View
 #: The note where designs are shown with matched levels.
 LEVELS_MATCHED = "levels matched"
 #: The note in place of a design that drives nothing.
-SILENT = "Silent: nothing is driven"
+SILENT = "No active input"
 #: Why two designs have no difference map.
 SILENCE = "One of them is silent: there is no difference in dB."
-ELSEWHERE = "Their limbs have their outputs at other places: there is no difference."
+ELSEWHERE = "Their limbs have outputs at different places, so no difference is shown."
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

@@ -48,7 +48,7 @@ from skinsource_gui.state.panel import Panel, PanelRegistry
 from skinsource_gui.state.worker import fault_text
 
 _LEVELS = frozenset({"output_levels_db", UNPLAYABLE})
-_AS_STORED = "Edit > Match levels of snapshots, switched off, shows it as stored"
+_AS_STORED = "Switch off Edit > Match levels of snapshots to show it as stored"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -133,7 +133,7 @@ class Comparison(QObject):
         replaced = " in place of another, which Undo brings back"
         replacement = replaced if document.undo_stack.index() > steps else ""
         other = other_snapshot(document.view.snapshots, document.design)
-        hint = "change the design, and X goes to and fro"
+        hint = "change the design, then X switches"
         if other is not None:
             hint = f"X shows {snapshot_name(other.number)}, Edit > Compare side by side both"
         self.done.emit(f"Stored snapshot {number}{replacement}; {hint}")

@@ -348,6 +348,6 @@ def too_large(limb: str) -> str:
         return ""
     return (
         f"{facts.title} has {counted(facts.n_inputs, 'place')} and "
-        f"{counted(facts.n_outputs, 'output')}, and results follow edits up to "
-        f"{LIVE_INPUTS} and {LIVE_OUTPUTS}. File > Export and sweeps compute it."
+        f"{counted(facts.n_outputs, 'output')}, and live results are possible up to {LIVE_INPUTS} "
+        f"and {LIVE_OUTPUTS}. File > Export and sweeps compute it."
     )

@@ -253,7 +253,7 @@ class PageJobs(QObject):
         return True
 
 
-_CHANGED = "What was predicted has changed meanwhile; do it once more."
+_CHANGED = "The prediction has changed meanwhile; try again."
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -399,7 +399,7 @@ class SoundSettings(QObject):
         elif own is not None and wanted is not None and own != wanted:
             self.refused.emit(
                 f"The design is made for the rig {quoted(wanted.title)}, and this machine plays "
-                f"for {quoted(self.rig_title)}, or an older one. Choose the rig anew under Output."
+                f"for {quoted(self.rig_title)}, or an older one. Choose the rig again under Output."
             )
         else:
             return True
@@ -486,8 +486,8 @@ def _stored_output(preferences: Preferences) -> Output:
 
 
 _DEVICE_LOST = (
-    "The device does not ask for sound any more: it may have been unplugged. Connect it, look for "
-    "devices again under Output, and play."
+    "The device stopped responding: it may have been unplugged. Connect it, press Refresh under "
+    "Output, and play."
 )
 # How often the device is checked to be still there.
 _WATCH_MS = 250
@@ -725,7 +725,7 @@ class Player(QObject):
                 if playing.reason or playing.stream is not None:
                     self.settings.note_missing(playing.reason)
                 if playing.reason:
-                    self.message.emit(f"In silence: {playing.reason}")
+                    self.message.emit(f"No sound: {playing.reason}")
                 if follow is not None:
                     follow()
                 # A device that is unplugged during a tone emits nothing.

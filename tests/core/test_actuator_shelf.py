@@ -50,7 +50,7 @@ def test_a_fit_survives_noise():
         (HZ, np.ones(59), "shape"),
         (HZ, np.zeros(60), "zeros"),
         (-HZ, np.ones(60), "frequencies of 0"),
-        (HZ, np.full(60, np.nan), "no numbers"),
+        (HZ, np.full(60, np.nan), "not numbers"),
         (HZ, ["a"] * 60, "complex"),
     ],
 )

@@ -185,7 +185,7 @@ def test_an_image_that_claims_to_be_enormous_costs_nothing():
 
 def test_a_file_holds_no_more_than_it_says():
     padded = signed(holding(EMPTY), padding=bytes(10**7))
-    with pytest.raises(FileFormatError, match="bytes, of which 0 are samples"):
+    with pytest.raises(FileFormatError, match="bytes, 0 of them in samples"):
         from_image(padded)
 
 

@@ -139,7 +139,7 @@ def test_what_was_edited_comes_back():
     assert toggle(design, view)[0] == THIRD
     refused = edits.show_snapshot(OTHER, view, EDITED)
     assert isinstance(refused, Refusal)
-    assert "store that first" in refused.sentence
+    assert "store it first" in refused.sentence
 
 
 def test_with_levels_matched_the_way_back_leads_to_the_same_numbers():
@@ -172,7 +172,7 @@ def test_to_keep_a_gain_is_an_edit_of_all_amplitudes():
     _, view = store(OTHER, MATCHED, 1)
     view = edits.show_snapshot(OTHER, view, 1, 0.5).view
     outcome = edits.keep_match_gain(OTHER, view)
-    assert outcome.label == "Keep \N{MINUS SIGN}6.0 dB"
+    assert outcome.label == "Apply \N{MINUS SIGN}6.0 dB"
     assert outcome.design == louder(OTHER, 0.5)
     assert outcome.view.match_gain(outcome.design) == 1.0
     assert isinstance(edits.keep_match_gain(outcome.design, outcome.view), Refusal)

@@ -108,7 +108,7 @@ def test_a_cut_connection_is_taken_up_where_it_broke(served, files, installed):
 
 def test_a_download_that_stops_coming_is_continued_the_next_time(served, files, part, installed):
     served.cuts = [2 * PIECE, 0]
-    with pytest.raises(DownloadError, match=rf"{2 * PIECE} of \d+ bytes have arrived and are kept"):
+    with pytest.raises(DownloadError, match=rf"{2 * PIECE} of \d+ bytes are downloaded"):
         fetch(files=files)
     assert not installed
     assert part.stat().st_size == 2 * PIECE
@@ -184,7 +184,7 @@ def test_a_cancel_keeps_what_has_arrived_and_installs_nothing(
         if RESPONSES in text and part.exists() and part.stat().st_size > 100_000:
             stop.set()
 
-    with pytest.raises(Stopped, match="goes on from there"):
+    with pytest.raises(Stopped, match="continues where it stopped"):
         fetch(files=files, progress=stop_midway, stop=stop.is_set)
     assert not installed
     arrived = part.stat().st_size

@@ -122,7 +122,7 @@ def test_remove_deletes_the_store_its_downloads_and_remains_but_nothing_else(syn
     [
         ({"format_version": 2}, r"version 2, expected 3\. Install it again"),
         ({"format_version": None}, "the store is damaged"),
-        ({"format": "something else"}, "is no store of the measured dataset"),
+        ({"format": "something else"}, "is not a store of the measured dataset"),
         ({"unpublished": None}, "the store is damaged"),
     ],
 )

@@ -144,7 +144,7 @@ def test_a_chain_has_an_end_in_number_and_in_time():
     often = edits.change_effect_field(DESIGN, VIEW, 1, 2, "times", 1000).design
     twice = edits.add_effect(often, VIEW, (1,), "Repeat").design
     refused = edits.change_effect_field(twice, VIEW, 1, 3, "times", 1000)
-    assert refused.sentence.startswith("Clip plays 200000 s, expected at most 3600 s")
+    assert refused.sentence.startswith("Clip lasts 200000 s, expected at most 3600 s")
 
 
 def test_a_stretched_clip_keeps_how_it_is_stretched():

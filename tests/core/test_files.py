@@ -190,7 +190,7 @@ def test_two_threads_may_write_the_same_file_at_once(target):
 def test_what_is_no_file_is_not_replaced_by_one(tmp_path):
     pipe = tmp_path / "pipe"
     os.mkfifo(pipe)
-    with pytest.raises(StorageError, match="a device or a pipe stands there"):
+    with pytest.raises(StorageError, match="it is a device or a pipe"):
         write_bytes(pipe, b"1")
     assert stat.S_ISFIFO(pipe.stat().st_mode)
     assert [entry.name for entry in tmp_path.iterdir()] == ["pipe"]

@@ -53,7 +53,7 @@ def test_a_pipe_is_refused_at_once(tmp_path):
     outcome = []
 
     def read():
-        with pytest.raises(StorageError, match="it is no regular file"):
+        with pytest.raises(StorageError, match="it is not a regular file"):
             read_bytes(tmp_path / "pipe", most=100)
         outcome.append("refused")
 
@@ -67,7 +67,7 @@ def test_a_pipe_is_refused_at_once(tmp_path):
     ("name", "message"),
     [
         ("nowhere", "It was moved or deleted"),
-        (".", "Check that it is a file|right to read"),
+        (".", "Check that it is a file|permission to read"),
         ("a\0b", "cannot be read"),
         ("x" * 300, "cannot be read"),
         ("file/below", "cannot be read"),

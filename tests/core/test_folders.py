@@ -38,7 +38,7 @@ def test_what_is_not_finished_or_not_ours_replaces_nothing(folder):
     with pytest.raises(ZeroDivisionError), replacing_folder(folder, "mark.json") as new:
         (new / "mark.json").write_text(f"{1 / 0}")
     with (
-        pytest.raises(StorageError, match="something else stands there"),
+        pytest.raises(StorageError, match="something else has this name"),
         replacing_folder(folder, "other.json"),
     ):
         pass

@@ -74,9 +74,9 @@ def test_the_import_of_a_limb_names_all_that_is_missing_by_option(run, tmp_path)
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (("export", "--format", "flac", "--out", "d.wav"), "d.wav ends as files of wav do"),
-        (("export", "--format", "wav", "--out", "d.csv"), "d.csv ends as files of csv do"),
-        (("pack", "--out", "p.txt"), "p.txt is no name of a zip file"),
+        (("export", "--format", "flac", "--out", "d.wav"), "d.wav has the ending of wav files"),
+        (("export", "--format", "wav", "--out", "d.csv"), "d.csv has the ending of csv files"),
+        (("pack", "--out", "p.txt"), "p.txt is not the name of a zip file"),
     ],
 )
 def test_an_ending_that_says_something_else_is_refused(run, tmp_path, arguments, message):

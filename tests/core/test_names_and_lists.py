@@ -48,7 +48,7 @@ def test_the_name_of_a_limb_stands_for_it(result):
         ("frequency", "'frequency'; perhaps 'frequency_hz' is meant; a sweep can vary limb, "),
         ("1.durations", "'1.durations'; perhaps '1.duration_s' is meant"),
         ("1.limb", "nothing in the design has '1.limb'"),
-        ("2.frequency_hz", "the design has 1, numbered from 1"),
+        ("2.frequency_hz", "names input '2', expected 1 to 1"),
     ],
 )
 def test_a_sweep_refuses_unknown_variables_before_it_begins(tmp_path, name, message):

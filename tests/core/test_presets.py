@@ -125,9 +125,9 @@ def test_only_presets_of_the_folder_are_renamed_and_deleted(tmp_path):
     other = tmp_path / "notes.txt"
     other.write_text("mine")
     for path in (shipped, other):
-        with pytest.raises(InvalidInputError, match="only your own"):
+        with pytest.raises(InvalidInputError, match="one of your own"):
             presets.delete_preset(tmp_path, path)
-        with pytest.raises(InvalidInputError, match="only your own"):
+        with pytest.raises(InvalidInputError, match="one of your own"):
             presets.rename_preset(tmp_path, path, "Mine")
         assert path.exists()
 

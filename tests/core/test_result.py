@@ -17,7 +17,7 @@ VIEW = ss.View(axes="xz", method="mag", outputs=(19, 30))
 def test_each_listed_quantity_has_its_axes(quantity):
     value = ss.evaluate(DESIGN, quantity, view=VIEW)[quantity]
     if value is None:  # synthetic limbs have no noise
-        with pytest.raises(InvalidInputError, match="is not known of this design"):
+        with pytest.raises(InvalidInputError, match="is unknown for this design"):
             ss.result(DESIGN, quantity, view=VIEW)
         return
     result = ss.result(DESIGN, quantity, view=VIEW)
@@ -63,12 +63,12 @@ def test_a_difference_diverges_whatever_its_sign():
     low, high = ax.images[0].get_clim()
     assert low == -high
     assert bar.get_ylabel() == "difference (dB)"
-    with pytest.raises(InvalidInputError, match="no output_levels_db of the same shape"):
+    with pytest.raises(InvalidInputError, match="no output_levels_db of this shape"):
         ss.result(DESIGN) - ss.result(DESIGN, "output_rms")
 
 
 def test_what_is_no_listed_quantity_is_refused():
     with pytest.raises(InvalidInputError, match="perhaps 'output_levels_db' is meant"):
         ss.result(DESIGN, "output_level_db")
-    with pytest.raises(InvalidInputError, match=r"is no array; see skinsource\.quantities"):
+    with pytest.raises(InvalidInputError, match=r"is not an array; see skinsource\.quantities"):
         ss.result(DESIGN, "limb_map")

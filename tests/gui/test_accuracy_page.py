@@ -64,7 +64,7 @@ def test_every_row_stands_in_table_and_plot(page, qtbot):
 
 
 def test_times_of_edits_and_the_error_of_the_traces_stand_above(window, page, qtbot):
-    assert page.now.text().startswith("Nothing was edited yet.")
+    assert page.now.text().startswith("No edit yet.")
     window.document.edit("a", window.document.design.with_input(0, amplitude=2.0))
     qtbot.waitUntil(lambda: page.now.text().startswith("Last edit: median "), timeout=20_000)
     qtbot.waitUntil(lambda: "error ≈ " in page.now.text(), timeout=20_000)
@@ -85,7 +85,7 @@ def test_measuring_ends_with_whoever_wanted_it(window, page, qtbot, monkeypatch,
     assert page.rows == ()
     assert page.isVisible() == (how == "cancel")
     if how == "cancel":
-        assert page.message.text() == "Cancelled. Nothing was kept."
+        assert page.message.text() == "Cancelled. Nothing was stored."
         assert page.findChild(QPushButton, "measure").text() == "Measure now"
 
 

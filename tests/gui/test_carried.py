@@ -21,8 +21,8 @@ DESIGN = ss.Design(
     inputs=(ss.track(7, ss.waveforms.Tone(frequency_hz=400.0, duration_s=0.1), amplitude=500.0),),
 )
 SAID = (
-    "The probe moves at up to",
-    "above 40 mm/s the skin no longer answers in proportion.",
+    "Peak probe velocity",
+    "above 40 mm/s the skin no longer responds linearly.",
     "Responses are computed from a model, not measured.",
 )
 GUESSED = "of the energy lies above 300 Hz: between outputs the map is a guess."
@@ -61,7 +61,7 @@ def test_what_is_kept_is_not_said(open_window, tmp_path):
     quiet = replace(DESIGN, inputs=(ss.track(7, ss.waveforms.Tone(frequency_hz=100.0)),))
     window = open_window(quiet)
     text = drawn(window, "analysis/windowed", tmp_path / "a.svg")
-    assert "The probe moves" not in text
+    assert "Peak probe velocity" not in text
     assert "300 Hz" not in text
     assert "Responses are computed from a model" in text
 
@@ -90,8 +90,8 @@ def test_snapshots_that_do_not_keep_a_condition_are_named_with_it(window, settle
     window.document.edit("Softer", DESIGN.with_input(0, amplitude=1.0))
     settle()
     caption = window.pictures.picture_of("compare").caption
-    assert "Snapshot 1: The probe moves at up to" in caption
-    assert "The probe moves" not in window.pictures.picture_of("analysis/windowed").caption
+    assert "Snapshot 1: Peak probe velocity" in caption
+    assert "Peak probe velocity" not in window.pictures.picture_of("analysis/windowed").caption
 
 
 def test_copied_numbers_are_followed_by_what_they_are_not_good_for(window, qtbot):
@@ -102,7 +102,7 @@ def test_copied_numbers_are_followed_by_what_they_are_not_good_for(window, qtbot
     *_, last = lines = QApplication.clipboard().text().splitlines()
     assert lines[0].startswith("output\t")
     about = [line for line in lines if line.startswith("# ")]
-    assert any(line.startswith("# validity, drive: CAUTION: The probe moves") for line in about)
+    assert any(line.startswith("# validity, drive: CAUTION: Peak probe velocity") for line in about)
     assert last in about
 
 

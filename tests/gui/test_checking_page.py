@@ -89,7 +89,7 @@ def test_what_does_not_fit_is_said_in_its_row_and_the_others_are_checked(page, q
     save_design(tmp_path / "other.skinsource", design_of(200.0), View())
     np.savez(tmp_path / "z.npz", response=np.ones((600, 72)), fs=1300.0)
     checked(page, qtbot)
-    assert page.message.text() == "Checked. Choose a recording to hold it against."
+    assert page.message.text() == "Checked. Choose a recording to compare with."
     page.take_recording(tmp_path / "z.npz")
     assert page.message.text() == "z.npz is chosen for This design. Now press Check."
     (flat,) = checked(page, qtbot)

@@ -57,7 +57,8 @@ def test_the_chip_names_what_a_design_leaves(qtbot, states, text):
     qtbot.addWidget(chip)
     chip.show_findings(FINDINGS)
     assert chip.worst == "band"
-    assert chip.accessibleDescription() == "band: caution\ndrive: unknown\nnoise: kept"
+    described = "frequency range: caution\nprobe velocity: unknown\nnoise: OK"
+    assert chip.accessibleDescription() == described
 
 
 @pytest.mark.parametrize("by_key", [False, True])
@@ -75,7 +76,7 @@ def test_conditions_are_explained_and_repaired_from_the_chip(window, qtbot, by_k
     assert "mm/s" in card.findChild(QLabel, "validity_drive").text()
     card.findChild(QPushButton, "mend_drive").click()
     qtbot.waitUntil(lambda: state_of(window, "drive") == "kept", timeout=30_000)
-    assert window.document.undo_stack.undoText() == "Play within 40 mm/s"
+    assert window.document.undo_stack.undoText() == "Limit to 40 mm/s"
     qtbot.waitUntil(lambda: window.findChild(ConditionsCard) is None)
 
 

@@ -30,7 +30,7 @@ SLIDE_PX = (1280, 720)
 SAYS = {
     "analysis/regions": ("Back of the hand", "Forearm", "Mean"),
     "compare": ("Store the design with Ctrl+Shift+1 to 4",),
-    "analysis/wave": ("Way along the line (mm)", "Speed"),
+    "analysis/wave": ("Distance along the line (mm)", "Speed"),
 }
 
 

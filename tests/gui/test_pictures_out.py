@@ -43,7 +43,7 @@ def test_a_caption_says_what_is_played_where_how_strong_and_on_which_limb():
     )
     muted = DESIGN.with_input(0, muted=True)
     assert "Place 7" not in caption_of(muted)
-    assert caption_of(replace(DESIGN, inputs=(), title="A")).startswith("A. Silent")
+    assert caption_of(replace(DESIGN, inputs=(), title="A")).startswith("A. No active input")
     many = replace(DESIGN, inputs=tuple(ss.track(place) for place in range(1, 10)))
     assert "and 3 more inputs" in caption_of(many)
     one_more = replace(DESIGN, inputs=many.inputs[:7])

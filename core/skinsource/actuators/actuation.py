@@ -32,7 +32,7 @@ from skinsource.specs.spec import SwitchSpec, TextSpec
 PLACE = OptionalSpec(
     label="Place",
     of=NumberSpec(label="Place", minimum=1, maximum=MOST_LOCATIONS, whole=True),
-    hint="None: all places that have no actuator of their own",
+    hint="None: every place without its own actuator",
 )
 NAME = TextSpec(label="Actuator", longest=100, one_line=True)
 ACTUATORS = ListSpec(
@@ -77,12 +77,12 @@ class Actuation:
     actuators
         At most one for each place, and one for all others.
     equaliser
-        What makes volts of the drives, which are then accelerations in m/s² that the contactor
-        shall make; None: nothing does, and drives are volts.
+        Filter from drives to volts; drives are then accelerations of the contactor, m/s². None:
+        there is no filter, and drives are volts.
     rig
         Title of the rig that it was taken from, or "".
     on
-        Whether predictions go through it; off, it is only remembered.
+        Whether predictions go through it; if not, it is only stored.
     """
 
     actuators: tuple[ActuatorAt, ...] = fields.field(ACTUATORS)
@@ -117,10 +117,10 @@ class Actuation:
             for actuator in self.actuators:
                 if actuator.place == candidate:
                     return actuator
-        rig = f"the rig {self.rig}" if self.rig else "the actuators that are predicted through"
+        rig = f"the rig {self.rig}" if self.rig else "the actuators of the design"
         raise InvalidInputError(
-            f"Place {place} has no actuator among {rig}. Move or mute what plays there, choose "
-            "another rig, or switch off 'Predict through the actuator'."
+            f"Place {place} has no actuator among {rig}. Move or mute its inputs, choose another "
+            "rig, or switch off 'Predict through the actuator'."
         )
 
     @property
@@ -250,6 +250,6 @@ def _check_ringing(actuator: ActuatorAt, trimmed: Floats, full_response: Floats)
         where = "The" if actuator.place is None else f"Place {actuator.place}: the"
         name = quoted(actuator.actuator or actuator.model.title)
         raise InvalidInputError(
-            f"{where} actuator {name} rings for longer than {LONGEST_S:g} s, so that nothing can "
-            "be predicted through it. Give it damping, or an equaliser."
+            f"{where} actuator {name} rings for longer than {LONGEST_S:g} s, too long for a "
+            "prediction. Add damping or an equaliser."
         )

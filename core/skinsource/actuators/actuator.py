@@ -29,7 +29,7 @@ def not_negative(label: str, unit: str, hint: str = "") -> NumberSpec:
 
 RESISTANCE = positive("Resistance", "Ω", "Of the coil")
 INDUCTANCE = positive("Inductance", "H", "Of the coil")
-FORCE_FACTOR = not_negative("Force factor", "N/A", "Force for each ampere, and volts for each m/s")
+FORCE_FACTOR = not_negative("Force factor", "N/A", "Force per ampere, and volts per m/s")
 MOVING_MASS = positive("Moving mass", "kg")
 DAMPING = not_negative("Damping", "N s/m", "Of the suspension")
 STIFFNESS = not_negative("Stiffness", "N/m", "Of the suspension")
@@ -84,7 +84,7 @@ class Actuator(ABC):
         Parameters
         ----------
         frequency_hz
-            Of any shape, finite; at 0 nothing is accelerated for ever.
+            Of any shape, finite; at 0 Hz the acceleration is 0.
 
         Returns
         -------
@@ -115,7 +115,7 @@ class Actuator(ABC):
         Raises
         ------
         InvalidInputError
-            The voltage is not one row of finite numbers, or the motion is beyond all floats.
+            The voltage is not one row of finite numbers, or the motion overflows.
         """
 
 
@@ -172,7 +172,6 @@ def _laplace_variable(frequency_hz: ArrayLike) -> Complexes:
 def _check_finite(values: Complexes) -> Complexes:
     if not np.isfinite(values).all():
         raise InvalidInputError(
-            "the response is beyond all floating-point numbers; move the parameters nearer to "
-            "those of real actuators"
+            "the response overflows; choose parameters nearer to those of real actuators"
         )
     return values

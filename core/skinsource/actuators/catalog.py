@@ -44,13 +44,13 @@ class ActuatorProfile(fields.CheckedModel):
     source
         Where the numbers come from.
     calibration
-        What of it is calibrated, and what is not.
+        Which of its numbers are calibrated.
     gain_calibrated
-        Whether m/s² for each volt may be trusted; else the shape of the response is what counts.
+        Whether m/s² for each volt may be trusted; else only the shape of the response counts.
     model
         A model that moves, or a `ResponseShape` where too little is known for one.
     limits, thermal
-        What must not be passed; how it warms, where that is known.
+        Its limits; how it warms, where that is known.
     """
 
     title: str = fields.field(TextSpec(label="Title", longest=100, one_line=True))
@@ -128,8 +128,8 @@ def load(name: str) -> Model:
     model = profile(name).model
     if isinstance(model, ResponseShape):
         raise InvalidInputError(
-            f"actuator {quoted(name)} is known by the shape of its response only; take load_shape, "
-            f"or one of {', '.join(names())}"
+            f"actuator {quoted(name)} has only a response shape; use load_shape, or choose one of "
+            f"{', '.join(names())}"
         )
     return model
 
@@ -150,7 +150,7 @@ def load_shape(name: str) -> ResponseShape:
     """
     model = profile(name).model
     if not isinstance(model, ResponseShape):
-        raise InvalidInputError(f"actuator {quoted(name)} has a model; take load")
+        raise InvalidInputError(f"actuator {quoted(name)} has a model; use load")
     return model
 
 

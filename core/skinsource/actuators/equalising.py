@@ -145,7 +145,7 @@ def gain_in_band(actuator: Actuator, band_hz: Band = BAND_HZ) -> Floats:
     if not gain.max() > 0.0:
         raise InvalidInputError(
             f"the actuator does not move from {band_hz[0]:g} to {band_hz[1]:g} Hz, so no equaliser "
-            "can make it; give it a force factor or a coupling above 0"
+            "can help; give it a force factor or a coupling above 0"
         )
     return gain
 
@@ -154,8 +154,8 @@ def gain_in_band(actuator: Actuator, band_hz: Band = BAND_HZ) -> Floats:
 def followed_band(band_hz: Band | None, sample_rate_hz: float) -> Band:
     """Return the band in which drives are followed on a limb: that of its measurement.
 
-    It ends at 12/13 of half the rate at most.  Where its lab does not say one, None, it is all up
-    to there.  What begins at 0 is followed from 25 Hz on, or over its upper octave if that is less.
+    It ends at most at 12/13 of half the rate; None: the band is unknown, and ends there. A band
+    that begins at 0 is followed from 25 Hz, or over its upper octave if that is lower.
 
     Examples
     --------
@@ -300,7 +300,7 @@ def equalised(
     Raises
     ------
     InvalidInputError
-        A drive leaves a velocity, so that nothing can follow it.
+        A drive ends with a velocity, which no actuator can follow.
 
     Examples
     --------
@@ -354,7 +354,7 @@ RESONANCE = NumberSpec(
     maximum=2000.0,
     step=0.01,
     logarithmic=True,
-    hint="That of the actuator, which is taken out",
+    hint="Resonance of the actuator, which the filter removes",
 )
 QUALITY = NumberSpec(
     label="Quality",
@@ -362,13 +362,13 @@ QUALITY = NumberSpec(
     maximum=10_000.0,
     step=0.02,
     logarithmic=True,
-    hint="That of the actuator",
+    hint="Quality factor of the actuator",
 )
 NEW_QUALITY = replace(
     QUALITY,
     label="New quality",
     maximum=10.0,
-    hint="What takes its place; 0.7 rings no longer than it must",
+    hint="Quality factor afterwards; 0.7 rings least",
 )
 
 
@@ -412,10 +412,10 @@ class PolePairReplacement(fields.CheckedModel, Equaliser):
 def resonance_of(actuator: Actuator) -> tuple[float, float]:
     """Return the resonance of an actuator, in Hz, and its quality, for `PolePairReplacement`.
 
-    Of a voice coil they follow from its parameters: sqrt(k / m) / 2 pi and
-    sqrt(k m) / (c + Bl² / R).  Of others the response tells: displacement, acceleration over the
-    square of the frequency, lags by a quarter of a turn at the resonance, and its phase passes
-    there with a slope of 2 Q over the logarithm of the frequency.
+    Of a voice coil they follow from its parameters: sqrt(k / m) / 2 pi and sqrt(k m) / (c + Bl² /
+    R).  For others it follows from the response: displacement, acceleration over the square of the
+    frequency, lags by a quarter of a turn at the resonance, and its phase passes there with a slope
+    of 2 Q over the logarithm of the frequency.
 
     Examples
     --------
@@ -458,12 +458,12 @@ BOOST = NumberSpec(
     minimum=0.0,
     maximum=60.0,
     step=1.0,
-    hint="How much more voltage than where it moves most the filter may ask for",
+    hint="Largest voltage gain, relative to that at the response's peak",
 )
 PHASE = ChoiceSpec(
     label="Phase",
     options=(("linear", "Linear"), ("minimum", "Minimum")),
-    hint="Linear: nothing is delayed, and it begins to swing a little before; minimum: it does not",
+    hint="Linear: no delay, some ringing before the onset; minimum: no such ringing",
 )
 # Grid on which a gain's phase is computed, and floor of the gain relative to its peak.
 _LENGTH, _RATE_HZ, _FLOOR = 2**16, 48_000.0, 1e-5
@@ -484,9 +484,9 @@ class RegularisedInverse(fields.CheckedModel, Equaliser):
     boost_db
         0 to 60 dB.
     phase
-        ``"linear"``: the filter undoes the phase of the actuator too, so that it moves as the
-        drive says, nothing late, and rings a little before sharp starts; ``"minimum"``: the same
-        gain with the least delay, nothing before a start.
+        ``"linear"``: the filter also removes the phase of the actuator: no delay, but some ringing
+        before sharp starts; ``"minimum"``: the same gain with the least delay, and no ringing
+        before a start.
 
     References
     ----------

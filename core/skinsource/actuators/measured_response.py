@@ -129,11 +129,9 @@ def measured_arrays(frequency_hz: ArrayLike, response: ArrayLike) -> tuple[Float
             "expected two rows of equal length, at least 2"
         )
     if not np.isfinite(values).all() or not values.all():
-        raise InvalidInputError(
-            "response holds zeros or values that are no numbers; leave them out"
-        )
+        raise InvalidInputError("response holds zeros or values that are not numbers; remove them")
     if not (rising_hz > 0.0).all():
-        raise InvalidInputError("frequency_hz holds frequencies of 0 or below; leave them out")
+        raise InvalidInputError("frequency_hz holds frequencies of 0 or below; remove them")
     order = np.argsort(rising_hz, kind="stable")
     return rising_hz[order], values.astype(np.complex128)[order]
 
@@ -152,10 +150,10 @@ def fit(
 ) -> VoiceCoil:
     """Return the voice coil whose response is nearest to a measured one.
 
-    Nearest means: the sum of squares of the relative differences is the least.  A response in
-    m/s² per V tells four things of the six that make a coil, so the resistance is taken as given
-    (an ohmmeter tells it), and so is the mass, where it is given; without it the model moves as
-    was measured, and its current is a guess.
+    Nearest means: the sum of squares of the relative differences is the least.  A response in m/s²
+    per V determines four of the six parameters of a coil: the resistance is given (measure it with
+    an ohmmeter), and the mass may be; without it the motion is that of the measurement, and the
+    current is a guess.
 
     Parameters
     ----------

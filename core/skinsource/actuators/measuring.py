@@ -457,8 +457,8 @@ def _noise_message(error: Floats) -> str:
     best = float(error.min(initial=np.inf))
     known = f"; the best point is uncertain by {100.0 * best:.0f} %" if np.isfinite(best) else ""
     return (
-        f"next to nothing of the sweep is above the noise of the input{known}. Is the amplifier "
-        "on, and the sensor in its place and wired to that input? Raise the level if they are"
+        f"hardly any of the sweep is above the noise of the input{known}. Check amplifier, sensor "
+        "and wiring, or raise the level"
     )
 
 
@@ -525,7 +525,7 @@ def response_from_sweep(
     usable = density > _LEAST_AMPLITUDE**2 * density.max(initial=0.0)
     if density.max(initial=0.0) == 0.0 or usable.sum() < 2:
         raise InvalidInputError(
-            f"the voltage holds next to nothing from {low_hz:g} to {high_hz:g} Hz; measure with a "
+            f"the voltage holds almost nothing from {low_hz:g} to {high_hz:g} Hz; measure with a "
             "sweep over that band"
         )
     cross = bands.sums(source.conj() * scipy.fft.rfft(moved, length))
@@ -613,7 +613,7 @@ def _table_response(table: dict[str, Floats]) -> MeasuredResponse:
             gain = 10.0 ** (table[_GAIN_DB[0]] / 20.0)
         else:
             raise InvalidInputError(
-                "it has frequencies and no gain, expected a column gain, gain_db, or real and imag"
+                "it has frequencies but no gain, expected a column gain, gain_db, or real and imag"
             )
         phase = table.get(_RADIANS[0])
         if phase is None:

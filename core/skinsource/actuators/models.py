@@ -79,7 +79,7 @@ class VoiceCoil(fields.CheckedModel, LinearActuator):
         return self._mechanical(s) * electrical + np.square(self.force_factor_n_per_a)
 
 
-CASING_MASS = actuator.positive("Casing mass", "kg", "What touches the skin, and recoils")
+CASING_MASS = actuator.positive("Casing mass", "kg", "Mass that touches the skin and recoils")
 
 
 @dataclass(frozen=True, slots=True)
@@ -166,7 +166,7 @@ class RecoilVoiceCoil(fields.CheckedModel, LinearActuator):
 
 
 CAPACITANCE = actuator.positive("Capacitance", "F", "Of the clamped actuator")
-COUPLING = actuator.not_negative("Coupling", "N/V", "Force for each volt, and A for each m/s")
+COUPLING = actuator.not_negative("Coupling", "N/V", "Force per volt, and amperes per m/s")
 SERIES = actuator.positive("Series resistance", "Ω", "Of amplifier and leads")
 
 

@@ -36,7 +36,7 @@ def _limit(label: str, unit: str, hint: str, most: float = float("inf")) -> Opti
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Limits(fields.CheckedModel):
-    """What must not be passed; None: nothing is known, and nothing is limited.
+    """Limits of an actuator; None: unknown, and not checked.
 
     Attributes
     ----------
@@ -51,7 +51,7 @@ class Limits(fields.CheckedModel):
     peak_current_a, rms_current_a
         Largest current, and its RMS over the loudest second.
     duty
-        Largest share of the time in which it is driven, above 0 to 1.
+        Largest share of time that it is driven, above 0 to 1.
     """
 
     peak_voltage_v: float | None = fields.field(_limit("Peak voltage", "V", "Largest"), None)
@@ -61,14 +61,14 @@ class Limits(fields.CheckedModel):
     slew_v_per_s: float | None = fields.field(_limit("Slew", "V/s", "Fastest change"), None)
     duration_s: float | None = fields.field(_limit("Duration", "s", "Longest stimulus"), None)
     displacement_m: float | None = fields.field(
-        _limit("Displacement", "m", "Farthest from rest, to either side"), None
+        _limit("Displacement", "m", "Largest distance from rest"), None
     )
     peak_current_a: float | None = fields.field(_limit("Peak current", "A", "Largest"), None)
     rms_current_a: float | None = fields.field(
         _limit("RMS current", "A", "Over the loudest second"), None
     )
     duty: float | None = fields.field(
-        _limit("Duty", "", "Largest share of the time in which it is driven", 1.0), None
+        _limit("Duty", "", "Largest share of time that it is driven", 1.0), None
     )
 
 
@@ -181,8 +181,8 @@ def predicted(
     thermal
         How they warm; None: not known.
     least_rate_hz
-        Rate to which a lower one is raised: peaks between samples are found, and 600 Hz is kept
-        within 0.005 dB, from 48 kHz on.
+        Lower rates are raised to this one, so that peaks between samples are found: from 48 kHz on,
+        within 0.005 dB at 600 Hz.
 
     Returns
     -------

@@ -53,14 +53,14 @@ __all__ = [
 
 PLACE = NumberSpec(label="Place", minimum=1, maximum=MOST_LOCATIONS, whole=True)
 NAME = TextSpec(label="Actuator", longest=100, one_line=True)
-DEVICE = TextSpec(label="Device", longest=200, one_line=True, hint="Sound card, as it is called")
+DEVICE = TextSpec(label="Device", longest=200, one_line=True, hint="Name of the sound card")
 OUTPUT = NumberSpec(label="Output", minimum=1, maximum=1024, whole=True, hint="Of the device")
 FULL_SCALE = OptionalSpec(
     label="Full scale",
     of=NumberSpec(label="Full scale", unit="V", minimum=SMALLEST, maximum=1e6),
-    hint="Volts at the connector of the device where a sample is 1",
+    hint="Volts at the device output for a sample of 1",
 )
-GAIN = NumberSpec(label="Amplifier gain", minimum=SMALLEST, maximum=1e6, hint="Volts for each volt")
+GAIN = NumberSpec(label="Amplifier gain", minimum=SMALLEST, maximum=1e6, hint="Volts per volt")
 POLARITY = ChoiceSpec(
     label="Polarity",
     options=(("normal", "Normal"), ("inverted", "Inverted")),
@@ -89,8 +89,7 @@ class RigChannel:
     amplifier_gain
         Volts at the actuator for each volt of the output.
     measured
-        Acceleration on the skin for each volt at the actuator, as it was measured; None: it was
-        not.
+        Measured acceleration on the skin per volt at the actuator; None: not measured.
     polarity
         ``"normal"``, or ``"inverted"`` where a positive voltage moves it the other way.
     delay_s
@@ -139,7 +138,7 @@ class RigChannel:
 
     @property
     def moves_as(self) -> Model | None:
-        """What tells the motion: the measured response, else the model."""
+        """Measured response, else the model."""
         return self.measured if self.measured is not None else self.model
 
     @property
@@ -163,7 +162,7 @@ CHANNELS = ListSpec(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Rig:
-    """What a laboratory has on its table.
+    """Actuators of a lab, their wiring, and their limits.
 
     Attributes
     ----------
@@ -499,7 +498,7 @@ def save_rig(path: str | os.PathLike[str], rig: Rig) -> None:
     Parameters
     ----------
     path
-        The file; it usually ends in ``.skinrig``.  What stands there is replaced.
+        The file; it usually ends in ``.skinrig``.  An existing file is replaced.
 
     Raises
     ------

@@ -80,8 +80,8 @@ def simulated(
         _fill_outputs(outputs[:, 1:], samples, step_matrix(equations, step_s, hold))
     if not np.isfinite(outputs).all():
         raise InvalidInputError(
-            "the motion is beyond all floating-point numbers; lower the voltage, or move the "
-            "parameters nearer to those of real actuators"
+            "the motion overflows; lower the voltage, or choose parameters nearer to those of real "
+            "actuators"
         )
     return ActuatorMotion(**dict(zip(OUTPUTS, outputs, strict=True)))
 

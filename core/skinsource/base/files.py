@@ -129,7 +129,7 @@ def _advice_on_reading(error: OSError | ValueError) -> str:
     if code in _ABSENT:
         return "It was moved or deleted; look for it elsewhere."
     if code in _FORBIDDEN:
-        return "Ask its owner for the right to read it."
+        return "Ask its owner for permission to read it."
     return "Check that it is a file and that you may read it."
 
 
@@ -150,7 +150,7 @@ def read_bytes(path: Path, *, most: int) -> bytes:
             status = os.fstat(file.fileno())
             if not stat.S_ISREG(status.st_mode):
                 raise StorageError(
-                    f"{path_text(path)}: cannot be read (it is no regular file). Choose a file."
+                    f"{path_text(path)}: cannot be read (it is not a regular file). Choose a file."
                 )
             # It may grow while it is read.
             content = b"" if status.st_size > most else file.read(status.st_size + 1)
@@ -197,7 +197,7 @@ def _mode_of(path: Path) -> int:
         return 0
     except (OSError, ValueError) as error:
         raise StorageError(
-            f"{path_text(path)}: cannot be looked at ({reason_of(error)}). "
+            f"{path_text(path)}: cannot be accessed ({reason_of(error)}). "
             f"{_advice_on_reading(error)}"
         ) from error
 
@@ -289,7 +289,7 @@ def _permissions_of(path: Path) -> int | None:
         return None
     if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
         # The new file would take its place: with the right to do so, that of /dev/null too.
-        raise _BadPath("a device or a pipe stands there, no file")
+        raise _BadPath("it is a device or a pipe, not a file")
     return stat.S_IMODE(mode)
 
 
@@ -390,7 +390,7 @@ def _check_own_folder(path: Path, mark: str) -> None:
         if ours and ((path / mark).is_file() or not any(path.iterdir())):
             return
     raise StorageError(
-        f"{path_text(path)}: something else stands there, and it is not replaced. Choose another "
+        f"{path_text(path)}: something else has this name and is not replaced. Choose another "
         "name, or move it away first."
     )
 

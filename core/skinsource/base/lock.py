@@ -194,7 +194,7 @@ class Lock:
             while (owner := self.take()) is not None:
                 if time.monotonic() >= until_s:
                     raise StorageError(
-                        f"{path_text(self.file)}: cannot be changed while another process has it "
+                        f"{path_text(self.file)}: cannot be changed while another process uses it "
                         f"({owner.description}). Try again later; if that process has ended, "
                         f"delete {path_text(self.path)}."
                     )

@@ -120,7 +120,7 @@ def run_limited(
                 yield result
         except _LostError as error:
             raise RecordingError(
-                f"{name}: {error}, so it was given up; expected a file that can be read in "
+                f"{name}: {error}, so reading stopped; expected a file that can be read in "
                 f"{child.silence_s:g} s. {_ADVICE}"
             ) from error
         except OSError as error:

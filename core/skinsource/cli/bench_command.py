@@ -39,11 +39,11 @@ def add_to(subparsers: Any) -> None:
         "bench",
         help="measure error against run time on this machine",
         description="Measures how far this program, SciPy and direct sums are from exact values, "
-        "and how long they take, in convolutions, resampling and actuators. Writes "
-        f"{_NAME}.csv, {_NAME}.svg, {_NAME}.png and report.md. Stopped earlier (Ctrl+C), it leaves "
-        "table and report of what was measured until then.",
+        f"and how long they take, in convolutions, resampling and actuators. Writes {_NAME}.csv, "
+        f"{_NAME}.svg, {_NAME}.png and report.md. If it is stopped early (Ctrl+C), table and "
+        "report hold what was measured so far.",
     )
-    bench.add_argument("--quick", action="store_true", help="fewer cases, and fewer runs of each")
+    bench.add_argument("--quick", action="store_true", help="fewer cases, fewer runs of each")
     bench.add_argument(
         "--out",
         type=Path,
@@ -84,7 +84,7 @@ def _bench(arguments: argparse.Namespace) -> int:
         if not rows:
             raise
         _write(folder, rows, arguments.limb, "It was stopped before the end.")
-        raise Stopped(f"stopped. What was measured until then is in {folder}") from None
+        raise Stopped(f"stopped. The results so far are in {folder}") from None
     _write(folder, rows, arguments.limb)
     sys.stdout.write(f"{table_text(rows)}\n{MEANING}\n")
     write_plots(rows, folder / _NAME)

@@ -35,9 +35,9 @@ def add_to(subparsers: Any) -> None:
     """Add the commands on design files."""
     show = subparsers.add_parser(
         "show",
-        help="show what is in a design file, and its levels",
-        description="Shows what is in a design file, conditions of the measurement that it does "
-        "not keep, and the level at each output as a table.",
+        help="show the content of a design file, and its levels",
+        description="Shows the content of a design file, the conditions of the measurement that it "
+        "does not meet, and a table with the level at each output.",
     )
     render = subparsers.add_parser(
         "render",
@@ -48,9 +48,9 @@ def add_to(subparsers: Any) -> None:
     film = subparsers.add_parser(
         "film",
         help="write the vibration of a design file in slow motion: MP4, WebM or GIF",
-        description="Writes how the vibration travels over hand and arm, in slow motion; places "
-        "that play are ringed. The time axis of the file is filmed. Needs the extras plot and "
-        "video.",
+        description="Writes a film of the vibration on hand and arm in slow motion; rings mark "
+        "active inputs. It covers the time range of the view in the file. Needs the extras plot "
+        "and video.",
     )
     film.add_argument(
         "--out", type=Path, required=True, metavar="FILE", help="a .mp4, .webm or .gif file"
@@ -65,7 +65,7 @@ def add_to(subparsers: Any) -> None:
         "--slow-motion",
         type=float,
         metavar="X",
-        help="how many times slower than it happens (default: 20, or as slow as waves need)",
+        help="how many times slower than real time (default: 20, or more for fast waves)",
     )
     film.set_defaults(run=_film)
     for parser in (show, render, film):
@@ -203,7 +203,7 @@ def _add_pack(subparsers: Any) -> None:
 def _pack(arguments: argparse.Namespace) -> int:
     if arguments.out.suffix.lower() != ".zip":
         raise InvalidInputError(
-            f"{printable(arguments.out.name)} is no name of a zip file. Call it *.zip."
+            f"{printable(arguments.out.name)} is not the name of a zip file. Call it *.zip."
         )
     content = open_design(arguments.design)
     rig = None if arguments.rig is None else open_rig(arguments.rig)
@@ -219,9 +219,7 @@ def _add_check(subparsers: Any) -> None:
     parser = subparsers.add_parser(
         "check",
         help="check linearity and superposition, and agreement with recorded responses",
-        description="For each design: whether outputs are in proportion to inputs, whether inputs "
-        "add up, and, with --measured, the figures of the paper's Fig. 4 against recorded "
-        "responses (CSV, NPZ, MATLAB, HDF5: times by outputs and axes).",
+        description="For each design: whether outputs are proportional to inputs, whether inputs add up, and, with --measured, the figures of the paper's Fig. 4 against recorded responses (CSV, NPZ, MATLAB, HDF5: times by outputs and axes).",
     )
     parser.add_argument("designs", type=Path, nargs="+", metavar="DESIGN", help=".skinsource files")
     parser.add_argument(
@@ -236,13 +234,13 @@ def _add_check(subparsers: Any) -> None:
         "--axes",
         default="",
         choices=tuple(word.name for word in AXES),
-        help="axes that were recorded; all of the limb unless given",
+        help="recorded axes (default: all axes of the limb)",
     )
     parser.add_argument(
         "--rate",
         type=float,
         metavar="HZ",
-        help="rate of recordings that say none; that of the limb unless given",
+        help="rate of recordings that state none (default: that of the limb)",
     )
     parser.add_argument("--out", type=Path, metavar="FILE", help="an HTML report to write")
     parser.set_defaults(run=_check)

@@ -21,7 +21,7 @@ from skinsource.limbs.own_limbs import (
 )
 
 _IMPORT = (
-    "Imports impulse responses that were measured elsewhere, so that designs can name them. The "
+    "Imports impulse responses that were measured elsewhere, so that designs can use them. The "
     "file is in the layout of docs/limbs.md, or any array of three or four dimensions in NPY, NPZ, "
     "MATLAB or HDF5, with options for what it does not say."
 )
@@ -29,7 +29,7 @@ _IMPORT = (
 
 def add_to(subparsers: Any) -> None:
     """Add the commands ``limbs``, and ``limb`` with its actions."""
-    limbs = subparsers.add_parser("limbs", help="show the limbs that can be used")
+    limbs = subparsers.add_parser("limbs", help="list the available limbs")
     limbs.set_defaults(run=_limbs)
     limb = subparsers.add_parser(
         "limb",
@@ -38,7 +38,7 @@ def add_to(subparsers: Any) -> None:
     )
     actions = limb.add_subparsers(title="actions", metavar="ACTION", required=True)
     _add_import(actions)
-    parser = actions.add_parser("list", help="show the limbs that can be used, as skinsource limbs")
+    parser = actions.add_parser("list", help="list the available limbs, as skinsource limbs does")
     parser.set_defaults(run=_list)
     parser = actions.add_parser("mirror", help="show a left hand as a right one, or as it is")
     parser.add_argument("name", metavar="NAME")
@@ -59,11 +59,11 @@ def _add_import(actions: Any) -> None:
     parser = actions.add_parser("import", help="import impulse responses", description=_IMPORT)
     add = parser.add_argument
     add("file", type=Path, metavar="FILE", help="the responses, in m/s²")
-    add("--replace", action="store_true", help="take the place of an own limb of the same name")
+    add("--replace", action="store_true", help="replace an own limb of the same name")
     add = parser.add_argument_group("names").add_argument
-    add("--name", help=f"what designs call it: {NAME_RULE}")
-    add("--title", help="what the window calls it")
-    add("--note", help="what users should know of it")
+    add("--name", help=f"name in designs: {NAME_RULE}")
+    add("--title", help="title in the window")
+    add("--note", help="note for users")
     _add_responses(parser.add_argument_group("responses").add_argument)
     _add_hand(parser.add_argument_group("hand and places").add_argument)
     parser.set_defaults(run=_import)
@@ -75,22 +75,22 @@ def _add_responses(add: Any) -> None:
         "--order",
         default="",
         metavar="LETTERS",
-        help="what its dimensions are: i input, o output, a axis, t tap (default: ioat, or iot)",
+        help="order of its dimensions: i input, o output, a axis, t tap (default: ioat, or iot)",
     )
-    add("--axes", choices=AXES, help="along which each output measures; z: normal")
-    add("--rate", type=float, metavar="HZ", help="samples a second")
-    add("--delay", type=float, metavar="S", help="how late the responses are")
+    add("--axes", choices=AXES, help="axes of each output; z: normal to the skin")
+    add("--rate", type=float, metavar="HZ", help="samples per second")
+    add("--delay", type=float, metavar="S", help="delay of the responses")
     add(
         "--band",
         type=float,
         nargs=2,
         metavar=("LOWEST", "HIGHEST"),
-        help="in which the responses hold, Hz (default: not known)",
+        help="valid frequencies of the responses, Hz (default: unknown)",
     )
     add(
         "--pulse",
         action="store_true",
-        help="responses to the pulse of the published limbs, not to one sample of the drive",
+        help="the responses are to the published pulse, not to one sample of the drive",
     )
     add(
         "--synthetic",
@@ -106,7 +106,7 @@ def _add_hand(add: Any) -> None:
         "--hand-length-units",
         type=float,
         metavar="N",
-        help="the same in the unit of the coordinates (default: they are mm)",
+        help="hand length in the unit of the coordinates (default: mm)",
     )
     add("--outline", type=Path, metavar="FILE", help="SVG, or CSV of x, y")
     add("--inputs", type=Path, metavar="CSV", help="places of inputs: x, y, name")
@@ -189,7 +189,7 @@ def _limb_line(name: str) -> str:
     mark = "SYNTHETIC  " if facts.synthetic else ""
     line = f"{name:12}  {facts.title:22}  {mark}{facts.sentence}"
     if facts.own:
-        size = "" if facts.live else "  Too large to follow edits: exports and sweeps compute it."
+        size = "" if facts.live else "  Too large for live results: exports and sweeps compute it."
         return f"{line}  {facts.digest[:12]}{size}"
     note = load_limb(name).note
     return f"{line}  NOTE: {note}" if note else line

@@ -29,7 +29,7 @@ def add_to(subparsers: Any) -> None:
         "others cannot. With a name and "
         "--out, writes that scene as a design file for show, render, export and the studio.",
     )
-    parser.add_argument("name", nargs="?", metavar="NAME", help="of a scene, such as 2F")
+    parser.add_argument("name", nargs="?", metavar="NAME", help="name of a scene, such as 2F")
     parser.add_argument(
         "--limb",
         default="",

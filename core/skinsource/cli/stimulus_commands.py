@@ -25,12 +25,12 @@ from skinsource.studies.sweeps.stimulus_set import CONDITIONS, export_set
 from skinsource.studies.sweeps.table import TABLE
 
 _TIME_OPTIONS = {
-    "--from": ("from_s", "begin of the part of the design that is exported"),
-    "--to": ("to_s", "its end"),
-    "--lead-in": ("lead_in_s", "silence before it (default: 0.1 s with an equaliser)"),
-    "--tail": ("tail_s", "silence after it (default: 0.1 s with an equaliser)"),
-    "--fade-in": ("fade_in_s", "fade at its begin"),
-    "--fade-out": ("fade_out_s", "fade at its end"),
+    "--from": ("from_s", "start of the exported part of the design"),
+    "--to": ("to_s", "end of the exported part"),
+    "--lead-in": ("lead_in_s", "silence before the stimulus (default: 0.1 s with an equaliser)"),
+    "--tail": ("tail_s", "silence after the stimulus (default: 0.1 s with an equaliser)"),
+    "--fade-in": ("fade_in_s", "fade at the start"),
+    "--fade-out": ("fade_out_s", "fade at the end"),
 }
 
 
@@ -53,13 +53,13 @@ def add_to(subparsers: Any) -> None:
         "--format",
         choices=export_formats(),
         metavar="FORMAT",
-        help="one of those below (default: as the ending of PATH says)",
+        help="one of those below (default: from the ending of PATH)",
     )
-    add("--confirm", action="store_true", help="write it even though samples clip or limits pass")
+    add("--confirm", action="store_true", help="write even if samples clip or limits are exceeded")
     add(
         "--accept-loss",
         action="store_true",
-        help="write it even though a channel loses more than 1 dB of its energy to the rate",
+        help="write even if a channel loses more than 1 dB of its energy at this rate",
     )
     add_set = parser.add_argument_group("set of stimuli, in the folder PATH").add_argument
     vary = "values as in a sweep: 'frequency_hz = [50, 100]'; repeated: all combinations"
@@ -96,12 +96,12 @@ def add_to(subparsers: Any) -> None:
 
 def _add_channels(add: Any) -> None:
     add("--inputs", type=int, nargs="+", metavar="N", help="only these inputs, by number")
-    add("--per", choices=("place", "input"), default="place", help="what has a channel of its own")
+    add("--per", choices=("place", "input"), default="place", help="what gets its own channel")
     add(
         "--file-per-input",
         dest="one_file_per_input",
         action="store_true",
-        help="a file of one channel for each input",
+        help="one file with one channel for each input",
     )
     add("--sync", action="store_true", help="add a channel that marks time 0, or --from")
     add(
@@ -111,7 +111,7 @@ def _add_channels(add: Any) -> None:
         nargs="+",
         default=(),
         metavar="N",
-        help="for each output of the device the channel that it gets; 0: none",
+        help="channel of each output of the device, in order; 0: none",
     )
 
 
@@ -120,14 +120,14 @@ def _add_numbers(add: Any) -> None:
         "--full-scale",
         type=float,
         metavar="X",
-        help="drive that is full scale, in its unit (default: the largest sample)",
+        help="drive at full scale, in its unit (default: the largest sample)",
     )
     add(
         "--dither",
         dest="dither_seed",
         type=int,
         metavar="SEED",
-        help="dither whole numbers, with this seed",
+        help="add dither to integer samples, with this seed",
     )
     for name, (formats, options) in _choices().items():
         add(
@@ -143,9 +143,9 @@ def _add_rig(add: Any) -> None:
     add(
         "--equalise",
         choices=("linear", "minimum", "none"),
-        help="make volts of accelerations, with this phase (default: as the design says)",
+        help="convert accelerations to volts, with this phase (default: from the design)",
     )
-    add("--boost", type=float, metavar="DB", help="most that --equalise boosts (default: 20)")
+    add("--boost", type=float, metavar="DB", help="largest boost of --equalise (default: 20)")
 
 
 def _choices() -> dict[str, tuple[list[str], list[str]]]:
@@ -244,23 +244,20 @@ def _add_sweep(subparsers: Any) -> None:
     sweep = subparsers.add_parser(
         "sweep",
         help="measure many stimuli: designs x frequencies x places x ...",
-        description="Measures all combinations that a TOML file names, on all cores, and writes "
-        "stimuli.csv with one row for each. Run again after it was stopped, it goes on.",
-        epilog="A stimulus that cannot be measured is left out: its row says why, all others are "
-        "measured. Ends with 0 where all rows were measured, with 1 where one was left out or the "
-        "sweep could not be run, with 130 where it was stopped.",
+        description="Measures all combinations that a TOML file names, on all cores, and writes stimuli.csv with one row for each. Run it again after a stop, and it continues.",
+        epilog="A stimulus that cannot be measured is left out, and its row says why. Exit codes: 0, all rows were measured; 1, one was left out or the sweep could not run; 130, it was stopped.",
     )
     sweep.add_argument("sweep", type=Path, metavar="SWEEP", help="a .toml file")
     sweep.add_argument(
-        "--out", type=Path, required=True, metavar="FOLDER", help="where to write, and to go on"
+        "--out", type=Path, required=True, metavar="FOLDER", help="folder to write or continue in"
     )
     sweep.add_argument(
-        "--processes", type=int, metavar="N", help="how many measure at once (default: all cores)"
+        "--processes", type=int, metavar="N", help="number of processes (default: all cores)"
     )
     sweep.add_argument(
         "--scheduler",
         metavar="ADDRESS",
-        help="of a Dask cluster that measures instead: tcp://host:8786",
+        help="address of a Dask cluster that measures instead: tcp://host:8786",
     )
     sweep.set_defaults(run=_sweep)
 
@@ -299,12 +296,11 @@ def _add_rig_actions(subparsers: Any) -> None:
     rig = subparsers.add_parser(
         "rig",
         help="measure the actuators of a rig",
-        description="Rigs: what is wired to which output, and how it answers. Play > Rig… of the "
-        "studio describes one.",
+        description="A rig says what is wired to which output, and how it responds. To edit one, use Play > Rig… in the studio.",
     )
     actions = rig.add_subparsers(title="actions", metavar="ACTION", required=True)
     _add_measure(actions)
-    parser = actions.add_parser("devices", help="show what can be played on and recorded from")
+    parser = actions.add_parser("devices", help="list devices for playback and recording")
     parser.set_defaults(run=_devices)
 
 
@@ -314,22 +310,22 @@ def _add_measure(actions: Any) -> None:
         "measure", help="measure a channel with an accelerometer", description=_MEASURE
     )
     parser.add_argument("rig", type=Path, metavar="RIG", help="a .skinrig file")
-    parser.add_argument("--out", type=Path, metavar="FILE", help="rig to write (default: the same)")
+    parser.add_argument("--out", type=Path, metavar="FILE", help="rig to write (default: RIG)")
     add = parser.add_argument_group("channel and accelerometer").add_argument
-    add("--place", type=int, required=True, metavar="N", help="of the channel")
+    add("--place", type=int, required=True, metavar="N", help="place of the channel")
     add(
         "--sensitivity",
         type=float,
         required=True,
         metavar="V",
-        help="of the accelerometer, V per m/s² (100 mV per g is 0.0102)",
+        help="sensitivity of the accelerometer, V per m/s² (100 mV per g is 0.0102)",
     )
     add(
         "--input-volts",
         type=float,
         required=True,
         metavar="V",
-        help="at the input where a recorded sample is 1",
+        help="volts at the input for a recorded sample of 1",
     )
     add("--input", type=int, default=default.input_number, metavar="N", help="from 1")
     add(
@@ -337,7 +333,7 @@ def _add_measure(actions: Any) -> None:
         type=int,
         default=default.loopback_input,
         metavar="N",
-        help="input that is wired to the output, to tell the delay (default: none)",
+        help="input that is wired to the output, to measure the delay (default: none)",
     )
     add = parser.add_argument_group("sweeps").add_argument
     add(
@@ -345,9 +341,9 @@ def _add_measure(actions: Any) -> None:
         type=float,
         default=default.level_db,
         metavar="DB",
-        help=f"of full scale (default: {default.level_db:g})",
+        help=f"dB of full scale (default: {default.level_db:g})",
     )
-    add("--seconds", type=float, default=default.sweep_s, metavar="S", help="per sweep")
+    add("--seconds", type=float, default=default.sweep_s, metavar="S", help="length of each sweep")
     add("--repeats", type=int, default=default.repeats, metavar="N")
     add(
         "--band",
@@ -355,12 +351,12 @@ def _add_measure(actions: Any) -> None:
         nargs=2,
         default=default.band_hz,
         metavar="HZ",
-        help="lowest and highest frequency that are wanted (default: 20 1000)",
+        help="lowest and highest frequency to measure (default: 20 1000)",
     )
     add = parser.add_argument_group("audio devices").add_argument
     add("--rate", type=int, default=output.sample_rate_hz, metavar="HZ")
-    add("--device", default="", metavar="NAME", help="where the rig names none (default: usual)")
-    add("--input-device", default="", metavar="NAME", help="default: the one that is played on")
+    add("--device", default="", metavar="NAME", help="default: that of the rig, or the system")
+    add("--input-device", default="", metavar="NAME", help="default: the playback device")
     parser.set_defaults(run=_measure)
 
 

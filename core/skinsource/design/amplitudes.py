@@ -28,16 +28,15 @@ _UNITS: dict[Scaling, str] = {"upstream": "m/s²", "relative": "×", "probe": "m
 # Under upstream scaling an amplitude is a peak on the skin, and the drive itself has no unit.
 _DRIVE_UNITS: dict[Scaling, str] = {"upstream": "1", "relative": "measuring pulse", "probe": "m/s²"}
 _MEANINGS: dict[Scaling, str] = {
-    "upstream": "The highest acceleration on any one axis that all clips together cause",
+    "upstream": "Largest acceleration on any axis that all clips together cause",
     "relative": "A factor: 1 is the measuring pulse",
     "probe": "Acceleration of the probe, within about 3 dB",
 }
 # For limbs whose responses answer a drive of unknown unit.
 _MEANINGS_OF_DRIVES: dict[Scaling, str] = {
     "upstream": _MEANINGS["upstream"],
-    "relative": "A factor: 1 is one unit of the drive that the responses of this limb answer",
-    "probe": "In the unit of the drive that the responses of this limb answer; which one is not "
-    f"known ({ARBITRARY_UNIT})",
+    "relative": "A factor: 1 is one unit of the drive of this limb",
+    "probe": f"In the unit of the drive of this limb, which is unknown ({ARBITRARY_UNIT})",
 }
 
 # How far sampling or rounding can move a peak of 1.

@@ -27,7 +27,7 @@ GAIN = NumberSpec(
     minimum=-1000.0,
     maximum=1000.0,
     step=0.05,
-    hint="How strong beside the other clips of its track; a negative gain turns the polarity",
+    hint="Gain relative to other clips of the track; negative inverts polarity",
 )
 WAVEFORM = ModelSpec(label="Waveform", kinds=known_kinds)
 EFFECT_LIST = ListSpec(
@@ -51,7 +51,7 @@ class Clip:
     gain
         Factor relative to the other clips of the track.
     waveform
-        What it plays; by default a tone.
+        Its waveform; by default a tone.
     effects
         Effects on the waveform, one after the other.
     muted
@@ -74,7 +74,7 @@ class Clip:
         fields.check(self)
         if not self.duration_s <= LONGEST_S:
             raise InvalidInputError(
-                f"Clip plays {self.duration_s:g} s, expected at most {LONGEST_S:g} s; repeat it "
+                f"Clip lasts {self.duration_s:g} s, expected at most {LONGEST_S:g} s; repeat it "
                 "less often, or stretch it less"
             )
 

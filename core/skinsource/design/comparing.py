@@ -332,11 +332,11 @@ def snapshot_name(number: int) -> str:
 def why_no_comparison(snapshots: Sequence[Snapshot]) -> str:
     """Say why `other_snapshot` returns None, and what the user can do."""
     if not snapshots:
-        return "Store the design with Ctrl+Shift+1 to 4, change it, and press X to go to and fro."
+        return "Store the design with Ctrl+Shift+1 to 4, change it, then press X to switch."
     name = snapshot_name(snapshots[-1].number)
     return (
         f"The design in the window is {name}, and nothing else is stored. Change it, or store a "
-        "second one with Ctrl+Shift+1 to 4, and press X to go to and fro."
+        "second one with Ctrl+Shift+1 to 4, then press X to switch between them."
     )
 
 

@@ -40,13 +40,13 @@ AMPLITUDE = NumberSpec(
     minimum=-1000.0,
     maximum=1000.0,
     step=0.05,
-    hint="A negative amplitude turns the polarity",
+    hint="A negative amplitude inverts the polarity",
 )
 #: For an input whose amplitude is a plain factor, see `skinsource.design.amplitudes.is_gain`.
 AMPLITUDE_GAIN = replace(
     AMPLITUDE,
     label="Gain",
-    hint="Factor on what was recorded. A negative gain turns the polarity",
+    hint="Factor on the recording; a negative gain inverts the polarity",
 )
 
 TITLE = TextSpec(label="Title", longest=200, one_line=True)
@@ -57,14 +57,14 @@ LICENCE = TextSpec(label="Licence", longest=2_000)
 CLIPS = ListSpec(label="Clips", of=ModelSpec(label="Clip", kinds=lambda: (Clip,)), most=MAX_CLIPS)
 GAIN_CURVE = CurveSpec(
     label="Gain curve",
-    hint="What all clips of the track are multiplied with, over the time of the design",
+    hint="Factor on all clips of the track, over time",
     x=NumberSpec(label="Time", unit="s", minimum=0.0, maximum=LATEST_S),
     y=NumberSpec(label="Gain", minimum=0.0, maximum=1000.0),
     fewest=0,
     most=1000,
 )
 MUTED = SwitchSpec(label="Mute", hint="A muted input is silent")
-SOLO = SwitchSpec(label="Solo", hint="Where any input is solo, only solo inputs are heard")
+SOLO = SwitchSpec(label="Solo", hint="If any input is solo, only solo inputs play")
 COLOUR = NumberSpec(label="Colour", minimum=0, maximum=2**31 - 1, whole=True)
 
 LIMB = TextSpec(label="Limb", longest=200, one_line=True)
@@ -165,7 +165,7 @@ class Design:
         Name of the limb, see `skinsource.load_limb`; it need not be available here.
     limb_digest
         SHA-256 of all numbers of an imported limb, see `skinsource.limbs.own_limbs.facts_of`.
-        Empty: any limb of the name will do.
+        Empty: any limb of this name.
     inputs
         In the order of the list.  Inputs and clips without an id get one.
     scaling
@@ -173,7 +173,7 @@ class Design:
         probe scaling, because there a new clip does not change the effect of the others.
     actuation
         Actuators, the equaliser that makes their voltages, and whether predictions go through both;
-        exported and played is what the equaliser makes in either case.  None: none is chosen.
+        the output of the equaliser is exported and played in either case. None: no actuators.
     rig
         The wiring that is exported and played for; None: not known.
     markers

@@ -40,25 +40,24 @@ TRIAD = (
     Word(
         name="x",
         title="x",
-        sentence="Along the skin, in a direction that differs from sensor to sensor.",
+        sentence="Along the skin, in a direction that differs between sensors.",
     ),
     Word(
         name="y",
         title="y",
-        sentence="Along the skin, at right angles to x; its direction too "
-        "differs from sensor to sensor.",
+        sentence="Along the skin, at right angles to x, in a direction that differs between "
+        "sensors.",
     ),
     Word(
         name="z",
         title="z",
-        sentence="Normal to the skin at every sensor: the one axis that can "
-        "be compared with its sign from place to place.",
+        sentence="Normal to the skin at every sensor: the only axis whose sign can be compared "
+        "between sensors.",
     ),
 )
 TRIAD_SENTENCE = (
-    "Each sensor measures along its own axes: z is normal to the skin, x and y lie along the "
-    "skin and point another way at each sensor, so that x here and x there are different "
-    "directions."
+    "Each sensor has its own axes: z is normal to the skin, x and y lie along it in directions "
+    "that differ between sensors."
 )
 
 AXES = (
@@ -67,14 +66,14 @@ AXES = (
     Word(
         name="xz",
         title="x, z",
-        sentence="Motion normal to the skin and in one direction along "
-        "it, which differs from sensor to sensor.",
+        sentence="Motion normal to the skin and in one direction along it, which differs between "
+        "sensors.",
     ),
     Word(
         name="yz",
         title="y, z",
-        sentence="Motion normal to the skin and in one direction along "
-        "it, which differs from sensor to sensor.",
+        sentence="Motion normal to the skin and in one direction along it, which differs between "
+        "sensors.",
     ),
     Word(name="xyz", title="x, y, z", sentence="Motion in every direction."),
 )
@@ -82,8 +81,8 @@ METHODS = (
     Word(
         name="mag",
         title="Magnitude",
-        sentence="Length of the acceleration vector at each "
-        "instant: never negative, and the same however a sensor is turned.",
+        sentence="Length of the acceleration vector at each instant: never negative, and "
+        "independent of how a sensor is turned.",
     ),
     Word(
         name="pca",
@@ -107,8 +106,8 @@ SCALINGS = (
     Word(
         name="upstream",
         title="Peak of each input",
-        sentence="Each input alone reaches its amplitude, in m/s², as its largest acceleration "
-        "at any output, on any one axis, as in the published toolbox.",
+        sentence="The amplitude of an input, in m/s², is the largest acceleration that it alone "
+        "causes at any output, on any axis, as in the published toolbox.",
     ),
     Word(
         name="relative",
@@ -125,9 +124,8 @@ SCALINGS = (
 # Sentences for a limb whose responses answer a drive of unknown unit.
 _OF_DRIVES = {
     "relative": "No rescaling: strong and weak places keep their ratio; an amplitude of 1 is one "
-    "unit of the drive that the responses of this limb answer.",
-    "probe": "Amplitudes are in the unit of the drive that the responses of this limb answer; "
-    "which one is not known.",
+    "unit of the drive of this limb.",
+    "probe": "Amplitudes are in the unit of the drive of this limb, which is unknown.",
 }
 _LOUDEST = f"{LOUDEST_WINDOW_S * 1000:g} ms"
 SPANS = (
@@ -157,9 +155,9 @@ LIMBS = tuple(
 CHOICES = (
     ("limb", "Limb", "Whose hand and arm.", LIMBS),
     ("scaling", "Scaling", "What an amplitude of 1 means.", SCALINGS),
-    ("axes", "Axes", "Which of each sensor's own axes take part. " + TRIAD_SENTENCE, AXES),
+    ("axes", "Axes", "Axes of the sensors that are used. " + TRIAD_SENTENCE, AXES),
     ("method", "Method", "How several axes become one signal.", METHODS),
-    ("span", "Levels", "What a level is the RMS over.", SPANS),
+    ("span", "Levels", "Time over which a level is the RMS.", SPANS),
 )
 
 #: Names of the two sides of hand and arm.

@@ -91,7 +91,7 @@ PATH = ListSpec(
     of=PLACE,
     fewest=2,
     most=MAX_PATH,
-    hint="Places, in their order",
+    hint="Places in their order",
     # It is clicked on the hand.
     editable=False,
 )
@@ -105,7 +105,7 @@ SPACING = NumberSpec(
     minimum=0.001,
     maximum=60.0,
     step=0.005,
-    hint="From the start of one to the start of the next",
+    hint="Time from one start to the next",
 )
 LEVEL = replace(AMPLITUDE, minimum=0.0, hint="Amplitude of each track")
 
@@ -199,7 +199,7 @@ def path_of(text: str) -> tuple[int, ...]:
 
 
 ROUNDS = NumberSpec(
-    label="Rounds", minimum=1, maximum=200, whole=True, hint="How often the path is passed"
+    label="Rounds", minimum=1, maximum=200, whole=True, hint="Number of passes along the path"
 )
 
 
@@ -218,7 +218,7 @@ class Alternation(fields.CheckedModel):
     spacing_s
         Time from the start of one burst to the start of the next.
     rounds
-        How often the path is passed.
+        Number of passes along the path.
     amplitude
         Amplitude of each track.
     onset_s
@@ -227,11 +227,11 @@ class Alternation(fields.CheckedModel):
 
     title: ClassVar[str] = "Alternation"
     law: ClassVar[str] = "Burst k starts k × spacing after the first, at the next place in turn."
-    source: ClassVar[str] = "Timing alone; no law of perception stands behind it."
+    source: ClassVar[str] = "Timing only; it follows no law of perception."
     limits: ClassVar[str] = (
-        "Slow turns are felt as two places; about as fast as apparent motion has it, as one that "
-        "runs to and fro. On the palm vibration reaches the other place too: the levels of the "
-        "skin show how far the two are apart."
+        "Slow alternation is felt at two places; near the timing of apparent motion it is felt as "
+        "one point that moves to and fro. On the palm, vibration also reaches the other place: the "
+        "skin map shows how much the levels differ."
     )
 
     path: tuple[int, ...] = fields.field(PATH, (7, 9))
@@ -353,9 +353,9 @@ class Phantom(fields.CheckedModel):
         "phantom sensations, IEEE Trans. Man-Machine Systems 11, 1970."
     )
     limits: ClassVar[str] = (
-        "Both must be felt alike strong alone: places differ, and the scaling decides what the "
+        "Each alone must feel equally strong: places differ, and the scaling decides what "
         "amplitudes mean. On the hand the two also meet in the skin, where they add with their "
-        "phases; farther apart than a few centimetres they are felt as two."
+        "phases; more than a few centimetres apart they are felt as two."
     )
 
     path: tuple[int, ...] = fields.field(TWO_PLACES, (17, 19))
@@ -393,7 +393,7 @@ OVERLAP = NumberSpec(
     minimum=0.0,
     maximum=1.0,
     step=0.05,
-    hint="Part of the way between two places on which both play; 0 jumps, 1 glides all the time",
+    hint="Share of each step in which both places play; 0: none",
 )
 
 
@@ -421,15 +421,15 @@ class Sweep:
     """
 
     title: ClassVar[str] = "Sweep"
-    law: ClassVar[str] = "Neighbours cross with √(1-β) and √β, each leg in the same time."
+    law: ClassVar[str] = "Neighbours crossfade with √(1-β) and √β; every step takes equal time."
     source: ClassVar[str] = (
-        "Energy of phantom sensations: Israr and Poupyrev, Tactile Brush, CHI 2011; equal legs "
+        "Energy of phantom sensations: Israr and Poupyrev, Tactile Brush, CHI 2011; equal steps "
         "are this studio's choice."
     )
     limits: ClassVar[str] = (
-        "Legs of different length are passed at different speed. Between places of the palm the "
-        "waves of both meet in the skin, and add with their phases, not their energies; places "
-        "that feel it differently strong make it swell."
+        "Steps of different length have different speeds. On the palm the waves of both places "
+        "meet in the skin and add with their phases, not their energies; differences in "
+        "sensitivity make the intensity vary."
     )
 
     path: tuple[int, ...] = fields.field(PATH, (16, 18, 20))
@@ -457,8 +457,8 @@ class Sweep:
         """Describe the times in a phrase."""
         return (
             f"{len(self.path)} places in {ms_text(self.waveform.duration_s)}, "
-            f"{ms_text(self.leg_s)} from one to the next; two play for "
-            f"{ms_text(self.overlap * self.leg_s)} of that"
+            f"{ms_text(self.leg_s)} from one to the next (overlap "
+            f"{ms_text(self.overlap * self.leg_s)})"
         )
 
     def tracks(self) -> tuple[Input, ...]:
@@ -477,7 +477,7 @@ class Sweep:
 
 
 TAPS = NumberSpec(
-    label="Taps", minimum=1, maximum=200, whole=True, hint="At each place before the next"
+    label="Taps", minimum=1, maximum=200, whole=True, hint="Number of taps at each place"
 )
 
 
@@ -511,8 +511,8 @@ class TapSequence(fields.CheckedModel):
     )
     limits: ClassVar[str] = (
         "From 20 to 260 ms between taps, taps are felt between the places, as if something hopped "
-        "along; slower ones stay where they are. Found on the arm: where the skin tells places "
-        "apart well, as on the palm and most of all at the fingertips, hops are short."
+        "along; slower ones stay where they are. Found on the arm: where the skin resolves places "
+        "well, as on the palm and most of all at the fingertips, hops are short."
     )
 
     path: tuple[int, ...] = fields.field(PATH, (16, 18, 20))
@@ -549,7 +549,7 @@ DISTANCE = NumberSpec(
     minimum=0.0001,
     maximum=1.0,
     step=0.001,
-    hint="From one place to the next, as if all were equally far apart",
+    hint="Distance from one place to the next, taken as equal",
 )
 SPEED = NumberSpec(
     label="Speed",
@@ -589,9 +589,9 @@ class TravellingPhase(fields.CheckedModel):
     law: ClassVar[str] = "At place k the phase lags by 2π × frequency × k × distance / speed."
     source: ClassVar[str] = "Phase of a plane wave; the phased array of acoustics."
     limits: ClassVar[str] = (
-        "The skin adds waves of its own, of 5 to 20 m/s and fading within centimetres, to the "
-        "phases of the actuators; whether a direction is felt is not known for the palm. Look at "
-        "the animation to see what runs where."
+        "The skin adds its own waves, of 5 to 20 m/s and fading within centimetres, to the phases "
+        "of the actuators; whether a direction is felt on the palm is unknown. Animate the skin to "
+        "see how the waves run."
     )
 
     path: tuple[int, ...] = fields.field(PATH, (16, 18, 20))

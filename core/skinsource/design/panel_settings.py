@@ -69,18 +69,18 @@ ALL, FREQUENCY, AMPLITUDE, ONSET = "all", "frequency", "amplitude", "onset"
 CONTROL = ChoiceSpec(
     label="Knob",
     options=(
-        (ALL, "First that applies"),
+        (ALL, "Automatic"),
         (FREQUENCY, "Frequency"),
         (AMPLITUDE, "Amplitude"),
         (ONSET, "Onset"),
     ),
-    hint="The one number that is turned in front of people",
+    hint="Number that the knob changes",
 )
 COMPARED = SwitchSpec(label="Compared", hint="Show what the Compare panel compares")
 PLOT = ChoiceSpec(
     label="Beside the maps",
     options=(("traces", "Traces"), ("spectra", "Spectra")),
-    hint="What is drawn of the selected outputs",
+    hint="Plot of the selected outputs",
 )
 MOVES = SwitchSpec(label="In motion", hint="Show motion; else RMS levels")
 
@@ -118,7 +118,7 @@ def stage_settings(view: View) -> StageSettings:
 WINDOW = ChoiceSpec(
     label="Window",
     options=(("25", "25 ms"), ("50", "50 ms"), ("100", "100 ms"), ("200", "200 ms")),
-    hint="Short windows tell instants apart, long ones frequencies",
+    hint="Short windows resolve time, long ones frequency",
 )
 FLOOR = NumberSpec(label="Floor", unit="Hz", minimum=0.0, maximum=1e5, step=5.0)
 CEILING = NumberSpec(label="Ceiling", unit="Hz", minimum=1.0, maximum=1e5, step=5.0)

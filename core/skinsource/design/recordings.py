@@ -198,7 +198,7 @@ def at_common_peak(parts: Sequence[Taken]) -> tuple[Taken, ...]:
     """
     peak = max(part.samples.peak for part in parts)
     if not peak > 0.0:
-        raise InvalidInputError("these parts are silent and cannot be scaled to a peak of 1")
+        raise InvalidInputError("the parts are silent, without a peak to scale; choose others")
     return tuple(
         replace(part, samples=replace(part.samples, values=part.samples.values / peak, unit=""))
         for part in parts
@@ -288,7 +288,7 @@ def _with_steady_rate(
 ) -> tuple[NDArray[Any], Fraction]:
     if stamps_s is None:
         if choice.rate_hz is None:
-            raise InvalidInputError("the file does not say its sample rate; type it in")
+            raise InvalidInputError("the file does not state its sample rate; enter it")
         return signal, Fraction(choice.rate_hz).limit_denominator(10_000)
     clock = sample_clock(stamps_s)
     if clock.steady:
@@ -321,7 +321,7 @@ def _offset(signal: NDArray[Any], choice: ImportChoice, notes: list[str]) -> flo
     if abs(mean) > _LEAST_NOTED_OFFSET * most:
         unit = "" if choice.unit == "full scale" else f" {choice.unit}"
         text = f"{mean:.4g}{unit}".replace("-", "−")
-        notes.append(f"An offset of {text} was taken off.")
+        notes.append(f"An offset of {text} was removed.")
     return mean
 
 
@@ -339,7 +339,7 @@ def _note_loss(
         lost = 1.0 - float(np.vdot(after, after)) / float(ratio) / before
         if lost >= _LEAST_NOTED_LOSS:
             share = f"{100.0 * lost:.0f} % of its energy"
-            notes.append(f"{share} was above {to_hz / 2:g} Hz and is gone.")
+            notes.append(f"{share} was above {to_hz / 2:g} Hz and was removed.")
 
 
 def _in_drive_units(
@@ -356,7 +356,7 @@ def _in_drive_units(
         return signal, unit.becomes
     peak = float(np.abs(signal).max())
     if not peak > 0.0:
-        raise InvalidInputError("this part is silent and cannot be scaled to a peak of 1")
+        raise InvalidInputError("the part is silent, without a peak to scale; choose another")
     return signal / peak, ""
 
 
@@ -542,7 +542,7 @@ def _read(
     if choice.time is None:
         rate_hz = choice.rate_hz or contents.rate_of(series)
         if rate_hz is None:
-            raise InvalidInputError("the file does not say its sample rate; type it in")
+            raise InvalidInputError("the file does not state its sample rate; enter it")
         start = round(choice.start_s * rate_hz)
         end = min(start + max(round(choice.duration_s * rate_hz), 1), series.n_samples)
         lasts_s = series.n_samples / rate_hz
@@ -581,5 +581,5 @@ def _recording_error(path: Path, error: InvalidInputError) -> RecordingError:
 def _check_part(start: int, end: int, lasts_s: float) -> None:
     if end <= start:
         raise InvalidInputError(
-            f"the part begins after the end, which is at {lasts_s:.6g} s; choose an earlier one"
+            f"the part begins after the end of the file, at {lasts_s:.6g} s; choose an earlier one"
         )

@@ -211,9 +211,9 @@ def check_drive(
     if not net.returns:
         raise InvalidInputError(
             f"Input at place {place} cannot be played through this actuator: it leaves a velocity, "
-            f"and {100.0 * net.share_below_band:.0f} % of its energy lies below {lowest_hz:g} "
-            "Hz. Choose a waveform whose velocity returns to zero, for a tap the 'Centred tap', or "
-            "let it fade in and out."
+            f"and {100.0 * net.share_below_band:.0f} % of its energy lies below {lowest_hz:g} Hz. "
+            "Choose a waveform whose velocity returns to zero, for a tap the 'Centred tap', or let "
+            "it fade in and out."
         )
 
 
@@ -247,8 +247,7 @@ def actuation_of_rig(
             )
     if not actuators:
         raise InvalidInputError(
-            "The rig does not say how any of its actuators moves. Measure one, or name one that "
-            "the library lists."
+            "The rig has no response of its actuators. Measure one, or choose a listed actuator."
         )
     return Actuation(actuators=tuple(actuators), equaliser=equaliser, rig=rig.title or "rig")
 

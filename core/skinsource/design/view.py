@@ -57,21 +57,21 @@ SLOW_MOTION = NumberSpec(
     label="Slow motion",
     minimum=1.0,
     maximum=200.0,
-    hint="How many times slower than it happens it is played; only at 1 can it be heard",
+    hint="How many times slower than real time; sound plays only at 1",
 )
 DELAY_REMOVED = SwitchSpec(label="Remove pre-trigger delay")
 TIME_RANGE = RangeSpec(label="Zoom of time axes", unit="s")
 WINDOWS_CUT = ChoiceSpec(
     label="Windows",
     options=(("count", "By number"), ("length", "By length")),
-    hint="How the response is cut into windows that follow each other",
+    hint="How the response is cut into consecutive windows",
 )
 WINDOW_COUNT = NumberSpec(
     label="Number",
     minimum=1,
     maximum=MOST_WINDOWS,
     whole=True,
-    hint="Into how many windows the stimulus is cut",
+    hint="Number of windows in the stimulus",
 )
 WINDOW_LENGTH = NumberSpec(
     label="Length",
@@ -79,7 +79,7 @@ WINDOW_LENGTH = NumberSpec(
     minimum=0.005,
     maximum=60.0,
     step=0.005,
-    hint="How long each window is",
+    hint="Length of each window",
 )
 PANELS = PlainSpec(label="Settings of panels")
 
@@ -101,7 +101,7 @@ SNAPSHOTS = ListSpec(
     most=1 + len(NUMBERS),
 )
 LEVELS_MATCHED = SwitchSpec(
-    label="Match levels", hint="Snapshots are shown as loud as each other at the loudest output"
+    label="Match levels", hint="Show snapshots equally loud at their loudest output"
 )
 
 

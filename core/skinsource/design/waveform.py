@@ -75,7 +75,7 @@ WINDOW = ChoiceSpec(
     label="Window",
     options=(("none", "None"), ("tukey", "Tukey, 25 % taper"), ("hanning", "Hanning")),
     other_names=tuple(OTHER_NAMES.items()),
-    hint="Fades the burst in and out; without one it starts and ends with a click",
+    hint="Fades the burst in and out; without it the ends click",
 )
 #: Frequency of a wavelet; lower ones would be longer than the longest waveform.
 CENTRE = NumberSpec(
@@ -87,7 +87,7 @@ CENTRE = NumberSpec(
     logarithmic=True,
     below_half_rate=True,
     measured_band_hz=BAND_HZ,
-    hint="Where its spectrum is centred",
+    hint="Centre of the spectrum",
 )
 CYCLES = NumberSpec(
     label="Cycles",
@@ -95,7 +95,7 @@ CYCLES = NumberSpec(
     maximum=10_000.0,
     step=0.02,
     logarithmic=True,
-    hint="How many of them are seen; more last longer and hold a narrower band",
+    hint="Number of visible cycles; more cycles narrow the band",
 )
 
 

@@ -33,7 +33,7 @@ def profile_of(actuator: ActuatorAt) -> ActuatorProfile:
     if name is not None:
         return replace(profile(name), model=model)
     measured = isinstance(model, MeasuredResponse)
-    source = "Its model is that of the design."
+    source = "The model comes from the design."
     if isinstance(model, MeasuredResponse):
         first, last = model.points[0][0], model.points[-1][0]
         source = (
@@ -42,7 +42,7 @@ def profile_of(actuator: ActuatorAt) -> ActuatorProfile:
     return ActuatorProfile(
         title=actuator.actuator or model.title,
         source=source,
-        calibration="As far as the measurement is; the current is not known." if measured else "",
+        calibration="Valid as far as the measurement; the current is unknown." if measured else "",
         gain_calibrated=measured,
         model=model,
     )
@@ -52,9 +52,7 @@ def profile_of(actuator: ActuatorAt) -> ActuatorProfile:
 LONGEST_S = 1.0
 # Fine enough for figures on the screen; exports are checked at 48 kHz.
 _LEAST_RATE_HZ = 20_000
-_NO_ACCELERATIONS = (
-    "The equaliser makes volts of accelerations alone. Choose the scaling Probe acceleration."
-)
+_NO_ACCELERATIONS = "The equaliser needs accelerations. Choose the scaling Probe acceleration."
 _NO_VOLTS = (
     "Without an equaliser the volts are not known. Choose one, or predict through the actuator."
 )

@@ -397,7 +397,7 @@ def output_main_axes(axis_traces: Floats, axis_numbers: tuple[int, ...]) -> Main
 #: Level of an output without sensation.
 SILENT_DB = -200.0
 _NO_SCALE = "Levels above threshold need accelerations: choose the scaling Probe acceleration"
-_NO_SITES = "Which outputs lie on hairy skin is known of the published limbs only"
+_NO_SITES = "Which outputs lie on hairy skin is known only for the published limbs"
 _OWN = "own"
 # Padding before and after a drive, into which a weighted drive rings.
 _ROOM_S = 0.2
@@ -596,7 +596,7 @@ def _left_out(unplayable: tuple[UnplayableInput, ...]) -> Findings:
     text = unplayable_text(unplayable)
     if not text:
         return ()
-    sentence = f"{text} The prediction leaves out what cannot be played."
+    sentence = f"{text} The prediction leaves out inputs that cannot be played."
     return (Finding(name="inputs", state="left", sentence=sentence, in_short=sentence),)
 
 

@@ -170,8 +170,8 @@ def in_order(stimulus: Stimulus, outputs: Sequence[int]) -> Stimulus:
     if len(numbers) > MOST_OUTPUTS or sorted(used) != list(range(1, n_channels + 1)):
         raise InvalidInputError(
             f"Channel map is {quoted(list(outputs))}, expected each channel from 1 to {n_channels} "
-            f"once, and 0 for outputs that stay silent, at most {MOST_OUTPUTS} altogether. Say "
-            "which tracks take part where a channel shall be left out."
+            f"once, and 0 for outputs that stay silent, at most {MOST_OUTPUTS} altogether. To "
+            "leave a channel out, choose the tracks instead."
         )
     silent = Channel(number=0, place=None, title="Silent")
     samples = np.zeros((len(numbers), stimulus.n_times))
@@ -685,14 +685,14 @@ def _check_accelerations(stimulus: Stimulus) -> None:
         )
     if stimulus.unit == ARBITRARY_UNIT:
         raise InvalidInputError(
-            "An equaliser needs accelerations, and the limb of this design answers a drive of "
-            "unknown unit. Let the design be predicted through an actuator: its amplitudes are "
-            "then accelerations of the contactor."
+            "An equaliser needs accelerations, but the drive of this limb has an unknown unit. "
+            "Switch on 'Predict through the actuator': amplitudes are then accelerations of the "
+            "contactor."
         )
     if stimulus.unit != "m/s²":
         raise InvalidInputError(
-            "An equaliser needs accelerations, and the drives of this design are none: its scaling "
-            f"is {stimulus.scaling}. Choose the scaling Probe acceleration."
+            "An equaliser needs accelerations, which the drives of this design are not: its "
+            f"scaling is {stimulus.scaling}. Choose the scaling Probe acceleration."
         )
 
 
@@ -713,6 +713,6 @@ def _actuator_of(channel: RigChannel) -> Any:
     if channel.actuator in names():
         return load(channel.actuator)
     raise InvalidInputError(
-        f"place {channel.place}: the rig does not say how the actuator "
-        f"{quoted(channel.actuator)} moves. Measure it, or name one of {', '.join(names())}."
+        f"place {channel.place}: the rig has no response of the actuator "
+        f"{quoted(channel.actuator)}. Measure it, or name one of {', '.join(names())}."
     )

@@ -230,7 +230,7 @@ def z_axis(limb: Limb) -> tuple[int, ...]:
     """
     if "z" not in limb.axes:
         raise InvalidInputError(
-            f"{limb.name} was measured along {axes_text(limb.axes)}, and not along z: look at its "
+            f"{limb.name} was measured along {axes_text(limb.axes)}, not along z: choose its "
             "magnitude or its sliding RMS."
         )
     return axis_numbers("z", limb.axes)

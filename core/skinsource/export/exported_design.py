@@ -127,7 +127,7 @@ class ExportedDesign:
         if not error.estimate <= self._largest_error and self._largest_error < math.inf:
             raise TooInaccurateError(
                 f"The result may be wrong by {error.estimate:.1e} of its largest sample, more than "
-                f"{self._largest_error:g}. Nothing was written. Look for inputs that cancel each "
+                f"{self._largest_error:g}. Nothing was written; check for inputs that cancel each "
                 "other."
             )
         return (

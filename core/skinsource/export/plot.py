@@ -209,7 +209,7 @@ def levels_of(shown: Design | ArrayLike, limb: Limb | str | None, view: View | N
         )
     if limb is None:
         raise InvalidInputError(
-            "levels need the limb that they belong to: map(levels_db, limb=...); a Design knows it"
+            "levels need their limb; use map(levels_db, limb=...), or hand over a Design"
         )
     loaded = limb_of(limb)
     values = finite_array("levels", shown)
@@ -277,14 +277,14 @@ def map(
         Values of the lowest and the highest colour.  Unless given, from the loudest output 50 dB
         down; of diverging colours, as far below 0 as above.
     label
-        Stands beside the colour bar; dB re 1 m/s², or the difference in dB, unless given.
+        Label of the colour bar; dB re 1 m/s², or the difference in dB, unless given.
     colours
         ``"sequential"``, or ``"diverging"``, which are white at 0.  Unless given, arrays that reach
         about as far above 0 as below diverge: they are differences.
     outputs
         Outputs that are ringed and numbered.
     title
-        Stands above it.
+        Title above it.
     ax
         Axes to draw into, without a colour bar; a figure of its own with one where none is given.
 
@@ -647,7 +647,7 @@ def traces(
     normalised
         Whether each row is scaled to its own peak; all have one scale otherwise.
     title
-        Stands above.
+        Title above it.
     ax
         Axes to draw into; a figure of its own where none is given.
 
@@ -741,7 +741,7 @@ def _designs(shown: Design | Sequence[Design], labels: Sequence[str]) -> list[De
     if not designs or not all(isinstance(design, Design) for design in designs):
         raise InvalidInputError(f"shown is {quoted(shown)}, expected a Design, or several")
     if labels and len(labels) != len(designs):
-        raise InvalidInputError(f"{len(labels)} labels for {len(designs)} designs: one for each")
+        raise InvalidInputError(f"{len(labels)} labels, expected {len(designs)}, one a design")
     return designs
 
 
@@ -767,8 +767,8 @@ def _waves(
     within = np.flatnonzero((time_s >= low) & (time_s <= high))
     if not within.size:
         raise InvalidInputError(
-            f"view.time_range_s is {quoted(range_s)}, but the response lies between "
-            f"{time_s[0]:g} and {time_s[-1]:g} s"
+            f"view.time_range_s is {quoted(range_s)}, expected times between {time_s[0]:g} and "
+            f"{time_s[-1]:g} s"
         )
     first, end = int(within[0]), int(within[-1]) + 1
     points_of = _wave_points if end - first <= _MOST_JOINED else _wave_extremes
@@ -928,7 +928,7 @@ def strip(
 ) -> Any:
     """Draw a map for each of consecutive windows, all in one colour scale, and their extent.
 
-    Windows begin as late as the pre-trigger delay is long.
+    The first window begins after the pre-trigger delay.
 
     Parameters
     ----------
@@ -943,7 +943,7 @@ def strip(
         Levels of the lowest and the highest colour; from the loudest output 50 dB down unless
         given.
     title
-        Stands above.
+        Title above it.
 
     Returns
     -------
@@ -968,7 +968,7 @@ def strip(
     n = min(windowed.windows.count, MOST_MAPS)
     if n == 0:
         raise InvalidInputError(
-            "no whole window fits into the response; choose a shorter one, or a longer stimulus"
+            "no whole window fits into the response; choose a shorter window, or a longer stimulus"
         )
     return _strip_figure(windowed, n, range_db, title)
 
@@ -1062,7 +1062,7 @@ def film(
 ) -> Path:
     """Write how the vibration travels over hand and arm, as MP4, WebM or GIF.
 
-    It needs the extras ``plot`` and ``video``.  Places that play are ringed.
+    It needs the extras ``plot`` and ``video``.  Rings mark active inputs.
 
     Parameters
     ----------
@@ -1080,7 +1080,7 @@ def film(
     limit
         Acceleration of the last colour, m/s²; a quarter of the largest unless given.
     title
-        Stands above.
+        Title above it.
     progress, stop
         Called with the progress; asked whether to stop.
 

@@ -62,7 +62,7 @@ class Result:
             self.name,
             self.values.shape,
         ):
-            raise InvalidInputError(f"{quoted(other)} is no {self.name} of the same shape")
+            raise InvalidInputError(f"{quoted(other)} is no {self.name} of this shape; use one")
         return replace(
             self,
             values=self.values - other.values,
@@ -167,10 +167,10 @@ def result(
     listed: dict[str, Quantity] = {each.name: each for each in quantities()}
     values = evaluate(design, quantity, *_AXIS_SOURCES, view=view)
     if quantity not in listed:
-        raise InvalidInputError(f"{quantity} is no array; see skinsource.quantities()")
+        raise InvalidInputError(f"{quantity} is not an array; see skinsource.quantities()")
     about, value, frequency_hz = listed[quantity], values[quantity], np.empty(0)
     if value is None:
-        raise InvalidInputError(f"{quantity} is not known of this design")
+        raise InvalidInputError(f"{quantity} is unknown for this design; choose another quantity")
     if "n_bins" in about.shape:
         frequency_hz, value = value
     array = np.asarray(value)

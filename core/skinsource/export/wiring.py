@@ -64,7 +64,7 @@ def export_wiring(
     kind = Path(path).suffix.lower()[1:]
     if kind not in plot.METADATA:
         raise InvalidInputError(
-            f"{printable(Path(path).name)} is no page that can be drawn. Call it *.pdf, *.svg or "
+            f"{printable(Path(path).name)} is not the name of a page. Call it *.pdf, *.svg or "
             "*.png."
         )
     options = options or StimulusOptions()
@@ -72,7 +72,7 @@ def export_wiring(
     # No rate and no equaliser changes the channels.
     drives = stimulus_of(design, per=per, inputs=options.inputs, clips=options.clips)
     if not drives.channels:
-        raise InvalidInputError("Nothing is heard: there is no channel to wire. Unmute an input.")
+        raise InvalidInputError("No input is active: there is no channel to wire. Unmute an input.")
     drives = with_sync(drives) if options.sync else drives
     if options.channel_map:
         drives = in_order(drives, options.channel_map)

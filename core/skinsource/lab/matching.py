@@ -262,10 +262,12 @@ def read_matches(path: Path) -> tuple[Match, ...]:
         text = read_bytes(path, most=_MOST_BYTES).decode()
         rows = list(csv.reader(io.StringIO(text, newline=""), strict=True))
     except (ValueError, csv.Error) as error:
-        raise FileFormatError(f"{path_text(path)}: is no CSV text ({printable(error)}).") from error
+        raise FileFormatError(
+            f"{path_text(path)}: expected CSV text ({printable(error)})."
+        ) from error
     if not rows or tuple(rows[0]) != _COLUMNS:
         raise FileFormatError(
-            f"{path_text(path)}: is no table of matches: its first line is "
+            f"{path_text(path)}: is not a table of matches: its first line is "
             f"{quoted(','.join(rows[0]) if rows else '')}, expected {','.join(_COLUMNS)}. Choose "
             "another file."
         )
@@ -276,7 +278,7 @@ def read_matches(path: Path) -> tuple[Match, ...]:
             match = _match(row)
             before = known.setdefault(match.key, line)
             if before != line:
-                raise InvalidInputError(f"the same match stands in line {before} already")
+                raise InvalidInputError(f"the same match is in line {before} already")
             if match.reference != (matches or [match])[0].reference:
                 raise InvalidInputError("its reference is not that of line 2")
         except InvalidInputError as error:

@@ -92,21 +92,20 @@ class Limb:
     axes
         Along which each output measures, in this order: ``"xyz"``; ``"xz"`` for two of them.
     pre_trigger_delay_s
-        How late the responses are: 0.052 in the published limbs.
+        Delay of the responses: 0.052 in the published limbs.
     band_hz
-        In which the responses were measured, 25 to 600 Hz of the published limbs; None: it is not
-        known, nobody is warned of frequencies, and all count.
+        In which the responses were measured, 25 to 600 Hz of the published limbs; None: unknown; no
+        frequency causes a warning, and all count.
     per_unit_drive
-        Whether a response answers one sample of the drive, so that convolving is all there is to
-        do; else it answers the measuring pulse of the published limbs, which probe scaling divides
-        by.
+        Whether responses are to one sample of the drive, so that convolution suffices; else they
+        are to the measuring pulse of the published limbs, by which probe scaling divides.
     synthetic
         Whether the responses are computed, not measured.  Every view and export says so.
     map
         Places on the dorsal map, a `LimbMap`.
     note
-        What the user should know of the data, such as that they are not the published ones; shown
-        with the limb's name by every view and export.  Empty where there is nothing to say.
+        Note for users, such as that the data are not the published ones; shown with the limb's name
+        by every view and export.  Empty where there is nothing to say.
     lead_samples
         Samples of a response that lie before time 0: none, unless an actuator stands before it.
     bytes_read

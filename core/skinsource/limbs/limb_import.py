@@ -243,7 +243,7 @@ def _complete(values: dict[str, Any], shape: tuple[int, int, int, int]) -> None:
         raise InvalidInputError("; ".join(missing))
     unknown = sorted(set(values) - known)
     if unknown:
-        raise InvalidInputError(f"{', '.join(unknown)} says nothing about a limb")
+        raise InvalidInputError(f"{', '.join(unknown)} says nothing about a limb; remove it")
     if not isinstance(values["axes"], str) or len(values["axes"]) != shape[2]:
         raise InvalidInputError(
             f"axes is {quoted(values['axes'])}, expected {shape[2]} of x, y and z, as many as the "
@@ -256,9 +256,7 @@ def _complete(values: dict[str, Any], shape: tuple[int, int, int, int]) -> None:
                 f"{name} has shape {np.shape(points)}, expected ({n}, 2): the responses have {n}"
             )
     if not np.isfinite(values["output_positions"]).all(axis=1).any():
-        raise InvalidInputError(
-            "no output has a place on the map, expected one at least: nothing could be drawn of it"
-        )
+        raise InvalidInputError("no output has a place on the map, expected at least one")
     if values["outline"] is None:
         values["outline"] = hull_around(
             np.vstack((values["input_positions"], values["output_positions"]))

@@ -35,7 +35,7 @@ from skinsource.readers import arrays
 from skinsource.readers.arrays import reason_against, stated_rate
 from skinsource.readers.readers import reader_of
 
-_ADVICE = "docs/limbs.md says what a limb consists of."
+_ADVICE = "docs/limbs.md describes the layout of a limb."
 
 
 def limb_file_error(path: Path, problem: str, expected: str) -> RecordingError:
@@ -396,7 +396,7 @@ def _rows(path: Path, content: bytes) -> list[list[str]]:
     try:
         rows = [row for row in read if row]
     except csv.Error as error:
-        raise limb_file_error(path, f"it is no table ({error})", "rows of x and y") from error
+        raise limb_file_error(path, f"it is not a table ({error})", "rows of x and y") from error
     if not 1 <= len(rows) <= _MOST_ROWS:
         raise limb_file_error(
             path, f"it has {len(rows)} rows", f"1 to {_MOST_ROWS} rows of x and y"

@@ -97,7 +97,7 @@ OUTPUTS: tuple[OutputPlace, ...] = tuple(OutputPlace(**place) for place in _PLAC
 def input_name(number: int, limb: str = "") -> LocationNames:
     """Return the names of input place ``number`` of a limb, whether or not it is known here.
 
-    Of a limb that is missing nobody knows more of a place than its number.
+    For a missing limb only the number of a place is known.
 
     >>> input_name(25).name
     'Place 25, not on this hand'

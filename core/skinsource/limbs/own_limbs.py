@@ -634,8 +634,8 @@ def missing_limb(name: str, digest: str) -> str:
         )
     if facts.own and digest and facts.digest != digest:
         return (
-            f"The limb {quoted(name)} here is another one than that of this design: it has other "
-            "numbers. Import the right one, or choose this one anew."
+            f"The limb {quoted(name)} here is not that of this design: it has other numbers. "
+            "Import the right one, or choose this one again."
         )
     return ""
 

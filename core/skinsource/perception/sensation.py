@@ -145,7 +145,7 @@ def sensation_levels_db(
 
 @checking
 def sensation_magnitude(levels_db: dict[Channel, Floats]) -> Floats:
-    """Return how strong it feels, (n_outputs,), in steps that only compare.
+    """Return the perceived strength, (n_outputs,), on a scale that only compares.
 
     Each channel grows as a power of its amplitude from the threshold on; together they are the
     larger and half of the smaller (Hollins and Roy, 1996, doi:10.3109/08990229609052583).

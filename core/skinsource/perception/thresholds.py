@@ -140,7 +140,7 @@ def read_threshold_table(path: Path) -> ThresholdTable:
         )
     table = tuple(sorted(rows))
     if len({frequency for frequency, _ in table}) < len(table):
-        raise FileFormatError(f"{quoted(path.name)} has two rows for one frequency")
+        raise FileFormatError(f"{quoted(path.name)} has two rows for one frequency; remove one")
     return table
 
 
@@ -179,7 +179,7 @@ AREA = NumberSpec(
     minimum=0.01,
     maximum=100.0,
     step=0.1,
-    hint="Area that moves: 2.9 cm² for waves that spread; smaller ones raise the threshold of P",
+    hint="Moving area: 2.9 cm² for spreading waves; smaller raises the P threshold",
 )
 TABLE = PlainSpec(label="Own thresholds")
 SOURCE = TextSpec(label="File of own thresholds", longest=200, one_line=True)

@@ -78,7 +78,7 @@ def findings_lines(findings: Findings) -> list[str]:
 
 
 _FIELD = re.compile(r"(\{:[^}]*\})")
-_NOT_JUDGED = "whether conditions of the measurement are kept was not judged"
+_NOT_JUDGED = "conditions of the measurement were not checked"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -225,9 +225,8 @@ _UNIT_NOT_KNOWN = Finding(
     name="drive",
     state="unknown",
     sentence=(
-        "The responses of this limb answer a drive of unknown unit: how fast the probe moves is "
-        "not known, so neither is whether the skin answers in proportion, as it does up to "
-        f"{_LIMIT}."
+        "The drive of this limb has an unknown unit, so the probe velocity is unknown; the skin "
+        f"responds linearly up to {_LIMIT}."
     ),
 )
 
@@ -282,12 +281,12 @@ def noise_findings(above_noise_db: Floats | None, *, synthetic: bool, silent: bo
         Why nothing may be known.
     """
     if silent:
-        return Finding(name="noise", state="kept", sentence="Nothing is driven.")
+        return Finding(name="noise", state="kept", sentence="No input is active.")
     if above_noise_db is None:
         if synthetic:
             sentence = "A synthetic limb has no noise; the sensors of a measurement have."
         else:
-            sentence = "The responses do not tell their noise: too little comes before the pulse."
+            sentence = "The noise is unknown: the responses hold too little before the pulse."
         return Finding(name="noise", state="unknown", sentence=sentence)
     noisy = tuple(int(k) + 1 for k in np.flatnonzero(above_noise_db < LEAST_ABOVE_NOISE_DB))
     least = f"{LEAST_ABOVE_NOISE_DB:g} dB"
@@ -330,15 +329,14 @@ def setup_findings(*, synthetic: bool, scaling: Scaling, places: Sequence[int]) 
             sentence="Responses of this limb are computed from a model of waves, not measured.",
         )
     if scaling != "upstream" or not places:
-        sentence = "Places keep their differences in level."
+        sentence = "Levels at different places are comparable."
         return limb, Finding(name="scaling", state="kept", sentence=sentence)
-    several = "" if len(set(places)) < 2 else " between the places that play"
     hidden = Finding(
         name="scaling",
         state="left",
-        in_short="That some places carry less than others is hidden by this scaling.",
-        sentence="This scaling gives each input the same peak on the skin: that some places carry "
-        f"less than others is hidden{several}.",
+        in_short="This scaling hides that some places carry less than others.",
+        sentence="This scaling gives each input the same peak on the skin, which hides differences "
+        "between places.",
         repair="probe_scaling",
     )
     return limb, hidden
@@ -374,21 +372,20 @@ def _share(played: Sequence[Floats], rate: float, band: Band) -> float:
 def _band(played: Sequence[Floats], rate: float, band_hz: Band | None) -> Finding:
     if band_hz is None:
         sentence = (
-            "In which band this limb was measured is not known, so neither is whether what plays "
-            "lies within it."
+            "The measured band of this limb is unknown, so the stimulus cannot be compared with it."
         )
         return Finding(name="band", state="unknown", sentence=sentence)
     share = _share(played, rate, band_hz)
     band = f"{band_hz[0]:g} to {band_hz[1]:g} Hz"
-    lies = f"{share:.0%} of the energy of what plays lies outside of the measured {band}"
+    lies = f"{share:.0%} of the stimulus energy lies outside the measured {band}"
     if share <= MOST_SHARE:
         return Finding(name="band", state="kept", sentence=f"{lies}.")
     return Finding(
         name="band",
         state="left",
-        in_short=f"{{:.0%}} of the energy lies outside of the measured {band}.",
+        in_short=f"{{:.0%}} of the energy lies outside the measured {band}.",
         number=share,
-        sentence=f"{lies}; what the skin does there is not known.",
+        sentence=f"{lies}; the response of the skin there is unknown.",
         repair="band_limit",
     )
 
@@ -401,22 +398,22 @@ def _velocity(
             name="drive",
             state="unknown",
             sentence=(
-                "How fast the probe moves is not known in this scaling, so neither is whether the "
-                f"skin answers in proportion, as it does up to {_LIMIT}."
+                "The probe velocity is unknown in this scaling; the skin responds linearly up to "
+                f"{_LIMIT}."
             ),
             repair="probe_scaling",
         )
     if not probe:
-        sentence = "Drives go through actuators here: the actuator panel tells how fast these move."
+        sentence = "The probe velocity depends on the actuator; see the Output panel."
         return Finding(name="drive", state="unknown", sentence=sentence)
     fastest = fastest_probe(played, rate, band_hz)
     lowest_hz = lowest_hz_of(band_hz)
-    moves, speed = "The probe moves at up to {:.3g} mm/s", fastest * _MM_PER_M
+    moves, speed = "Peak probe velocity {:.3g} mm/s", fastest * _MM_PER_M
     moved = f"{moves.format(speed)}, from {lowest_hz:g} Hz on"
     if fastest <= LARGEST_VELOCITY_M_PER_S:
-        sentence = f"{moved}; up to {_LIMIT} the skin answers in proportion."
+        sentence = f"{moved}; up to {_LIMIT} the skin responds linearly."
         return Finding(name="drive", state="kept", sentence=sentence)
-    beyond = f"above {_LIMIT} the skin no longer answers in proportion."
+    beyond = f"above {_LIMIT} the skin no longer responds linearly."
     return Finding(
         name="drive",
         state="left",
@@ -431,14 +428,14 @@ def _velocity(
 def _spacing(played: Sequence[Floats], rate: float, limit_hz: float | None) -> Finding:
     if limit_hz is None:
         sentence = (
-            "Up to which frequency the outputs of this limb stand close enough for waves is not "
-            "known: between them the map may be a guess."
+            "The highest frequency that the outputs of this limb resolve is unknown: between them "
+            "the map may be a guess."
         )
         return Finding(name="spacing", state="unknown", sentence=sentence, of_maps=True)
     share = _share(played, rate, (0.0, limit_hz))
-    lies = f"{share:.0%} of the energy of what plays lies above {limit_hz:g} Hz"
+    lies = f"{share:.0%} of the stimulus energy lies above {limit_hz:g} Hz"
     if share <= MOST_SHARE:
-        sentence = f"{lies}; up to there the outputs stand close enough."
+        sentence = f"{lies}; the outputs are dense enough up to there."
         return Finding(name="spacing", state="kept", sentence=sentence, of_maps=True)
     return Finding(
         name="spacing",

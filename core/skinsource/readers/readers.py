@@ -88,14 +88,14 @@ def reader_of(path: Path) -> Reader:
         The file cannot be read, or is no regular file.
     """
     if not is_file(path):
-        raise StorageError(f"{path_text(path)}: cannot be read (it is no file). Choose a file.")
+        raise StorageError(f"{path_text(path)}: cannot be read (it is not a file). Choose a file.")
     try:
         with path.open("rb") as file:
             beginning = file.read(_BEGINNING_BYTES)
     except OSError as error:
         raise StorageError(
-            f"{path_text(path)}: cannot be read ({error.strerror or error}). Ask its owner for the "
-            "right to read it."
+            f"{path_text(path)}: cannot be read ({error.strerror or error}). Ask its owner for "
+            "permission to read it."
         ) from error
     return next(reader for reader in _READERS if reader.recognises(beginning))
 

@@ -249,7 +249,7 @@ def _opened(path: Path) -> Iterator[tuple[TextIO, TextLayout]]:
     # ``splitlines`` would end lines at more characters than reading a file does.
     lines = list(io.StringIO(text, newline=None))
     if "\0" in text:
-        raise reading_error(path, "it is no text", "a table of numbers", "Choose another file.")
+        raise reading_error(path, "it is not text", "a table of numbers", "Choose another file.")
     layout = layout_of(
         lines if is_whole and len(lines) < 2 else lines[: -1 if len(lines) > 1 else 1]
     )

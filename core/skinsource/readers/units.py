@@ -47,7 +47,7 @@ class Unit:
 UNITS: dict[str, Unit] = {
     unit.name: unit
     for unit in (
-        Unit(name="full scale", title="Full scale (1 is the largest number)"),
+        Unit(name="full scale", title="Full scale (±1)"),
         Unit(name="m/s²", title="m/s², acceleration", becomes="m/s²"),
         Unit(name="g", title="g, acceleration", factor=STANDARD_GRAVITY, becomes="m/s²"),
         Unit(name="mm/s", title="mm/s, velocity", factor=1e-3, derivatives=1, becomes="m/s²"),

@@ -223,7 +223,7 @@ def impulse(
     n = at + 1 if duration_s is None else sample_count(duration_s, sample_rate_hz)
     if at >= n:
         raise InvalidInputError(
-            f"the impulse at {time_s} s lies after the end of the stimulus ({duration_s} s)"
+            f"the impulse at {time_s} s is after the end of the stimulus, {duration_s} s; move it"
         )
     samples = np.zeros(n)
     samples[at] = 1.0

@@ -112,7 +112,7 @@ def from_image(image: bytes, version: int) -> Tree:
         A bit of it has changed, or it was written in another version.
     """
     if image[:_HEADER_BYTES] != _header(memoryview(image)[_HEADER_BYTES:], version):
-        raise FileFormatError(f"not what was saved: the checksum does not fit. {_DAMAGED}")
+        raise FileFormatError(f"changed since it was saved: the checksum does not fit. {_DAMAGED}")
     try:
         with files.File(io.BytesIO(image), "r") as file:
             return _tree(file, len(image))
@@ -140,7 +140,7 @@ def _tree(file: "h5py.File", size: int) -> Tree:
     samples = {digest: _samples(group, digest, each, size) for digest, each in facts.items()}
     stored = sum(signal.values.nbytes for signal in samples.values())
     if size > MAX_TEXT_BYTES + stored + _allowance(len(samples)):
-        raise FileFormatError(f"{size} bytes, of which {stored} are samples. {_DAMAGED}")
+        raise FileFormatError(f"{size} bytes, {stored} of them in samples. {_DAMAGED}")
     return with_samples(stored_tree["content"], samples)
 
 
@@ -152,7 +152,7 @@ def _samples(group: "h5py.Group", digest: str, facts: Any, size: int) -> Samples
     values = _array(group, digest, np.dtype("<f8"), size)
     stored = Samples(values=values, sample_rate_hz=facts["sample_rate_hz"], unit=facts["unit"])
     if stored.digest != digest or facts["count"] != values.size or len(facts) != 3:
-        raise FileFormatError(f"samples {quoted(digest)} are not what was saved. {_DAMAGED}")
+        raise FileFormatError(f"samples {quoted(digest)} have changed. {_DAMAGED}")
     return stored
 
 

@@ -373,7 +373,7 @@ class ModelSpec(Spec):
         if kind not in self.kinds():
             names = ", ".join(kind.__name__ for kind in self.kinds())
             raise InvalidInputError(
-                f"a {kind.__name__} cannot be written, nothing could read it: choose {names}."
+                f"a {kind.__name__} cannot be written, as nothing could read it: choose {names}."
             )
         return encode(value)
 

@@ -114,6 +114,6 @@ def _read_only(values: ArrayLike) -> NDArray[np.float64]:
         raise InvalidInputError(f"{array.size} samples, expected 1 to {MAX_SAMPLES}")
     own = np.array(array, np.float64)
     if not np.isfinite(own).all():
-        raise InvalidInputError("samples that are not finite numbers cannot be played")
+        raise InvalidInputError("samples are not all finite numbers; correct them")
     own.flags.writeable = False
     return own

@@ -422,8 +422,8 @@ def condition_of(
         return condition
     if not field.any():
         raise InvalidInputError(
-            f"{name}: what is predicted of it is silent throughout, so there is nothing to compare "
-            "a recording with. Let it play something, or check it without a recording."
+            f"{name}: its prediction is silent throughout, so there is nothing to compare. Add an "
+            "active input, or check it without a recording."
         )
     measured = _read_recording(recorded, limb, len(chosen), process, progress, stop)
     shifted, shift = aligned(measured, field, round(_MOST_SHIFT_S * limb.sample_rate_hz))

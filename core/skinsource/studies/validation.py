@@ -157,7 +157,7 @@ def _rms(field: Floats) -> Floats:
 def _normalised(name: str, field: Floats) -> Floats:
     mean = float(_rms(field).mean())
     if mean == 0.0:
-        raise InvalidInputError(f"{name} is silent throughout, so there is nothing to compare")
+        raise InvalidInputError(f"{name} is silent throughout; choose another")
     return field / mean
 
 
@@ -238,7 +238,7 @@ def open_recorded(
         reader = process or stack.enter_context(ReadingProcess())
         field, stated_hz = _read_responses(reader, file, n_outputs, n_axes, stop)
     if not np.isfinite(field).all():
-        raise _recording_error(file, "it holds values that are no finite numbers, expected m/s²")
+        raise _recording_error(file, "it holds values that are not finite numbers, expected m/s²")
     return _resampled(file, field, stated_hz or rate_hz or sample_rate_hz, sample_rate_hz)
 
 

@@ -179,7 +179,7 @@ class Autosave(QObject):
 
     def _report(self, reason: str | None) -> None:
         if reason is not None and not self._complained:
-            self.failed.emit(f"No copy of unsaved work could be kept. {reason}")
+            self.failed.emit(f"No copy of unsaved work could be stored. {reason}")
         self._complained = reason is not None
         if self._complained and not self._ended and self._document.modified:
             # Writing may succeed later, even without another edit.
@@ -257,7 +257,7 @@ class Recovery(QObject):
             if bad:
                 self.failed.emit(" ".join([*bad, "An earlier copy was opened instead."]))
             else:
-                self.done.emit(f"Opened unsaved work on {left.name}, which was kept {left.age()}")
+                self.done.emit(f"Opened unsaved work on {left.name}, stored {left.age()}")
             if not self._engine.busy:
                 self._survived.start()
             return

@@ -120,7 +120,7 @@ EXPORTS: tuple[ExportSpec, ...] = (
         group="Picture",
         title="Skin map",
         file_name="skin-map.png",
-        hint="Save the skin map as PNG, SVG or PDF, with its colour bar",
+        hint="Save the skin map with its colour bar: PNG, SVG or PDF",
         panel="skin",
         keys=("Ctrl+Shift+E",),
         keywords="image figure screenshot heatmap vector pdf svg png",
@@ -130,7 +130,7 @@ EXPORTS: tuple[ExportSpec, ...] = (
         group="Picture",
         title="Active panel",
         file_name="panel.png",
-        hint="Save the panel that has the keyboard as PNG, SVG or PDF, for a paper or a slide",
+        hint="Save the panel with the keyboard focus: PNG, SVG or PDF",
         panel=PANEL_IN_USE,
         keywords="image figure screenshot vector pdf svg png plot paper",
     ),
@@ -139,7 +139,7 @@ EXPORTS: tuple[ExportSpec, ...] = (
         group="Picture",
         title="All panels",
         file_name="studio.png",
-        hint="Save all panels that are in sight, arranged as they are, as PNG, SVG or PDF",
+        hint="Save all visible panels as arranged: PNG, SVG or PDF",
         panel=ALL_VISIBLE,
         keywords="image figure screenshot vector pdf svg png arrangement window slide",
     ),
@@ -148,7 +148,7 @@ EXPORTS: tuple[ExportSpec, ...] = (
         group="Picture",
         title="Time windows",
         file_name="windows.png",
-        hint="Save the strip of windows as PNG, SVG or PDF, with its colour scale and the extent",
+        hint="Save the strip of windows with its scale: PNG, SVG, PDF",
         panel="analysis/windowed",
         size_px=(1600, 1100),
         keywords="image figure screenshot vector pdf svg png windowed rms strip",
@@ -156,7 +156,7 @@ EXPORTS: tuple[ExportSpec, ...] = (
     ExportSpec(
         name=FILM,
         group="Film",
-        hint="Save the skin map in time, in slow motion, as MP4, WebM or GIF",
+        hint="Save the skin map in slow motion: MP4, WebM or GIF",
         write=export_animation,
         size_px=SIZE_PX,
         keywords="animation video movie wave gif mp4 webm slow motion time",
@@ -185,7 +185,7 @@ EXPORTS: tuple[ExportSpec, ...] = (
         group="Table",
         title="Map of levels",
         file_name="map.csv",
-        hint="Save the map as numbers, in dB: a row for each y, a column for each x, in mm",
+        hint="Save the map as numbers in dB: rows y, columns x",
         write=export_map,
         keywords="excel matlab decibels skin heatmap surface csv",
     ),
@@ -194,7 +194,7 @@ EXPORTS: tuple[ExportSpec, ...] = (
         group="Table",
         title="Time windows",
         file_name="windows.csv",
-        hint="Save the RMS of all outputs in consecutive windows, and how far each window reaches",
+        hint="Save the RMS of all outputs, and its extent, in consecutive windows",
         write=export_windows,
         keywords="excel matlab windowed rms extent distance strip contraction csv",
     ),
@@ -210,7 +210,7 @@ EXPORTS: tuple[ExportSpec, ...] = (
         name=PACK,
         group="Project",
         file_name="design.zip",
-        hint="Save design, stimulus, rig, figure, tables, versions and what to cite as one file",
+        hint="Save design, stimulus, rig, figure, tables and citation as one file",
         write=_pack,
         keywords="zip archive pack share publish supplement reproduce citation",
     ),
@@ -283,7 +283,7 @@ class ExportActions(QObject):
     def copy_citation(self) -> None:
         """Put what to cite for the open design on the clipboard."""
         QtGui.QGuiApplication.clipboard().setText(packing.citation(self._document.design))
-        self._files.done.emit("Copied what to cite")
+        self._files.done.emit("Citation copied")
 
     def _mend(self, edit: Edit) -> None:
         """Edit the design, and show the same choices on it."""
@@ -341,7 +341,7 @@ class ExportActions(QObject):
         def ask(error: Exception) -> bool:
             if not isinstance(error, TooInaccurateError):
                 return False
-            question = f"{path.name}: {error} Export it all the same?"
+            question = f"{path.name}: {error} Export anyway?"
             if ask_yes(self._window, "Inaccurate numbers", question):
                 self._add(path, write, note, math.inf)
             return True

@@ -153,8 +153,8 @@ class RecentFiles:
 _LONGEST = 60
 _FILTER = f"SkinSource designs (*{SUFFIX})"
 _SHOWS = f"Designs and shows (*{SUFFIX} *{SHOW_SUFFIX});;{_FILTER}"
-_READ_ONLY = "It is read-only here: saving asks for another name."
-_MAYBE_ENDED = "Nobody can say here whether that has ended. Replace the file, and have it here?"
+_READ_ONLY = "It is read-only here; save it under another name."
+_MAYBE_ENDED = "It may still be open there. Replace the file?"
 _CHANGED = "was changed by another program, or in another window, since it was opened here"
 
 
@@ -209,7 +209,7 @@ class FileActions(QObject):
 
     def ask_and_open(self) -> None:
         """Ask for a file and open it."""
-        path = self._ask_which("Open a design or a show", _SHOWS)
+        path = self._ask_which("Open design or show", _SHOWS)
         if path is not None:
             self.open(path)
 
@@ -234,7 +234,7 @@ class FileActions(QObject):
         self._document.apply(outcome)
         if not isinstance(outcome, Refusal):
             number = outcome.view.snapshots[-1].number
-            self.done.emit(f"{path.name} is snapshot {number}; X shows it, and this again")
+            self.done.emit(f"{path.name} is snapshot {number}; X switches between the two")
 
     def open(self, path: Path) -> None:
         """Open ``path``; on a failure report it, and keep what is open."""
@@ -351,8 +351,8 @@ class FileActions(QObject):
     def _may_overwrite(self, path: Path) -> bool:
         return self._on_disk.state() != "changed" or ask_yes(
             self._window,
-            "Replace what another program saved?",
-            f"{path.name} {_CHANGED}. Replace it, and lose what was saved there?",
+            "Replace the changed file?",
+            f"{path.name} {_CHANGED}. Replace it? What was saved there is lost.",
         )
 
     def _save_to(self, path: Path) -> bool:

@@ -37,14 +37,13 @@ _SIGNAL = ChoiceSpec(label="Signal", options=(), hint="Which channel, column or 
 _AXES = ChoiceSpec(
     label="Import as",
     options=(),
-    hint="As one: the energy of all three at each frequency, and the phase of their sum (DFT321, "
-    "Landin et al. 2010)",
+    hint="As one: energy of all three, phase of their sum (DFT321)",
 )
 # The option to import each signal, and most signals for which it is offered.
 _EACH, _MOST_SIGNALS = "each", 32
-_TIMING = ChoiceSpec(label="Times", options=(), hint="What says when each sample was taken")
+_TIMING = ChoiceSpec(label="Time column", options=(), hint="Column with the time of each sample")
 _TIME_UNIT = ChoiceSpec(
-    label="Stamps in", options=(("1", "s"), ("0.001", "ms"), ("1e-06", "µs")), hint="Their unit"
+    label="Time unit", options=(("1", "s"), ("0.001", "ms"), ("1e-06", "µs")), hint="Their unit"
 )
 _UNIT = ChoiceSpec(
     label="Unit",
@@ -53,8 +52,8 @@ _UNIT = ChoiceSpec(
 )
 _SCALE = ChoiceSpec(
     label="Size",
-    options=(("peak", "Scale to a peak of 1"), ("keep", "Keep as it is")),
-    hint="What is kept is in m/s² where the unit is one of motion",
+    options=(("peak", "Scale to a peak of 1"), ("keep", "Unchanged")),
+    hint="Units of motion become m/s²",
 )
 _RATE = NumberSpec(
     label="Sample rate",
@@ -63,7 +62,7 @@ _RATE = NumberSpec(
     maximum=MOST_RATE_HZ,
     step=0.02,
     logarithmic=True,
-    hint="The file does not say it",
+    hint="The file does not state it",
 )
 _START = NumberSpec(
     label="Start", unit="s", minimum=0.0, maximum=_LONGEST_START_S, step=0.1, hint="Of the part"
@@ -98,8 +97,8 @@ class ChoiceForm(QtWidgets.QWidget):
         self._scale = ChoiceField(_SCALE)
         self._rate, self._start = NumberField(_RATE), NumberField(_START)
         self._duration = NumberField(_DURATION)
-        self._offset = QtWidgets.QCheckBox("Take the offset off")
-        self._missing = QtWidgets.QCheckBox("Count missing numbers as 0")
+        self._offset = QtWidgets.QCheckBox("Remove DC offset")
+        self._missing = QtWidgets.QCheckBox("Missing numbers become 0")
         self._widgets: dict[str, QtWidgets.QWidget] = {
             "signal": self._signal,
             "axes": self._axes,
@@ -417,7 +416,7 @@ class OverviewStrip(pyqtgraph.PlotWidget):
         self._begun_s: float | None = None
         self.setObjectName("import_overview")
         self.setAccessibleName("Whole recording; type the part in Start and Length")
-        self.setToolTip("Drag over the part to import, or move its ends; double click: all of it")
+        self.setToolTip("Drag over the part to import; double click: all of it")
         self.setFixedHeight(_HEIGHT_PX)
         self.setBackground(QtGui.QColor(current_theme().base))
         self.setMouseEnabled(x=False, y=False)

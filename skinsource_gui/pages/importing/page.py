@@ -168,7 +168,7 @@ class ReadingWorker(Worker):
 
 _LEFT_PX = 300
 _READING = "Reading…"
-_ASSUMED = f"The file does not say its sample rate; {ASSUMED_RATE_HZ:g} Hz is assumed."
+_ASSUMED = f"The file does not state its sample rate; {ASSUMED_RATE_HZ:g} Hz is assumed."
 
 
 class ImportPage(ToolPage):
@@ -200,7 +200,7 @@ class ImportPage(ToolPage):
         self._taken: tuple[Taken, ...] = ()
         self._surveyed = ""
         self._about, self._warning = QtWidgets.QLabel(_READING), QtWidgets.QLabel(_ASSUMED)
-        self._place = ChoiceField(ChoiceSpec(label="Goes to", options=places))
+        self._place = ChoiceField(ChoiceSpec(label="Destination", options=places))
         self.preview, self._strip = ImportPreview(), OverviewStrip(MOST_PART_S)
         self._strip.hide()
         self._bar = QtWidgets.QProgressBar()
@@ -255,7 +255,7 @@ class ImportPage(ToolPage):
     def _lay_out(self) -> None:
         left = QtWidgets.QWidget()
         left.setFixedWidth(_LEFT_PX)
-        parts = self._about, self._warning, None, QtWidgets.QLabel("Goes to"), self._place
+        parts = self._about, self._warning, None, QtWidgets.QLabel("Destination"), self._place
         self._left = in_column(*parts, of=left, margins=0, gap_px=UNIT_PX)
         right = in_column(self._strip, (self.preview, 1), gap_px=UNIT_PX)
         columns = in_row(left, (right, 1), gap_px=2 * UNIT_PX)

@@ -103,7 +103,7 @@ class Draft:
     def source(self) -> LimbSource:
         """Return what is imported; the file's own values count where nothing was chosen."""
         if self.responses is None:
-            raise ValueError("no responses are chosen")
+            raise ValueError("no responses are chosen; open a file")
         values = dict(self.values)
         if len(self.hand) == 2:
             values["hand_length_px"] = float(np.linalg.norm(self.hand[1] - self.hand[0]))
@@ -300,7 +300,7 @@ def spacing_of(points: Floats) -> Floats:
 _AXES = ChoiceSpec(
     label="Axes",
     options=tuple((word.name, word.title) for word in AXES),
-    hint="Along which each output measures, in the order of the file; z is normal to the skin",
+    hint="Axes of each output, in file order; z: normal",
 )
 _STARTING_AXES = "z"
 _HIGHEST_RATE_HZ = 768_000.0
@@ -319,18 +319,18 @@ _NUMBERS = {
         unit="m",
         minimum=0.02,
         maximum=2.0,
-        hint="From the tip of the middle finger to the middle of the wrist",
+        hint="From the middle fingertip to the middle of the wrist",
     ),
     "pre_trigger_delay_s": NumberSpec(
         label="Delay",
         unit="s",
         minimum=0.0,
         maximum=10.0,
-        hint="How late the responses are",
+        hint="Delay of the responses",
     ),
-    "lowest_hz": _end_of_band("Holds from", "Lowest frequency at which the responses hold"),
+    "lowest_hz": _end_of_band("Valid from", "Lowest valid frequency of the responses"),
     "highest_hz": _end_of_band(
-        "Holds up to", "Highest frequency at which the responses hold; 0: not known"
+        "Valid up to", "Highest valid frequency of the responses; 0: unknown"
     ),
 }
 _BAND = ("lowest_hz", "highest_hz")
@@ -431,9 +431,9 @@ class LimbForm(QObject):
     def _lay_out(self) -> None:
         self._add_file("responses")
         for label, field, hint in (
-            ("Name", self.name, f"What designs call it: {NAME_RULE}"),
-            ("Title", self.title, "What the window calls it; the name, if there is none"),
-            ("Note", self.note, "What users should know of it"),
+            ("Name", self.name, f"Name in designs: {NAME_RULE}"),
+            ("Title", self.title, "Title in the window; empty: the name"),
+            ("Note", self.note, "Note for users"),
             ("Order", self.order, "Dimensions of the array: i input, o output, a axis, t tap"),
         ):
             field.setObjectName(f"limb_{label.lower()}")

@@ -33,7 +33,7 @@ from skinsource_gui.state.preferences import InstalledLimbs
 from skinsource_gui.state.worker import Worker
 
 _NO = QtWidgets.QMessageBox.StandardButton.No
-_LOST = "Its responses cannot be had back from here"
+_LOST = "Its responses cannot be restored"
 
 
 def ask_to_replace(parent: QtWidgets.QWidget, name: str) -> bool:
@@ -63,7 +63,7 @@ def _limb_text(name: str) -> str:
 
 
 _NONE = "No limb was imported yet."
-_DAMAGED = "Damaged: import it again."
+_DAMAGED = "Damaged; import it again."
 
 
 TITLE = "Own limbs"
@@ -71,14 +71,14 @@ IMPORTING = "Importing a limb"
 
 
 _CLICKS = ChoiceSpec(
-    label="A click places",
+    label="Next click",
     options=(
         ("inputs", "the next input"),
         ("outputs", "the next output"),
         ("outline", "a corner of the outline"),
         ("hand", "an end of the hand's length"),
     ),
-    hint="What a click on the photograph means",
+    hint="Point that a click on the photograph sets",
 )
 _KINDS = {
     "responses": "Responses (*.h5 *.hdf5 *.mat *.npy *.npz);;All files (*)",
@@ -121,17 +121,19 @@ class LimbPage(ToolPage):
         self.click.set_value("inputs")
         self._back = self.add_button(
             "remove_last",
-            "Take back",
+            "Remove last",
             "Remove the point clicked last",
             lambda: self._take(self.draft.without_last(self.click.value)),
         )
         self._import = self.add_button(
-            "import_limb", "Import", "Check all of it, and keep it", self._start
+            "import_limb", "Import", "Check and store the limb", self._start
         )
         self._cancel = self.add_button(
-            "cancel_import", "Cancel", "Stop it; nothing is kept of it", self._jobs.cancel
+            "cancel_import", "Cancel", "Stop the import; nothing is stored", self._jobs.cancel
         )
-        self._close = self.add_button("close_page", "Close", "Close; an import goes on", self.close)
+        self._close = self.add_button(
+            "close_page", "Close", "Close; an import continues", self.close
+        )
         self._lay_out()
         self._connect()
         self.show_limbs()

@@ -44,14 +44,14 @@ def pixels_of(path: Path) -> NDArray[np.uint32]:
     reader.setDecideFormatFromContent(True)
     reader.setAutoTransform(True)
     if not reader.canRead() or reader.format().toStdString() not in FORMATS:
-        raise _refusal(path, "no picture can be read of it")
+        raise _refusal(path, "it cannot be read as a picture")
     size = reader.size()
     if max(size.width(), size.height()) > LONGEST_SIDE_PX:
         longest = QSize(LONGEST_SIDE_PX, LONGEST_SIDE_PX)
         reader.setScaledSize(size.scaled(longest, Qt.AspectRatioMode.KeepAspectRatio))
     image = reader.read().convertToFormat(QtGui.QImage.Format.Format_RGB32)
     if image.isNull():
-        raise _refusal(path, f"no picture can be read of it ({reader.errorString()})")
+        raise _refusal(path, f"it cannot be read as a picture ({reader.errorString()})")
     pixels = np.frombuffer(image.constBits(), np.uint32)
     return pixels.reshape(image.height(), image.width()).copy()
 

@@ -45,7 +45,7 @@ from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.playing import SoundSettings, end_sound, sound_worker
 
 _DEVICE = "input_device"
-_SAME = ("", "The one played on, if it has inputs")
+_SAME = ("", "Playback device, if it has inputs")
 
 
 class MeasureFields(QObject):
@@ -112,9 +112,9 @@ def setup_of(text: str) -> MeasuringSetup:
         return MeasuringSetup()
 
 
-_MEASURED = CurveName(number=1, short="Measured", full="What was measured now")
-_MODEL = CurveName(number=2, short="Model", full="What the library knows of the actuator")
-_BEFORE = CurveName(number=3, short="Before", full="What the channel has from before")
+_MEASURED = CurveName(number=1, short="Measured", full="Response of this measurement")
+_MODEL = CurveName(number=2, short="Model", full="Model of the actuator in the library")
+_BEFORE = CurveName(number=3, short="Before", full="Earlier response of the channel")
 
 
 def model_of(channel: RigChannel) -> Actuator | None:
@@ -228,12 +228,12 @@ class MeasurePage(ToolPage):
         self.arm = self.add_arm("measure_arm", self._show_armed)
         self.start = self.add_button("measure_start", "Start", _START, self._start)
         self.stop = self.add_button(
-            "measure_stop", "Stop", "Silence at once; nothing is kept", self._stop.set
+            "measure_stop", "Stop", "Stop at once; nothing is stored", self._stop.set
         )
         self.keep = self.add_button(
-            "measure_keep", "Keep", "Put it into the channel, with the date", self._keep
+            "measure_keep", "Store", "Store the response in the channel, with the date", self._keep
         )
-        self._close = self.add_button("measure_close", "Close", "Without keeping it", self.reject)
+        self._close = self.add_button("measure_close", "Close", "Do not store it", self.reject)
         self._lay_out()
         self._connect()
         self._look()

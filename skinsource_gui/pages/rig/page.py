@@ -70,15 +70,14 @@ class ChannelFields(QObject):
         self.from_file = page_button(
             "rig_from_file",
             "Response from a file…",
-            "A table with frequency_hz, gain and phase, or sound with the voltage of a sweep and "
-            "what the accelerometer noted",
+            "Table of frequency_hz, gain and phase, or a recorded sweep",
         )
         self.measure = page_button(
             "rig_measure",
             "Measure…",
-            "Play a sweep on this output, and record an accelerometer on an input of the device",
+            "Play a sweep on this output and record an accelerometer",
         )
-        self.forget = page_button("rig_forget", "Forget the response", "As if it was not measured")
+        self.forget = page_button("rig_forget", "Clear response", "Remove the measured response")
         self.widget = self._laid_out()
 
     def show_channel(self, channel: RigChannel | None) -> None:
@@ -103,7 +102,7 @@ class ChannelFields(QObject):
         own, limits = FieldGrid(), FieldGrid()
         own.show_cells([self.cells[name] for name in _FIELDS])
         limits.show_cells([cell for name, cell in self.cells.items() if name.startswith(_LIMIT)])
-        heading = QtWidgets.QLabel("Limits at the actuator; 0: not known")
+        heading = QtWidgets.QLabel("Actuator limits (0: unknown)")
         parts = (own, self.measured, self.measure, self.from_file, self.forget, heading, limits)
         in_column(*parts, None, of=widget, margins=(0, 0, UNIT_PX, 0))
         return widget
@@ -149,7 +148,7 @@ def _actuators() -> ChoiceSpec:
     return ChoiceSpec(
         label="Actuator",
         options=(("", "Not listed"), *listed),
-        hint="What the library knows of it: its limits, and how it moves where it was not measured",
+        hint="Limits and response from the library",
     )
 
 
@@ -302,7 +301,7 @@ class RigPage(ToolPage):
         self.channels.setObjectName("rig_channels")
         self.channels.setAccessibleName("Channels")
         self.fields = ChannelFields(self)
-        self._use = QtWidgets.QCheckBox("Use it for this design")
+        self._use = QtWidgets.QCheckBox("Use for this design")
         self._use.setObjectName("rig_use")
         self._use.setChecked(True)
         self._lay_out()

@@ -72,7 +72,7 @@ OTHER = "other"
 FORMAT = ChoiceSpec(
     label="Format",
     options=tuple((stimulus_format.name, stimulus_format.title) for stimulus_format in FORMATS),
-    hint="What the file is for",
+    hint="Format of the file",
 )
 RATE = ChoiceSpec(
     label="Rate",
@@ -80,9 +80,7 @@ RATE = ChoiceSpec(
         *((str(rate), f"{rate:,} Hz".replace(",", " ")) for rate in RATES_HZ),
         (OTHER, "Other…"),
     ),
-    hint="At the rate of its limb what is exported is what was predicted, "
-    f"{SAMPLE_RATE_HZ:g} Hz of the published ones; another rate adds nothing above the measured "
-    "band",
+    hint=f"At the limb's rate ({SAMPLE_RATE_HZ:g} Hz if published), samples are those predicted",
 )
 OTHER_RATE = NumberSpec(
     label="Other rate", unit="Hz", minimum=100, maximum=768_000, step=100, whole=True
@@ -94,7 +92,7 @@ CHANNELS = ChoiceSpec(
         ("input", "One for each track"),
         ("files", "One file for each track"),
     ),
-    hint="Tracks at one place add up, unless each has a channel or file of its own",
+    hint="Tracks at one place add up unless they have own channels",
 )
 LEAD_IN = NumberSpec(
     label="Lead-in",
@@ -108,13 +106,12 @@ TAIL = replace(LEAD_IN, label="Tail", hint="Silence after the stimulus, in which
 SCALE = ChoiceSpec(
     label="Full scale",
     options=(("largest", "Largest sample"), ("own", "A drive of…")),
-    hint="What the largest number that a device takes stands for; one value for a set of files "
-    "keeps their ratio",
+    hint="Drive at full scale; one value for several files keeps ratios",
 )
 ACTUATOR = ChoiceSpec(
     label="Actuator",
     options=(("none", "None"), *((name, profile(name).title) for name in names())),
-    hint="What stands at each place; starts with that of the design",
+    hint="Actuator at each place; starts with that of the design",
 )
 EQUALISER = ChoiceSpec(
     label="Equaliser",
@@ -123,7 +120,7 @@ EQUALISER = ChoiceSpec(
         ("linear", "Regularised inverse, linear phase"),
         ("minimum", "Regularised inverse, minimum phase"),
     ),
-    hint="Makes of the accelerations of the design the volts that the actuators need",
+    hint="Converts the accelerations of the design to volts",
 )
 
 
@@ -138,7 +135,7 @@ def part_spec(view: View) -> ChoiceSpec:
         options.append(("tracks", "Selected tracks"))
     if view.selected_clips:
         options.append(("clips", "Selected clips"))
-    return ChoiceSpec(label="Tracks", options=tuple(options), hint="Which of them are written")
+    return ChoiceSpec(label="Tracks", options=tuple(options), hint="Tracks to write")
 
 
 def time_spec(design: Design) -> ChoiceSpec:
@@ -147,7 +144,7 @@ def time_spec(design: Design) -> ChoiceSpec:
     if design.loop_s is not None:
         options.append(("loop", "Loop"))
     options.append(("part", "From … to …"))
-    return ChoiceSpec(label="Time", options=tuple(options), hint="The part of the design")
+    return ChoiceSpec(label="Time", options=tuple(options), hint="Part of the design to write")
 
 
 def time_number(label: str, longest_s: float) -> NumberSpec:
@@ -265,13 +262,10 @@ class RigFields(QObject):
 
 #: Seed of dither; the sidecar names it.
 _SEED = 1
-_MAP_HINT = (
-    "For each output of the device, from the first on, the channel that it gets: 2, 1, 0, 3; "
-    "0 leaves an output silent"
-)
+_MAP_HINT = "Channel of each device output, in order: 2, 1, 0, 3; 0: silent"
 _BOX_HINTS = {
-    "sync": "A last channel with a pulse at full scale where the design begins",
-    "dither": "Noise of one step before rounding, so that the error does not follow the signal",
+    "sync": "Adds a channel with a full-scale pulse at time 0",
+    "dither": "Adds noise of one step before rounding",
     "advanced": "Channels, fades, lead-in, full scale, and more of the format",
 }
 #: Names of the rows; choices of a format follow what it is about.

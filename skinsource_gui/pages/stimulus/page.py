@@ -242,7 +242,7 @@ class StimulusPart(ExportPart):
         self._notes = page_label("stimulus_loses", tone="dim")
         self._notes.setTextFormat(Qt.TextFormat.PlainText)
         self._preparing = PreparingBar()
-        self._confirm = QtWidgets.QCheckBox("Write it all the same")
+        self._confirm = QtWidgets.QCheckBox("Write anyway")
         self._confirm.setObjectName("stimulus_confirm")
         self._confirm.hide()
         self._mend = page_button("stimulus_mend", "", "Change the design so that it can be played")

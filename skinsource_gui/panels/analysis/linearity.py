@@ -169,9 +169,7 @@ _NEEDS = frozenset(
     }
 )
 _BAND_RMS = "output_band_rms"
-_TOO_MUCH = (
-    "Too long to be shown here; File > Check against a recording… checks whether it is linear"
-)
+_TOO_MUCH = "Too long to show here; File > Check against a recording… checks linearity"
 # More values would take too long to draw.
 _MOST_VALUES = 2_000_000
 
@@ -194,10 +192,7 @@ class LinearityView(FigureView):
         self.result: Proportion | Superposition | None = None
         self.all_outputs: Straightness | None = None
         self.about = self.add_above("linearity_about")
-        self.about.setToolTip(
-            "Snapshots as they were stored. Over time the part is drawn to which Traces is zoomed, "
-            "else the loudest one; all the rest counts whole."
-        )
+        self.about.setToolTip("Snapshots as stored; over time, the part to which Traces is zoomed")
         self.velocity = self._new_switch(VELOCITY, lambda on: self.change_settings(velocity=on))
         self.bands = self._new_switch(BANDS, lambda on: self.change_settings(bands=on))
         self.every_output = self._new_switch(
@@ -370,5 +365,5 @@ def _how_to_start() -> str:
     first, last = (shortcut_text(f"store_snapshot_{number}") for number in (1, NUMBERS[-1]))
     return (
         "Store one stimulus at three strengths or more, or inputs alone and all of them together, "
-        f"with {first} to {last}: here is seen whether outputs grow in step, and add up"
+        f"with {first} to {last}: the panel shows whether responses scale linearly and superpose"
     )

@@ -277,10 +277,10 @@ def part_text(
         step_s = float(time_s[-1] - time_s[0]) / max(time_s.size - 1, 1)
         if min(zoom[1], float(time_s[-1])) - shown_s[1] < 1.5 * step_s:
             return ""
-        return f"over time of what is in sight {first} to {last} ms: zoom Traces further in"
+        return f"over the visible time, {first} to {last} ms: zoom Traces further in"
     if shown_s[0] <= time_s[0] and time_s[-1] <= shown_s[1]:
         return ""
-    return f"over time the loudest part, {first} to {last} ms: zoom Traces for another"
+    return f"over the loudest time, {first} to {last} ms: zoom Traces for another"
 
 
 def proportion_text(result: Proportion, all_outputs: Straightness | None = None) -> str:

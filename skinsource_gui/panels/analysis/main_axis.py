@@ -175,9 +175,9 @@ def _cell_size(room: QRectF, count: int, n_planes: int, line: float) -> tuple[fl
 
 
 _SINGLE = "A single axis has no main axis: choose two or three axes above"
-_ALONG_ONE = "A single axis has no main axis, and this limb was measured along one alone"
+_ALONG_ONE = "A single axis has no main axis, and this limb was measured along one only"
 _ABOUT = "Ellipses of one standard deviation; the line is the main axis"
-_OWN_AXES = "x and y point another way at each sensor"
+_OWN_AXES = "x and y are local to each sensor"
 
 
 class MainAxisView(FigureView):

@@ -34,7 +34,7 @@ from skinsource_gui.qt.theme import UNIT_PX, set_tone
 #: Weighted RMS of each place in use, m/s²; None: drives are no accelerations of the probe.
 Weighted = tuple[tuple[int, float], ...] | None
 
-_NO_WEIGHTED = "Wh: only where drives are accelerations of the probe"
+_NO_WEIGHTED = "Wh needs drives that are accelerations of the probe"
 _MOST_LISTED = 3
 # Word joiners: a line does not break at the slash.
 _UNIT = "m\u2060/\u2060s²"
@@ -92,7 +92,7 @@ def header(sensation: Sensation) -> list[tuple[str, str]]:
     columns = [("Output", "Number and place"), ("Above\ndB", "Above the lowest threshold")]
     columns += [(_TITLES[name], _HINTS[name]) for name in sensation.by_channel]
     if sensation.strength is not None:
-        hint = "Larger channel and half of the smaller one; only compares, on one limb"
+        hint = "Larger channel plus half the smaller one; for comparisons on one limb"
         columns.append(("Strength", hint))
     return columns
 

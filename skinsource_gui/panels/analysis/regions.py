@@ -34,7 +34,7 @@ from skinsource_gui.state.compared import (
 from skinsource_gui.state.panel import COMPUTING
 
 #: Message for own limbs.
-NO_REGIONS = "Of an own limb it is not known which outputs lie in which region"
+NO_REGIONS = "The regions of an own limb's outputs are unknown"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

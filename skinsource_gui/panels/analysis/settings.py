@@ -50,7 +50,7 @@ VIEWS: tuple[ViewSpec, ...] = (
     ViewSpec(
         name="transfer",
         title="Transfer",
-        answer="How does each selected output answer the selected input at each frequency?",
+        answer="How does each selected output respond to the selected input at each frequency?",
     ),
     ViewSpec(
         name="perception",
@@ -65,7 +65,7 @@ VIEWS: tuple[ViewSpec, ...] = (
     ViewSpec(
         name="linearity",
         title="Linearity",
-        answer="Do outputs grow in proportion to inputs, and do inputs add up?",
+        answer="Are outputs proportional to inputs, and do inputs add up?",
     ),
     ViewSpec(
         name="windowed",
@@ -77,7 +77,7 @@ VIEWS: tuple[ViewSpec, ...] = (
 SHOWN = ChoiceSpec(
     label="View",
     options=tuple((view.name, view.title) for view in VIEWS),
-    hint="What is analysed; only what is chosen here is computed",
+    hint="Analysis to show; only this one is computed",
 )
 
 
@@ -100,17 +100,15 @@ class TransferSettings(fields.CheckedModel):
 
 VELOCITY = SwitchSpec(
     label="In mm/s",
-    hint="Tell strengths as the largest velocity of the probe, in place of the amplitude",
+    hint="Give strengths as the largest probe velocity, not the amplitude",
 )
 BANDS = SwitchSpec(
     label="By band",
-    hint="Draw and copy outputs in bands of 2 Hz, those at 50, 100, 200 and 400 Hz, in place of "
-    "the RMS over all",
+    hint="Show bands of 2 Hz at 50, 100, 200 and 400 Hz",
 )
 EVERY_OUTPUT = SwitchSpec(
     label="All outputs",
-    hint="Draw adjusted R² of the worst of all outputs and their median, and copy that of each, in "
-    "place of the selected ones",
+    hint="Show adjusted R² of the worst output and the median",
 )
 
 

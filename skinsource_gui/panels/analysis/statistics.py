@@ -23,14 +23,13 @@ from skinsource_gui.qt.theme import UNIT_PX
 #: Titles, as narrow as they can be, and what they mean.
 COLUMNS = (
     ("Output", "Number and place of the output"),
-    ("RMS\nm/s²", "RMS over what the choice Levels says"),
+    ("RMS\nm/s²", "RMS over the time that Levels names"),
     ("Peak\nm/s²", "Largest magnitude of the signal, over the whole record"),
     ("Crest", "Peak over RMS"),
     ("Main\nHz", "Frequency with the most power along the chosen axes"),
     (
         "Delay\nms",
-        f"From the start of the first input to where the output first reaches {BEGUN_SHARE:.0%} of "
-        "its peak; the pre-trigger counts unless it is removed",
+        f"From first input to {BEGUN_SHARE:.0%} of the peak; includes pre-trigger unless removed",
     ),
 )
 NOISE_MARK = "≈"

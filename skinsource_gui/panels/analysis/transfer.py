@@ -178,7 +178,7 @@ class TransferView(FigureView):
         self.settings = TransferSettings()
         self._results: Mapping[str, Any] | None = None
         self._has_inputs = True
-        hint = "Draw the share of the power that is not noise, in place of the magnitude"
+        hint = "Draw the coherence: the share of power that is not noise"
         self.coherence = tool_button(None, "transfer_coherence", "Coherence", hint, checkable=True)
         self.coherence.clicked.connect(lambda on: self.change_settings(coherence=on))
         self.place = self.add_above("transfer_place")

@@ -22,7 +22,7 @@ from skinsource_gui.qt.questions import copied_level, tab_separated
 from skinsource_gui.state.compared import SILENT
 
 _REACH_PX = 14.0
-_DISTANCE_TITLE = "Way along the line (mm)"
+_DISTANCE_TITLE = "Distance along the line (mm)"
 _LINE_PX, _PALE = 1.2, 0.6
 
 
@@ -66,7 +66,7 @@ class WavePicture(DiagramsPicture):
                 k = int(np.nanargmin(distances))
                 left_out = "" if wave.counted[k] else " · left out: silent or mostly noise"
                 if wave.counted[k] and not wave.timed[k]:
-                    left_out = " · no delay: too unlike the first"
+                    left_out = " · no delay: too different from the first"
                 delay = f"{wave.delay_s[k] * 1e3:.2f} ms, " if np.isfinite(wave.delay_s[k]) else ""
                 return minus(
                     f"{outputs[k]}: {wave.distance_m[k] * 1e3:.0f} mm, {delay}"
@@ -100,7 +100,6 @@ def _range_around(values: Floats) -> tuple[float, float]:
     return low - air, high + air
 
 
-_LINE = "The line goes through the selected outputs, in the order in which they were selected"
 _OVERLAP = "waves of several inputs overlap"
 _ABOUT = "Along {axis}: distance on the map, group delay"
 
@@ -117,10 +116,7 @@ class WaveView(FigureView):
         self.about = self.add_above("wave_about")
         self.about.say(_ABOUT.format(axis="z"))
         self.about.setToolTip(
-            f"{_LINE}. Delays are where the envelope of the cross-correlation with the first "
-            "output is highest; outputs that are mostly noise are left out. A speed takes a line "
-            f"whose ends are at least {LEAST_STRAIGHT:.0%} of its way apart, and delays of "
-            f"whose variance the way explains {LEAST_EXPLAINED:.0%} or more."
+            "Line: selected outputs in order; delays: peak of the correlation's envelope"
         )
         self.choices.addWidget(self.about, 1)
         self.say_instead(self.no_outputs)
@@ -179,17 +175,17 @@ class WaveView(FigureView):
 
 def wave_text(wave: TravellingWave) -> str:
     """Return speed and attenuation, with their uncertainty as far as it is known."""
-    speed = "No speed: the arrival is not later farther away"
+    speed = "No speed: farther outputs are not reached later"
     if wave.counted.sum() < 2:
         return "fewer than two outputs are more than noise"
     if wave.timed.sum() < 2:
-        speed = "No speed: the shapes are too unlike"
+        speed = "No speed: the shapes are too different"
     elif wave.straight < LEAST_STRAIGHT:
-        speed = "No speed: the selected outputs do not go one way"
+        speed = "No speed: the selected outputs do not form a line"
     elif wave.explained < LEAST_EXPLAINED or wave.speed_deviation_m_per_s >= abs(
         wave.speed_m_per_s
     ):
-        speed = "No speed: delays do not grow in step with the distance"
+        speed = "No speed: delays do not grow with the distance"
     elif np.isfinite(wave.speed_m_per_s):
         speed = f"Speed {wave.speed_m_per_s:.1f}{_spread(wave.speed_deviation_m_per_s, 1)} m/s"
     loss = f"{wave.attenuation_db_per_cm:.2f}{_spread(wave.attenuation_deviation_db_per_cm, 2)}"

@@ -167,7 +167,7 @@ def time_number(time_s: float, until_s: float) -> str:
 
 def _extent_text(extent: Extent | None, origin: str) -> str:
     if extent is None:
-        return "Silent: nothing has an extent"
+        return "No active input"
     return (
         f"Mean distance from {origin} {extent.mean_distance_mm:.1f} mm\n"
         f"90 % of the energy within {extent.d90_mm:.1f} mm\n"

@@ -123,8 +123,8 @@ class PenEdits(ToolEdits):
         answer = QtWidgets.QMessageBox.question(
             self._panel,
             "Draw over the waveform?",
-            f"The clip plays {figure_text(clip.waveform)}. What you draw turns it into samples: "
-            "its numbers can then no longer be changed. Undo brings them back.",
+            f"The clip plays {figure_text(clip.waveform)}. Drawing converts it into samples; its "
+            "parameters can then no longer be edited. Undo brings them back.",
             QtWidgets.QMessageBox.StandardButton.Ok | QtWidgets.QMessageBox.StandardButton.Cancel,
         )
         if answer == QtWidgets.QMessageBox.StandardButton.Ok:
@@ -145,21 +145,21 @@ class PenEdits(ToolEdits):
 
 _PLACE = "clip_editor"
 _TOOLS = (
-    ("look", "Look", "Read values; a drag moves what is seen"),
+    ("look", "View", "Read values; drag to scroll"),
     (
         "pen",
         "Draw",
-        "Draw samples; with Shift held a straight line, with the right button back to zero",
+        "Draw samples; Shift: straight line; right button: zero",
     ),
     (
         "envelope",
         "Envelope",
-        "Shape the envelope: a click on the curve adds a point, a drag moves it",
+        "Shape the envelope: click to add a point, drag to move",
     ),
     (
         "glide",
         "Glide",
-        "Shape frequency and amplitude of a glide: a click on a curve adds a point",
+        "Shape frequency and amplitude of a glide: click to add points",
     ),
 )
 
@@ -191,7 +191,7 @@ class EditorToolbar(QtWidgets.QWidget):
             row.addWidget(button)
         self._tools["look"].setChecked(True)
         row.addSpacing(8)
-        hint = f"See all of the clip ({key_text(_PLACE, 'whole')})"
+        hint = f"Show the whole clip ({key_text(_PLACE, 'whole')})"
         self.fit = tool_button(self, "clip_fit", "Fit", hint, takes_keyboard=False)
         row.addWidget(self.fit)
         self._description = FittingLabel()

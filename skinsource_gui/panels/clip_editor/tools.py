@@ -604,9 +604,7 @@ def _segment_at(content: EditorContent, points: Points, at: QPointF) -> int | No
     return sum(point[0] <= time_s for point in points) - 1
 
 
-_GLIDE_HOW = (
-    "Drag the points of frequency and amplitude; a click on a line, or a double click, adds one"
-)
+_GLIDE_HOW = "Drag the points of frequency and amplitude; click a line to add one"
 STYLES: dict[Column, CurveStyle] = {
     "frequency": CurveStyle(
         colour="error", mirrored=False, unit="Hz", label="Frequency", bends=False, how=_GLIDE_HOW

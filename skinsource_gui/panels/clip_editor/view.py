@@ -549,7 +549,7 @@ class SpectrumStrip(QtWidgets.QWidget):
         if shown == self._shown:
             return
         self._shown, self.outside = shown, 0.0
-        text, short = "In which band this limb was measured is not known", "Band not known"
+        text, short = "The measured band of this limb is unknown", "Band not known"
         if samples is not None and not samples.size:
             samples = None
         if band_hz is not None:
@@ -557,7 +557,7 @@ class SpectrumStrip(QtWidgets.QWidget):
                 self.outside = share_outside_band(samples, sample_rate_hz, band_hz)
             share = 100 * self.outside
             number = "0" if share == 0 else "< 0.1" if share < 0.1 else f"{share:.3g}"
-            text = f"{number} % of the energy outside {band_hz[0]:g} to {band_hz[1]:g} Hz"
+            text = f"{number} % outside {band_hz[0]:g} to {band_hz[1]:g} Hz"
             short = f"{number} % outside the band"
         self._preview.show_samples(samples, sample_rate_hz, band_hz)
         self._label.show_phrases((text, short))

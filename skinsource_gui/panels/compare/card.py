@@ -130,11 +130,11 @@ class Card(QtWidgets.QToolButton):
     def _open_menu(self, at: QPoint) -> None:
         menu = passing_menu(self)
         if self.compared is not None:
-            menu.addAction("Show it", lambda: self.requested.emit(self.number, "show"))
+            menu.addAction("Show", lambda: self.requested.emit(self.number, "show"))
         if self.number:
             menu.addAction(
-                "Store the present design here", lambda: self.requested.emit(self.number, "store")
+                "Store current design", lambda: self.requested.emit(self.number, "store")
             )
         if self.compared is not None and not (self.present and not self.number):
-            menu.addAction("Forget it", lambda: self.requested.emit(self.number, "forget"))
+            menu.addAction("Remove", lambda: self.requested.emit(self.number, "forget"))
         menu.popup(self.mapToGlobal(at))

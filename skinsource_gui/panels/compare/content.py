@@ -265,9 +265,7 @@ def of_spread(
     # A mean of those that happen to be known already would change by itself.
     computing = any(side.values is None and not side.problem for side, _ in comparable)
     if base.values is None or computing or len(known) < 2:
-        too_few = (
-            "A mean takes two at least that are not silent and have outputs at the same places."
-        )
+        too_few = "A mean needs two or more that are not silent and share their output places."
         problem = base.problem or next(
             (side.problem for side, _ in comparable if side.problem), too_few
         )
@@ -581,7 +579,7 @@ class OfWindow(Kind):
         return [(limb_label(_limb(side)).title,) for side in compared]
 
 
-NO_FREQUENCY = "Nothing here has one frequency. Add a tone."
+NO_FREQUENCY = "No clip has a single frequency. Add a tone."
 ALONE = "There is no other limb with these outputs. Choose some under Limbs."
 
 

@@ -63,7 +63,7 @@ class LimbsButton(QtWidgets.QToolButton):
         self.setText("Limbs…")
         # The dots in the text show that a menu opens.
         self.setStyleSheet("QToolButton::menu-indicator { image: none; }")
-        self.setToolTip("Which limbs are shown, two to six")
+        self.setToolTip("Limbs to show, two to six")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
         self.menu_of_limbs = QtWidgets.QMenu(self)
@@ -78,7 +78,7 @@ class LimbsButton(QtWidgets.QToolButton):
         """Offer the limbs that there are now."""
         menu = self.menu_of_limbs
         menu.clear()
-        usual = menu.addAction("Those that belong together")
+        usual = menu.addAction("Related limbs")
         usual.setToolTip("The four of one kind, or own limbs with the same outputs")
         usual.setCheckable(True)
         usual.setChecked(self._usual)

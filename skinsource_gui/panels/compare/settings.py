@@ -18,8 +18,7 @@ OF = ChoiceSpec(
         ("frequencies", "Frequencies"),
         ("windows", "Time windows"),
     ),
-    hint="Snapshots and designs of files; or this design on several limbs, along each axis, or at "
-    "several frequencies, or in its time windows",
+    hint="Snapshots, or this design on several limbs, axes, frequencies or windows",
 )
 SHOWN = ChoiceSpec(
     label="Shown",
@@ -29,13 +28,11 @@ SHOWN = ChoiceSpec(
         ("mean", "Mean, spread"),
         (MOTION, "Motion"),
     ),
-    hint="The levels of each; how much louder each is than the one in the window; mean and "
-    "standard deviation; or all in slow motion",
+    hint="Levels of each, differences, mean and standard deviation, or motion",
 )
 OWN_MAXIMUM = SwitchSpec(
     label="Own maximum",
-    hint="Draw the levels of each map relative to its own loudest output: how far each reaches is "
-    "seen where the others are louder",
+    hint="Draw each map relative to its own loudest output",
 )
 LIMBS = TextSpec(label="Limbs", longest=200, one_line=True)
 FREQUENCIES = ListSpec(

@@ -94,7 +94,7 @@ def _places(limb: str, facts: LimbFacts) -> ChoiceSpec:
     return ChoiceSpec(
         label="Place",
         options=tuple((str(k), f"{k} · {input_name(k, limb).short_name}") for k in numbers),
-        hint="Where the actuator touches",
+        hint="Where the actuator touches the skin",
     )
 
 
@@ -182,12 +182,10 @@ class InputFields(QObject):
         self._curve = FieldCell("gain_curve", GAIN_CURVE, edited=self.edited)
         self._peak = TextCell("Peak", "")
         self._peak.text_label.setObjectName("peak")
-        self._peak.text_label.setToolTip("Of all that the track plays, with its gain")
+        self._peak.text_label.setToolTip("Peak of the whole track, with its gain")
         self._played_length = TextCell("Played", "")
         self._played_length.text_label.setObjectName("played_length")
-        self._played_length.text_label.setToolTip(
-            "What is heard of the waveform, or how long it is drawn out"
-        )
+        self._played_length.text_label.setToolTip("Duration after effects")
 
     def show_input(
         self,

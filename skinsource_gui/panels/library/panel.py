@@ -36,7 +36,7 @@ class LibraryButtons(FoldingRow):
             page_button(f"preset_{name}", text, hint)
             for name, text, hint in (
                 ("place", "Place", f"At the playhead, on the selected track ({keys['place']})"),
-                ("save", "Save…", "Keep clips, or the whole design, in the library"),
+                ("save", "Save…", "Save clips or the whole design to the library"),
                 ("rename", "Rename", f"Only your own ({keys['rename']})"),
                 ("delete", "Delete", f"Only your own ({keys['remove']})"),
             )
@@ -214,7 +214,7 @@ class PresetFolders(QObject):
 
 
 _WIDE_PX, _HIGH_PX = 340, 440
-_NOTHING = "No preset is like that. Search for other words, or choose all tags."
+_NOTHING = "No matches. Search for other words, or choose all tags."
 _NO = QtWidgets.QMessageBox.StandardButton.No
 
 
@@ -345,8 +345,8 @@ class LibraryPanel(Panel):
 
     def _delete(self, entry: Entry) -> None:
         question = (
-            f"Delete “{entry.preset.name}” from your library? It cannot be taken back; designs in "
-            "which it was placed keep it."
+            f"Delete “{entry.preset.name}” from your library? This cannot be undone; designs that "
+            "use it are not changed."
         )
         if ask_yes(self, "Delete from the library", question, otherwise=_NO):
             self.folders.delete(entry)

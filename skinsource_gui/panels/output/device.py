@@ -36,12 +36,12 @@ _NUMBER_PX, _OUTPUT_NUMBER_PX, _METER_PX = 88, 56, 8
 _SYSTEM = "System default"
 _BETWEEN = "\n"
 _DELAY = NumberSpec(
-    label="Delay",
+    label="Latency",
     unit="s",
     minimum=SHORTEST_LATENCY_S,
     maximum=LONGEST_LATENCY_S,
     step=0.001,
-    hint="The shorter, the sooner an edit is felt, and the sooner the device runs out of samples",
+    hint="Shorter: edits are felt sooner, but playback may drop out",
 )
 _GAIN = NumberSpec(
     label="Gain",
@@ -57,11 +57,11 @@ _SHIFT = NumberSpec(
     minimum=LEAST_SHIFT_HZ,
     maximum=MOST_SHIFT_HZ,
     step=10.0,
-    hint="How many hertz higher everything sounds",
+    hint="Hertz that are added to all frequencies",
 )
 _EARS = SwitchSpec(
-    label="Play for the ears",
-    hint="Without actuators: all channels, from left to right, with frequencies shifted up",
+    label="Audible preview",
+    hint="Without actuators: all channels in stereo, with frequencies shifted up",
 )
 # By the fields of `Output`.
 _OTHERS: tuple[tuple[str, Spec], ...] = (
@@ -93,7 +93,7 @@ class DeviceFields(QObject):
         self.device = ChoiceField(ChoiceSpec(label="Device", options=(("", _SYSTEM),)))
         self.device.edited.connect(self._choose_device)
         self.rescan = tool_button(
-            None, "look_for_devices", "Look again", "Look for new devices; ends what is played"
+            None, "look_for_devices", "Refresh", "Look for new devices; this stops playback"
         )
         self.gain = NumberField(_GAIN, widest_unit=_GAIN.unit)
         LetterWidth(self.gain, _NUMBER_PX)

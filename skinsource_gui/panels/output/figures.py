@@ -28,9 +28,9 @@ from skinsource_gui.state.panel import PREPARING
 # Smallest drawn range of frequencies, and how far it extends beyond the band, in factors.
 _SHOWN_HZ, _BELOW, _ABOVE, _POINTS = (10.0, 2000.0), 0.4, 2.0, 500
 _BEFORE = CurveName(number=0, short="Actuator", full="The actuator alone, re its mean in the band")
-_FILTER = CurveName(number=0, short="Filter", full="Voltage that the equaliser asks for")
-_AFTER = CurveName(number=0, short="Equalised", full="Both together: what the contactor does")
-_PUBLISHED = CurveName(number=0, short="As listed", full="The actuator before it was changed")
+_FILTER = CurveName(number=0, short="Filter", full="Voltage from the equaliser")
+_AFTER = CurveName(number=0, short="Equalised", full="Actuator with its equaliser")
+_PUBLISHED = CurveName(number=0, short="As listed", full="Actuator with its listed parameters")
 
 
 @lru_cache(maxsize=8)
@@ -214,7 +214,7 @@ def _row(figure: Figure) -> str:
     )
 
 
-_NOTHING = "Nothing plays: add an input to see what it asks of the actuator"
+_NOTHING = "No active input: add one to see the demands on the actuator"
 
 
 class DemandView(QtWidgets.QWidget):

@@ -112,7 +112,7 @@ class ActuatorChoices(QObject):
         self.about = page_label("actuator_about", tone="dim")
         self.about.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
         self.reset = page_button(
-            "actuator_reset", "As listed", "Give all parameters back the values that are listed"
+            "actuator_reset", "As listed", "Reset all parameters to the listed values"
         )
         self.reset.clicked.connect(self._reset)
         self.open = page_button(
@@ -132,14 +132,14 @@ class ActuatorChoices(QObject):
         name = _listed(actuation)
         specs: dict[str, Spec] = {"actuator": _actuator_spec(actuation, name)}
         values: dict[str, Any] = {"actuator": name or (_NONE if actuation is None else _OWN)}
-        text, changed = "Nothing is known between the drive and the skin.", False
+        text, changed = "No actuator is chosen.", False
         if actuation is not None:
             equaliser, model = actuation.equaliser, actuation.actuators[0].model
             alone = len(actuation.actuators) == 1
             specs["equaliser"] = ChoiceSpec(
                 label="Equaliser",
                 options=_EQUALISERS if alone else (_EQUALISERS[0], _EQUALISERS[2]),
-                hint="What makes the actuator move as the design says",
+                hint="Filter that makes the actuator follow the design",
             )
             values["equaliser"] = type(equaliser).__name__
             for part in filter(None, (equaliser, model if alone else None)):
@@ -203,7 +203,7 @@ def _about_text(actuator: ActuatorAt) -> str:
     shown, name = profile_of(actuator), listed_name(actuator)
     calibration, lines = shown.calibration, [shown.source]
     if calibration:
-        lines.append(f"Calibrated: {calibration[:1].lower()}{calibration[1:]}")
+        lines.append(f"Calibration: {calibration[:1].lower()}{calibration[1:]}")
     before: Any = shown.model if name is None else load(name)
     changed = [
         f"{spec.label} {value_text(getattr(before, field), spec.unit, 4)} → "
@@ -217,9 +217,9 @@ def _about_text(actuator: ActuatorAt) -> str:
 
 
 _THROUGH = "Predict through the actuator"
-_THROUGH_HINT = "All levels, maps and traces are those under this actuator"
-_VOLTS = "An amplitude of 1 is 1 V at the actuator."
-_ACCELERATIONS = "An amplitude of 1 asks the contactor for 1 m/s²."
+_THROUGH_HINT = "Show all levels, maps and traces through this actuator"
+_VOLTS = "Amplitude 1 = 1 V at the actuator."
+_ACCELERATIONS = "Amplitude 1 = 1 m/s² at the contactor."
 _NO_INPUTS = "No place is in use: click one on the hand."
 _NOT_WIRED = "The rig wires no place that is in use."
 _PLOT_PX = 190
@@ -255,7 +255,7 @@ class OutputPanel(Panel):
         self.fields = DeviceFields()
         self.fields.edit_rig.clicked.connect(partial(self.action_requested.emit, "edit_rig"))
         self.rows = OutputRows()
-        self.arm = page_button("arm_actuators", "Arm", "Show the peak, and allow to play it")
+        self.arm = page_button("arm_actuators", "Arm", "Show the peak and enable playback")
         self.arm.setCheckable(True)
         self.play = page_button("play_on_actuators", "Play", "Send the design to the actuators")
         self.play.clicked.connect(partial(self.action_requested.emit, "play_on_actuators"))
@@ -266,7 +266,7 @@ class OutputPanel(Panel):
         self.text = page_label("output_words", tone="dim")
         for label in (self.problem, self.text):
             label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        more_hint = "Parameters, figures, response, sample rate, delay, test tones"
+        more_hint = "Parameters, figures, response, sample rate, latency, test tones"
         self.more = tool_button(None, "output_more", "More", more_hint)
         self.more.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.more.clicked.connect(self._unfold)
@@ -400,7 +400,7 @@ class OutputPanel(Panel):
         on = actuation is not None and actuation.on
         self.through.setChecked(on)
         self.through.setEnabled(actuation is not None)
-        self.through.setToolTip(_THROUGH_HINT if actuation is not None else "Choose one first")
+        self.through.setToolTip(_THROUGH_HINT if actuation is not None else "Choose an actuator")
         volts = actuation is not None and actuation.equaliser is None
         self.through_text.setText(_VOLTS if volts else _ACCELERATIONS)
         self.through_text.setVisible(on)
@@ -418,7 +418,7 @@ class OutputPanel(Panel):
             sentences.append(f"{played.delay.text}.")
         if played.underruns:
             sentences.append(
-                f"The device ran out of samples {played.underruns} times: choose a longer delay."
+                f"The device ran out of samples {played.underruns} times: choose a longer latency."
             )
         text = "\n".join(sentences)
         if text != self.text.text():

@@ -138,20 +138,19 @@ ON_SCREEN = "seen"
 KIND = ChoiceSpec(
     label="Format",
     options=tuple((ending, title) for title, ending in KINDS),
-    hint="MP4 plays nearly everywhere; a GIF is far larger, with 50 frames per second, not 60",
+    hint="MP4 plays nearly everywhere; GIF is larger, at 50 frames per second",
 )
 SHOWN = ChoiceSpec(
     label="Shown",
     options=((Z, "Along z"), (MAGNITUDE, "Magnitude"), (RMS, "Sliding RMS")),
-    hint="The acceleration along z with its sign, the length of the acceleration, or its RMS over "
-    "a window",
+    hint="Signed z acceleration, length of the vector, or sliding RMS",
 )
 PART = ChoiceSpec(
     label="Part",
     options=((ON_SCREEN, "As on screen"), (HAND, "Hand"), (WHOLE, "Hand and arm")),
-    hint="What part of the map is seen",
+    hint="Part of the map to film",
 )
-PACE = replace(PLAY_PACE, hint="How fast time runs in the film")
+PACE = replace(PLAY_PACE, hint="Speed of time in the film")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -258,7 +257,7 @@ def film_remark(design: Design, view: View, options: FilmOptions) -> Remark:
     if film.slow_motion != float(options.pace):
         sentences.append(
             f"It runs at 1/{film.slow_motion:g}: at 1/{options.pace} it would have fewer than two "
-            "frames in a period of its fastest waves, and show waves that there are not."
+            "frames in a period of its fastest waves, and show false waves."
         )
     if view.time_range_s is None:
         sentences.append("Zoom the traces to film a part.")

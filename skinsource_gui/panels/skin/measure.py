@@ -123,7 +123,7 @@ class MeasureLine(QtWidgets.QWidget):
         )
         self.axes = MeasureWord("measure_axes", "Axes", TRIAD_SENTENCE, self._offer_axes, self)
         self.span = MeasureWord(
-            "measure_span", "Levels", "What a level is the RMS over.", self._offer_spans, self
+            "measure_span", "Levels", "Time over which a level is the RMS.", self._offer_spans, self
         )
         self.unit = MeasureWord(
             "measure_unit",

@@ -213,7 +213,7 @@ def _end_field(name: str, spec: NumberSpec, parent: QtWidgets.QWidget) -> Number
 
 
 _LOW = NumberSpec(
-    label="Level of the lowest colour",
+    label="Lowest colour",
     unit="dB",
     minimum=LOWEST_DB,
     maximum=HIGHEST_DB - SMALLEST_SPAN_DB,
@@ -221,7 +221,7 @@ _LOW = NumberSpec(
 )
 _HIGH = replace(
     _LOW,
-    label="Level of the highest colour",
+    label="Highest colour",
     minimum=LOWEST_DB + SMALLEST_SPAN_DB,
     maximum=HIGHEST_DB,
 )

@@ -77,7 +77,7 @@ class MapQuantity:
         if self.name == SENSATION:
             return "Above threshold", self.signal, "loudest 100 ms", self.unit
         over = f"RMS over {self.window_s * 1e3:g} ms" if self.name == RMS else ""
-        return "In time", self.signal, over, self.unit
+        return "Animation", self.signal, over, self.unit
 
     @property
     def _length(self) -> str:
@@ -125,13 +125,11 @@ QUANTITY = ChoiceSpec(
     options=(
         (LEVELS, "RMS"),
         (SENSATION, "Above threshold"),
-        (Z, "In time: along z"),
-        (MAGNITUDE, "In time: magnitude"),
-        (RMS, "In time: sliding RMS"),
+        (Z, "Animation: z acceleration"),
+        (MAGNITUDE, "Animation: magnitude"),
+        (RMS, "Animation: sliding RMS"),
     ),
-    hint="The level of the whole response; how far it is above the threshold of detection; or what "
-    "the skin does where the playhead is: its acceleration along z with its sign, the length of "
-    "the acceleration, or its RMS over a window",
+    hint="RMS level, level above threshold, or acceleration at the playhead",
 )
 RMS_WINDOW = NumberSpec(
     label="Window",
@@ -139,7 +137,7 @@ RMS_WINDOW = NumberSpec(
     minimum=0.001,
     maximum=0.5,
     step=0.001,
-    hint="What the sliding RMS is taken over; the playhead is in its middle",
+    hint="Window of the sliding RMS, centred on the playhead",
 )
 Z_LIMITS = RangeSpec(label="Limits", unit="m/s²")
 MAP_STYLE = ChoiceSpec(

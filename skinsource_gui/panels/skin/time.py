@@ -43,7 +43,7 @@ def _paces() -> Iterator[float]:
 PACE = ChoiceSpec(
     label="Speed",
     options=tuple((str(pace), f"1/{pace}") for pace in PACES),
-    hint="How fast time runs while it plays; below 1/1 it is seen, and not heard",
+    hint="Speed of the animation; sound plays only at 1/1",
 )
 # The slider counts tenths of a millisecond.
 _PER_S = 10_000
@@ -66,7 +66,7 @@ class ScrubBar(QtWidgets.QWidget):
         self.play.setToolTip(
             tooltip(
                 f"Play or stop ({shortcut_text('play')})",
-                f"{shortcut_text('pause')} stops where the playhead is, and goes on.",
+                f"{shortcut_text('pause')} pauses at the playhead, and continues.",
             )
         )
         self.slider = QtWidgets.QSlider(Qt.Orientation.Horizontal, self)

@@ -32,18 +32,16 @@ LAYOUT = ChoiceSpec(
     options=(("overlaid", "Overlaid"), ("stacked", "Stacked"), ("axes", "Axes")),
     hint="All curves over each other, or each in its own row",
 )
-AXES_HINT = "Each output in its own row, with a curve for each axis of its sensor"
+AXES_HINT = "Each output in its own row, a curve for each axis"
 LOG_FREQUENCY = SwitchSpec(label="Log frequency", hint="Logarithmic frequency axis")
 LOG_MAGNITUDE = SwitchSpec(label="dB", hint="Logarithmic magnitude")
 RELATIVE = SwitchSpec(
     label="Each to its peak",
-    hint="Draw each output relative to its largest magnitude in the measured band: shapes are seen "
-    "where all others would be flat",
+    hint="Draw each output relative to its peak in the measured band",
 )
 AVERAGED = SwitchSpec(
     label=f"Mean of {MEAN_OF_BINS} bins",
-    hint=f"Draw the mean of {MEAN_OF_BINS} neighbouring frequencies: the course of noise is seen "
-    "where single ones jump up and down",
+    hint=f"Draw the mean of {MEAN_OF_BINS} neighbouring frequencies, to smooth noise",
 )
 FREQUENCY_RANGE = RangeSpec(label="Zoom", unit="Hz")
 CURSORS = RangeSpec(label="Cursors", unit="Hz")

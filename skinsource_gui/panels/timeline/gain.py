@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 _DOT_PX, _CHOSEN_PX = 3.5, 5.0
 _HALO_ALPHA, _HINT_ALPHA = 190, 110
 #: How a curve begins.
-HINT = "Gain: double click on the line adds a point"
+HINT = "Gain: double-click the line to add a point"
 
 
 class GainItem(LaneLayer):

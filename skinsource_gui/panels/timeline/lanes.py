@@ -101,10 +101,10 @@ class LanesMenu:
         menu.addSeparator()
         self._act(menu, "Split at playhead", "split", edits.split_clips, view.playhead_s)
         if several:
-            self._act(menu, "Join parts of a clip", "", edits.join_clips)
-            self._act(menu, "Make one clip of them", "", edits.group_clips)
+            self._act(menu, "Join clip parts", "", edits.join_clips)
+            self._act(menu, "Group into one clip", "", edits.group_clips)
         else:
-            self._act(menu, "Take layers apart", "", edits.ungroup_clips)
+            self._act(menu, "Ungroup layers", "", edits.ungroup_clips)
         self._act(menu, f"Repeat {what}", "repeat", edits.repeat_clips, 2)
         self._act(menu, f"Duplicate {what}", "duplicate", edits.duplicate_clips)
         self._act(menu, f"Mute {what}", "mute", edits.toggle_mute_clips)
@@ -163,7 +163,7 @@ class LanesMenu:
         if ends is not None:
             self._edit_line(menu, "Loop the selected clips", edits.set_loop, ends)
         if content.design.loop_s is not None:
-            self._edit_line(menu, "No loop", edits.set_loop, None)
+            self._edit_line(menu, "Remove loop", edits.set_loop, None)
         self._fill_time(menu, content)
 
     def _fill_time(self, menu: QtWidgets.QMenu, content: TimelineContent) -> None:
@@ -172,8 +172,8 @@ class LanesMenu:
         start_s, end_s = content.design.loop_s
         menu.addSeparator()
         insert = edits.insert_time
-        self._edit_line(menu, "Insert the loop's time before it", insert, start_s, end_s - start_s)
-        self._edit_line(menu, "Remove the loop's time", edits.remove_time, start_s, end_s)
+        self._edit_line(menu, "Insert loop time before", insert, start_s, end_s - start_s)
+        self._edit_line(menu, "Remove loop time", edits.remove_time, start_s, end_s)
 
     def _act(
         self, menu: QtWidgets.QMenu, text: str, key: str, edit: AnyEdit, *more: object

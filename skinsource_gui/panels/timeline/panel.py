@@ -113,7 +113,7 @@ class TimelineToolbar(QtWidgets.QWidget):
         draw.clicked.connect(lambda: self.draw_requested.emit(False))
         self._row.addStretch(1)
         self.snap = self._button(
-            "snap", "Snap", "Edges snap to the grid, to ends of clips and to the playhead"
+            "snap", "Snap", "Edges snap to the grid, clip ends and the playhead"
         )
         self.snap.setCheckable(True)
         self.snap.setChecked(True)

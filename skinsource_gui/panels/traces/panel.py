@@ -35,13 +35,12 @@ LAYOUT = ChoiceSpec(
 )
 RELATIVE = SwitchSpec(
     label="Each to its peak",
-    hint="Draw each curve relative to its own peak: shapes are seen where all others would be flat",
+    hint="Draw each curve relative to its own peak, to compare shapes",
 )
 
 FITTED = SwitchSpec(
-    label="Fit to what is seen",
-    hint="Zoomed in, the range of values is that of the part in sight, not of the whole: what is "
-    "weak there is no flat line",
+    label="Fit visible range",
+    hint="Fit the range of values to the visible part",
 )
 
 CURSORS = RangeSpec(label="Cursors", unit="s")
@@ -302,7 +301,7 @@ def _axis_notes(outputs: tuple[int, ...]) -> tuple[str, ...]:
         return ()
     names = ", ".join(map(str, outputs))
     return (
-        f"no main axis at {names}: all directions move alike, the one shown is arbitrary",
+        f"no main axis at {names}: all directions move equally, and the one shown is arbitrary",
         f"no main axis at {names}",
         "some have no main axis",
     )

@@ -160,7 +160,7 @@ def test_rates_that_are_no_whole_number_and_shapes_that_differ_are_refused(tmp_p
     with pytest.raises(RecordingError, match=r"5 signals, expected 6 .* outputs by axes\.$"):
         open_recorded(path, 6, 1, 1300.0)
     np.savez(path, field=np.where(FIELD > 1.0, np.nan, FIELD), fs=1300.0)
-    with pytest.raises(RecordingError, match="no finite numbers"):
+    with pytest.raises(RecordingError, match="not finite numbers"):
         open_recorded(path, 6, 3, 1300.0)
     with pytest.raises(InvalidInputError, match="silent"):
         agreement(FIELD, 0.0 * FIELD, 0.0)

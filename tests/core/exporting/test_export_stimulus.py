@@ -84,7 +84,7 @@ def test_the_ending_tells_the_format(design, tmp_path):
         path = tmp_path / f"a{ending}"
         ss.export_stimulus(design, path)
         assert sidecar(path)["format"] == name
-    with pytest.raises(InvalidInputError, match="say which, one of wav"):
+    with pytest.raises(InvalidInputError, match="choose one of wav"):
         ss.export_stimulus(design, tmp_path / "a.xyz")
 
 
@@ -302,9 +302,9 @@ def test_a_limit_that_is_passed_must_be_confirmed(design, tmp_path):
         ({"rate_hz": 44_100.5}, "sample_rate_hz is 44100.5"),
         ({"rate_hz": 0}, "sample_rate_hz is 0"),
         ({"options": ss.StimulusOptions(choices={"samples": "pcm8"})}, "one of float32, pcm24"),
-        ({"options": ss.StimulusOptions(choices={"layout": "table"})}, "offers samples"),
+        ({"options": ss.StimulusOptions(choices={"layout": "table"})}, "choose one of samples"),
         ({"options": ss.StimulusOptions(from_s=0.2, to_s=0.1)}, "to_s is 0.1"),
-        ({"options": ss.StimulusOptions(inputs=(4,))}, "Nothing is heard"),
+        ({"options": ss.StimulusOptions(inputs=(4,))}, "No input is active"),
         ({"options": ss.StimulusOptions(channel_map=(1,))}, "Channel map"),
     ],
 )

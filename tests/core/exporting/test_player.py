@@ -153,7 +153,7 @@ def test_an_earlier_folder_is_replaced_and_a_foreign_one_is_not(design, tmp_path
     other = tmp_path / "thesis"
     other.mkdir()
     (other / "chapter.txt").write_text("years of work")
-    with pytest.raises(StorageError, match="something else stands there"):
+    with pytest.raises(StorageError, match="something else has this name"):
         ss.export_stimulus(design, other, format="psychopy")
     assert (other / "chapter.txt").read_text() == "years of work"
     assert sorted(entry.name for entry in tmp_path.iterdir()) == [

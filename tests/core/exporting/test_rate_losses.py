@@ -37,7 +37,8 @@ def test_the_words_name_the_channel_what_is_lost_and_what_to_do(two, tmp_path):
     with pytest.raises(NotConfirmedError) as raised:
         ss.export_stimulus(two, tmp_path / "a.wav", rate_hz=1000)
     assert re.fullmatch(
-        r"At 1000 Hz what lies above 462 Hz is weakened or lost: channel 1 \(Digit II, pad\) loses "
+        r"At 1000 Hz, frequencies above 462 Hz are weakened or lost: channel 1 \(Digit II, pad\) "
+        "loses "
         r"5\.\d dB of its energy\. More than 1 dB is lost: choose 1300 Hz, the rate of the design, "
         r"or lower the frequencies, or accept the loss \(--accept-loss\)\.",
         str(raised.value),
@@ -132,9 +133,9 @@ def test_the_command_says_it_in_one_line_and_takes_an_acceptance(two, tmp_path, 
     call = ["export", str(tmp_path / "a.skinsource"), "--rate", "1000", "--out", str(out)]
     assert main(call) == 1
     printed = capsys.readouterr()
-    assert printed.err.startswith("skinsource: At 1000 Hz what lies above 462 Hz")
+    assert printed.err.startswith("skinsource: At 1000 Hz, frequencies above 462 Hz")
     assert printed.err.count("\n") == 1
     assert printed.out == ""
     assert not out.exists()
     assert main([*call, "--accept-loss"]) == 0
-    assert "  At 1000 Hz what lies above 462 Hz is weakened or lost" in capsys.readouterr().out
+    assert "  At 1000 Hz, frequencies above 462 Hz are weakened or lost" in capsys.readouterr().out

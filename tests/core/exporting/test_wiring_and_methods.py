@@ -101,7 +101,7 @@ def test_the_command_writes_the_page_for_a_rig(tmp_path, capsys, ending, begin):
 def test_a_page_of_another_kind_or_of_nothing_is_refused(tmp_path):
     with pytest.raises(InvalidInputError, match=r"Call it \*\.pdf"):
         ss.export_wiring(DESIGN, tmp_path / "a.docx")
-    with pytest.raises(InvalidInputError, match="Nothing is heard"):
+    with pytest.raises(InvalidInputError, match="No input is active"):
         ss.export_wiring(replace(DESIGN, inputs=()), tmp_path / "a.pdf")
     assert not any(tmp_path.iterdir())
 

@@ -103,7 +103,7 @@ def test_limits_of_the_rig_must_be_confirmed(design, rig, tmp_path):
 def test_what_a_rig_does_not_know_is_asked_for(design, rig, tmp_path):
     path = tmp_path / "a.wav"
     equaliser = RegularisedInverse()
-    with pytest.raises(InvalidInputError, match="choose a rig, or let the design be predicted"):
+    with pytest.raises(InvalidInputError, match="Choose a rig, or an actuator"):
         ss.export_stimulus(design, path, equaliser=equaliser)
     with pytest.raises(InvalidInputError, match="place 12 is not wired"):
         ss.export_stimulus(design, path, rig=replace(rig, channels=rig.channels[:1]))
@@ -113,7 +113,7 @@ def test_what_a_rig_does_not_know_is_asked_for(design, rig, tmp_path):
             design, path, rig=replace(rig, channels=(unknown, rig.channels[1])), equaliser=equaliser
         )
     still = replace(rig.channels[0], measured=None)
-    with pytest.raises(InvalidInputError, match="does not say how the actuator 'own' moves"):
+    with pytest.raises(InvalidInputError, match="no response of the actuator 'own'"):
         ss.export_stimulus(
             design, path, rig=replace(rig, channels=(still, rig.channels[1])), equaliser=equaliser
         )

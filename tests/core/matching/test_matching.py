@@ -177,9 +177,9 @@ def test_a_table_that_cannot_be_written_keeps_the_trial(tmp_path):
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        (lambda text: "", "no table of matches"),
-        (lambda text: "a,b\n1,2\n", "no table of matches"),
-        (lambda text: text + text.splitlines()[1] + "\n", "line 10: .*stands in line 2"),
+        (lambda text: "", "not a table of matches"),
+        (lambda text: "a,b\n1,2\n", "not a table of matches"),
+        (lambda text: text + text.splitlines()[1] + "\n", "line 10: .*is in line 2"),
         (lambda text: text.replace("Anna", "=Anna", 1), "line 2: person"),
         (lambda text: text.replace(",100.0,7,1.0,", ",100.0,7,2.0,", 1), "line 3: its reference"),
         (lambda text: text.replace(",3.0,", ",nan,", 1), "matched_db"),
@@ -187,8 +187,8 @@ def test_a_table_that_cannot_be_written_keeps_the_trial(tmp_path):
         (lambda text: text.replace("ending,", "ending,x", 1), "start_db"),
         (lambda text: text.replace("scending", "scended", 1), "direction"),
         (lambda text: text[:-4] + "\n", "it has 10 values"),
-        (lambda text: text + '"', "no CSV"),
-        (lambda text: "\0" + text, "no table|no CSV"),
+        (lambda text: text + '"', "expected CSV"),
+        (lambda text: "\0" + text, "not a table|expected CSV"),
     ],
 )
 def test_a_damaged_table_is_one_error_that_says_where(tmp_path, change, message):

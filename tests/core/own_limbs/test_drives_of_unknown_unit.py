@@ -51,7 +51,7 @@ def test_only_where_the_drive_is_the_amplitude_its_unit_is_not_known(drive_limb)
     assert driven(LAB) == ["1", "a.u.", "a.u."]
     spec = amplitude_spec(LAB)
     assert spec.unit == "a.u."
-    assert "unit of the drive that the responses of this limb answer" in spec.hint
+    assert "unit of the drive of this limb" in spec.hint
     assert "probe" not in spec.hint
     relative = amplitude_meaning(replace(LAB, scaling="relative"))
     assert "one unit of the drive" in relative
@@ -96,7 +96,9 @@ def test_no_equaliser_takes_a_drive_of_unknown_unit_for_accelerations(drive_limb
     rig = ss.rigs.Rig(
         channels=(ss.rigs.RigChannel(place=2, output=1, actuator="example-voice-coil"),)
     )
-    with pytest.raises(InvalidInputError, match="answers a drive of unknown unit") as refused:
+    with pytest.raises(
+        InvalidInputError, match="the drive of this limb has an unknown unit"
+    ) as refused:
         ss.export_stimulus(LAB, path, rig=rig, **options)
     assert "scaling" not in str(refused.value)
     ss.export_stimulus(replace(LAB, actuation=asked), path, **options)

@@ -172,7 +172,7 @@ def test_what_does_not_fit_together_is_refused_in_one_sentence(tmp_path, process
         ({"values": {**VALUES, "axes": "z"}}, "axes is 'z', expected 2 of x, y and z"),
         ({"values": {**VALUES, "name": ""}}, "the name of the limb is '', expected small letters"),
         ({"values": {**VALUES, "sample_rate_hz": None}}, "sample_rate_hz is not known"),
-        ({"values": {**VALUES, "colour": 1}}, "colour says nothing about a limb"),
+        ({"values": {**VALUES, "colour": 1}}, "colour says nothing about a limb; remove it"),
         ({"order": "ioax"}, "'ioax', expected i, o, a and t"),
         ({"array": "other"}, "it has no array 'other'"),
         ({"order": "oiat"}, "input_positions has shape (7, 2), expected (31, 2)"),

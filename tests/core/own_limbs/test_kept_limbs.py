@@ -99,7 +99,7 @@ def test_a_design_names_the_limb_and_its_digest(lab, tmp_path):
     assert np.isfinite(levels).all()
     installed(hand_length_mm=181.0)
     assert "other numbers" in missing_limb("lab-1", content.design.limb_digest)
-    with pytest.raises(InvalidInputError, match="'lab-1' here is another one"):
+    with pytest.raises(InvalidInputError, match="'lab-1' here is not that"):
         load_limb("lab-1", content.design.limb_digest)
     back = edits.change_limb(content.design, content.view, "synthetic-1")
     assert (back.design.limb_digest, back.view.axes) == ("", "xyz")

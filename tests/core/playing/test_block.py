@@ -106,7 +106,7 @@ def test_the_limit_is_told_apart_from_what_is_no_number():
     output = block(live, 100)
     assert np.isfinite(output).all()
     assert live.ending.reason == "broken"
-    assert "output 1 (place 1) was to play something that is no number" in live.ending.sentence
+    assert "output 1 (place 1) was given a value that is not a number" in live.ending.sentence
 
 
 def test_a_steady_tone_at_full_scale_has_an_rms_of_minus_three_decibels():

@@ -88,7 +88,7 @@ def test_a_device_is_found_by_its_name_and_its_host(library):
 
 def test_a_device_that_is_not_there_is_named_with_those_that_are(library):
     library()
-    with pytest.raises(PlaybackError, match=r"'Nine' is not there.*there are Eight, Built-in"):
+    with pytest.raises(PlaybackError, match=r"'Nine' was not found.*there are Eight, Built-in"):
         devices.device_of(Output(device="Nine"), devices.devices())
 
 

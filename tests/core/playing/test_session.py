@@ -61,7 +61,7 @@ def test_an_edit_that_needs_more_outputs_opens_the_device_anew(sound, session):
 def test_more_places_than_outputs_are_refused_and_what_plays_goes_on(sound, session):
     playing = play(session, loops=True)
     three = replace(ONE, inputs=tuple(ss.track(place, TONE) for place in (7, 8, 9)))
-    with pytest.raises(PlaybackError, match="Two has 2 outputs, and place 9 is to play on output"):
+    with pytest.raises(PlaybackError, match="Two has 2 outputs, and place 9 is assigned to output"):
         session.change(playing, three, Output(), loops=True)
     assert not playing.stream.closed
     with pytest.raises(PlaybackError, match="Two has 2 outputs"):
@@ -96,7 +96,7 @@ def test_without_a_device_it_runs_in_silence_and_says_why(monkeypatch, session):
     use(monkeypatch, SyntheticSoundLibrary())
     playing = play(session)
     assert playing.stream is None
-    assert "No device to play on was found" in playing.reason
+    assert "No audio device was found" in playing.reason
     assert playing.position_s() >= 0.0
     changed = session.change(playing, replace(ONE, loop_s=(0.1, 0.2)), Output(), loops=False)
     assert changed is playing

@@ -118,7 +118,7 @@ def test_a_louder_edit_is_looked_at_before_it_is_heard(sound, session):
 
 
 def test_a_rig_of_another_device_is_refused(sound, session):
-    with pytest.raises(PlaybackError, match="wired to 'Two', and Eight is chosen"):
+    with pytest.raises(PlaybackError, match="wired to 'Two', but Eight is chosen"):
         play(session, rig=rig_of(device="Two"))
 
 

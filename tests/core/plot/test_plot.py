@@ -130,12 +130,12 @@ def test_silence_is_drawn_too():
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda: ss.plot.map(np.zeros(72)), "need the limb"),
+        (lambda: ss.plot.map(np.zeros(72)), "need their limb"),
         (lambda: ss.plot.map(np.zeros(71), limb="synthetic-1"), "shape"),
         (lambda: ss.plot.map(np.zeros(72), limb=3), "expected a Limb"),
         (lambda: ss.plot.traces([]), "expected a Design"),
         (lambda: ss.plot.traces(DESIGN, outputs=()), "no output is selected"),
-        (lambda: ss.plot.traces(DESIGN, labels=("a", "b")), "2 labels for 1 designs"),
+        (lambda: ss.plot.traces(DESIGN, labels=("a", "b")), "2 labels, expected 1"),
         (lambda: ss.plot.traces(DESIGN, outputs=(99,)), "99"),
         (
             lambda: ss.plot.traces(DESIGN, view=replace(MAG, time_range_s=(5.0, 6.0))),

@@ -113,7 +113,7 @@ def test_objects_are_never_unpickled(tmp_path, process):
     ("content", "message"),
     [
         (b"", "no rows of numbers"),
-        (b"\0\1\2" * 50, "no text"),
+        (b"\0\1\2" * 50, "not text"),
         (b"RIFF\x24\0\0\0WAVEfmt ", "cannot be read"),
         (b"\x93NUMPY\x01\0", "cannot be read"),
         (b"PK\x03\x04nonsense", "cannot be read"),

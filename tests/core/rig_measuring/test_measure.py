@@ -95,7 +95,7 @@ def test_an_actuator_that_moves_against_the_voltage_is_told(monkeypatch):
     use(monkeypatch, Card(ears(sensed(COIL, -VOLTS))))
     result = measured()
     assert result.inverted
-    assert "against the voltage" in " ".join(result.lines)
+    assert "opposes the voltage" in " ".join(result.lines)
     turned = replace(RIG, channels=(replace(CHANNEL, polarity="inverted"),))
     assert not measured(turned).inverted
     assert relative_error(measured(turned)) < BOTH
@@ -141,7 +141,7 @@ def test_an_input_that_would_clip_says_how_loud_it_may_be(card):
 
 def test_a_sensor_that_hears_nothing_is_told_with_what_to_look_at(card):
     card.paths = (np.zeros_like(card.paths[0]),)
-    with pytest.raises(InvalidInputError, match=r"above the noise.*Is the amplifier on"):
+    with pytest.raises(InvalidInputError, match=r"above the noise.*Check amplifier"):
         measured()
     card.noise, card.offset = 0.0, 0.0
     with pytest.raises(InvalidInputError, match="above the noise"):
@@ -160,9 +160,9 @@ def test_a_card_that_is_pulled_out_or_loses_samples_is_told(card):
 @pytest.mark.parametrize(
     ("changes", "setup", "message"),
     [
-        ({"n_outputs": 0}, SETUP, "No device to play on"),
+        ({"n_outputs": 0}, SETUP, "No audio device"),
         ({"n_inputs": 0}, SETUP, "No device to record from"),
-        ({"n_outputs": 2}, SETUP, "has 2 outputs, and place 7 is to play on output 3"),
+        ({"n_outputs": 2}, SETUP, "has 2 outputs, and place 7 is assigned to output 3"),
         ({}, replace(SETUP, input_number=5), "has 2 inputs, and input 5"),
         ({}, replace(SETUP, input_device="Other"), "'Other' has no inputs or is not there"),
         ({"refusal": ("Invalid sample rate", -9997)}, SETUP, "does not take 8000 Hz"),

@@ -99,7 +99,7 @@ def test_what_travels_is_shown_as_it_moves_and_slowed_down():
 def test_names_may_be_written_small_and_others_are_refused(capsys):
     assert ss.scenes.scene("2f").name == "2F"
     for other in ("2G", "", None, "../2F"):
-        with pytest.raises(InvalidInputError, match="does not exist; there are 1C, 1D"):
+        with pytest.raises(InvalidInputError, match="does not exist; choose one of 1C, 1D"):
             ss.scenes.open_scene(other)
     with pytest.raises(SystemExit):
         main(["scenes", "--out", "x.skinsource"])

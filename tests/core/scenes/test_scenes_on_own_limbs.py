@@ -42,7 +42,7 @@ def test_each_that_applies_plays_and_is_drawn_at_what_the_limb_has(user_data, na
         assert all(1 <= track.location <= N_INPUTS for track in design.inputs)
         levels = ss.evaluate(design, "output_levels_db", view=opened.view)["output_levels_db"]
         assert levels[np.array(opened.view.outputs) - 1].max() > -60.0
-        assert "need not do what the sentence says" in design.notes
+        assert "may not show what the sentence says" in design.notes
     assert opened.design in [condition.design for condition in opened.conditions]
     assert len(draw_figure(opened).tables) >= 1
 
@@ -96,7 +96,7 @@ def test_the_commands_take_a_limb(user_data, tmp_path, capsys):
     arguments = ["figures", "--out", str(tmp_path), "--limb", "lab-1", "--only"]
     assert main([*arguments, "2B"]) == 0
     table = (tmp_path / "2B.csv").read_text()
-    assert "need not do what the sentence says" in table
+    assert "may not show what the sentence says" in table
     assert "Lab 1 (lab-1)" in table
     capsys.readouterr()
     assert main([*arguments, "2E"]) == 1

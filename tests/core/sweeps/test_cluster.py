@@ -53,5 +53,5 @@ def test_no_row_is_lost_or_doubled_where_a_worker_is_killed(two_workers):
 def test_a_scheduler_that_does_not_answer_is_one_sentence(monkeypatch):
     monkeypatch.setattr(cluster, "_CONNECT_S", 1)
     plan = Plan(designs=(("one", ss.Design(limb="synthetic-1", inputs=(ss.track(7),))),))
-    with pytest.raises(SkinSourceError, match="does not answer"):
+    with pytest.raises(SkinSourceError, match="does not respond"):
         run(Sweep(plan=plan), None, measuring=cluster.Cluster("tcp://127.0.0.1:9"))

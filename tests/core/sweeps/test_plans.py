@@ -53,9 +53,9 @@ def test_design_inputs_and_clips_are_varied():
     ("name", "value", "message"),
     [
         ("colour_of_sky", 1.0, "nothing in the design"),
-        ("3.frequency_hz", 1.0, "the design has 2"),
-        ("0.frequency_hz", 1.0, "numbered from 1"),
-        ("x.frequency_hz", 1.0, "numbered from 1"),
+        ("3.frequency_hz", 1.0, "expected 1 to 2"),
+        ("0.frequency_hz", 1.0, "names input"),
+        ("x.frequency_hz", 1.0, "names input"),
         ("frequency_hz", "loud", "frequency_hz"),
         ("location", (1, 2, 3), "each of the 2 inputs"),
         ("amplitude", 1e9, "amplitude"),

@@ -59,7 +59,7 @@ def test_a_file_says_all_that_a_sweep_does(folder):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("designs = [", "no TOML"),
+        ("designs = [", "not TOML"),
         ("", "designs"),
         ('designs = "two.skinsource"', "a list of names"),
         ('designs = ["two.skinsource"]\nvari = 1', "'vari' is not known"),

@@ -162,7 +162,7 @@ def test_what_cannot_be_held_against_each_other_says_what_to_store(show, qtbot):
 def test_what_is_too_long_for_a_picture_says_where_it_is_checked(show, monkeypatch):
     monkeypatch.setattr("skinsource_gui.panels.analysis.linearity._MOST_VALUES", 1000)
     _, panel = show(STRENGTHS)
-    assert panel.figure.message.startswith("Too long to be shown here")
+    assert panel.figure.message.startswith("Too long to show here")
     assert panel.result is None
 
 

@@ -80,10 +80,10 @@ def test_each_panel_of_analysis_says_what_the_limb_says(window, qtbot):
     assert wave.about.whole.startswith(f"Along {axis}")
     assert f"level_{axis}_db" in wave.table_text()
     if one_axis:
-        assert "measured along one alone" in panels["main_axis"].figure.message
+        assert "measured along one only" in panels["main_axis"].figure.message
     else:
         assert "sensor 4" in panels["main_axis"].picture.content.text_of(0)
-        assert "point another way" not in panels["main_axis"].note_label.whole
+        assert "local to each sensor" not in panels["main_axis"].note_label.whole
     windowed = panels["windowed"]
     assert windowed.strip.content.levels_db.shape[1] == N_OUTPUTS
     assert windowed.strip.message == ""
@@ -103,4 +103,4 @@ def test_as_many_outputs_do_not_make_an_own_limb_a_published_one(user_data):
     install_limb(limb, (rng.standard_normal((72, 1, 20)) for _ in range(7)))
     design = Design(limb="lab-1", inputs=(track(3),))
     sensation: Sensation = evaluate(design, "sensation", view=View(axes="z"))["sensation"]
-    assert "published limbs only" in sensation.problem
+    assert "only for the published limbs" in sensation.problem

@@ -134,7 +134,7 @@ def the_wave():
 
 
 NOTHING = {"speed_m_per_s": np.nan, "speed_deviation_m_per_s": np.nan}
-OUT_OF_STEP = "No speed: delays do not grow in step with the distance"
+OUT_OF_STEP = "No speed: delays do not grow with the distance"
 
 
 @pytest.mark.parametrize(
@@ -144,9 +144,9 @@ OUT_OF_STEP = "No speed: delays do not grow in step with the distance"
         # A speed that is less sure than itself is none.
         ({"speed_m_per_s": 688.1, "speed_deviation_m_per_s": 3090.9}, OUT_OF_STEP),
         ({"speed_m_per_s": -20.0, "speed_deviation_m_per_s": 30.0}, "No speed"),
-        ({**NOTHING, "straight": 0.2}, "No speed: the selected outputs do not go one way · att"),
+        ({**NOTHING, "straight": 0.2}, "No speed: the selected outputs do not form a line · att"),
         ({**NOTHING, "explained": 0.4}, OUT_OF_STEP),
-        (NOTHING, "No speed: the arrival is not later farther away"),
+        (NOTHING, "No speed: farther outputs are not reached later"),
     ],
 )
 def test_a_speed_is_said_only_where_delays_grow_with_the_way(changes, begin):

@@ -96,7 +96,7 @@ def test_the_pointer_reads_times_and_extent(panel):
 @pytest.mark.parametrize(
     ("design", "view", "text"),
     [
-        (Design(limb="synthetic-4"), {}, "Silent"),
+        (Design(limb="synthetic-4"), {}, "No active input"),
         (TRAIN, {"windows_cut": "length", "window_s": 5.0}, "No whole window"),
     ],
 )

@@ -229,7 +229,7 @@ def test_two_to_four_limbs_are_chosen_from_those_there_are(window, panel, qtbot)
         return {action.text(): action for action in actions if action.text()}
 
     offered = entries()
-    assert offered["Those that belong together"].isChecked()
+    assert offered["Related limbs"].isChecked()
     offered["Synthetic 2 (165 mm)"].trigger()
     assert len(shown(panel, qtbot, 3)) == 3
     entries()["Synthetic 4 (165 mm)"].trigger()
@@ -238,8 +238,8 @@ def test_two_to_four_limbs_are_chosen_from_those_there_are(window, panel, qtbot)
     offered = entries()
     assert not offered["Synthetic 3 (185 mm)"].isEnabled()
     assert offered["Synthetic 4 (165 mm)"].isEnabled()
-    assert not offered["Those that belong together"].isChecked()
-    offered["Those that belong together"].trigger()
+    assert not offered["Related limbs"].isChecked()
+    offered["Related limbs"].trigger()
     shown(panel, qtbot, 4)
 
 
@@ -269,7 +269,9 @@ def test_a_limb_that_is_missing_laid_out_otherwise_or_too_large_says_so(
     settle()
     # Published limbs are larger than that as well.
     qtbot.waitUntil(
-        lambda: all("follow edits up to 5" in cell.text for cell in panel.maps.content.cells)
+        lambda: all(
+            "live results are possible up to 5" in cell.text for cell in panel.maps.content.cells
+        )
     )
     # Lamps and error of what was shown before may still be on their way.
     quantities = [request.wanted for request in requests if request.purpose == Purpose.SHOW]

@@ -273,7 +273,7 @@ def test_a_design_of_a_file_is_kept_as_a_snapshot_and_the_present_one_stays_open
     snapshots = document.view.snapshots
     assert [snapshot.number for snapshot in snapshots] == [1, 2, 3, 4]
     window.do("take_snapshot")
-    assert "Forget one first" in window.notice.text
+    assert "Remove one first" in window.notice.text
     assert document.view.snapshots == snapshots
 
 

@@ -97,12 +97,12 @@ def test_how_long_a_clip_lasts_with_its_effects_is_said_where_it_differs(bench):
     bench.show(design.with_clip(clip.id, effects=(Trim(start_s=0.0, duration_s=0.1),)))
     lasts = bench.label("played_length")
     assert lasts.isVisible()
-    assert lasts.text() == "100 ms with its effects"
+    assert lasts.text() == "100 ms after effects"
     # The waveform's own length can still be changed, and typing it is not ended by the row.
     bench.type("duration_s", "0.05 s")
     assert not lasts.isVisible()
     bench.show(design.with_clip(clip.id, effects=(Stretch(factor=2.0),)))
-    assert lasts.text() == "400 ms with its effects"
+    assert lasts.text() == "400 ms after effects"
     bench.show(design)
     assert not lasts.isVisible()
 

@@ -110,7 +110,7 @@ def test_a_folder_that_cannot_be_written_is_told_once_and_tried_again(work, qtbo
     work.autosave.failed.connect(messages.append)
     edit(work, 2.0)
     qtbot.waitUntil(lambda: len(messages) == 1, **WAIT)
-    assert "No copy of unsaved work could be kept" in messages[0]
+    assert "No copy of unsaved work could be stored" in messages[0]
     edit(work, 3.0)
     assert not work.autosave.keep_now()
     # Nothing is edited meanwhile.

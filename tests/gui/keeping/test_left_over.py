@@ -45,7 +45,7 @@ def test_left_over_work_is_offered_with_its_age_and_picture_and_opened_as_not_sa
     window.docks["spectra"].hide()
     window.keeping.offer(window.notice)
     assert "before your work on untitled was saved" in window.notice.text
-    assert "A copy was kept less than a minute ago" in window.notice.text
+    assert "A copy was stored less than a minute ago" in window.notice.text
     picture = window.notice._picture
     assert picture.isVisible()
     assert picture.pixmap().height() == 90
@@ -124,7 +124,7 @@ def test_several_are_offered_in_a_list(window, leave, qtbot, user_data):
     leave(2.5)
     leave(3.5)
     window.keeping.offer(window.notice)
-    assert "Copies were kept of 2 designs" in window.notice.text
+    assert "Copies were stored of 2 designs" in window.notice.text
     choose(window, "Show them…")
     (page,) = window.findChildren(UnsavedWorkPage)
     assert page.rows.count() == 2
@@ -146,7 +146,7 @@ def test_a_file_that_could_not_be_opened_at_the_start_is_said_with_the_offer(
     assert "gone.skinsource" in complaint
     window.keeping.offer(window.notice)
     assert window.notice.text.startswith(complaint)
-    assert "A copy was kept" in window.notice.text
+    assert "A copy was stored" in window.notice.text
     choose(window, "Open it")
     assert window.document.design.inputs[0].amplitude == 2.5
 
@@ -155,7 +155,7 @@ def test_without_left_over_work_nothing_is_offered_and_the_page_says_so(window):
     window.do("show_left_over")
     (page,) = window.findChildren(UnsavedWorkPage)
     assert not page.open_button.isEnabled()
-    assert "no unsaved work" in page.message.text()
+    assert "No earlier session" in page.message.text()
     page.close()
     window.keeping.offer(window.notice)
     assert window.notice.text == ""

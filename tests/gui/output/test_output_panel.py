@@ -206,5 +206,5 @@ def test_a_long_drive_is_looked_at_where_it_is_strongest():
 
 def test_without_anything_that_plays_it_says_what_to_do(open_window, qtbot):
     panel = brought_forward(open_window(design_of()), qtbot)
-    assert "add an input" in panel.figures.refusal.text()
+    assert "add one" in panel.figures.refusal.text()
     assert panel.figures.table.figures == ()

@@ -75,8 +75,8 @@ def test_a_file_in_the_layout_is_imported_and_can_be_chosen_at_once(
     assert own_limb_names() == ()
     assert asked == [
         (
-            "Remove “Lab 1” (lab-1)? Its responses cannot be had back from here, and its designs "
-            "open read-only.",
+            "Remove “Lab 1” (lab-1)? Its responses cannot be restored, and its designs open "
+            "read-only.",
             NO,
         )
     ]
@@ -133,7 +133,7 @@ def test_what_cannot_be_read_is_said_and_nothing_is_kept(user_data, tmp_path, pa
     opened(page, tmp_path / "a.h5", "responses", qtbot)
     assert "a.h5" in text_of_page(page)
     opened(page, tmp_path / "a.h5", "photograph", qtbot)
-    assert "no picture can be read" in text_of_page(page)
+    assert "cannot be read as a picture" in text_of_page(page)
     np.save(tmp_path / "two.npy", np.zeros((2, 3, 9)))
     opened(page, tmp_path / "two.npy", "responses", qtbot)
     (tmp_path / "in.csv").write_text("1,2\n3,x\n")
@@ -290,7 +290,7 @@ def test_what_is_no_photograph_is_refused_and_the_next_one_is_read(
     tmp_path, process, name, content
 ):
     (tmp_path / name).write_bytes(content)
-    with pytest.raises(RecordingError, match="no picture can be read") as caught:
+    with pytest.raises(RecordingError, match="cannot be read as a picture") as caught:
         photograph.read(tmp_path / name, process)
     assert name in str(caught.value)
     QImage(8, 8, QImage.Format.Format_RGB32).save(str(tmp_path / "next.bmp"))

@@ -205,7 +205,7 @@ def test_a_limb_too_large_to_follow_edits_shows_its_own_places_and_why_there_is_
         document.apply(edit)
         rested(window, qtbot)
         content = skin.map.content
-        assert "follow edits up to" in content.message
+        assert "live results are possible up to" in content.message
         assert content.limb == "lab-1"
         np.testing.assert_allclose(content.limb_map.output_positions, lab.output_positions)
         assert content.coloured_values is None

@@ -146,7 +146,7 @@ def test_nothing_is_sent_before_the_actuators_are_armed(sound, studio, player, q
 
 def test_without_a_device_nothing_is_armed_and_the_reason_is_said(no_sound, studio, player, qtbot):
     player.arm(True)
-    qtbot.waitUntil(lambda: "No device to play on was found" in studio.notice.text, **WAIT)
+    qtbot.waitUntil(lambda: "No audio device was found" in studio.notice.text, **WAIT)
     assert not player.armed
 
 

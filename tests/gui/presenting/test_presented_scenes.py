@@ -79,7 +79,7 @@ def test_of_a_scene_that_was_turned_it_is_said_that_it_is_left_as_it_was(open_wi
     first = window.document.design
     louder(window, 2.0)
     window.do("next_scene")
-    assert window.notice.text.endswith(f"; changes to {first.title} are not kept")
+    assert window.notice.text.endswith(f"; changes to {first.title} are not saved")
     window.do("previous_scene")
     assert window.notice.text == f"Scene 1 of {len(all_scenes())}: {first.title}"
     assert window.document.design == first

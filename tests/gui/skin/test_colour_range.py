@@ -152,7 +152,5 @@ def test_an_end_that_leaves_no_room_for_the_other_is_refused_with_a_sentence(win
     field = window.panel.colour_bar.high_field
     QTest.keyClicks(field, "-200")
     QTest.keyClick(field, Qt.Key.Key_Return)
-    assert field.problem == (
-        "Level of the highest colour: −200 dB is too low. Allowed: −199 to 200 dB."
-    )
+    assert field.problem == ("Highest colour: −200 dB is too low. Allowed: −199 to 200 dB.")
     assert window.views == []

@@ -170,7 +170,7 @@ def test_what_is_chosen_in_the_measure_line_is_what_is_shown(open_window, look):
     window = open_window(SHORT, View())
     panel = window.panel("skin")
     assert not panel.scrub.isVisible()
-    choose(panel.measure.quantity, "In time: sliding RMS")
+    choose(panel.measure.quantity, "Animation: sliding RMS")
     look(window)
     assert settings_of(window.document.view, "skin", SkinSettings).quantity == RMS
     assert panel.scrub.pace.isVisible()

@@ -56,7 +56,7 @@ def test_a_single_axis_needs_no_method(window):
 def test_what_moves_says_which_axes_it_is_of(window, quantity, signal):
     window.panel.resize(700, 640)
     window.show(quantity=quantity)
-    assert words(window)[:2] == ["In time", signal]
+    assert words(window)[:2] == ["Animation", signal]
     assert window.panel.measure.span.isHidden()
 
 

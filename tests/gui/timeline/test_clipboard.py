@@ -82,7 +82,7 @@ def test_they_work_with_the_timeline_hidden_and_say_what_was_pasted_where(active
     active.do("copy_clips")
     active.do("paste_clips")
     message = active.statusBar().currentMessage()
-    assert message == "1 clip pasted at 0 ms, on top of what was copied"
+    assert message == "1 clip pasted at 0 ms, over the copied clips"
     assert waveforms(active) == [waveform, waveform]
     active.do("cut_clips")
     assert waveforms(active) == [waveform]

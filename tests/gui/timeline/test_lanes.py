@@ -94,7 +94,7 @@ def test_a_loop_goes_round_the_selected_clips_and_its_time_can_be_taken_out(lane
     place = QPointF(lanes.content.scale.x(0.9), 5)
     menu_at(place)["Loop the selected clips"].trigger()
     assert lanes.design.loop_s == pytest.approx((0.3, 0.5))
-    menu_at(place)["Remove the loop's time"].trigger()
+    menu_at(place)["Remove loop time"].trigger()
     assert lanes.design.clip(3).onset_s == pytest.approx(0.5)
     assert 2 not in [clip.id for clip in lanes.design.clips]
 

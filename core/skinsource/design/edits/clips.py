@@ -233,10 +233,10 @@ def repeat_clips(design: Design, view: View, ids: Iterable[int], times: int) -> 
     """
     chosen = chosen_clips(design, ids)
     if isinstance(times, bool) or not isinstance(times, int) or not 2 <= times <= MAX_CLIPS:
-        return Refusal(sentence=f"Clips can be repeated 2 to {MAX_CLIPS} times.")
+        return Refusal(sentence=f"Choose 2 to {MAX_CLIPS} repetitions.")
     length_s = max(clip.end_s for clip in chosen) - min(clip.onset_s for clip in chosen)
     if max(clip.onset_s for clip in chosen) + (times - 1) * length_s > ONSET.maximum:
-        return Refusal(sentence=f"The last repetition would begin after {ONSET.maximum:g} s.")
+        return Refusal(sentence=f"Choose fewer: the last would begin after {ONSET.maximum:g} s.")
     copies = []
     for k in range(1, times):
         copies += _moved(design, chosen, k * length_s, 0)
@@ -259,7 +259,7 @@ def set_clips(
     """
     chosen = chosen_clips(design, ids)
     if name not in _FIELDS:
-        return Refusal(sentence=f"Of clips, one can set {', '.join(_FIELDS)}.")
+        return Refusal(sentence=f"Clips have no such switch; choose one of {', '.join(_FIELDS)}.")
     after = change_clips(design, {clip.id: {name: value} for clip in chosen})
     verb = f"Change {_FIELDS[name].label.lower()} of"
     if name == "muted":
@@ -379,7 +379,7 @@ def _moved(
     if isinstance(by_s, bool) or not isinstance(by_s, int | float) or by_s != by_s:
         raise InvalidInputError(NO_TIME)
     if isinstance(by_tracks, bool) or not isinstance(by_tracks, int):
-        raise InvalidInputError("Tracks are counted in whole numbers.")
+        raise InvalidInputError("Choose a whole number of tracks.")
     onsets = [clip.onset_s for clip in chosen]
     by_s = min(max(by_s, ONSET.minimum - min(onsets)), ONSET.maximum - max(onsets))
     row_of = {clip.id: row for row, track in enumerate(design.inputs) for clip in track.clips}
@@ -518,7 +518,7 @@ def paste_fragment(design: Design, view: View, fragment: Fragment, at_s: float) 
     outcome = _with_fragment(design, view, fragment, at_s, label, _selected_row(design, view))
     if isinstance(outcome, Refusal):
         return outcome
-    over = ", on top of what was copied" if _has_clip_on_its_equal(outcome.design, design) else ""
+    over = ", over the copied clips" if _has_clip_on_its_equal(outcome.design, design) else ""
     return replace(outcome, said=f"{counted(count, 'clip')} pasted at {at_s * 1e3:.6g} ms{over}")
 
 

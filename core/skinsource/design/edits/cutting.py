@@ -37,7 +37,7 @@ SAME_S = 1e-9
 #: Shortest clip that dragging an end can make.
 SHORTEST_S = 0.001
 _TOO_MANY_EFFECTS = (
-    f"A clip has at most {MAX_EFFECTS} effects, and cut in two it needs one more; remove one first."
+    f"A clip has at most {MAX_EFFECTS} effects, and a split adds one; remove one first."
 )
 
 
@@ -109,8 +109,8 @@ def join_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal
     after = with_clips(design, clips_of)
     if not joined:
         return Refusal(
-            sentence="None of the selected clips goes on where another one of them ends; select "
-            "parts that follow each other."
+            sentence="None of the selected clips continues another one; select parts that follow "
+            "each other."
         )
     remaining = {clip.id for clip in after.clips}
     left_over = tuple(clip_id for clip_id in view.selected_clips if clip_id in remaining)
@@ -335,7 +335,7 @@ def _is_time(value: Any) -> bool:
     return is_number and abs(value) < 1e9
 
 
-_NO_TIME_RANGE = Refusal(sentence="Choose a stretch of time: a start, and an end after it.")
+_NO_TIME_RANGE = Refusal(sentence="Choose a time range: a start, and an end after it.")
 
 
 @refusing

@@ -587,13 +587,13 @@ def equalise_on_skin(
     clip, track = design.clip(clip_id), design.track_of(clip_id)
     train = clip.waveform
     if not isinstance(train, WaveletTrain) or len(levels_db) != len(train.frequencies_hz):
-        return Refusal(sentence="The clip does not play that wavelet train any more; try again.")
+        return Refusal(sentence="The clip no longer plays that wavelet train; try again.")
     softest_db = min(levels_db)
     if not all(map(isfinite, levels_db)) or max(levels_db) - softest_db > -SOFTEST_DB:
         worst_hz = train.frequencies_hz[list(levels_db).index(softest_db)]
         return Refusal(
-            sentence=f"The wavelet of {worst_hz:g} Hz moves nothing on the skin, so none can be "
-            "made like it; take it out, or choose another place."
+            sentence=f"The wavelet of {worst_hz:g} Hz does not move the skin, so others cannot "
+            "match it; remove it, or choose another place."
         )
     # Nobody can feel or set less than a hundredth of a dB; adding 0.0 turns -0.0 into 0.0.
     gains_db = tuple(round(softest_db - level_db, 2) + 0.0 for level_db in levels_db)
@@ -628,7 +628,7 @@ def match_tracks(design: Design, view: View, levels_db: Mapping[int, float]) -> 
     silent = next((track for track in chosen if not levels_db[track.id] > least_db), None)
     if silent is not None:
         place = location_text(silent.location, design.limb)
-        return Refusal(sentence=f"The track at {place} moves nothing on the skin; leave it out.")
+        return Refusal(sentence=f"The track at {place} does not move the skin; deselect it.")
     last = [id for id in view.selected_inputs if id in levels_db]
     target_db = levels_db[last[-1]] if last else max(levels_db.values(), default=0.0)
     changes: dict[int, dict[str, Any]] = {
@@ -642,9 +642,7 @@ def match_tracks(design: Design, view: View, levels_db: Mapping[int, float]) -> 
     return change_inputs(design, view, "Match levels of", changes)
 
 
-_NO_BAND = Refusal(
-    sentence="In which band this limb was measured is not known; import it with its band."
-)
+_NO_BAND = Refusal(sentence="The measured band of this limb is unknown; import it with its band.")
 
 
 @refusing

@@ -285,9 +285,9 @@ def group_clips(
     owner = design.track_of(chosen[0].id)
     chosen_ids = {clip.id for clip in chosen}
     if not chosen_ids <= {clip.id for clip in owner.clips}:
-        return Refusal(sentence="Clips of several tracks make no group; select those of one track.")
+        return Refusal(sentence="A group holds clips of one track; select those of one track.")
     if len(chosen) > MAX_PARTS:
-        return Refusal(sentence=f"A group holds at most {MAX_PARTS} clips.")
+        return Refusal(sentence=f"A group holds at most {MAX_PARTS} clips; select fewer.")
     start_s = min(clip.onset_s for clip in chosen)
     parts = tuple(replace(clip, onset_s=short(clip.onset_s - start_s), id=0) for clip in chosen)
     first = chosen[0]
@@ -321,8 +321,7 @@ def ungroup_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refu
     groups = {clip.id: clip.waveform for clip in present_clips(design, ids) if _is_plain_sum(clip)}
     if not groups:
         return Refusal(
-            sentence="None of the selected clips is a sum of layers without effects; only those "
-            "can be ungrouped."
+            sentence="Only a sum of layers without effects can be ungrouped; select such a clip."
         )
 
     def clips_of(owner: Input) -> list[Clip]:

@@ -47,14 +47,14 @@ def change_motion(design: Design, view: View, index: int, motion: Motion) -> Edi
     Change sweep at 2 places
     """
     if index not in range(len(design.motions)):
-        return Refusal(sentence="That motion is no longer there; add it anew.")
+        return Refusal(sentence="That motion is no longer there; add it again.")
     return _with_motion(design, view, motion, index)
 
 
 def _with_motion(design: Design, view: View, motion: Motion, index: int | None) -> Edit | Refusal:
     if not isinstance(motion, Motion):
         return Refusal(
-            sentence=f"{quoted(motion)} is no motion; make one of skinsource.design.motions."
+            sentence=f"{quoted(motion)} is not a motion; make one of skinsource.design.motions."
         )
     written = motion.tracks()
     old = set() if index is None else set(design.motions[index].clips)

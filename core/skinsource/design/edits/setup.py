@@ -56,7 +56,7 @@ def change_scaling(design: Design, view: View, scaling: Any) -> Edit | Refusal:
     """
     if design.actuated is not None and scaling != "probe":
         return Refusal(
-            sentence="Under another scaling drives are no accelerations, and nothing is predicted "
+            sentence="With another scaling, drives are not accelerations, so no prediction goes "
             "through an actuator. Switch off Predict through the actuator first."
         )
     after = replace(design, scaling=scaling)
@@ -106,7 +106,7 @@ def level_over(design: Design, view: View, span: Any) -> Edit | Refusal:
     >>> print(edit.view.span)
     loudest
     """
-    return change_view(design, view, "Change what levels average over", span=span)
+    return change_view(design, view, "Change levels", span=span)
 
 
 @refusing
@@ -128,7 +128,7 @@ def remove_delay(design: Design, view: View, removed: bool) -> Edit | Refusal:
         delay_s = facts_of(design.limb).pre_trigger_delay_s
         shift_s = -delay_s if removed else delay_s
         range_s = (range_s[0] + shift_s, range_s[1] + shift_s)
-    label = "Remove delay" if removed else "Bring back delay"
+    label = "Remove delay" if removed else "Restore delay"
     return change_view(design, view, label, delay_removed=removed, time_range_s=range_s)
 
 
@@ -221,7 +221,7 @@ def choose_rig(design: Design, view: View, rig: Rig | None) -> Edit | Refusal:
     return Edit(label=label, design=replace(design, actuation=actuation, rig=rig), view=view)
 
 
-_NO_REPAIR = Refusal(sentence="Nothing can be done about this one here.")
+_NO_REPAIR = Refusal(sentence="No edit mends this condition; see its sentence.")
 # Slightly below the limit, so that rounding does not leave the lamp on.
 _BELOW_LIMIT = 0.999
 
@@ -239,19 +239,19 @@ def mend(design: Design, view: View, finding: Finding) -> Edit | Refusal:
     >>> fast = next(finding for finding in findings if finding.repair == "quieter")
     >>> edit = ss.edits.mend(loud, ss.View(), fast)
     >>> print(edit.label)
-    Play within 40 mm/s
+    Limit to 40 mm/s
     """
     if finding.repair == "probe_scaling":
         return change_scaling(design, view, "probe")
     if finding.repair == "quieter":
         after = louder(design, finding.factor * _BELOW_LIMIT)
-        return Edit(label="Play within 40 mm/s", design=after, view=view)
+        return Edit(label="Limit to 40 mm/s", design=after, view=view)
     if finding.repair == "band_limit":
         audible = audible_inputs(design.inputs)
         return limit_to_band(design, view, [clip.id for track in audible for clip in track.clips])
     if finding.repair == "deselect":
         outputs = tuple(output for output in view.outputs if output not in finding.outputs)
         if outputs == view.outputs:
-            return Refusal(sentence="None of the selected outputs is mostly noise.")
-        return change_view(design, view, "Deselect outputs that are mostly noise", outputs=outputs)
+            return Refusal(sentence="No selected output is mostly noise; select others.")
+        return change_view(design, view, "Deselect noisy outputs", outputs=outputs)
     return _NO_REPAIR

@@ -37,7 +37,7 @@ def select_outputs(design: Design, view: View, outputs: Iterable[int]) -> Edit |
     return change_view(design, view, f"Select {what}", outputs=chosen)
 
 
-_NO_MARKER = Refusal(sentence="That marker is no longer there.")
+_NO_MARKER = Refusal(sentence="That marker is no longer there; choose another one.")
 
 
 @refusing
@@ -198,8 +198,8 @@ def take_snapshot(design: Design, view: View, other: Design) -> Edit | Refusal:
     free = next((number for number in NUMBERS if number not in used), None)
     if free is None:
         return Refusal(
-            sentence=f"All {len(NUMBERS)} snapshots are taken. Forget one first: Delete on its "
-            "card in the panel Compare."
+            sentence=f"All {len(NUMBERS)} snapshots are in use. Remove one first: press Delete on "
+            "its card in the Compare panel."
         )
     snapshots = (*view.snapshots, Snapshot(number=free, design=other))
     return change_view(design, view, f"Store snapshot {free}", snapshots=snapshots)
@@ -227,8 +227,8 @@ def show_snapshot(design: Design, view: View, number: int, gain: float = 1.0) ->
     if shown_snapshot(snapshots, design) is None:
         if number == EDITED:
             return Refusal(
-                sentence="What was edited before would replace the present design unseen; store "
-                "that first."
+                sentence="The earlier edits would replace a design that is not stored; store it "
+                "first."
             )
         snapshots = (*_without(view, EDITED), Snapshot(number=EDITED, design=design))
     others = (snapshot for snapshot in snapshots if snapshot.number != number)
@@ -253,9 +253,9 @@ def keep_match_gain(design: Design, view: View) -> Edit | Refusal:
     """
     gain = view.match_gain(design)
     if gain == 1.0:
-        return Refusal(sentence="The design is shown with the amplitudes that it has.")
+        return Refusal(sentence="The design is shown with its own amplitudes; match levels first.")
     return Edit(
-        label=f"Keep {gain_text(gain) or 'the match gain'}",
+        label=f"Apply {gain_text(gain) or 'the match gain'}",
         design=louder(design, gain),
         view=view,
     )
@@ -277,7 +277,7 @@ def forget_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
     remaining = _without(view, number)
     if len(remaining) == len(view.snapshots):
         return _NO_SNAPSHOT
-    return change_view(design, view, f"Forget {snapshot_name(number)}", snapshots=remaining)
+    return change_view(design, view, f"Remove {snapshot_name(number)}", snapshots=remaining)
 
 
 @refusing

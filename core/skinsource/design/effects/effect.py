@@ -42,7 +42,7 @@ class Effect(Protocol):
     def shift_before(self, shift_s: float, duration_s: float, sample_rate_hz: float) -> float:
         """Return the shift of the samples before the effect for the shift ``shift_s`` after it.
 
-        They differ if the effect moves own time 0: a part that begins at 10.3 samples and shall lie
+        They differ if the effect moves own time 0: a part that begins at 10.3 samples and must lie
         on whole samples needs a signal that is drawn 0.7 samples later.
 
         Parameters

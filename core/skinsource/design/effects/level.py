@@ -20,7 +20,7 @@ from skinsource.specs.spec import ChoiceSpec
 TIME = NumberSpec(label="Time", unit="s", minimum=0.0, maximum=3600.0, step=0.001)
 VALUE = NumberSpec(label="Level", minimum=0.0, maximum=1000.0, step=0.05)
 POINTS = BreakpointsSpec(
-    label="Points", x=TIME, y=VALUE, hint="Time after the start, level, and how it goes on"
+    label="Points", x=TIME, y=VALUE, hint="Time, level, and shape of the next segment"
 )
 #: An envelope that changes nothing.
 UNCHANGED: tuple[Breakpoint, ...] = ((0.0, 1.0, "straight"),)
@@ -78,7 +78,7 @@ OUT = NumberSpec(
 SHAPE = ChoiceSpec(
     label="Shape",
     options=(("straight", "Straight"), ("smooth", "Smooth"), ("equal power", "Equal power")),
-    hint="Equal power: two clips that cross keep their energy",
+    hint="Equal power: crossfaded clips keep their energy",
 )
 
 # A shorter fade is none.
@@ -143,7 +143,7 @@ class Fade(KeepsTime):
 WAVE = ChoiceSpec(
     label="Wave",
     options=(("full", "Full wave"), ("half", "Half wave")),
-    hint="Full: what is below 0 is turned up. Half: it is left out",
+    hint="Full: negative values become positive; half: they become 0",
 )
 
 
@@ -182,7 +182,7 @@ DRIVE = NumberSpec(
     maximum=1000.0,
     step=0.05,
     logarithmic=True,
-    hint="How much stronger it becomes where it is weak",
+    hint="Gain of the weak parts of the signal",
 )
 LEVEL = NumberSpec(
     label="Level",
@@ -190,7 +190,7 @@ LEVEL = NumberSpec(
     maximum=1000.0,
     step=0.05,
     logarithmic=True,
-    hint="What it never passes",
+    hint="Largest value after clipping",
 )
 
 

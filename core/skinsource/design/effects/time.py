@@ -30,10 +30,10 @@ from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec
 
 TIMES = NumberSpec(
-    label="Times", minimum=1, maximum=1000, whole=True, hint="How often it is played"
+    label="Times", minimum=1, maximum=1000, whole=True, hint="Number of times it plays"
 )
 GAP = NumberSpec(
-    label="Gap", unit="s", minimum=0.0, maximum=60.0, step=0.005, hint="Rest between two of them"
+    label="Gap", unit="s", minimum=0.0, maximum=60.0, step=0.005, hint="Silence between repetitions"
 )
 
 
@@ -147,18 +147,18 @@ FACTOR = NumberSpec(
     hint="2: twice as long",
 )
 TO = NumberSpec(
-    label="To length",
+    label="Target length",
     unit="s",
     minimum=0.0,
     maximum=600.0,
     step=0.01,
-    hint="Length afterwards, whatever it was before; 0: by the factor",
+    hint="Length after stretching; 0: use the factor",
     unset="by factor",
 )
 PITCH = ChoiceSpec(
     label="Frequencies",
-    options=(("moves", "Move, as of a tape"), ("stays", "Stay")),
-    hint="Twice as long: an octave lower, as of a tape; or as they are",
+    options=(("moves", "Shift, like tape"), ("stays", "Unchanged")),
+    hint="Twice as long: an octave lower like tape, or unchanged",
 )
 
 
@@ -257,7 +257,7 @@ def stretched_by(effects: Sequence[Effect], duration_s: float) -> float:
 
 LONGEST_S = 3600.0
 START = NumberSpec(
-    label="Start", unit="s", minimum=0.0, maximum=LONGEST_S, step=0.005, hint="What plays first"
+    label="Start", unit="s", minimum=0.0, maximum=LONGEST_S, step=0.005, hint="Start of the part"
 )
 LENGTH = NumberSpec(
     label="Length",
@@ -265,7 +265,7 @@ LENGTH = NumberSpec(
     minimum=0.0,
     maximum=LONGEST_S,
     step=0.005,
-    hint="How much of it plays; more than there is: all that is left",
+    hint="Length of the part that plays; longer: up to the end",
 )
 
 

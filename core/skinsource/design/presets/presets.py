@@ -185,7 +185,7 @@ def read_preset_folder(folder: Path) -> PresetFolder:
     except (FileNotFoundError, NotADirectoryError):
         return PresetFolder()
     except OSError as error:
-        problem = f"{path_text(folder)}: cannot be looked through ({reason_of(error)})."
+        problem = f"{path_text(folder)}: cannot be searched ({reason_of(error)})."
         return PresetFolder(faults=(Fault(path=folder, sentence=problem),))
     entries, faults = [], []
     for path in paths[:MOST_FILES]:
@@ -305,8 +305,7 @@ def delete_preset(folder: Path, path: Path) -> None:
 def _check_own(folder: Path, path: Path) -> None:
     if path.parent != folder or path.suffix != SUFFIX:
         raise InvalidInputError(
-            f"{path_text(path)} is no preset in {path_text(folder)}; only your own can be renamed "
-            "and deleted"
+            f"{path_text(path)} is not a preset in {path_text(folder)}; choose one of your own"
         )
 
 

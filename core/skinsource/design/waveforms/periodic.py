@@ -189,7 +189,7 @@ PULSE = NumberSpec(
     maximum=0.99,
     step=0.05,
     logarithmic=True,
-    hint="Length of each pulse; shorter than the time from one to the next",
+    hint="Length of each pulse; shorter than one period",
 )
 
 

@@ -47,7 +47,7 @@ WIDTH = NumberSpec(
     maximum=10.0,
     step=0.02,
     logarithmic=True,
-    hint="Length of the whole pulse; its spectrum is highest at 1.5 / width, 75 Hz of 20 ms",
+    hint="Length of the pulse; its spectrum peaks at 1.5 / width",
 )
 
 
@@ -119,7 +119,7 @@ DECAY = NumberSpec(
     maximum=60.0,
     step=0.05,
     logarithmic=True,
-    hint="Time in which it falls to 37 %; 5 to 30 ms feel like a touch on something hard",
+    hint="Time to fall to 37 %; hard contacts: 5 to 30 ms",
 )
 
 

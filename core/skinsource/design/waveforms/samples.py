@@ -18,7 +18,7 @@ from skinsource.specs.numbers import ListSpec, ModelSpec, NumberSpec, OptionalSp
 from skinsource.specs.samples import Samples
 from skinsource.specs.spec import ChoiceSpec, TextSpec
 
-SAMPLES = SamplesSpec(label="Samples", hint="What was drawn")
+SAMPLES = SamplesSpec(label="Samples", hint="Drawn samples")
 #: A single swell of 0.1 s, with which a drawing starts.
 SWELL = Samples(values=window("hanning", 130), sample_rate_hz=SAMPLE_RATE_HZ)
 
@@ -61,8 +61,8 @@ class Drawn(HoldsSamples):
     samples: Samples = fields.field(SAMPLES, SWELL)
 
 
-RECORDING_SAMPLES = SamplesSpec(label="Samples", unit=None, hint="What was recorded")
-NAME = TextSpec(label="Name", longest=200, one_line=True, hint="Where it comes from")
+RECORDING_SAMPLES = SamplesSpec(label="Samples", unit=None, hint="Recorded samples")
+NAME = TextSpec(label="Name", longest=200, one_line=True, hint="Source of the recording")
 SOURCE_RATE = OptionalSpec(
     label="Recorded at",
     of=NumberSpec(label="Recorded at", unit="Hz", minimum=1e-6, maximum=1e9),
@@ -168,12 +168,12 @@ PARTS = ListSpec(
     of=ModelSpec(label="Clip", kinds=lambda: (Clip,)),
     fewest=1,
     most=MAX_PARTS,
-    hint="Clips, as they lie to each other",
+    hint="Clips with their relative onsets",
 )
 MODE = ChoiceSpec(
     label="Together",
     options=(("sum", "Sum"), ("product", "Product")),
-    hint="A product is 0 where one of the parts does not play",
+    hint="A product is 0 where any part is silent",
 )
 
 

@@ -94,13 +94,13 @@ MODULATOR = replace(
     label="Modulator",
     minimum=0.1,
     measured_band_hz=None,
-    hint="How often it swells per second",
+    hint="Swells per second",
 )
 DEPTH = NumberSpec(
     label="Depth", minimum=0.0, maximum=1.0, step=0.01, hint="1: down to silence; 0: a plain tone"
 )
 MODULATOR_PHASE = replace(
-    PHASE, label="Modulator phase", hint="Phase of the modulator at onset; π begins at the quietest"
+    PHASE, label="Modulator phase", hint="Phase of the modulator at onset; π starts at the quietest"
 )
 
 

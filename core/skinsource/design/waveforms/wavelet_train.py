@@ -85,25 +85,25 @@ FREQUENCIES = ListSpec(
     of=CENTRE,
     fewest=1,
     most=MOST,
-    hint="One wavelet each; low ones reach farther on the skin, so that rising ones contract",
+    hint="One wavelet each; low ones reach farther, so rising ones contract",
 )
 SLOT = NumberSpec(
-    label="Slot",
+    label="Interval",
     unit="s",
     minimum=0.001,
     maximum=60.0,
     step=0.005,
-    hint="From the middle of a wavelet to that of the next; longer wavelets overlap",
+    hint="Time between wavelet centres; longer wavelets overlap",
 )
 FAMILY = ChoiceSpec(
-    label="Family",
+    label="Shape",
     options=(("gabor", "Gabor"), ("ricker", "Ricker"), ("hann", "Hann burst")),
-    hint="What each wavelet is",
+    hint="Shape of each wavelet",
 )
 EQUALISE = ChoiceSpec(
-    label="Equalise",
+    label="Balance by",
     options=(("none", "None"), ("energy", "Energy")),
-    hint="What is made alike of all wavelets, before their own gains: with None their peaks are",
+    hint="What all wavelets share before their gains; None: equal peaks",
 )
 #: Least gain of a wavelet.
 SOFTEST_DB = -120.0
@@ -111,7 +111,7 @@ GAINS = ListSpec(
     label="Gains",
     of=NumberSpec(label="Gain", unit="dB", minimum=SOFTEST_DB, maximum=40.0, step=0.5),
     most=MOST,
-    hint="One for each frequency, or none",
+    hint="One gain for each frequency, or none",
 )
 
 
@@ -180,7 +180,7 @@ class WaveletTrain:
                 f"the {len(self.frequencies_hz)} frequencies, or none"
             )
         check_waveform_duration(
-            "WaveletTrain", self.duration_s, "Shorten its slots or its wavelets."
+            "WaveletTrain", self.duration_s, "Shorten the intervals or the wavelets."
         )
 
     @property

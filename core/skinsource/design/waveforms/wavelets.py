@@ -92,7 +92,7 @@ W0 = NumberSpec(
     maximum=1000.0,
     step=0.02,
     logarithmic=True,
-    hint="Radians of the tone per standard deviation of its Gaussian; 5 or 6 are usual",
+    hint="Tone radians per standard deviation of the Gaussian; usually 5 or 6",
 )
 
 

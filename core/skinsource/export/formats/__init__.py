@@ -68,13 +68,13 @@ def format_of(path: Path, name: str | None = None) -> StimulusFormat:
         chosen = format_named(name)
         if by_ending and chosen.suffix and not path.name.endswith(chosen.suffix):
             raise InvalidInputError(
-                f"{printable(path.name)} ends as files of {by_ending[0].name} do, and the format "
-                f"is {name}. Call it *{chosen.suffix}, or choose the other format."
+                f"{printable(path.name)} has the ending of {by_ending[0].name} files, but the "
+                f"format is {name}. Call it *{chosen.suffix}, or choose the other format."
             )
         return chosen
     if by_ending:
         return by_ending[0]
     raise InvalidInputError(
-        f"{printable(path.name)} does not tell its format: say which, one of "
+        f"{printable(path.name)} does not state its format; choose one of "
         f"{', '.join(export_formats())}"
     )

@@ -111,7 +111,7 @@ class Drv2605l(StimulusFormat):
         _UPDATES: ChoiceSpec(
             label="Updates",
             options=(("200", "200 a second"), ("100", "100 a second"), ("500", "500 a second")),
-            hint="How often the amplitude changes; an LRA follows some hundred a second",
+            hint="Amplitude updates per second; an LRA follows about a hundred",
         )
     }
 

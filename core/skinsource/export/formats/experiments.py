@@ -30,7 +30,7 @@ class Bids(StimulusFormat):
     name = "bids"
     title = "BIDS stimulus table"
     suffix = "_stim.tsv.gz"
-    hint = "For data of EEG, MEG and fMRI: a packed table, and what BIDS wants to know of it"
+    hint = "For EEG, MEG and fMRI data: a compressed table with its BIDS metadata"
     rate_hz = None
     to_device = False
 
@@ -84,8 +84,8 @@ class PsychoPy(Wav):
     title = "PsychoPy folder"
     suffix = ""
     hint = (
-        "A folder that runs: sound file, conditions, and a player for all channels with triggers, "
-        "a log and a loopback test"
+        "A folder that PsychoPy runs: sound file, conditions, and a player for all channels with "
+        "triggers, a log and a loopback test"
     )
     choices: ClassVar = {SAMPLES: Wav.choices[SAMPLES]}
     folder = True

@@ -270,8 +270,8 @@ class StimulusFormat(ABC):
             if spec is None:
                 offered = ", ".join(self.choices) or "nothing"
                 raise InvalidInputError(
-                    f"{name} {quoted(value)} cannot be chosen for the format {self.name}, which "
-                    f"offers {offered}"
+                    f"{name} {quoted(value)} is not a choice of the format {self.name}; choose one "
+                    f"of {offered}"
                 )
             known = dict(spec.options)
             if value not in known:

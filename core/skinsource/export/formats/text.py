@@ -55,7 +55,7 @@ class Csv(StimulusFormat):
                 ("keysight", "Keysight M8190 series"),
                 ("pwl", "Time and value, one channel"),
             ),
-            hint="A table says what its columns are; generators and simulators want less",
+            hint="Tables name their columns; generators and simulators read numbers only",
         )
     }
 
@@ -198,7 +198,7 @@ class CHeader(StimulusFormat):
                 ("int8", "8 bit, with sign"),
                 ("uint8", "8 bit, without sign"),
             ),
-            hint="What the converter takes; without a sign, 128 is silence",
+            hint="Type that the converter needs; without a sign, 128 is silence",
         )
     }
 

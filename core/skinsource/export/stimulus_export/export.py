@@ -171,8 +171,8 @@ def write_prepared(
     objections = ready.objections
     if objections and not confirmed:
         raise NotConfirmedError(
-            f"{' '.join(objections)} Nothing was written. Lower the amplitudes, choose a larger "
-            "full scale, or confirm that it shall be written all the same (--confirm)."
+            f"{' '.join(objections)} Lower the amplitudes, choose a larger full scale, or confirm "
+            "that it is written anyway (--confirm)."
         )
     paths = tuple(path.with_name(file.name) for file in ready.files)
     with ExitStack() as stack:
@@ -200,7 +200,7 @@ def _write_file(
     """Write a file, or fill a folder, with its sidecar; it gets its name as ``stack`` closes."""
     (file,), format = ready.files, ready.format
     if path.is_dir() and not format.folder:
-        raise StorageError(f"{path_text(path)}: a folder stands there. Choose another name.")
+        raise StorageError(f"{path_text(path)}: a folder has this name. Choose another name.")
     temporary = stack.enter_context(
         replacing_folder(path, MARK, kept=LOGS) if format.folder else replacing(path)
     )

@@ -36,8 +36,7 @@ class StimulusOptions:
     fade_in_s, fade_out_s
         Fades at the ends of that part.
     lead_in_s, tail_s
-        Silence before and after it, in which it may ring where nothing is cut off or faded; None:
-        as long as an equaliser needs, 0.1 s, and none without.
+        Silence before and after it, where it may ring; None: 0.1 s with an equaliser, else none.
     sync
         Whether a last channel marks time 0, or ``from_s``, with a pulse at full scale.
     channel_map
@@ -47,7 +46,7 @@ class StimulusOptions:
     dither_seed
         Seed of dither where whole numbers are written; None: no dither.
     accept_loss
-        Whether it is written even though a channel loses more than 1 dB of its energy to the rate.
+        Whether it is written even if a channel loses more than 1 dB of its energy at the rate.
     choices
         Options of the format: ``{"samples": "pcm24"}``.
     """
@@ -81,6 +80,6 @@ class StimulusOptions:
             real_number("full_scale", self.full_scale, expected, least=least, most=1e30)
         if self.one_file_per_input and self.channel_map:
             raise InvalidInputError(
-                "channel_map says what each output of one file gets, and each input shall have a "
-                "file of its own. Leave one of them out."
+                "channel_map is for one file, and file_per_input writes several. Remove one of "
+                "them."
             )

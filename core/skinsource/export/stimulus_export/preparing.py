@@ -185,7 +185,7 @@ class PreparedStimulus:
         lower_hz = min(rate_hz, own_hz)
         passed_hz = (1.0 - half_transition(lower_hz)) * 0.5 * lower_hz
         return (
-            f"At {rate_hz:.10g} Hz what lies above {passed_hz:.0f} Hz is weakened or lost: "
+            f"At {rate_hz:.10g} Hz, frequencies above {passed_hz:.0f} Hz are weakened or lost: "
             f"{', '.join(losing)}."
         )
 
@@ -343,7 +343,7 @@ def prepare_stimulus(
     )
     if not drives.channels:
         raise InvalidInputError(
-            "Nothing is heard: there is no channel to export. Unmute an input, or choose others."
+            "No input is active: there is no channel to export. Unmute an input, or choose others."
         )
     for stage in stages:
         stop_if(stop)
@@ -462,16 +462,16 @@ def _for_rig(
     if rig is not None:
         if equaliser is not None and options.full_scale is not None:
             raise InvalidInputError(
-                f"full_scale is {options.full_scale:g}, and with an equaliser the rig says it. "
-                "Leave one of them out."
+                f"full_scale is {options.full_scale:g}, but with an equaliser the rig sets it. "
+                "Remove one of them."
             )
         return for_rig(stimulus, rig, equaliser, scaled=options.full_scale is not None)
     if equaliser is None:
         return stimulus
     if actuation is None:
         raise InvalidInputError(
-            "An equaliser needs to know what is at each place: choose a rig, or let the design be "
-            "predicted through an actuator."
+            "An equaliser needs the actuator at each place. Choose a rig, or an actuator for the "
+            "design."
         )
     return through_actuators(stimulus, actuation, equaliser)
 

@@ -87,8 +87,8 @@ class Output:
             twice = next((number for number in numbers if numbers.count(number) > 1), None)
             if twice is not None:
                 raise InvalidInputError(
-                    f"{name} {twice} stands twice in the channel map, expected once: each place "
-                    "has an output of its own"
+                    f"{name} {twice} occurs twice in the channel map, expected once: each place "
+                    "needs its own output"
                 )
 
     def outputs_of(self, places: Iterable[int]) -> dict[int, int]:
@@ -121,22 +121,24 @@ def output_from_text(text: str) -> Output:
     try:
         values = json.loads(text)
     except (ValueError, RecursionError) as error:
-        raise InvalidInputError(f"{quoted(text)} describes no output") from error
+        raise InvalidInputError(f"{quoted(text)} is no output, expected its JSON") from error
     if not isinstance(values, dict) or not set(values) <= set(Output.__slots__):
-        raise InvalidInputError(f"{quoted(text)} describes no output")
+        raise InvalidInputError(f"{quoted(text)} is no output, expected its JSON")
     try:
         values["outputs"] = tuple((place, output) for place, output in values.get("outputs", ()))
         if not isinstance(values.get("stand_in", False), bool):
             raise TypeError("stand_in is no switch")
         return Output(**values)
     except (TypeError, ValueError) as error:
-        raise InvalidInputError(f"{quoted(text)} describes no output: {error}") from error
+        raise InvalidInputError(
+            f"{quoted(text)} is no output, expected its JSON: {error}"
+        ) from error
 
 
 _LIBRARY = (
-    "PortAudio is not installed, without which nothing can be played. On Linux it is a package of "
-    "the system: sudo apt install libportaudio2 (Debian, Ubuntu), sudo dnf install portaudio "
-    "(Fedora). Then start the studio again."
+    "PortAudio, which playback needs, is not installed. On Linux, install it with: sudo apt "
+    "install libportaudio2 (Debian, Ubuntu), sudo dnf install portaudio (Fedora). Then start the "
+    "studio again."
 )
 
 
@@ -159,7 +161,7 @@ def sound_library() -> ModuleType:
         raise NothingToPlayOnError(f"{_LIBRARY} ({printable(error)})") from error
 
 
-_NO_DEVICE = "No device to play on was found. Connect one and look again."
+_NO_DEVICE = "No audio device was found. Connect one and press Refresh."
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -206,7 +208,7 @@ def listed(direction: Literal["input", "output"]) -> list[dict[str, Any]]:
         if default < 0:
             default = next((api[f"default_{direction}_device"] for api in apis), -1)
     except library.PortAudioError as error:
-        raise PlaybackError(f"The sound system does not answer: {printable(error)}.") from error
+        raise PlaybackError(f"The sound system does not respond: {printable(error)}.") from error
     devices_of_direction = [
         {
             "index": index,
@@ -235,7 +237,7 @@ def refresh_devices() -> tuple[Device, ...]:
         library._terminate()
         library._initialize()
     except library.PortAudioError as error:
-        raise PlaybackError(f"The sound system does not answer: {printable(error)}.") from error
+        raise PlaybackError(f"The sound system does not respond: {printable(error)}.") from error
     return devices()
 
 
@@ -255,8 +257,8 @@ def device_of(output: Output, known_devices: Sequence[Device]) -> Device:
         if device.name == output.device and output.host_api in ("", device.host_api):
             return device
     raise PlaybackError(
-        f"The device {quoted(output.device)} is not there. Connect it and look again, or choose "
-        f"another; there {'is' if len(known_devices) == 1 else 'are'} "
+        f"The device {quoted(output.device)} was not found. Connect it and press Refresh, or "
+        f"choose another; there {'is' if len(known_devices) == 1 else 'are'} "
         f"{', '.join(device.name for device in known_devices[:5])}."
     )
 
@@ -272,10 +274,9 @@ def check_outputs(device: Device, outputs: Mapping[int, int]) -> None:
     place, output = max(outputs.items(), key=lambda pair: pair[1], default=(0, 0))
     if output > device.n_outputs:
         raise PlaybackError(
-            f"{device.name} has {counted(device.n_outputs, 'output')}, "
-            f"and place {place} is to play on output "
-            f"{output}. Mute what has no actuator, give it another output, or choose another "
-            "device."
+            f"{device.name} has {counted(device.n_outputs, 'output')}, and place {place} is "
+            f"assigned to output {output}. Mute what has no actuator, give it another output, or "
+            "choose another device."
         )
 
 

@@ -244,16 +244,16 @@ class Ending:
             if self.reason == "rig":
                 what = f"Stopped: a limit of the rig would have been passed ({self.name})."
             if self.highest_db == -inf:
-                return f"{what} Shorten what is played, or change the rig."
+                return f"{what} Shorten the stimulus, or change the rig."
             # Rounded down, so that the advised gain is low enough.
             most_db = floor(10.0 * self.highest_db) / 10.0
             return (
                 f"{what} Turn the gain down to {most_db:.1f} dB or less, or lower the amplitude."
             ).replace("-", "\u2212")
         if self.reason == "broken":
-            return f"Stopped: {where} was to play something that is no number."
+            return f"Stopped: {where} was given a value that is not a number."
         if self.reason == "panic":
-            return "Stopped at once. The gain is back at where it starts."
+            return "Stopped. The gain is back at its start value."
         return ""
 
 

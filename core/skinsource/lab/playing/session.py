@@ -383,7 +383,7 @@ def _check_rig_device(rig: Rig | None, device: Device) -> None:
     for channel in rig.channels if rig is not None else ():
         if channel.device and channel.device not in (device.name, device.title):
             raise PlaybackError(
-                f"The rig is wired to {quoted(channel.device)}, and {device.name} is chosen. "
+                f"The rig is wired to {quoted(channel.device)}, but {device.name} is chosen. "
                 "Choose that device, another rig, or none."
             )
 
@@ -561,5 +561,5 @@ def _check_length(stimulus: Stimulus, rate_hz: int) -> None:
     if samples > MOST_SAMPLES:
         raise InvalidInputError(
             f"The design lasts {stimulus.duration_s:.4g} s on {len(stimulus.channels)} outputs, "
-            f"which is too much to be held at {rate_hz} Hz. Choose a lower rate, or mute inputs."
+            f"which does not fit into memory at {rate_hz} Hz. Choose a lower rate, or mute inputs."
         )

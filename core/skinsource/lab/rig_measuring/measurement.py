@@ -58,14 +58,14 @@ SENSITIVITY = NumberSpec(
     unit="V per m/s²",
     minimum=SMALLEST,
     maximum=1e6,
-    hint="Of the accelerometer with its amplifier; 100 mV per g is 0.0102 V per m/s²",
+    hint="Accelerometer with amplifier; 100 mV per g is 0.0102 V per m/s²",
 )
 INPUT_VOLTS = NumberSpec(
     label="Input full scale",
     unit="V",
     minimum=SMALLEST,
     maximum=1e6,
-    hint="Volts at the input of the sound card that it records as 1",
+    hint="Volts at the sound card input for a recorded 1",
 )
 INPUT = NumberSpec(
     label="Input", minimum=1, maximum=MOST_OUTPUTS, whole=True, hint="Where the accelerometer is"
@@ -75,24 +75,24 @@ LOOPBACK = NumberSpec(
     minimum=0,
     maximum=MOST_OUTPUTS,
     whole=True,
-    hint="Wired to the output, it tells the delay; 0: none, the delay is told from the phase",
+    hint="Input wired to the output, to measure the delay; 0: none",
 )
 INPUT_DEVICE = TextSpec(
     label="Input device",
     longest=400,
     one_line=True,
-    hint="Empty: the one that is played on. Another has a clock of its own, told from the sweeps",
+    hint="Recording device; empty: the playback device",
 )
 LEVEL = NumberSpec(
     label="Level",
     unit="dB",
     minimum=LOWEST_DB,
     maximum=min(HIGHEST_DB, 0.0),
-    hint="Of full scale; a sweep that is 20 dB weaker comes before",
+    hint="Of full scale; a sweep 20 dB weaker comes first",
 )
-SWEEP = NumberSpec(label="Sweep", unit="s", minimum=1.0, maximum=60.0, hint="How long each lasts")
+SWEEP = NumberSpec(label="Sweep", unit="s", minimum=1.0, maximum=60.0, hint="Length of each sweep")
 REPEATS = NumberSpec(
-    label="Repeats", minimum=2, maximum=50, whole=True, hint="Their spread is the error"
+    label="Repeats", minimum=2, maximum=50, whole=True, hint="Sweeps; their spread is the error"
 )
 LOWEST = NumberSpec(label="From", unit="Hz", minimum=2.0, maximum=20_000.0)
 HIGHEST = NumberSpec(label="To", unit="Hz", minimum=2.0, maximum=20_000.0)
@@ -219,14 +219,14 @@ def measurable(
     volts = channel.volts_at_full_scale
     if volts is None:
         raise InvalidInputError(
-            f"place {channel.place}: the rig does not say the volts at full scale, without which "
-            "m/s² per V cannot be told; measure them with a tone and a voltmeter"
+            f"place {channel.place}: the rig does not state the volts at full scale, which m/s² "
+            "per V need; measure them with a tone and a voltmeter"
         )
     highest_hz = _HIGHEST_SHARE_OF_RATE * sample_rate_hz
     if setup.highest_hz > highest_hz:
         raise InvalidInputError(
-            f"the response is wanted up to {setup.highest_hz:g} Hz, and {sample_rate_hz:g} Hz can "
-            f"tell at most {highest_hz:.0f} Hz; choose a higher rate"
+            f"the response is requested up to {setup.highest_hz:g} Hz, and {sample_rate_hz:g} Hz "
+            f"resolves at most {highest_hz:.0f} Hz; choose a higher rate"
         )
     return volts, highest_hz
 
@@ -330,21 +330,21 @@ class ChannelMeasurement:
             f"Place {self.place}: {len(points)} points from {points[0][0]:.4g} to "
             f"{points[-1][0]:.4g} Hz{left_out}.",
             f"Their standard error is {typical:.2g} % in the middle, at most {worst:.2g} %.",
-            f"The delay from output to input is {self.delay_s * 1e3:.2f} ms, told from {by}; the "
-            "response is without it.",
+            f"The delay from output to input is {self.delay_s * 1e3:.2f} ms, measured from {by}; "
+            "the response is without it.",
             *self._clocks,
             f"At the input: peak {self.peak_m_per_s2:.3g} m/s² ({self.peak_input_db:z.1f} dB of "
             f"full scale), noise {self.noise_m_per_s2:.2g} m/s² RMS.".replace("-", "\u2212"),
         ]
         if self.inverted:
             sentences.append(
-                "It moves against the voltage: set the polarity to the other, or turn the sensor, "
-                "and measure again."
+                "The motion opposes the voltage: invert the polarity, or turn the sensor, and "
+                "measure again."
             )
         if self.misfit_rad > _DOUBTFUL_RAD:
             sentences.append(
                 f"Its phase is doubtful: {np.degrees(self.misfit_rad):.0f} degrees of it are "
-                "explained by neither gain nor delay. Wire a loop-back, or look at the sensor."
+                "explained by neither gain nor delay. Wire a loop-back, or check the sensor."
             )
         return tuple(sentences)
 
@@ -359,8 +359,8 @@ class ChannelMeasurement:
         else:
             clocks = (
                 f"The clock of the input is {abs(ppm):.1f} millionths "
-                f"{'quicker' if ppm > 0.0 else 'slower'}, told from the sweeps; the response is "
-                "without that, too."
+                f"{'quicker' if ppm > 0.0 else 'slower'}, measured from the sweeps; the response "
+                "is corrected for it."
             )
         return (
             f"Output and input are two devices, {self.played_on} and {self.recorded_from}, which "
@@ -535,8 +535,8 @@ def _record(
         raise PlaybackError(ending.sentence)
     if duplex.n_lost:
         raise PlaybackError(
-            f"Samples were lost {duplex.n_lost} times while measuring, so that what was recorded "
-            "has holes. Close other programs, or ask the device for a longer delay."
+            f"Samples were lost {duplex.n_lost} times while measuring, so the recording has gaps. "
+            "Close other programs, or choose a longer latency."
         )
     # The queue begins with a fade of silence before the first sample.
     return duplex.recorded[:, fade:].astype(np.float64)
@@ -547,7 +547,7 @@ def _check_clipping(bench: Bench, recorded: Floats, level_db: float) -> None:
     for number in bench.numbers:
         peak = float(np.abs(recorded[number - 1]).max(initial=0.0))
         if not np.isfinite(peak):
-            raise PlaybackError("The device recorded something that is no number. Choose another.")
+            raise PlaybackError("The device recorded a value that is no number. Choose another.")
         if peak >= _CLIPPED:
             raise _clipping_error(number, "clips", level_db, "a lower level")
 

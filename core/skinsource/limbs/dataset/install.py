@@ -115,8 +115,7 @@ def _about(responses: Path, unpublished: tuple[str, ...]) -> dict[str, object]:
 
 
 _DOWNLOAD_STOPPED = (
-    "Downloading was stopped; what has arrived is kept, and 'skinsource dataset fetch' goes on "
-    "from there."
+    "Downloading was stopped; 'skinsource dataset fetch' continues where it stopped."
 )
 _GO_ON = "Check the connection and run 'skinsource dataset fetch' again"
 _CONNECT_S, _READ_S = 10.0, 30.0
@@ -224,7 +223,7 @@ def _first_byte(answer: Any) -> int | None:
 
 def _failure_text(file: RemoteFile, part: Path, reason: str) -> str:
     have = _size(part)
-    progress_note = f"; {have} of {file.size_bytes} bytes have arrived and are kept" if have else ""
+    progress_note = f"; {have} of {file.size_bytes} bytes are downloaded" if have else ""
     return f"{file.url}: cannot be downloaded ({reason}){progress_note}. {_GO_ON}."
 
 

@@ -182,7 +182,7 @@ def read_variable(path: Path, name: str) -> Any:
     if name not in variables:
         names = ", ".join(sorted(variables)) or "nothing"
         raise DatasetError(
-            f"{path.name}: holds {names}, expected a variable '{name}'. Is this the right file? "
+            f"{path.name}: holds {names}, expected a variable '{name}' (is this the right file?). "
             f"{WHAT_TO_DO}"
         )
     return variables[name]
@@ -228,7 +228,7 @@ def read_map_files(folder: Path) -> MapFiles:
         vertices = shape.properties["any"][0, 0]["Vertices"]
     except (AttributeError, KeyError, IndexError, TypeError, ValueError) as error:
         raise DatasetError(
-            f"{surface.name}: 'surface' is no polyshape with Vertices. Is this the right file? "
+            f"{surface.name}: 'surface' is no polyshape with Vertices (is this the right file?). "
             f"{WHAT_TO_DO}"
         ) from error
     outline = _numbers(surface, vertices, (N_VERTICES, 2), "vertices, x and y")
@@ -324,7 +324,7 @@ def check_table(table: Any, file_name: str, progress: Progress, stop: Stop) -> R
     if absent:
         raise DatasetError(
             f"{file_name}: {TABLE} has no column {', '.join(absent)}; expected a table with the "
-            f"columns {', '.join(COLUMNS)}. Is this the right file? {WHAT_TO_DO}"
+            f"columns {', '.join(COLUMNS)} (is this the right file?). {WHAT_TO_DO}"
         )
     responses: Responses = {}
     # Two measurements are never the same in every digit: one was put in place of the other.

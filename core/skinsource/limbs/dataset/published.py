@@ -225,6 +225,6 @@ def check_map_files(files: DownloadedFiles, unpublished: tuple[str, ...]) -> Non
     if changed:
         raise DatasetError(
             f"{files.map_folder}: not the published content: {', '.join(changed)} (the checksum "
-            "differs). The download may be damaged; run 'skinsource dataset fetch' again. If other "
-            "files are meant, use 'skinsource dataset install PATH --unpublished'."
+            "differs). Run 'skinsource dataset fetch' again, or, to use other files, 'skinsource "
+            "dataset install PATH --unpublished'."
         )

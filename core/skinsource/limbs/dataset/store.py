@@ -170,7 +170,7 @@ def _info(store: ZipFile, path: Path) -> StoreInfo:
     about = json.loads(store.read(published.ABOUT))
     if about.pop("format") != published.FORMAT:
         raise DatasetError(
-            f"{path}: is no store of the measured dataset. Move it away. {REINSTALL}"
+            f"{path}: is not a store of the measured dataset; move it away. {REINSTALL}"
         )
     version = about.pop("format_version")
     if version != published.FORMAT_VERSION:

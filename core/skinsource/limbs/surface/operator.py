@@ -95,8 +95,8 @@ class SurfaceOperator:
     fallback_count
         Pixels interpolated linearly because natural neighbours failed there; normally 0.
     blind_vertices, single_vertices
-        Number of outline vertices that see no output and lie between those beside them that do;
-        and of those that see only one, and take its value.
+        Number of outline vertices that see no output, and lie between others that do; and of those
+        that see only one, and take its value.
     same_place
         Outputs (counted from 0) at one place, in pairs: they need equal values; normally empty.
     warnings
@@ -117,9 +117,9 @@ class SurfaceOperator:
         """Interpolate values at the outputs over the surface.
 
         Values are decibels by convention: the published toolbox interpolates decibels, and
-        interpolating amplitudes gives other pictures (up to 2.3 dB apart).  -inf, the decibels
-        of nothing, counts as -200 dB, because it would blot out all its neighbours.  Other
-        values are taken as they are.
+        interpolating amplitudes gives other pictures (up to 2.3 dB apart).  -inf, which is silence,
+        counts as -200 dB, because it would erase its neighbours.  Other values are taken as they
+        are.
 
         Parameters
         ----------

@@ -49,7 +49,7 @@ def broken_conditions_text(opened: OpenedScene, *, maps: bool) -> str:
     broken = dict.fromkeys(
         finding.name for finding in findings if finding.state == "left" and finding.name != "limb"
     )
-    heading = "Conditions of the measurement that are not kept (see the table)"
+    heading = "Conditions of the measurement that are not met (see the table)"
     return f"{heading}: {', '.join(broken)}." if broken else ""
 
 
@@ -223,7 +223,7 @@ def _footer(opened: OpenedScene, note: str, broken: str) -> list[tuple[str, str]
     if opened.chosen:
         notes.append((opened.chosen, INK))
     if opened.synthetic:
-        notes.append((f"{SYNTHETIC}; they need not do what the sentence says.", "#B00020"))
+        notes.append((f"{SYNTHETIC}; they may not show what the sentence says.", "#B00020"))
     return [
         (line, colour) for text, colour in notes for line in textwrap.wrap(text, _LINE_CHARACTERS)
     ]

@@ -86,7 +86,7 @@ def scene(name: str) -> Scene:
         if known.name.casefold() == folded:
             return known
     raise InvalidInputError(
-        f"the scene {quoted(name)} does not exist; there are {', '.join(names())}"
+        f"the scene {quoted(name)} does not exist; choose one of {', '.join(names())}"
     )
 
 

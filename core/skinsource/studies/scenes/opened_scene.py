@@ -129,7 +129,7 @@ class OpenedScene:
         if self.chosen or not self.synthetic:
             return self.chosen
         return (
-            f"{NOT_INSTALLED} This is computed on a SYNTHETIC limb, which need not do what the "
+            f"{NOT_INSTALLED} This is computed on a SYNTHETIC limb, which may not show what the "
             "sentence says."
         )
 
@@ -303,7 +303,7 @@ def _label(label: str, design: Design, places: Mapping[int, int], unit: str) -> 
 
 
 def _note(facts: LimbFacts, places: Mapping[int, int], unit: str) -> str:
-    note = f"This is {facts.title}, which need not do what the sentence says"
+    note = f"This is {facts.title}, which may not show what the sentence says"
     if unit == ARBITRARY_UNIT:
         note += ", and in which unit its drive is measured is not known (a.u.)"
     if not facts.own:

@@ -61,8 +61,8 @@ class Cluster:
                 raise
             except Exception as error:  # whatever a worker, or the way to it, may raise
                 raise ClusterError(
-                    f"a piece of the sweep was lost on the cluster ({printable(error)}). Look at "
-                    "its workers, then run the sweep again: it goes on where it ended."
+                    f"a piece of the sweep was lost on the cluster ({printable(error)}). Check its "
+                    "workers, then run the sweep again: it continues where it stopped."
                 ) from error
             finally:
                 executor.shutdown(wait=False)
@@ -72,7 +72,7 @@ class Cluster:
             return self._distributed.Client(self._address, timeout=_CONNECT_S, set_as_default=False)
         except (OSError, ValueError, TypeError) as error:
             raise ClusterError(
-                f"the scheduler {quoted(self._address)} does not answer ({printable(error)}). "
+                f"the scheduler {quoted(self._address)} does not respond ({printable(error)}). "
                 "Check its address, such as tcp://host:8786, and that it runs."
             ) from error
 

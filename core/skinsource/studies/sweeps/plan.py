@@ -207,8 +207,7 @@ def _target_of(name: str, n_inputs: int) -> tuple[int | None, str]:
         return None, name
     if not (before.isdecimal() and len(before) < 10 and 1 <= int(before) <= n_inputs):
         raise InvalidInputError(
-            f"the variable {quoted(name)} speaks of input {quoted(before)}; the design has "
-            f"{n_inputs}, numbered from 1"
+            f"the variable {quoted(name)} names input {quoted(before)}, expected 1 to {n_inputs}"
         )
     return int(before) - 1, field
 

@@ -165,7 +165,7 @@ def run(
     plan = wanted.plan
     if out is None and (wanted.order or wanted.files or wanted.parquet):
         raise InvalidInputError(
-            "order, files and parquet are written to a folder; say which one with out"
+            "order, files and parquet are written to a folder; name it with out"
         )
     if wanted.order is not None:
         trials(wanted.order, range(1, len(plan) + 1))
@@ -411,6 +411,6 @@ def _check_keys(where: str, table: dict[str, Any]) -> None:
     unknown = [name for name in table if name not in _KEYS[where]]
     if unknown:
         raise InvalidInputError(
-            f"{quoted(unknown[0])} is not known{f' in [{where}]' if where else ''}; there are "
+            f"{quoted(unknown[0])} is not known{f' in [{where}]' if where else ''}; choose one of "
             f"{', '.join(_KEYS[where])}"
         )

@@ -266,7 +266,7 @@ def _check_same_sweep(path: Path, content: bytes) -> None:
     if _content_of(content.partition(b"\n")[0]) is not None:
         raise InvalidInputError(
             f"{path_text(path)} belongs to another sweep. Choose another folder, or delete the "
-            "file to begin anew."
+            "file to start again."
         )
 
 
