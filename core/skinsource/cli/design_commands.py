@@ -219,7 +219,11 @@ def _add_check(subparsers: Any) -> None:
     parser = subparsers.add_parser(
         "check",
         help="check linearity and superposition, and agreement with recorded responses",
-        description="For each design: whether outputs are proportional to inputs, whether inputs add up, and, with --measured, the figures of the paper's Fig. 4 against recorded responses (CSV, NPZ, MATLAB, HDF5: times by outputs and axes).",
+        description=(
+            "For each design: whether outputs are proportional to inputs, whether inputs add up, "
+            "and, with --measured, the figures of the paper's Fig. 4 against recorded responses "
+            "(CSV, NPZ, MATLAB, HDF5: times by outputs and axes)."
+        ),
     )
     parser.add_argument("designs", type=Path, nargs="+", metavar="DESIGN", help=".skinsource files")
     parser.add_argument(

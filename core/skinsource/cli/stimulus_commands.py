@@ -244,8 +244,15 @@ def _add_sweep(subparsers: Any) -> None:
     sweep = subparsers.add_parser(
         "sweep",
         help="measure many stimuli: designs x frequencies x places x ...",
-        description="Measures all combinations that a TOML file names, on all cores, and writes stimuli.csv with one row for each. Run it again after a stop, and it continues.",
-        epilog="A stimulus that cannot be measured is left out, and its row says why. Exit codes: 0, all rows were measured; 1, one was left out or the sweep could not run; 130, it was stopped.",
+        description=(
+            "Measures all combinations that a TOML file names, on all cores, and writes "
+            "stimuli.csv with one row for each. Run it again after a stop, and it continues."
+        ),
+        epilog=(
+            "A stimulus that cannot be measured is left out, and its row says why. Exit codes: 0, "
+            "all rows were measured; 1, one was left out or the sweep could not run; 130, it was "
+            "stopped."
+        ),
     )
     sweep.add_argument("sweep", type=Path, metavar="SWEEP", help="a .toml file")
     sweep.add_argument(
@@ -296,7 +303,10 @@ def _add_rig_actions(subparsers: Any) -> None:
     rig = subparsers.add_parser(
         "rig",
         help="measure the actuators of a rig",
-        description="A rig says what is wired to which output, and how it responds. To edit one, use Play > Rig… in the studio.",
+        description=(
+            "A rig says what is wired to which output, and how it responds. To edit one, use Play "
+            "> Rig… in the studio."
+        ),
     )
     actions = rig.add_subparsers(title="actions", metavar="ACTION", required=True)
     _add_measure(actions)
