@@ -8,6 +8,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QCheckBox, QMessageBox, QPushButton
 
+import skinsource as ss
+from skinsource.design.view import View
 from skinsource.engine import stimulus
 from skinsource.export.stimulus_export import sidecar
 from tests.gui.stimulus.conftest import opened
@@ -134,3 +136,25 @@ def test_a_sidecar_that_is_there_without_its_file_is_not_lost_unasked(
     export(desk, page, qtbot)
     assert asked[0] == ["drive.wav.json exists already. Replace it?"]
     assert contents(tmp_path).get("drive.wav.json") == b"mine"
+
+
+def test_a_lossy_rate_keeps_the_button_off_until_it_is_ticked(make_desk, qtbot, save_as):
+    tone = ss.waveforms.Tone(frequency_hz=500.0)
+    desk = make_desk(ss.Design(limb="synthetic-1", inputs=(ss.track(7, tone),)), View())
+    desk.exports.show("stimulus")
+    low = opened(desk.exports, qtbot)
+    low.form.field("other_rate").set_value(1000)
+    choose(low, qtbot, "rate", "other")
+    assert not low.ready
+    assert "channel 1 (Digit II, pad) loses 5.8 dB of its energy" in label(low, "loses")
+    assert label(low, "problem") == (
+        "More than 1 dB is lost: choose 1300 Hz, the rate of the design, or lower the frequencies."
+    )
+    tick = low.findChild(QCheckBox, "stimulus_confirm")
+    assert tick.isVisible()
+    tick.click()
+    assert low.ready
+    path = save_as("lossy.wav")
+    export(desk, low, qtbot)
+    assert "loses 5.8 dB" in json.loads((path.parent / "lossy.wav.json").read_text())["loses"]
+    desk.exports.end()
