@@ -16,7 +16,7 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, Qt, Signal
 
 from skinsource.actuators.actuator import Actuator
-from skinsource.actuators.catalog import names, profile
+from skinsource.actuators.catalog import profile_of
 from skinsource.actuators.rigs import Rig, RigChannel
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
@@ -119,12 +119,9 @@ _BEFORE = CurveName(number=3, short="Before", full="What the channel has from be
 
 def model_of(channel: RigChannel) -> Actuator | None:
     """Return the model of the channel's actuator; None: there is no model."""
-    if channel.model is not None:
-        return channel.model
-    if channel.actuator in names():
-        model = profile(channel.actuator).model
-        return model if isinstance(model, Actuator) else None
-    return None
+    known = profile_of(channel.actuator)
+    model = channel.model if known is None or channel.model is not None else known.model
+    return model if isinstance(model, Actuator) else None
 
 
 def axis_of(measurement: ChannelMeasurement) -> XAxis:
