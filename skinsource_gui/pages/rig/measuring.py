@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 
 from skinsource.actuators.actuator import Actuator
 from skinsource.actuators.catalog import profile_of
@@ -46,56 +46,6 @@ from skinsource_gui.state.playing import SoundSettings, end_sound, sound_worker
 
 _DEVICE = "input_device"
 _SAME = ("", "The one played on, if it has inputs")
-
-
-class MeasureFields(QObject):
-    """Holds a `MeasuringSetup`, and a grid of cells in which it is edited."""
-
-    #: Why a value is not valid.
-    refused = Signal(str)
-    #: `setup` was changed.
-    changed = Signal()
-
-    def __init__(self, setup: MeasuringSetup, parent: QObject) -> None:
-        super().__init__(parent)
-        self.setup = setup
-        self.grid = FieldGrid()
-        specs = specs_of(setup).items()
-        self.cells = {name: FieldCell(name, spec, edited=self._edit) for name, spec in specs}
-        self.cells[_DEVICE] = self._devices(())
-        self._show()
-
-    def show_inputs(self, devices: Sequence[InputDevice]) -> None:
-        """Offer these devices to record from."""
-        old = self.cells[_DEVICE]
-        self.cells[_DEVICE] = self._devices(devices)
-        self._show()
-        old.label.deleteLater()
-        old.deleteLater()
-
-    def _devices(self, devices: Sequence[InputDevice]) -> FieldCell:
-        titles = dict.fromkeys(device.title for device in devices)
-        chosen = self.setup.input_device
-        if chosen:
-            # A chosen device that is not connected now may come back.
-            titles.setdefault(chosen)
-        options = (_SAME, *((title, title) for title in titles))
-        spec = ChoiceSpec(label="Input device", options=options)
-        return FieldCell(_DEVICE, spec, edited=self._edit)
-
-    def _show(self) -> None:
-        self.grid.show_cells(list(self.cells.values()))
-        for name, cell in self.cells.items():
-            cell.set_value(getattr(self.setup, name))
-
-    def _edit(self, name: str, value: Any, _gesture: int | None) -> None:
-        try:
-            self.setup = replace(self.setup, **{name: value})
-        except InvalidInputError as error:
-            self.refused.emit(str(error))
-            self.cells[name].set_value(getattr(self.setup, name))
-        else:
-            self.changed.emit()
 
 
 def setup_text(setup: MeasuringSetup) -> str:
@@ -217,7 +167,11 @@ class MeasurePage(ToolPage):
         self._thread, self._stop = sound_worker(self), Event()
         self._running = self._looking = False
         self.measurement: ChannelMeasurement | None = None
-        self.fields = MeasureFields(setup_of(settings.sensor_text), self)
+        self.setup, self.grid = setup_of(settings.sensor_text), FieldGrid()
+        specs = specs_of(self.setup).items()
+        self.cells = {name: FieldCell(name, spec, edited=self._edit) for name, spec in specs}
+        self.cells[_DEVICE] = self._devices(())
+        self._show_cells()
         self.plot = ResponseView("measured-plot", "Measured response")
         self.plot.show_message(_NOTHING)
         self._bar = QtWidgets.QProgressBar()
@@ -248,6 +202,29 @@ class MeasurePage(ToolPage):
         else:
             super().keyPressEvent(event)
 
+    def _devices(self, devices: Sequence[InputDevice]) -> FieldCell:
+        titles = dict.fromkeys(device.title for device in devices)
+        if self.setup.input_device:
+            # A chosen device that is not connected now may come back.
+            titles.setdefault(self.setup.input_device)
+        options = (_SAME, *((title, title) for title in titles))
+        spec = ChoiceSpec(label="Input device", options=options)
+        return FieldCell(_DEVICE, spec, edited=self._edit)
+
+    def _show_cells(self) -> None:
+        self.grid.show_cells(list(self.cells.values()))
+        for name, cell in self.cells.items():
+            cell.set_value(getattr(self.setup, name))
+
+    def _edit(self, name: str, value: Any, _gesture: int | None) -> None:
+        try:
+            self.setup = replace(self.setup, **{name: value})
+        except InvalidInputError as error:
+            self.say(str(error))
+            self.cells[name].set_value(getattr(self.setup, name))
+        else:
+            self._say_readiness()
+
     def _lay_out(self) -> None:
         about = page_label("measure_about", _INTRODUCTION)
         self._bar.setTextVisible(False)
@@ -256,13 +233,9 @@ class MeasurePage(ToolPage):
         self._bar.setSizePolicy(policy)
         self._bar.setAccessibleName("Progress")
         foot = in_row(self.start, self.stop, (self._bar, 1), self.keep, self._close)
-        in_column(
-            about, self.fields.grid, (self.plot, 1), self.message, foot, of=self, gap_px=UNIT_PX
-        )
+        in_column(about, self.grid, (self.plot, 1), self.message, foot, of=self, gap_px=UNIT_PX)
 
     def _connect(self) -> None:
-        self.fields.refused.connect(self.say)
-        self.fields.changed.connect(self._say_readiness)
         self.plot.exports.failed.connect(self.say)
         self.plot.exports.written.connect(self.say)
         self._progressed.connect(self._show_progress, Qt.ConnectionType.QueuedConnection)
@@ -283,13 +256,16 @@ class MeasurePage(ToolPage):
     def _show_inputs(
         self, devices: tuple[InputDevice, ...] | None, error: Exception | None
     ) -> None:
-        self.fields.show_inputs(devices or ())
+        old, self.cells[_DEVICE] = self.cells[_DEVICE], self._devices(devices or ())
+        self._show_cells()
+        old.label.deleteLater()
+        old.deleteLater()
         self._say_readiness()
         if error is not None and not self._missing:
             self.say(str(error))
 
     def _start(self) -> None:
-        setup, channel = self.fields.setup, self._channel
+        setup, channel = self.setup, self._channel
         self._settings.sensor_text = setup_text(setup)
         self._stop.clear()
         self._running, self.measurement = True, None
@@ -329,7 +305,7 @@ class MeasurePage(ToolPage):
     def _missing(self) -> str:
         """Why the channel cannot be measured with any device; or ""."""
         try:
-            measurable(self._channel, self.fields.setup, self._settings.output.sample_rate_hz)
+            measurable(self._channel, self.setup, self._settings.output.sample_rate_hz)
         except InvalidInputError as error:
             return sentence(str(error))
         return ""
@@ -347,7 +323,7 @@ class MeasurePage(ToolPage):
             self.say(f"{text}…")
 
     def _show_state(self) -> None:
-        self.fields.grid.setEnabled(not self._running)
+        self.grid.setEnabled(not self._running)
         self.start.setEnabled(not (self._running or self._looking or self._missing))
         self.start.setToolTip(self._missing or _START)
         self.stop.setEnabled(self._running)
