@@ -107,6 +107,9 @@ def test_what_cannot_be_measured_says_why(page, card, qtbot):
     page.cells["loopback_input"].edited.emit("loopback_input", 1, None)
     assert "expected two inputs" in page.message.text()
     assert page.setup.loopback_input == 0
+    for highest_hz, can_start in ((3900.0, False), (1000.0, True)):
+        page.cells["highest_hz"].edited.emit("highest_hz", highest_hz, None)
+        assert page.start.isEnabled() is can_start
     page.cells["input_number"].edited.emit("input_number", 5, None)
     page.start.click()
     qtbot.waitUntil(page.start.isEnabled, **WAIT)
