@@ -31,7 +31,7 @@ from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.qt.buttons import page_button, page_label
 from skinsource_gui.qt.fitting import LetterWidth
 from skinsource_gui.qt.keys import KEYS, Gesture
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import form_of, in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.state.playing import end_sound, sound_worker
@@ -203,9 +203,7 @@ class SetupForm(QtWidgets.QWidget):
 
     def __init__(self, table: Path, gain_db: float, drive_unit: str) -> None:
         super().__init__()
-        self._form = form = QtWidgets.QFormLayout(self)
-        form.setContentsMargins(0, 0, 0, 0)
-        form.setFieldGrowthPolicy(QtWidgets.QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        self._form = form_of(self)
         self._texts: dict[str, QtWidgets.QLineEdit] = {}
         for name, (label, text, hint) in _TEXTS.items():
             field = self._texts[name] = QtWidgets.QLineEdit(text)
@@ -226,7 +224,7 @@ class SetupForm(QtWidgets.QWidget):
         )
         self.browse = page_button("matching_browse", "Choose…", "Choose the table")
         row = in_row((self.table, 1), self.browse)
-        form.addRow("Table", row)
+        self._form.addRow("Table", row)
         self.table.setObjectName("matching_table")
         self.table.setAccessibleName("Table")
 

@@ -48,6 +48,14 @@ def in_row(
     )
 
 
+def form_of(widget: QtWidgets.QWidget) -> QtWidgets.QFormLayout:
+    """Return an empty form that fills a widget: labels, and fields as wide as there is room."""
+    form = QtWidgets.QFormLayout(widget)
+    form.setContentsMargins(0, 0, 0, 0)
+    form.setFieldGrowthPolicy(form.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+    return form
+
+
 def _filled(
     layout: Box, parts: tuple[Part, ...], margins: Margins | None, gap_px: int | None
 ) -> Box:

@@ -111,6 +111,11 @@ def profile(name: str) -> ActuatorProfile:
     return _catalog()[one_of("actuator", name, tuple(_catalog()))]
 
 
+def profile_of(name: str) -> ActuatorProfile | None:
+    """Return all that is known of an actuator; None where the library does not list it."""
+    return _catalog().get(name)
+
+
 def load(name: str) -> Model:
     """Return the model of an actuator of `names`.
 

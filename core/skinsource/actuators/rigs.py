@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skinsource.actuators.catalog import LIMITS, MODEL, THERMAL, Model, names, profile, shape_names
+from skinsource.actuators.catalog import LIMITS, MODEL, THERMAL, Model, load, names, profile_of
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.prediction import Breach, Limits, Thermal, breaches, limit_text, predicted
 from skinsource.base.arguments import checking, finite_array, integer
@@ -198,9 +198,16 @@ class Rig:
         return next((channel for channel in self.channels if channel.place == place), None)
 
 
-def wired_channel(rig: Rig, place: int) -> RigChannel:
+def known_model(channel: RigChannel) -> Model | None:
+    """Return how an actuator moves: as measured, by its model, or by that of its name."""
+    if channel.moves_as is None and channel.actuator in names():
+        return load(channel.actuator)
+    return channel.moves_as
+
+
+def wired_channel(rig: Rig, place: int | None) -> RigChannel:
     """Return the channel of an input place; raise where nothing is wired to it."""
-    channel = rig.channel_of(place)
+    channel = None if place is None else rig.channel_of(place)
     if channel is None:
         raise InvalidInputError(
             f"place {place} is not wired in the rig {quoted(rig.title)}; add a channel for it"
@@ -259,7 +266,7 @@ def volts_of(channel: RigChannel, samples: ArrayLike) -> Floats:
     >>> print(ss.rigs.volts_of(channel, [0.5]))
     [5.]
     """
-    volts: Floats = finite_array("samples", samples) * _full_scale_volts(channel)
+    volts: Floats = finite_array("samples", samples) * full_scale_volts(channel)
     return volts
 
 
@@ -280,7 +287,7 @@ def samples_for(channel: RigChannel, volts: ArrayLike) -> Floats:
     [0.5]
     """
     needed_v = finite_array("volts", volts)
-    full = _full_scale_volts(channel)
+    full = full_scale_volts(channel)
     peak = float(np.abs(needed_v).max(initial=0.0))
     if peak > abs(full):
         raise InvalidInputError(
@@ -290,7 +297,8 @@ def samples_for(channel: RigChannel, volts: ArrayLike) -> Floats:
     return needed_v / full
 
 
-def _full_scale_volts(channel: RigChannel) -> float:
+def full_scale_volts(channel: RigChannel) -> float:
+    """Return volts at the actuator where a sample is 1; raise where they are not known."""
     full = channel.volts_at_full_scale
     if full is None:
         raise InvalidInputError(
@@ -345,9 +353,8 @@ def strictest(*several: Limits) -> Limits:
 
 def limits_of(channel: RigChannel) -> Limits:
     """Return the limits of the channel and of its actuator, where the library knows that."""
-    if channel.actuator in (*names(), *shape_names()):
-        return strictest(channel.limits, profile(channel.actuator).limits)
-    return channel.limits
+    known = profile_of(channel.actuator)
+    return channel.limits if known is None else strictest(channel.limits, known.limits)
 
 
 @checking

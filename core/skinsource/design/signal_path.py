@@ -12,14 +12,13 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from skinsource.actuators.actuation import Actuation, ActuatorAt
-from skinsource.actuators.catalog import load, names
 from skinsource.actuators.equalising import (
     PolePairReplacement,
     RegularisedInverse,
     followed_band,
     net_velocity,
 )
-from skinsource.actuators.rigs import Rig
+from skinsource.actuators.rigs import Rig, known_model
 from skinsource.base.arguments import checking
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
@@ -239,8 +238,7 @@ def actuation_of_rig(
     """
     actuators = []
     for channel in rig.channels:
-        listed = load(channel.actuator) if channel.actuator in names() else None
-        model = channel.moves_as if channel.moves_as is not None else listed
+        model = known_model(channel)
         if model is not None:
             actuators.append(
                 ActuatorAt(place=channel.place, actuator=channel.actuator, model=model)

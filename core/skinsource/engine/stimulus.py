@@ -15,9 +15,15 @@ from typing import Any, Literal
 import numpy as np
 
 from skinsource.actuators.actuation import Actuation
-from skinsource.actuators.catalog import load, names
+from skinsource.actuators.catalog import names
 from skinsource.actuators.equalising import Equaliser, equalised, followed_band
-from skinsource.actuators.rigs import Rig, RigChannel
+from skinsource.actuators.rigs import (
+    Rig,
+    RigChannel,
+    full_scale_volts,
+    known_model,
+    wired_channel,
+)
 from skinsource.base.arguments import checking, integer, one_of, real_number
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
@@ -598,7 +604,7 @@ def for_rig(
     if equaliser is not None or (unit == "V" and not scaled):
         unit = FULL_SCALE_UNIT
         for row, channel in channels.items():
-            samples[row] /= _full_scale_v(channel)
+            samples[row] /= full_scale_volts(channel)
     else:
         inverted = [row for row, channel in channels.items() if channel.polarity == "inverted"]
         samples[inverted] *= -1.0
@@ -639,13 +645,7 @@ def _equalised(stimulus: Stimulus, equaliser: Equaliser, model_of: Callable[[int
 
 def channel_of(stimulus: Stimulus, row: int, rig: Rig) -> RigChannel:
     """Return the channel of the rig for a row of the samples."""
-    place = stimulus.channels[row].place
-    channel = None if place is None else rig.channel_of(place)
-    if channel is None:
-        raise InvalidInputError(
-            f"place {place} is not wired in the rig; add a channel for it, or leave it out"
-        )
-    return channel
+    return wired_channel(rig, stimulus.channels[row].place)
 
 
 def added_delays_s(stimulus: Stimulus, rig: Rig) -> dict[int, float]:
@@ -696,23 +696,12 @@ def _check_accelerations(stimulus: Stimulus) -> None:
         )
 
 
-def _full_scale_v(channel: RigChannel) -> float:
-    volts = channel.volts_at_full_scale
-    if volts is None:
-        raise InvalidInputError(
-            f"place {channel.place}: the rig does not say the volts at full scale. Measure them "
-            "with a tone at full scale and a voltmeter."
-        )
-    return volts
-
-
 def _actuator_of(channel: RigChannel) -> Any:
     """Return how the actuator moves: its measured response, its model, or that of its name."""
-    if channel.moves_as is not None:
-        return channel.moves_as
-    if channel.actuator in names():
-        return load(channel.actuator)
-    raise InvalidInputError(
-        f"place {channel.place}: the rig has no response of the actuator "
-        f"{quoted(channel.actuator)}. Measure it, or name one of {', '.join(names())}."
-    )
+    model = known_model(channel)
+    if model is None:
+        raise InvalidInputError(
+            f"place {channel.place}: the rig has no response of the actuator "
+            f"{quoted(channel.actuator)}. Measure it, or name one of {', '.join(names())}."
+        )
+    return model

@@ -69,7 +69,7 @@ class CsvTable:
             quoted = [list(map(_quoted, row)) for row in texts[first : first + step]]
             self._write(
                 [
-                    ",".join([*map(_exact, row), *more])
+                    ",".join([*map(exact_text, row), *more])
                     for row, more in zip_longest(piece, quoted, fillvalue=())
                 ]
             )
@@ -82,8 +82,8 @@ def _quoted(text: str) -> str:
     return '"' + text.replace('"', '""') + '"'
 
 
-def _exact(value: float) -> str:
-    # The shortest digits that read back as the same number.
+def exact_text(value: float) -> str:
+    """Return the shortest digits that read back as the same number."""
     return str(int(value)) if value.is_integer() and abs(value) < 2**53 else repr(value)
 
 

@@ -20,7 +20,7 @@ from skinsource.design.view import View
 from skinsource.export.stimulus_export.preparing import size_text
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
-from skinsource_gui.pages.files.exports import FILM, WIRING, DrawerOf, ExportSpec
+from skinsource_gui.pages.files.exports import FILM, TRACES, WIRING, DrawerOf, ExportSpec
 from skinsource_gui.pages.page import PictureView
 from skinsource_gui.panels.skin.film import KINDS as FILM_KINDS
 from skinsource_gui.panels.skin.film import (
@@ -248,8 +248,8 @@ class FilePart(ExportPart):
     def _show_preview(self) -> None:
         spec, form = self._spec, self.form
         self.ready, problem = True, ""
-        if spec.lacks is not None:
-            problem = spec.lacks(self._design, self._view)
+        if spec.name == TRACES and not self._view.outputs:
+            problem = "No output is selected. Click one on the skin map."
         if spec.name == FILM:
             try:
                 package_of_extra("imageio_ffmpeg", "video")

@@ -31,8 +31,8 @@ from skinsource_gui.plots.pictures import ALL_VISIBLE, PANEL_IN_USE, Picture, Pi
 from skinsource_gui.qt.questions import ask_to_replace, ask_yes
 from skinsource_gui.state.services import Services
 
-#: The exports that are written with more than design and view.
-STIMULUS, FILM, PACK, WIRING = "stimulus", "animation", "pack", "wiring"
+#: The exports that need more than design and view, or a selection.
+STIMULUS, FILM, PACK, WIRING, TRACES = "stimulus", "animation", "pack", "wiring", "traces"
 STIMULUS_SET = "stimulus_set"
 
 #: Computes and writes a file, given path, design and view, and by name ``progress``, ``stop`` and
@@ -60,8 +60,6 @@ class ExportSpec:
         Computes and writes the file.
     panel, size_px
         Panel whose picture is saved, or one of its views as ``"panel/view"``; width and height.
-    lacks
-        Returns why there is nothing to export now, "" where there is; None: there always is.
     keys, keywords
         As those of an action.
     """
@@ -74,7 +72,6 @@ class ExportSpec:
     write: Write | None = None
     panel: str = ""
     size_px: tuple[int, int] = (1200, 1800)
-    lacks: Callable[[Design, View], str] | None = None
     keys: tuple[str, ...] = ()
     keywords: str = ""
 
@@ -82,10 +79,6 @@ class ExportSpec:
     def text(self) -> str:
         """Its entry in the palette."""
         return f"Export {': '.join(filter(None, (self.group.lower(), self.title)))}…"
-
-
-def _lacks_outputs(design: Design, view: View) -> str:
-    return "" if view.outputs else "No output is selected. Click one on the skin map."
 
 
 def _pack(path: Path, design: Design, view: View, *, largest_error: float, **job: Any) -> None:
@@ -162,13 +155,12 @@ EXPORTS: tuple[ExportSpec, ...] = (
         keywords="animation video movie wave gif mp4 webm slow motion time",
     ),
     ExportSpec(
-        name="traces",
+        name=TRACES,
         group="Table",
         title="Traces",
         file_name="traces.csv",
         hint="Save the traces of the selected outputs, with times and units",
         write=export_traces,
-        lacks=_lacks_outputs,
         keywords="excel matlab waveform acceleration csv",
     ),
     ExportSpec(

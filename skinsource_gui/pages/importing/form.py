@@ -24,7 +24,7 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.plots.preview import SpectrumPreview, WaveformPreview
-from skinsource_gui.qt.layouts import in_column
+from skinsource_gui.qt.layouts import form_of, in_column
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone, tabular
 
 #: Sample rate of a file that states none, until one is typed.
@@ -162,11 +162,7 @@ class ChoiceForm(QtWidgets.QWidget):
         self._form.setRowVisible(self._missing, visible)
 
     def _lay_out(self) -> None:
-        self._form = QtWidgets.QFormLayout(self)
-        self._form.setContentsMargins(0, 0, 0, 0)
-        self._form.setFieldGrowthPolicy(
-            QtWidgets.QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow
-        )
+        self._form = form_of(self)
         for widget in self._widgets.values():
             self._form.addRow(widget.accessibleName(), widget)
         self._form.setRowVisible(self._missing, False)

@@ -19,7 +19,7 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.qt.buttons import page_button
-from skinsource_gui.qt.layouts import in_row
+from skinsource_gui.qt.layouts import form_of, in_row
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
 from skinsource_gui.qt.tooltips import tooltip
 
@@ -357,8 +357,7 @@ class LimbForm(QObject):
     def __init__(self, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
         self.widget = QtWidgets.QWidget(parent)
-        self._rows = QtWidgets.QFormLayout(self.widget)
-        self._rows.setContentsMargins(0, 0, 0, 0)
+        self._rows = form_of(self.widget)
         self._chosen: dict[str, QtWidgets.QLabel] = {}
         self.name, self.title, self.note, self.order = (QtWidgets.QLineEdit() for _ in range(4))
         self.axes = ChoiceField(_AXES)

@@ -13,10 +13,10 @@ from typing import Any
 
 import numpy as np
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 
 from skinsource.actuators.actuator import Actuator
-from skinsource.actuators.catalog import names, profile
+from skinsource.actuators.catalog import profile_of
 from skinsource.actuators.rigs import Rig, RigChannel
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
@@ -48,56 +48,6 @@ _DEVICE = "input_device"
 _SAME = ("", "Playback device, if it has inputs")
 
 
-class MeasureFields(QObject):
-    """Holds a `MeasuringSetup`, and a grid of cells in which it is edited."""
-
-    #: Why a value is not valid.
-    refused = Signal(str)
-    #: `setup` was changed.
-    changed = Signal()
-
-    def __init__(self, setup: MeasuringSetup, parent: QObject) -> None:
-        super().__init__(parent)
-        self.setup = setup
-        self.grid = FieldGrid()
-        specs = specs_of(setup).items()
-        self.cells = {name: FieldCell(name, spec, edited=self._edit) for name, spec in specs}
-        self.cells[_DEVICE] = self._devices(())
-        self._show()
-
-    def show_inputs(self, devices: Sequence[InputDevice]) -> None:
-        """Offer these devices to record from."""
-        old = self.cells[_DEVICE]
-        self.cells[_DEVICE] = self._devices(devices)
-        self._show()
-        old.label.deleteLater()
-        old.deleteLater()
-
-    def _devices(self, devices: Sequence[InputDevice]) -> FieldCell:
-        titles = dict.fromkeys(device.title for device in devices)
-        chosen = self.setup.input_device
-        if chosen:
-            # A chosen device that is not connected now may come back.
-            titles.setdefault(chosen)
-        options = (_SAME, *((title, title) for title in titles))
-        spec = ChoiceSpec(label="Input device", options=options)
-        return FieldCell(_DEVICE, spec, edited=self._edit)
-
-    def _show(self) -> None:
-        self.grid.show_cells(list(self.cells.values()))
-        for name, cell in self.cells.items():
-            cell.set_value(getattr(self.setup, name))
-
-    def _edit(self, name: str, value: Any, _gesture: int | None) -> None:
-        try:
-            self.setup = replace(self.setup, **{name: value})
-        except InvalidInputError as error:
-            self.refused.emit(str(error))
-            self.cells[name].set_value(getattr(self.setup, name))
-        else:
-            self.changed.emit()
-
-
 def setup_text(setup: MeasuringSetup) -> str:
     """Return a setup as JSON."""
     return json.dumps(asdict(setup))
@@ -119,12 +69,9 @@ _BEFORE = CurveName(number=3, short="Before", full="Earlier response of the chan
 
 def model_of(channel: RigChannel) -> Actuator | None:
     """Return the model of the channel's actuator; None: there is no model."""
-    if channel.model is not None:
-        return channel.model
-    if channel.actuator in names():
-        model = profile(channel.actuator).model
-        return model if isinstance(model, Actuator) else None
-    return None
+    known = profile_of(channel.actuator)
+    model = channel.model if known is None or channel.model is not None else known.model
+    return model if isinstance(model, Actuator) else None
 
 
 def axis_of(measurement: ChannelMeasurement) -> XAxis:
@@ -221,7 +168,11 @@ class MeasurePage(ToolPage):
         self._thread, self._stop = sound_worker(self), Event()
         self._running = self._looking = False
         self.measurement: ChannelMeasurement | None = None
-        self.fields = MeasureFields(setup_of(settings.sensor_text), self)
+        self.setup, self.grid = setup_of(settings.sensor_text), FieldGrid()
+        specs = specs_of(self.setup).items()
+        self.cells = {name: FieldCell(name, spec, edited=self._edit) for name, spec in specs}
+        self.cells[_DEVICE] = self._devices(())
+        self._show_cells()
         self.plot = ResponseView("measured-plot", "Measured response")
         self.plot.show_message(_NOTHING)
         self._bar = QtWidgets.QProgressBar()
@@ -253,6 +204,29 @@ class MeasurePage(ToolPage):
         else:
             super().keyPressEvent(event)
 
+    def _devices(self, devices: Sequence[InputDevice]) -> FieldCell:
+        titles = dict.fromkeys(device.title for device in devices)
+        if self.setup.input_device:
+            # A chosen device that is not connected now may come back.
+            titles.setdefault(self.setup.input_device)
+        options = (_SAME, *((title, title) for title in titles))
+        spec = ChoiceSpec(label="Input device", options=options)
+        return FieldCell(_DEVICE, spec, edited=self._edit)
+
+    def _show_cells(self) -> None:
+        self.grid.show_cells(list(self.cells.values()))
+        for name, cell in self.cells.items():
+            cell.set_value(getattr(self.setup, name))
+
+    def _edit(self, name: str, value: Any, _gesture: int | None) -> None:
+        try:
+            self.setup = replace(self.setup, **{name: value})
+        except InvalidInputError as error:
+            self.say(str(error))
+            self.cells[name].set_value(getattr(self.setup, name))
+        else:
+            self._say_readiness()
+
     def _lay_out(self) -> None:
         about = page_label("measure_about", _INTRODUCTION)
         self._bar.setTextVisible(False)
@@ -261,13 +235,9 @@ class MeasurePage(ToolPage):
         self._bar.setSizePolicy(policy)
         self._bar.setAccessibleName("Progress")
         foot = in_row(self.arm, self.start, self.stop, (self._bar, 1), self.keep, self._close)
-        in_column(
-            about, self.fields.grid, (self.plot, 1), self.message, foot, of=self, gap_px=UNIT_PX
-        )
+        in_column(about, self.grid, (self.plot, 1), self.message, foot, of=self, gap_px=UNIT_PX)
 
     def _connect(self) -> None:
-        self.fields.refused.connect(self.say)
-        self.fields.changed.connect(self._say_readiness)
         self.plot.exports.failed.connect(self.say)
         self.plot.exports.written.connect(self.say)
         self._progressed.connect(self._show_progress, Qt.ConnectionType.QueuedConnection)
@@ -288,13 +258,16 @@ class MeasurePage(ToolPage):
     def _show_inputs(
         self, devices: tuple[InputDevice, ...] | None, error: Exception | None
     ) -> None:
-        self.fields.show_inputs(devices or ())
+        old, self.cells[_DEVICE] = self.cells[_DEVICE], self._devices(devices or ())
+        self._show_cells()
+        old.label.deleteLater()
+        old.deleteLater()
         self._say_readiness()
         if error is not None and not self._missing:
             self.say(str(error))
 
     def _start(self) -> None:
-        setup, channel = self.fields.setup, self._channel
+        setup, channel = self.setup, self._channel
         self._settings.sensor_text = setup_text(setup)
         self._stop.clear()
         self._running, self.measurement = True, None
@@ -334,7 +307,7 @@ class MeasurePage(ToolPage):
     def _missing(self) -> str:
         """Why the channel cannot be measured with any device; or ""."""
         try:
-            measurable(self._channel, self.fields.setup, self._settings.output.sample_rate_hz)
+            measurable(self._channel, self.setup, self._settings.output.sample_rate_hz)
         except InvalidInputError as error:
             return sentence(str(error))
         return ""
@@ -357,7 +330,7 @@ class MeasurePage(ToolPage):
         self._show_state()
 
     def _show_state(self) -> None:
-        self.fields.grid.setEnabled(not self._running)
+        self.grid.setEnabled(not self._running)
         ready = self.arm.isChecked() and not (self._running or self._looking)
         self.start.setEnabled(ready and not self._missing)
         self.start.setToolTip(self._missing or (_START if self.arm.isChecked() else _ARM))

@@ -38,6 +38,7 @@ from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.rig_field import RigField
 from skinsource_gui.qt.buttons import page_label, tool_button
+from skinsource_gui.qt.layouts import form_of
 from skinsource_gui.qt.tooltips import tooltip
 
 
@@ -336,11 +337,7 @@ class StimulusForm(QtWidgets.QWidget):
         self._boxes["advanced"].setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         for name, box in self._boxes.items():
             box.setToolTip(_BOX_HINTS[name])
-        self._form = QtWidgets.QFormLayout(self)
-        self._form.setContentsMargins(0, 0, 0, 0)
-        self._form.setFieldGrowthPolicy(
-            QtWidgets.QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow
-        )
+        self._form = form_of(self)
         for name in _ROWS:
             widget = self._about if name == "about" else self.field(name)
             if widget is not self._about:

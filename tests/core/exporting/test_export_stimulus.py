@@ -6,21 +6,15 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+import soundfile
 
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError, NotConfirmedError, Stopped, StorageError
+from skinsource.cli.command_line import main
 from skinsource.export.formats import arrays, format_named
 from skinsource.export.stimulus_export.export import written_files
 from skinsource.export.stimulus_export.preparing import prepare_stimulus
 from tests.core.exporting.export_bench import exported, read, sidecar
-
-
-def test_the_largest_sample_of_all_channels_is_full_scale_and_the_ratio_is_kept(design, tmp_path):
-    done = exported(design, tmp_path / "a.wav")
-    samples = read(tmp_path / "a.wav")
-    drive = ss.stimulus_of(design, 8000).samples
-    assert np.abs(samples).max() == 1.0
-    np.testing.assert_allclose(samples, drive * done.gain, rtol=0, atol=1e-7)
 
 
 def test_the_sidecar_says_what_the_numbers_mean(design, tmp_path):
@@ -125,14 +119,6 @@ def test_each_input_can_have_a_file_of_its_own_with_one_full_scale_for_all(desig
     about = sidecar(done.files[2])
     assert [track["number"] for track in about["inputs"]] == [3]
     assert not (tmp_path / "a.wav").exists()
-
-
-def test_a_full_scale_of_ones_own_is_kept_for_a_whole_set(design, tmp_path):
-    done = ss.export_stimulus(design, tmp_path / "a.wav", rate_hz=8000, full_scale=4.0)
-    assert done.gain == 0.25
-    drive = ss.stimulus_of(design, 8000).samples
-    np.testing.assert_allclose(read(tmp_path / "a.wav"), drive / 4.0, rtol=0, atol=1e-7)
-    assert sidecar(tmp_path / "a.wav")["full_scale"] == 4.0
 
 
 def test_an_equaliser_works_at_the_rate_of_the_device_before_full_scale(design, tmp_path):
@@ -352,3 +338,53 @@ def test_an_export_that_is_stopped_leaves_what_was_there(design, tmp_path, name)
     with pytest.raises(Stopped):
         ss.export_stimulus(design, path, format=name, stop=lambda: next(late))
     assert sorted((file.name, file.stat().st_mtime_ns) for file in tmp_path.iterdir()) == before
+
+
+@pytest.fixture
+def saved(design, tmp_path):
+    path = tmp_path / "scene.skinsource"
+    ss.save_design(path, design)
+    return path
+
+
+def test_it_writes_the_file_and_its_sidecar_and_says_where_and_that_it_is_uncalibrated(
+    saved, tmp_path, capsys
+):
+    out = tmp_path / "drive.wav"
+    call = ["export", str(saved), "--format", "wav", "--rate", "44100", "--out", str(out)]
+    assert main(call) == 0
+    printed = capsys.readouterr()
+    path, summary, calibration = printed.out.splitlines()
+    assert path == str(out)
+    assert summary.startswith("  2 channels, 44.1 kHz, ")
+    assert summary.endswith(", not equalised (raw accelerations).")
+    assert calibration.startswith("  Uncalibrated: no rig says how many volts")
+    assert printed.err == ""
+    about = soundfile.info(out)
+    assert (about.samplerate, about.channels, about.subtype) == (44_100, 2, "FLOAT")
+    assert json.loads((tmp_path / "drive.wav.json").read_text())["rate_hz"] == 44_100
+
+
+def test_options_reach_the_file(saved, tmp_path, capsys):
+    out = tmp_path / "drive.wav"
+    call = ["export", str(saved), "--out", str(out), "--samples", "pcm16", "--sync"]
+    assert main([*call, "--lead-in", "0.1", "--inputs", "2", "--dither", "3"]) == 0
+    about = json.loads((tmp_path / "drive.wav.json").read_text())
+    assert about["samples"] == "int16"
+    assert about["dither_seed"] == 3
+    assert about["start_s"] == -0.1
+    assert [channel["title"] for channel in about["channels"]] == ["Digit II, base", "Sync"]
+    capsys.readouterr()
+
+
+def test_it_never_asks_and_says_in_one_line_what_is_wrong(saved, tmp_path, capsys):
+    out = tmp_path / "drive.wav"
+    call = ["export", str(saved), "--out", str(out), "--full-scale", "0.1"]
+    assert main(call) == 1
+    error_output = capsys.readouterr().err
+    assert error_output.startswith("skinsource: drive.wav: samples lie beyond full scale")
+    assert error_output.count("\n") == 1
+    assert not out.exists()
+    assert main([*call, "--confirm"]) == 0
+    assert "confirmed: drive.wav" in capsys.readouterr().err
+    assert out.exists()

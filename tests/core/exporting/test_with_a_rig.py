@@ -61,13 +61,6 @@ def test_with_one_it_says_what_is_wired_and_when_it_was_measured(design, rig, tm
     assert about["unit"] == "m/s²"
 
 
-def test_an_actuator_that_pushes_the_other_way_is_turned_round(design, rig, tmp_path):
-    path = tmp_path / "a.wav"
-    done = ss.export_stimulus(design, path, rate_hz=RATE_HZ, rig=rig)
-    drive = ss.stimulus_of(design, RATE_HZ).samples
-    np.testing.assert_allclose(read(path), drive * done.gain * [[1.0], [-1.0]], atol=1e-7)
-
-
 def test_equalised_samples_are_the_volts_that_make_the_acceleration(design, rig, tmp_path):
     path = tmp_path / "a.wav"
     equaliser = RegularisedInverse(boost_db=60.0)

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.base.errors import FileFormatError, InvalidInputError, StorageError
+from skinsource.base.errors import FileFormatError, InvalidInputError
 from skinsource.lab.matching import (
     HIGHEST_DB,
     LOWEST_DB,
@@ -165,13 +165,6 @@ def test_another_reference_needs_another_table(tmp_path):
         MatchingRun(replace(ANNA, reference_hz=80.0), path)
     with pytest.raises(InvalidInputError, match="another reference"):
         add_match(path, replace(match, person="Ben", amplitude=0.5))
-
-
-def test_a_table_that_cannot_be_written_keeps_the_trial(tmp_path):
-    run = MatchingRun(ANNA, tmp_path / "nowhere" / "matches.csv")
-    with pytest.raises(StorageError):
-        run.store()
-    assert run.trial == ANNA.trials[0]
 
 
 @pytest.mark.parametrize(

@@ -12,9 +12,9 @@ from skinsource_gui.pages import actions
 from skinsource_gui.panels.timeline.content import clip_name
 
 
-def test_a_recording_goes_in_place_of_what_stands_for_one_and_of_another_when_that_is_said(
-    desk, page_at, sound
-):
+@pytest.fixture
+def placeholder(desk):
+    """A track whose only clip stands for a recording, and that clip, which is selected."""
     document = desk.document
     track = document.design.inputs[0]
     document.apply(
@@ -22,6 +22,13 @@ def test_a_recording_goes_in_place_of_what_stands_for_one_and_of_another_when_th
     )
     clip = document.design.inputs[0].clips[0]
     document.apply(edits.select_clips(document.design, document.view, (clip.id,)), None)
+    return track, clip
+
+
+def test_a_recording_goes_in_place_of_what_stands_for_one_and_of_another_when_that_is_said(
+    desk, page_at, sound, placeholder
+):
+    document, track, clip = desk.document, *placeholder
     first = actions.options(document.design, document.view, None)[0]
     assert first[0] == f"clip {clip.id}"
     assert first[1].startswith("In place of the recording on input 1, at ")
@@ -33,14 +40,10 @@ def test_a_recording_goes_in_place_of_what_stands_for_one_and_of_another_when_th
     assert again[:2] == [f"track {track.id}", f"clip {clip.id}"]
 
 
-def test_a_recording_whose_place_went_while_its_page_was_open_is_refused(desk, page_at, sound):
-    document = desk.document
-    track = document.design.inputs[0]
-    document.apply(
-        edits.change_kind(document.design, document.view, (track.id,), "Recording"), None
-    )
-    clip = document.design.inputs[0].clips[0]
-    document.apply(edits.select_clips(document.design, document.view, (clip.id,)), None)
+def test_a_recording_whose_place_went_while_its_page_was_open_is_refused(
+    desk, page_at, sound, placeholder
+):
+    document, (_, clip) = desk.document, placeholder
     page, messages = page_at(sound), []
     document.refused.connect(messages.append)
     document.apply(edits.remove_clips(document.design, document.view, (clip.id,)), None)

@@ -22,3 +22,9 @@ def imported(page, name, qtbot):
     button(page, "import_limb").click()
     qtbot.waitUntil(lambda: text_of_page(page).startswith("Imported as"), timeout=60_000)
     assert name in own_limb_names()
+
+
+def rested(window, qtbot):
+    """Wait until the window shows what is computed."""
+    qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
+    window.catch_up()

@@ -27,7 +27,7 @@ from skinsource_gui.pages.limbs import photograph
 from skinsource_gui.state.engine import FIRST_SLOT, Purpose
 from skinsource_gui.state.job_runner import JobProgress, JobRunner, PageJobs
 from tests.core.own_limbs.lab_bench import N_TAPS, RATE_HZ, installed, own_limb, response
-from tests.gui.own_limbs.limb_page_bench import button, imported, opened, text_of_page
+from tests.gui.own_limbs.limb_page_bench import button, imported, opened, rested, text_of_page
 
 YES, NO = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.No
 
@@ -333,11 +333,6 @@ def large(user_data):
     limb = own_limb(input_positions=places, input_names=(), axes="z", n_taps=20)
     install_limb(limb, (response(1, "z")[..., :20] for _ in range(65)))
     return edits.change_limb(PLAYED, View(outputs=(3,)), "lab-1")
-
-
-def rested(window, qtbot):
-    qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
-    window.catch_up()
 
 
 def test_no_response_is_read_for_it_and_nothing_is_judged(large, open_window, qtbot):

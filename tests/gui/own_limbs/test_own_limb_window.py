@@ -4,19 +4,22 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPointF
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QEvent, QPoint, QPointF
+from PySide6.QtWidgets import QApplication, QLabel
 
 from skinsource.design import edits
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import save_design
 from skinsource.design.labels import AXES
+from skinsource.design.presets.presets import read_preset_folder, shipped_folder
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Noise
 from skinsource.design.waveforms.tones import Tone
 from skinsource.limbs.own_limbs import facts_of, mirror_limb, remove_limb
 from skinsource_gui.fields.choice_field import ChoiceField
 from tests.core.own_limbs.lab_bench import N_INPUTS, N_OUTPUTS, installed
+from tests.gui.analysis.analysis_bench import analysis
+from tests.gui.own_limbs.limb_page_bench import rested
 from tests.gui.skin.bench import entries
 
 PLAYED = Design(
@@ -45,11 +48,6 @@ def lab_window(lab, open_window):
 def lane(window):
     """What the timeline shows of the first input."""
     return window.panel("timeline").lanes.content.lanes[0]
-
-
-def rested(window, qtbot):
-    qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
-    window.catch_up()
 
 
 def test_every_panel_shows_it_or_says_plainly_why_not(lab_window, qtbot):
@@ -242,3 +240,80 @@ def test_an_input_at_a_place_that_the_limb_lacks_is_said_with_what_to_do(lab, wi
     document.edit("Move", document.design.with_input(0, location=7))
     rested(window, qtbot)
     assert (window.notice.text, lane(window).problem) == ("", "")
+
+
+WIDE_BAND = Design(limb="synthetic-1", inputs=(track(5, Tone(frequency_hz=900.0, duration_s=0.1)),))
+
+
+@pytest.mark.parametrize("band", [None, (40.0, 1500.0), (40.0, 800.0)])
+def test_the_advice_beside_fields_asks_the_limb(user_data, open_window, qtbot, band):
+    installed(band_hz=band)
+    edit = edits.change_limb(WIDE_BAND, View(selected_inputs=(1,), outputs=(3,)), "lab-1")
+    window = open_window(edit.design, edit.view)
+    for name in ("inspector", "clip_editor", "spectra"):
+        window.docks[name].bring_forward()
+    analysis(window, "spectrogram")
+    qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
+    window.catch_up()
+    note = window.findChild(QLabel, "frequency_hz_note")
+    warned = band is not None and band[1] < 900.0
+    assert ("outside the measured band (40 to 800 Hz)" in note.text()) is warned
+    axis = window.panel("spectra")._axis
+    assert axis.band == band
+    assert ("measured band 40 to" in axis.titles[0]) is (band is not None)
+    spectrogram = window.panel("analysis").view
+    assert spectrogram.picture.content.band_hz == (0.0, 2000.0)
+    assert spectrogram.ceiling.value_si == 2000.0
+    library = window.panel("library")
+    library.preview.show_limb("lab-1")
+    library.preview.show_preset(read_preset_folder(shipped_folder()).entries[0].preset)
+    assert library.preview.spectrum._band_hz == band
+    library.preview.grab()
+
+
+GONE = Design(limb="lab-9", inputs=(track(6),))
+
+
+@pytest.fixture
+def gone(user_data, window, qtbot):
+    """A window that showed a limb, and now a design of one that is missing."""
+    rested(window, qtbot)
+    assert window.panel("skin").map.content.limb_map is not None
+    window.document.start_over(GONE, View(outputs=(3,)), None)
+    rested(window, qtbot)
+    return window
+
+
+def test_nothing_of_another_limb_is_shown_and_the_window_says_what_is_missing(gone):
+    hand = gone.panel("hand")
+    assert not hand.diagram.isVisibleTo(hand)
+    assert hand.findChild(QLabel, "hand_missing").text() == "The limb 'lab-9' is missing"
+    assert hand.drop_place(QPoint(50, 50)) is None
+    assert "Place 6" in gone.panel("inspector").findChild(QLabel, "inspector_heading").toolTip()
+    content = gone.panel("skin").map.content
+    assert (content.limb_map, content.limb) == (None, "lab-9")
+    assert "lab-9" in content.message
+    assert not gone.panel("skin").grab().isNull()
+    limb = gone.setup_bar.findChild(ChoiceField, "limb")
+    assert limb.shown_text == "lab-9 (not available)"
+    assert "not here" in limb.toolTip()
+
+
+def test_a_new_design_on_a_limb_whose_file_has_come_back_tells_its_name(user_data, window, qtbot):
+    installed()
+    QApplication.sendEvent(window, QEvent(QEvent.Type.WindowActivate))
+    design = Design(limb="lab-1", limb_digest=facts_of("lab-1").digest, inputs=(track(6),))
+    window.document.start_over(design, View(axes="xz", outputs=(3,)), None)
+    rested(window, qtbot)
+    box = window.setup_bar.findChild(ChoiceField, "limb")
+    there = box.shown_text
+    remove_limb("lab-1")
+    QApplication.sendEvent(window, QEvent(QEvent.Type.WindowActivate))
+    rested(window, qtbot)
+    assert box.shown_text == "lab-1 (not available)"
+    # Nobody left the window in between.
+    installed()
+    window.files.new()
+    rested(window, qtbot)
+    assert window.document.design.limb == "lab-1"
+    assert box.shown_text == there

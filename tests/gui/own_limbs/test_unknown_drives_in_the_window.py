@@ -21,6 +21,7 @@ from skinsource_gui.plots.pictures import caption_of
 from tests.core.own_limbs.lab_bench import installed
 from tests.core.playing.synthetic_sound import SyntheticSoundLibrary, use
 from tests.gui.analysis.analysis_bench import analysis
+from tests.gui.own_limbs.limb_page_bench import rested
 
 UNDRIVEN = Design(
     limb="synthetic-1",
@@ -40,11 +41,6 @@ def limbs(user_data):
 def on(limb, **changes):
     edit = edits.change_limb(replace(UNDRIVEN, **changes), LOOKED, limb)
     return edit.design, edit.view
-
-
-def rested(window, qtbot):
-    qtbot.waitUntil(lambda: not window.engine.busy, **WAIT)
-    window.catch_up()
 
 
 def symbol_of(field):

@@ -72,7 +72,7 @@ def page(rig_page, qtbot):
         "repeats": 2,
     }
     for name, value in values.items():
-        measure_page.fields.cells[name].edited.emit(name, value, None)
+        measure_page.cells[name].edited.emit(name, value, None)
     yield measure_page
     if isValid(measure_page) and measure_page.isVisible():
         measure_page.reject()
@@ -99,18 +99,21 @@ def test_what_is_measured_is_drawn_beside_the_model_and_kept(page, rig_page, qtb
     # The next channel is measured with the same sensor, on this machine on another day too.
     rig_page.fields.measure.click()
     again = rig_page.findChildren(MeasurePage)[-1]
-    assert again.fields.setup.sweep_s == 1.5
+    assert again.setup.sweep_s == 1.5
     again.reject()
-    assert setup_of(setup_text(again.fields.setup)) == again.fields.setup
+    assert setup_of(setup_text(again.setup)) == again.setup
     for odd in ("", "[", "[1]", '{"sweep_s": -1}', '{"other": 1}'):
         assert setup_of(odd) == MeasuringSetup()
 
 
 def test_what_cannot_be_measured_says_why(page, card, qtbot):
-    page.fields.cells["loopback_input"].edited.emit("loopback_input", 1, None)
+    page.cells["loopback_input"].edited.emit("loopback_input", 1, None)
     assert "expected two inputs" in page.message.text()
-    assert page.fields.setup.loopback_input == 0
-    page.fields.cells["input_number"].edited.emit("input_number", 5, None)
+    assert page.setup.loopback_input == 0
+    for highest_hz, can_start in ((3900.0, False), (1000.0, True)):
+        page.cells["highest_hz"].edited.emit("highest_hz", highest_hz, None)
+        assert page.start.isEnabled() is can_start
+    page.cells["input_number"].edited.emit("input_number", 5, None)
     page.start.click()
     qtbot.waitUntil(page.start.isEnabled, **WAIT)
     assert "has 2 inputs, and input 5 is to be recorded" in page.message.text()

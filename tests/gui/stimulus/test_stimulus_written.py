@@ -2,11 +2,14 @@
 
 import json
 
+import pytest
 import soundfile
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QCheckBox, QPushButton
+from PySide6.QtWidgets import QApplication, QCheckBox, QMessageBox, QPushButton
 
+import skinsource as ss
+from skinsource.design.view import View
 from skinsource.engine import stimulus
 from skinsource.export.stimulus_export import sidecar
 from tests.gui.stimulus.conftest import opened
@@ -85,3 +88,73 @@ def test_what_would_clip_is_shown_and_must_be_confirmed(page, desk, qtbot, save_
     path = save_as("loud.wav")
     export(desk, page, qtbot)
     assert json.loads((path.parent / "loud.wav.json").read_text())["clip_count"] > 0
+
+
+_Answer = QMessageBox.StandardButton
+
+
+@pytest.fixture
+def asked(monkeypatch):
+    """Questions that were asked; each was answered with the last of ``answers``."""
+    questions, answers = [], [_Answer.Cancel]
+
+    def question(_parent, _title, text, *_):
+        questions.append(text)
+        return answers[-1]
+
+    monkeypatch.setattr(QMessageBox, "question", question)
+    return questions, answers
+
+
+def contents(folder):
+    return {path.name: path.read_bytes() for path in folder.iterdir() if path.is_file()}
+
+
+def test_the_file_of_another_channel_is_replaced_only_if_the_user_says_so(
+    page, desk, qtbot, save_as, asked, tmp_path
+):
+    questions, answers = asked
+    choose(page, qtbot, "format", "pwle")
+    path = save_as("twenty.pwle.json")
+    mine = tmp_path / "twenty_channel-2.pwle.json"
+    mine.write_text("mine")
+    export(desk, page, qtbot)
+    assert questions == ["twenty_channel-2.pwle.json exists already. Replace it?"]
+    assert (mine.read_text(), path.exists()) == ("mine", False)
+    answers.append(_Answer.Yes)
+    # The dialog stayed open.
+    export(desk, page, qtbot)
+    assert path.exists()
+    assert mine.read_text() != "mine"
+
+
+def test_a_sidecar_that_is_there_without_its_file_is_not_lost_unasked(
+    page, desk, qtbot, save_as, asked, tmp_path
+):
+    save_as("drive.wav")
+    (tmp_path / "drive.wav.json").write_text("mine")
+    export(desk, page, qtbot)
+    assert asked[0] == ["drive.wav.json exists already. Replace it?"]
+    assert contents(tmp_path).get("drive.wav.json") == b"mine"
+
+
+def test_a_lossy_rate_keeps_the_button_off_until_it_is_ticked(make_desk, qtbot, save_as):
+    tone = ss.waveforms.Tone(frequency_hz=500.0)
+    desk = make_desk(ss.Design(limb="synthetic-1", inputs=(ss.track(7, tone),)), View())
+    desk.exports.show("stimulus")
+    low = opened(desk.exports, qtbot)
+    low.form.field("other_rate").set_value(1000)
+    choose(low, qtbot, "rate", "other")
+    assert not low.ready
+    assert "channel 1 (Digit II, pad) loses 5.8 dB of its energy" in label(low, "loses")
+    assert label(low, "problem") == (
+        "More than 1 dB is lost: choose 1300 Hz, the rate of the design, or lower the frequencies."
+    )
+    tick = low.findChild(QCheckBox, "stimulus_confirm")
+    assert tick.isVisible()
+    tick.click()
+    assert low.ready
+    path = save_as("lossy.wav")
+    export(desk, low, qtbot)
+    assert "loses 5.8 dB" in json.loads((path.parent / "lossy.wav.json").read_text())["loses"]
+    desk.exports.end()

@@ -5,7 +5,7 @@ the same on the export page, in a terminal and in the sidecars.
 """
 
 import hashlib
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -14,9 +14,9 @@ from typing import Literal
 import numpy as np
 
 from skinsource.actuators.actuation import Actuation
-from skinsource.actuators.catalog import Model, load, names
+from skinsource.actuators.catalog import Model
 from skinsource.actuators.equalising import Equaliser
-from skinsource.actuators.rigs import Rig, calibration_words, rig_breaches
+from skinsource.actuators.rigs import Rig, calibration_words, known_model, rig_breaches
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
@@ -121,6 +121,11 @@ class PreparedStimulus:
     def channels(self) -> tuple[ChannelOverview, ...]:
         """Channels of all files."""
         return tuple(channel for file in self.files for channel in file.channels)
+
+    @property
+    def peak(self) -> float:
+        """Largest drive, in its unit."""
+        return float(np.abs(self.drives.samples).max(initial=0.0))
 
     @property
     def edges(self) -> str:
@@ -433,10 +438,7 @@ def actuator_at(
     """
     if rig is not None:
         channel = rig.channel_of(place)
-        if channel is None:
-            return "", None
-        listed = load(channel.actuator) if channel.actuator in names() else None
-        return channel.actuator, channel.moves_as or listed
+        return ("", None) if channel is None else (channel.actuator, known_model(channel))
     with suppress(InvalidInputError):
         if actuation is not None:
             actuator = actuation.at(place)
@@ -612,6 +614,12 @@ def _exported_design(design: Design, stimulus: Stimulus, options: StimulusOption
 def digest_of(design: Design) -> str:
     """Return the SHA-256 of a design in hexadecimal; recordings are represented by theirs."""
     return hashlib.sha256(dumped(without_samples(models.encode(design))[0])).hexdigest()
+
+
+def common_full_scale(peaks: Iterable[float]) -> float:
+    """Return the full scale of several stimuli: the largest drive of all; 1 for silence."""
+    # A little more, so that no sample is rounded beyond it.
+    return max(peaks) * (1.0 + 2.0**-50) or 1.0
 
 
 def size_text(n_bytes: int) -> str:

@@ -23,7 +23,14 @@ from skinsource.actuators.measuring import (
     exponential_sweep,
     part_from,
 )
-from skinsource.actuators.rigs import Margin, Rig, RigChannel, highest_gain, wired_channel
+from skinsource.actuators.rigs import (
+    Margin,
+    Rig,
+    RigChannel,
+    full_scale_volts,
+    highest_gain,
+    wired_channel,
+)
 from skinsource.base.arguments import checking
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
@@ -216,12 +223,7 @@ def measurable(
     InvalidInputError
         The channel cannot be measured with this setup on any device.
     """
-    volts = channel.volts_at_full_scale
-    if volts is None:
-        raise InvalidInputError(
-            f"place {channel.place}: the rig does not state the volts at full scale, which m/s² "
-            "per V need; measure them with a tone and a voltmeter"
-        )
+    volts = full_scale_volts(channel)
     highest_hz = _HIGHEST_SHARE_OF_RATE * sample_rate_hz
     if setup.highest_hz > highest_hz:
         raise InvalidInputError(

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from skinsource.base.files import make_folder, write_bytes
-from skinsource.base.job import Progress, Stop, never, silent, stop_if
+from skinsource.base.job import Progress, never, silent
 from skinsource.design.labels import SCALINGS, label_of, limb_label
 from skinsource.export.exported_design import output_file
 from skinsource.export.plot import METADATA, SYNTHETIC, figure_content, module
@@ -24,7 +24,6 @@ def write_figures(
     *,
     limb: str = "",
     progress: Progress = silent,
-    stop: Stop = never,
 ) -> tuple[Path, ...]:
     """Draw figures of scenes and write each as ``2F.png``, ``.svg``, ``.pdf`` and ``.csv``.
 
@@ -41,8 +40,6 @@ def write_figures(
         A limb for the scenes that apply there; empty: the limbs of the paper.
     progress
         Called with (done, total, what is being done).
-    stop
-        Asked between files; once true, `Stopped` is raised.
 
     Returns
     -------
@@ -63,10 +60,9 @@ def write_figures(
     make_folder(folder)
     written: list[Path] = []
     for k, name in enumerate(chosen):
-        stop_if(stop)
         progress(k, len(chosen), name)
         opened = open_scene(name, limb=limb)
-        written += _write(folder, opened, draw_figure(opened), stop)
+        written += _write(folder, opened, draw_figure(opened))
     progress(len(chosen), len(chosen), "")
     return tuple(written)
 
@@ -102,7 +98,7 @@ def about(opened: OpenedScene, *, maps: bool) -> list[str]:
     return lines
 
 
-def _write(folder: Path, opened: OpenedScene, drawn: Drawn, stop: Stop) -> list[Path]:
+def _write(folder: Path, opened: OpenedScene, drawn: Drawn) -> list[Path]:
     name, written = opened.scene.name, []
     for kind in METADATA:
         path = folder / f"{name}.{kind}"
@@ -110,8 +106,8 @@ def _write(folder: Path, opened: OpenedScene, drawn: Drawn, stop: Stop) -> list[
         written.append(path)
     for suffix, table in drawn.tables.items():
         path = folder / f"{name}{suffix}.csv"
-        with output_file(path, stop) as file:
+        with output_file(path, never) as file:
             lines = about(opened, maps=drawn.sheet.maps)
-            CsvTable(file, lines, list(table), stop).add(np.column_stack(list(table.values())))
+            CsvTable(file, lines, list(table), never).add(np.column_stack(list(table.values())))
         written.append(path)
     return written

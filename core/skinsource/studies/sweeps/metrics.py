@@ -6,7 +6,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from skinsource.actuators.actuation import Actuation, ActuatorAt
-from skinsource.actuators.catalog import names, profile
+from skinsource.actuators.catalog import profile_of
 from skinsource.actuators.equalising import equalised, followed_band
 from skinsource.actuators.prediction import Limits, Prediction, Thermal, breaches, predicted
 from skinsource.actuators.rigs import strictest
@@ -187,8 +187,9 @@ def actuator_metrics(
         here = drive_at(placed, location)
         drive[: here.size] = factor * here
         at = actuation.at(location)
-        own, thermal = _limits_of(at)
-        allowed = strictest(limits, own)
+        listed = profile_of(at.actuator)
+        allowed = limits if listed is None else strictest(limits, listed.limits)
+        thermal = None if listed is None else listed.thermal
         known = known or allowed != Limits()
         demand = _actuator_demand(drive, limb, at, actuation, thermal)
         passed |= {breach.name for breach in breaches(demand, allowed)}
@@ -214,11 +215,3 @@ def _actuator_demand(
         )
     (demand,) = predicted(voltage, round(rate_hz), at.model, thermal=thermal)
     return demand
-
-
-def _limits_of(at: ActuatorAt) -> tuple[Limits, Thermal | None]:
-    """Return the limits and the thermal model of an actuator in the catalog."""
-    if at.actuator not in names():
-        return Limits(), None
-    known = profile(at.actuator)
-    return known.limits, known.thermal

@@ -30,7 +30,11 @@ from skinsource.engine.stimulus import FULL_SCALE_UNIT
 from skinsource.export.formats import format_named
 from skinsource.export.stimulus_export.export import write_prepared
 from skinsource.export.stimulus_export.options import Nothing, StimulusOptions
-from skinsource.export.stimulus_export.preparing import PreparedStimulus, prepare_stimulus
+from skinsource.export.stimulus_export.preparing import (
+    PreparedStimulus,
+    common_full_scale,
+    prepare_stimulus,
+)
 from skinsource.studies.sweeps.plan import Plan, Value
 from skinsource.studies.sweeps.running import Variables, variables_of
 from skinsource.studies.sweeps.table import Cell, SweepTable, cell_of, write_csv
@@ -245,8 +249,7 @@ def export_set(
             condition = replace(condition, refused=sentence(str(error)))
         conditions.append(condition)
     if options.full_scale is None and all(each.unit != FULL_SCALE_UNIT for each in conditions):
-        # A little more, so that no sample is rounded beyond it.
-        full_scale = max(each.peak for each in conditions) * (1.0 + 2.0**-50) or 1.0
+        full_scale = common_full_scale(each.peak for each in conditions)
         planned = replace(planned, options=replace(options, full_scale=full_scale))
         # What passes a limit where its own peak is full scale may pass none now.
         conditions = [
@@ -286,7 +289,7 @@ def _sized(condition: Condition, planned: StimulusSet, stop: Stop) -> Condition:
         raise InvalidInputError(f"{ready.lost_at_rate} {advice}")
     return replace(
         condition,
-        peak=float(np.abs(ready.drives.samples).max(initial=0.0)),
+        peak=ready.peak,
         unit=ready.drives.unit,
         duration_s=ready.files[0].stimulus.duration_s,
         refused="" if planned.confirmed else " ".join(ready.objections),

@@ -38,8 +38,9 @@ from skinsource.design.design import Design
 from skinsource.export.formats import format_named
 from skinsource.export.stimulus_export.export import export_stimulus
 from skinsource.export.stimulus_export.options import StimulusOptions
-from skinsource.export.stimulus_export.preparing import prepare_stimulus
+from skinsource.export.stimulus_export.preparing import common_full_scale, prepare_stimulus
 from skinsource.export.stimulus_export.sidecar import sidecar_path
+from skinsource.export.tables import exact_text
 from skinsource.signals.resampling import MAX_RATE_HZ
 from skinsource.studies.sweeps.metrics import Metrics, columns_of
 from skinsource.studies.sweeps.plan import Order, Plan, Trial, trials
@@ -155,10 +156,7 @@ def cell_of(value: Any) -> Cell:
 def _as_text(value: Cell) -> str:
     if isinstance(value, str):
         return cell_text(value)
-    if not isinstance(value, float):
-        return str(value)
-    # The shortest digits that read back as the same number.
-    return str(int(value)) if value.is_integer() and abs(value) < 2**53 else repr(value)
+    return exact_text(value) if isinstance(value, float) else str(value)
 
 
 _MOST_BYTES = 2**32
@@ -449,11 +447,10 @@ class StimulusFiles:
         self, plan: Plan, table: SweepTable, out: Path, *, progress: Progress, stop: Stop
     ) -> float:
         """Return the largest drive of all stimuli, at the rate of the files; 1 for silence."""
-        kind, largest = format_named(self.format), 0.0
+        kind, peaks = format_named(self.format), []
         for done, (_, design) in enumerate(self._files(plan, table, out / FOLDER)):
             stop_if(stop)
             progress(done, len(table), "Looking for the largest drive")
             prepared = prepare_stimulus(design, kind, self.rate_hz, StimulusOptions(), stop=stop)
-            largest = max(largest, float(np.abs(prepared.drives.samples).max(initial=0.0)))
-        # A little more, so that no sample is rounded beyond it.
-        return largest * (1.0 + 2.0**-50) or 1.0
+            peaks.append(prepared.peak)
+        return common_full_scale(peaks)

@@ -1,8 +1,9 @@
-"""Exports start with what the design has chosen, whether or not predictions go through it."""
+"""The form of a stimulus starts with what the design has chosen, and remembers the rest."""
 
 from dataclasses import replace
 
 import pytest
+from PySide6.QtWidgets import QFileDialog
 
 import skinsource as ss
 from skinsource.actuators.equalising import RegularisedInverse
@@ -13,7 +14,6 @@ DESIGN = ss.Design(
     limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Gabor(200.0, cycles=8.0), onset_s=0.1),)
 )
 FINGERTIP, TITLE = "kastor-2023-air", "Fingertip voice coil, in air"
-RAW = "not equalised (raw accelerations)"
 
 
 def chosen(equaliser, **changes):
@@ -62,3 +62,45 @@ def test_full_scale_of_equalised_drives_is_in_volts(form_on):
     assert form.field("full_scale").spec.unit == "V"
     form.field("equaliser").choose("none")
     assert form.field("full_scale").spec.unit == "m/s²"
+
+
+WAIT = {"timeout": 30_000}
+
+
+def test_the_next_page_exports_as_the_last_one_did(form_on):
+    form, other = form_on(DESIGN), form_on(DESIGN)
+    form.field("format").choose("flac")
+    form.field("rate").choose("96000")
+    form.field("lead_in").set_value(0.25)
+    form.field("lead_in").edited.emit(0.25, None)
+    form.field("sync").setChecked(True)
+    recall(other, remembered(form))
+    assert order_of(other) == order_of(form)
+    assert order_of(other).options.lead_in_s == 0.25
+
+
+def test_choices_of_a_format_are_kept_with_it(form_on):
+    form, other = form_on(DESIGN), form_on(DESIGN)
+    form.field("format").choose("wav")
+    name = next(iter(form.chosen))
+    last = form.field(name).itemData(form.field(name).count() - 1)
+    form.field(name).choose(last)
+    recall(other, remembered(form))
+    assert other.chosen == form.chosen
+    assert other.chosen[name] == last
+
+
+def test_a_name_without_an_ending_gets_all_of_it_and_the_format_is_remembered(
+    make_desk, qtbot, monkeypatch, tmp_path
+):
+    desk, name = make_desk(DESIGN), str(tmp_path / "x.tsv")
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (name, ""))
+    desk.exports.show("stimulus")
+    page = desk.exports.page.part
+    page.form.field("format").choose("bids")
+    qtbot.waitUntil(lambda: page.ready and not page.busy, **WAIT)
+    page.window().chosen.emit()
+    qtbot.waitUntil(lambda: (tmp_path / "x_stim.tsv.gz").exists(), **WAIT)
+    desk.exports.show("stimulus")
+    assert desk.exports.page.part.form.field("format").value == "bids"
+    desk.exports.end()
