@@ -121,8 +121,7 @@ def test_maps_that_share_a_surface_are_as_many_pictures_in_a_pdf(qapp, tmp_path)
     painter = QPainter(writer)
     for rank, levels in enumerate((falling, rising)):
         place = QRectF(200.0 * rank, 0.0, 150.0, 150.0)
-        frame = fitted(field.rect, place)
-        field.paint(painter, frame, place, levels, (0.0, 40.0), colour_table())
+        field.paint(painter, fitted(field.rect, place), place, levels, (0.0, 40.0), colour_table())
     painter.end()
     assert len(Paper(tmp_path / "maps.pdf").images()) == 2
 
