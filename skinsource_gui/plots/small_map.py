@@ -97,7 +97,6 @@ class FieldImage:
         self._targets = np.flatnonzero(source >= 0)
         self._sources = source.ravel()[self._targets]
         rows, columns = self._size = source.shape
-        self._drawn: tuple[Floats, Range, slice, NDArray[np.uint32], QtGui.QImage] | None = None
         (dx, dy), (x0, y0) = self._step_mm, self._origin_mm
         self.rect = QRectF(
             (x0 - (_COLLAR + 0.5) * dx) * px_per_mm,
@@ -117,38 +116,21 @@ class FieldImage:
     ) -> None:
         """Draw levels, (rows, columns); only the lines in ``room`` are coloured."""
         # The first line of the image is the highest y: it is drawn downwards from there.
-        area, n_lines = frame.transform().mapRect(self.rect), self._size[0]
-        line_px = area.height() / n_lines
+        area, (rows, columns) = frame.transform().mapRect(self.rect), self._size
+        line_px = area.height() / rows
         # Smooth scaling takes in the lines beside those in sight.
-        first = min(max(floor((room.top() - area.top()) / line_px) - 1, 0), n_lines - 1)
-        end = min(max(ceil((room.bottom() - area.top()) / line_px) + 1, first + 1), n_lines)
+        first = min(max(floor((room.top() - area.top()) / line_px) - 1, 0), rows - 1)
+        end = min(max(ceil((room.bottom() - area.top()) / line_px) + 1, first + 1), rows)
         area.setTop(area.top() + first * line_px)
         area.setHeight((end - first) * line_px)
-        painter.drawImage(area, self.image(levels_db, range_db, table, slice(first, end)))
-
-    def image(
-        self,
-        levels_db: Floats,
-        range_db: Range,
-        table: NDArray[np.uint32],
-        lines: slice = slice(None),
-    ) -> QtGui.QImage:
-        """Return lines of the image of levels, (rows, columns); the first is the highest y."""
-        drawn = self._drawn
-        same = drawn and drawn[0] is levels_db and drawn[3] is table
-        if drawn and same and drawn[1:3] == (range_db, lines):
-            return drawn[4]
-        rows, columns = self._size
-        first, end, _ = lines.indices(rows)
         inside = slice(*np.searchsorted(self._targets, (first * columns, end * columns)))
         pixels = np.zeros((end - first) * columns, np.uint32)
         pixels[self._targets[inside] - first * columns] = table.take(
             colour_indices(levels_db.ravel().take(self._sources[inside]), range_db)
         )
         depth = QtGui.QImage.Format.Format_ARGB32_Premultiplied
-        image = QtGui.QImage(pixels.data, columns, end - first, 4 * columns, depth).copy()
-        self._drawn = levels_db, range_db, lines, table, image
-        return image
+        image = QtGui.QImage(pixels.data, columns, end - first, 4 * columns, depth)
+        painter.drawImage(area, image)
 
     def level_at(self, levels_db: Floats, x_px: float, y_px: float) -> float | None:
         """Return the level of the pixel at a place of the outline, dB; None outside."""

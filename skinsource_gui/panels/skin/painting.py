@@ -426,8 +426,7 @@ class MapPainter:
             paint_labels(on_image, content.outputs, layout, radius, theme, self._bar_card)
 
         shown = content.hatched, content.inputs, pointed_at, content.outputs
-        on_field = content.shown_field is not None
-        key = (theme.name, *shown, on_field, self._bar_card.getRect())
+        key = (theme.name, *shown, content.shown_field is None, self._bar_card.getRect())
         self._marks.paint(painter, layout.room, key, paint)
 
     def _paint_discs(

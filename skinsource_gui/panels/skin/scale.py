@@ -119,13 +119,8 @@ class ColourStrip(QtWidgets.QWidget):
 
     def show_scale(self, scale: ColourScale, marks: tuple[tuple[float, int], ...]) -> None:
         """Show colours and their range, and levels of selected outputs, each in its colour."""
-        if scale != self._scale:
+        if (scale, marks) != (self._scale, self._marks):
             self.update()
-        elif marks != self._marks:
-            ramp = self._ramp()
-            places = [self._x_of(level, ramp) for level, _ in (*self._marks, *marks)]
-            left, right = min(places) - _MARK_PX, max(places) + _MARK_PX
-            self.update(QRectF(left, 0, right - left, _MARK_PX).toAlignedRect())
         self._scale, self._marks = scale, marks
 
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:

@@ -109,11 +109,6 @@ class Head:
             return None
         return abs(self.track.amplitude) * float(np.abs(self.played).max(initial=0.0))
 
-    def same_as(self, other: "Head") -> bool:
-        """Return whether ``other`` looks the same; samples are compared by identity."""
-        same = self.played is other.played and self.silent == other.silent
-        return same and self.track == other.track
-
 
 def text_of(head: Head, design: Design, view: View) -> str:
     """Return what the track plays, how loud, for the tooltip."""
@@ -152,7 +147,7 @@ class HeadsModel(QAbstractListModel):
             self.endResetModel()
             return
         for row, (old, new) in enumerate(zip(before, self.heads, strict=True)):
-            if not new.same_as(old):
+            if new.played is not old.played or (new.track, new.silent) != (old.track, old.silent):
                 index = self.createIndex(row, 0)
                 self.dataChanged.emit(index, index)
 

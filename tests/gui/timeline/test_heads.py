@@ -51,6 +51,15 @@ def test_there_is_one_row_for_each_input_and_without_any_it_says_what_to_do(benc
     assert bench.rows.heads == []
 
 
+def test_a_meter_follows_what_its_track_plays(bench):
+    results, changed = results_of(bench.design), []
+    bench.panel.show_results(results)
+    bench.rows.model().dataChanged.connect(lambda first, _: changed.append(first.row()))
+    first, *others = results["input_waveforms"]
+    bench.panel.show_results(results | {"input_waveforms": (2 * first, *others)})
+    assert changed == [0]
+
+
 def test_what_is_not_heard_is_said_to_be_silent(bench):
     bench.show(bench.design.with_input(1, muted=True))
     assert [name_of(bench, k).endswith("silent") for k in range(3)] == [False, True, False]
