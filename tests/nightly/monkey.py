@@ -49,13 +49,8 @@ def main() -> None:
         window.do("arrange_design")
         window.catch_up()
         with ProcessPoolExecutor(1, get_context("spawn")) as apart:
-            monkey = Monkey(
-                window,
-                options.seed,
-                folder,
-                (recording(folder),),
-                lambda *seen: apart.submit(plain_levels, *seen).result(),
-            )
+            monkey = Monkey(window, options.seed, folder, (recording(folder),))
+            monkey.levels = lambda *seen: apart.submit(plain_levels, *seen).result()
             tally = monkey.play(options.count)
         most_mb = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1.024e-3
         print(

@@ -8,7 +8,7 @@ import sys
 from collections.abc import Callable
 from typing import cast
 
-_TRIM_THRESHOLD, _MMAP_THRESHOLD = -1, -3
+_TRIM_THRESHOLD, _MMAP_THRESHOLD, _MOST_ARENAS = -1, -3, -8
 _LARGEST_BLOCK_BYTES = 8 * 2**20
 _KEPT_BYTES = 256 * 2**20
 
@@ -22,9 +22,13 @@ def keep_freed_memory() -> bool:
     it at their start; importing the library changes nothing.  Only glibc (Linux) can do it.
     """
     mallopt = _from_c_library("mallopt")
-    if mallopt is None or not mallopt(_TRIM_THRESHOLD, _KEPT_BYTES):
-        return False
-    return bool(mallopt(_MMAP_THRESHOLD, _LARGEST_BLOCK_BYTES))
+    settings = (
+        (_TRIM_THRESHOLD, _KEPT_BYTES),
+        (_MMAP_THRESHOLD, _LARGEST_BLOCK_BYTES),
+        # One for all workers, so that each finds what others freed.
+        (_MOST_ARENAS, 2),
+    )
+    return mallopt is not None and all(mallopt(*setting) for setting in settings)
 
 
 def give_freed_memory_back() -> bool:

@@ -93,14 +93,11 @@ class Monkey:
         Where it may write.
     recordings
         Files that it may import.
-    levels
-        `plain_levels`, or what has another process call it.
     """
 
-    def __init__(
-        self, window, seed: int, folder: Path, recordings: tuple[Path, ...], levels=plain_levels
-    ) -> None:
-        self._plain_levels = levels
+    def __init__(self, window, seed: int, folder: Path, recordings: tuple[Path, ...] = ()) -> None:
+        #: What gives the levels to compare with; another process may.
+        self.levels = plain_levels
         self.window, self.document = window, window.document
         self.hands = Hands(window, seed, folder, recordings)
         self.tally, self._watch = Tally(), Watch()
@@ -216,7 +213,7 @@ class Monkey:
         design, view = self.document.design, self.document.view
         shown = self.window.panel("skin").map.content
         try:
-            expected = self._plain_levels(design, view)
+            expected = self.levels(design, view)
         except ss.SkinSourceError as error:
             # Only what the studio refuses too.
             self.tally.impossible += 1
