@@ -6,8 +6,10 @@ from html import escape
 from typing import Any
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QObject, Qt, QTimer
+from PySide6.QtCore import QObject, Qt, QTimer, QUrl
 
+from skinsource.base.assets import manual_file
+from skinsource.base.measurement_conditions import PRE_TRIGGER_DELAY_S
 from skinsource.version import __version__
 from skinsource_gui import pages
 from skinsource_gui.qt.keys import KEYS, MOUSE, native_text
@@ -25,6 +27,10 @@ A Data-Driven Toolbox for Predicting Touch-Elicited Vibrations in the Upper Limb
 Symposium 2024, <a href="https://doi.org/10.1109/HAPTICS59260.2024.10520852">doi&nbsp;10.1109/HAPTICS59260.2024.10520852</a>,
 and its dataset,
 <a href="https://doi.org/10.5281/zenodo.10547601">doi&nbsp;10.5281/zenodo.10547601</a>.</p>
+<h4>About the data</h4>
+<p>The measurement began {PRE_TRIGGER_DELAY_S * 1e3:g} ms before its pulse. Window, pictures and
+films leave this out and count time from the pulse, which is known to about 2 ms; View &gt; Remove
+pre-trigger delay brings it back. Tables and files keep the record.</p>
 """
 
 
@@ -136,6 +142,14 @@ class Pages(QObject):
     def show_motion(self) -> None:
         """Open the page that makes a motion."""
         pages.MotionPage(self._document, self._window).open()
+
+    def show_manual(self) -> None:
+        """Open the manual: the README, and the pages to which it leads."""
+        page = _page("Manual", "", self._window)
+        (browser,) = page.findChildren(QtWidgets.QTextBrowser, "page_text")
+        kind = QtGui.QTextDocument.ResourceType.MarkdownResource
+        browser.setSource(QUrl.fromLocalFile(str(manual_file())), kind)
+        page.open()
 
     def show_about(self) -> None:
         """Open the page on version, licence and citation."""
