@@ -32,6 +32,8 @@ and its dataset,
 films leave this out and count time from the pulse, which is known to about 2 ms; View &gt; Remove
 pre-trigger delay brings it back. Tables and files keep the record.</p>
 """
+# What a page has room for.
+_PICTURE_PX = 640
 
 
 def keys_page(
@@ -66,12 +68,24 @@ def _scroll_to(page: QtWidgets.QDialog, heading: str) -> None:
             text.scrollToAnchor(heading)
 
 
+class _Text(QtWidgets.QTextBrowser):
+    """Shows a text with its pictures no wider than the page."""
+
+    def loadResource(self, kind: int, name: QUrl | str) -> Any:
+        found = super().loadResource(kind, name)
+        if kind != QtGui.QTextDocument.ResourceType.ImageResource.value:
+            return found
+        image = QtGui.QImage.fromData(found)
+        width_px = min(image.width(), _PICTURE_PX)
+        return image.scaledToWidth(width_px, Qt.TransformationMode.SmoothTransformation)
+
+
 def _page(title: str, html: str, parent: QtWidgets.QWidget) -> QtWidgets.QDialog:
     dialog = QtWidgets.QDialog(parent)
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     dialog.setWindowTitle(title)
     dialog.resize(720, 560)
-    browser = QtWidgets.QTextBrowser()
+    browser = _Text()
     browser.setObjectName("page_text")
     browser.setHtml(html)
     browser.setOpenExternalLinks(True)
