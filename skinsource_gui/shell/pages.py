@@ -76,8 +76,9 @@ class _Text(QtWidgets.QTextBrowser):
         if kind != QtGui.QTextDocument.ResourceType.ImageResource.value:
             return found
         image = QtGui.QImage.fromData(found)
-        width_px = min(image.width(), _PICTURE_PX)
-        return image.scaledToWidth(width_px, Qt.TransformationMode.SmoothTransformation)
+        smooth = Qt.TransformationMode.SmoothTransformation
+        # Some systems read no WebP.
+        return image.scaledToWidth(_PICTURE_PX, smooth) if image.width() > _PICTURE_PX else found
 
 
 def _page(title: str, html: str, parent: QtWidgets.QWidget) -> QtWidgets.QDialog:
