@@ -328,7 +328,7 @@ class SpectrogramView(FigureView):
         )
         number = results["spectrogram_output"]
         limb = results["limb_data"]
-        parts = [output_text(number, limb.name)]
+        parts = [output_text(number, limb.name), "amplitude"]
         parts.append(signal_label(results["axes"], results["method"]))
         if results["method"] == "mag" and len(results["axes"]) > 1:
             parts.append("of a magnitude: rectified, doubled frequencies")
