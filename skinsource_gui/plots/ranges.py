@@ -21,6 +21,8 @@ Range = tuple[float, float]
 #: ``"relative"``: parts of peaks, without a unit.
 Kind = Literal["amplitude", "level", "relative"]
 
+#: Time begins so long before the pulse of the measurement: the filter of its drive rings.
+BEFORE_S = 0.005
 LEVEL_SPAN_DB = 80.0
 _LEVEL_STEP_DB = 5.0
 # A level range is left only for data that lie this far below its top (60 % are -4.4 dB).

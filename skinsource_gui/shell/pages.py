@@ -6,8 +6,10 @@ from html import escape
 from typing import Any
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QObject, Qt, QTimer
+from PySide6.QtCore import QObject, Qt, QTimer, QUrl
 
+from skinsource.base.assets import manual_file
+from skinsource.base.measurement_conditions import PRE_TRIGGER_DELAY_S
 from skinsource.version import __version__
 from skinsource_gui import pages
 from skinsource_gui.qt.keys import KEYS, MOUSE, native_text
@@ -25,7 +27,13 @@ A Data-Driven Toolbox for Predicting Touch-Elicited Vibrations in the Upper Limb
 Symposium 2024, <a href="https://doi.org/10.1109/HAPTICS59260.2024.10520852">doi&nbsp;10.1109/HAPTICS59260.2024.10520852</a>,
 and its dataset,
 <a href="https://doi.org/10.5281/zenodo.10547601">doi&nbsp;10.5281/zenodo.10547601</a>.</p>
+<h4>About the data</h4>
+<p>The measurement began {PRE_TRIGGER_DELAY_S * 1e3:g} ms before its pulse. Window, pictures and
+films leave this out and count time from the pulse, which is known to about 2 ms; View &gt; Remove
+pre-trigger delay brings it back. Tables and files keep the record.</p>
 """
+# What a page has room for.
+_PICTURE_PX = 640
 
 
 def keys_page(
@@ -60,12 +68,25 @@ def _scroll_to(page: QtWidgets.QDialog, heading: str) -> None:
             text.scrollToAnchor(heading)
 
 
+class _Text(QtWidgets.QTextBrowser):
+    """Shows a text with its pictures no wider than the page."""
+
+    def loadResource(self, kind: int, name: QUrl | str) -> Any:
+        found = super().loadResource(kind, name)
+        if kind != QtGui.QTextDocument.ResourceType.ImageResource.value:
+            return found
+        image = QtGui.QImage.fromData(found)
+        smooth = Qt.TransformationMode.SmoothTransformation
+        # Some systems read no WebP.
+        return image.scaledToWidth(_PICTURE_PX, smooth) if image.width() > _PICTURE_PX else found
+
+
 def _page(title: str, html: str, parent: QtWidgets.QWidget) -> QtWidgets.QDialog:
     dialog = QtWidgets.QDialog(parent)
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     dialog.setWindowTitle(title)
     dialog.resize(720, 560)
-    browser = QtWidgets.QTextBrowser()
+    browser = _Text()
     browser.setObjectName("page_text")
     browser.setHtml(html)
     browser.setOpenExternalLinks(True)
@@ -136,6 +157,14 @@ class Pages(QObject):
     def show_motion(self) -> None:
         """Open the page that makes a motion."""
         pages.MotionPage(self._document, self._window).open()
+
+    def show_manual(self) -> None:
+        """Open the manual: the README, and the pages to which it leads."""
+        page = _page("Manual", "", self._window)
+        (browser,) = page.findChildren(QtWidgets.QTextBrowser, "page_text")
+        kind = QtGui.QTextDocument.ResourceType.MarkdownResource
+        browser.setSource(QUrl.fromLocalFile(str(manual_file())), kind)
+        page.open()
 
     def show_about(self) -> None:
         """Open the page on version, licence and citation."""

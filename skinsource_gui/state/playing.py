@@ -566,12 +566,12 @@ class Player(QObject):
             self.animate()
 
     def animate(self) -> None:
-        """Move the playhead through the design, in the slow motion of the view."""
+        """Move the playhead through the design, again and again, in the slow motion of the view."""
         design, view = played_of(self._document), self._document.view
         animate = partial(
             self._session().animate,
             design,
-            loops=self.loops,
+            loops=True,
             at_s=view.playhead_s,
             slow_motion=view.slow_motion,
         )
@@ -581,6 +581,11 @@ class Player(QObject):
     def armed(self) -> bool:
         """Whether actuators may be played on."""
         return self.peak is not None
+
+    @property
+    def _repeats(self) -> bool:
+        # An animation always: one pass is too short to see anything.
+        return self.loops or not self.on_actuators
 
     def arm(self, on: bool) -> None:
         """Look at what would be sent to the actuators, and allow to send it; or forbid it."""
@@ -634,7 +639,7 @@ class Player(QObject):
         self.playhead.run(self._position)
         self.edits.end()
         if self.now is not None:
-            self.edits.begin(self.now, design, self.settings.output, rig, loops=self.loops)
+            self.edits.begin(self.now, design, self.settings.output, rig, loops=self._repeats)
 
     def _look_at_peak(self) -> None:
         self._armed = design = self._document.design
@@ -693,7 +698,7 @@ class Player(QObject):
     def toggle_loop(self) -> None:
         """Switch whether a design without a loop is repeated."""
         self.loops = not self.loops
-        self.edits.loop(loops=self.loops)
+        self.edits.loop(loops=self._repeats)
         self.changed.emit()
 
     def end(self) -> None:

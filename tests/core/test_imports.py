@@ -25,6 +25,8 @@ def absent(after, *names):
 import skinsource
 
 absent("skinsource alone", "numpy")
+# Asked for before anything else is.
+assert skinsource.locations.OUTPUTS
 from skinsource.limbs.synthetic import load_synthetic_limb
 
 load_synthetic_limb(1).response_to(1)

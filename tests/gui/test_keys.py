@@ -5,7 +5,7 @@ from itertools import product
 
 import pytest
 import shiboken6
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import QEvent, Qt, QUrl
 from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QApplication, QLineEdit, QTextBrowser
@@ -90,6 +90,14 @@ def test_tooltips_name_the_shortcut_that_an_action_has(qtbot, monkeypatch, part)
     tips = [button.toolTip() for button in widget.findChildren(QAbstractButton)]
     assert any("(Ctrl+P)" in tip for tip in tips)
     assert not any("(Space)" in tip for tip in tips)
+
+
+def test_the_manual_is_the_readme_with_its_pages(window):
+    window.do("show_manual")
+    browser = window.findChild(QTextBrowser, "page_text")
+    assert "Install and start" in browser.toPlainText()
+    browser.setSource(QUrl("docs/limbs.md"))
+    assert "pre_trigger_delay_s" in browser.toPlainText()
 
 
 def test_the_keys_page_lists_each_gesture_and_the_key_of_each_action(window):

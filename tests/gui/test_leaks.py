@@ -19,7 +19,15 @@ from skinsource_gui.app.app import GarbageCollector, manage_garbage_collection
 
 #: What each leaves behind is there so many times.
 OPENINGS = 4
-PAGES = ("find_action", "show_keys", "show_dataset", "show_about", "show_accuracy", "export")
+PAGES = (
+    "find_action",
+    "show_keys",
+    "show_manual",
+    "show_dataset",
+    "show_about",
+    "show_accuracy",
+    "export",
+)
 THERE_AND_BACK = (
     *("duplicate_input", "remove_input", "undo", "redo"),
     *("arrange_analysis", "arrange_presentation", "arrange_design"),

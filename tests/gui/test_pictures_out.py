@@ -132,6 +132,7 @@ def test_a_film_asks_for_its_size_and_begins_with_it_the_next_time(
         qtbot.waitUntil(lambda: not window.runner.busy, timeout=20_000)
 
     window.panel("skin").map.stage.pan_zoom.show("hand")
+    window.document.look(replace(window.document.view, slow_motion=20.0))
     write_with("animation", lambda *_, options, seen, **more: given.append((options, seen.fit)))
     chosen = FilmOptions(width_px=640, height_px=480, colours="dark", kind=".webm")
 

@@ -11,7 +11,7 @@ import numpy as np
 
 import skinsource as ss
 import skinsource_gui
-from skinsource.base.assets import data_folder
+from skinsource.base.assets import data_folder, manual_file
 from skinsource_gui.qt.resources import resource_folder
 
 
@@ -33,6 +33,10 @@ def test_every_shipped_data_file_is_installed_unchanged():
 def test_the_windows_resources_are_installed():
     for name in ("theme.qss", "themes.toml", "keys.toml", "actions.toml", "icons/play.svg"):
         assert (resource_folder() / name).is_file()
+
+
+def test_the_manual_is_installed():
+    assert (manual_file().parent / "docs" / "limbs.md").is_file()
 
 
 def test_a_prediction_runs_on_the_built_in_limb():

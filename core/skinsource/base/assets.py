@@ -14,6 +14,12 @@ def data_folder() -> Path:
     return installed if installed.is_dir() else PACKAGE.parents[1] / "data"
 
 
+def manual_file() -> Path:
+    """Return README.md, beside ``docs``: of this project, or those in a wheel."""
+    installed = PACKAGE / "_manual"
+    return (installed if installed.is_dir() else PACKAGE.parents[1]) / "README.md"
+
+
 def user_folder() -> Path:
     """Return the folder of the user's data; the variable SKINSOURCE_DATA overrides it."""
     usual = platformdirs.user_data_dir("skinsource", appauthor=False)

@@ -306,6 +306,9 @@ class ImportPreview(QtWidgets.QWidget):
             label.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
         self._waveform.setMinimumHeight(120)
         self._spectrum.setMinimumHeight(120)
+        policy = self._spectrum.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)
+        self._spectrum.setSizePolicy(policy)
         self._numbers.setMinimumHeight(2 * self.fontMetrics().lineSpacing())
         self._notes.setMinimumHeight(3 * self.fontMetrics().lineSpacing())
         pictures = (self._waveform, 1), (self._spectrum, 1)
@@ -332,6 +335,7 @@ class ImportPreview(QtWidgets.QWidget):
         rate = samples.sample_rate_hz
         self._waveform.show_samples(samples.values / (samples.peak or 1.0), rate)
         self._spectrum.show_samples(samples.values, rate, band_hz)
+        self._spectrum.show()
         rms = float(np.sqrt(np.mean(samples.values**2)))
         unit = f" {samples.unit}" if samples.unit else ""
         also = _in_own_unit(samples, choice)
@@ -348,6 +352,7 @@ class ImportPreview(QtWidgets.QWidget):
         """Show a message in place of the pictures."""
         self._waveform.show_message(message)
         self._spectrum.show_samples(None)
+        self._spectrum.hide()
         self._numbers.clear()
         self._notes.clear()
 

@@ -31,7 +31,7 @@ from skinsource_gui.fields.units import axis_unit, minus, output_text
 from skinsource_gui.panels.analysis.view import FigureView
 from skinsource_gui.plots.colour_maps import colour_indices, colour_table
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
-from skinsource_gui.plots.ranges import Range, SteadyRange
+from skinsource_gui.plots.ranges import BEFORE_S, Range, SteadyRange
 from skinsource_gui.qt.fitting import FoldingRow, LetterWidth, grouped
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 from skinsource_gui.state.compared import SILENT
@@ -208,7 +208,8 @@ def _edges(middles: Floats) -> Range:
 
 def _time_axis(content: SpectrogramContent) -> Axis:
     time_s = content.spectrogram.time_s + content.first_s
-    first, last = float(time_s[0]), float(time_s[-1])
+    # As in traces, the record before the pulse of the measurement is left out.
+    first, last = max(float(time_s[0]), -BEFORE_S), float(time_s[-1])
     last = last if last > first else first + 1e-3
     unit, factor = axis_unit(last)
     return Axis(shown=(first, last), title=f"Time ({unit})", factor=factor)
@@ -327,7 +328,7 @@ class SpectrogramView(FigureView):
         )
         number = results["spectrogram_output"]
         limb = results["limb_data"]
-        parts = [output_text(number, limb.name)]
+        parts = [output_text(number, limb.name), "amplitude"]
         parts.append(signal_label(results["axes"], results["method"]))
         if results["method"] == "mag" and len(results["axes"]) > 1:
             parts.append("of a magnitude: rectified, doubled frequencies")

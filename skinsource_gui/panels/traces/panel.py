@@ -25,7 +25,7 @@ from skinsource_gui.fields.units import axis_unit
 from skinsource_gui.panels.signal_panel import SignalPanel
 from skinsource_gui.plots.curves import Curves, Measured, output_names
 from skinsource_gui.plots.plot import moved_playhead
-from skinsource_gui.plots.ranges import Wave, XAxis, significant
+from skinsource_gui.plots.ranges import BEFORE_S, Wave, XAxis, significant
 from skinsource_gui.plots.signal_view import DESCRIPTION_QUANTITIES, heading_of, lazy_lines
 
 LAYOUT = ChoiceSpec(
@@ -72,8 +72,6 @@ class TracesSettings(fields.CheckedModel):
 _DECIMALS = {"ms": 2, "s": 5}
 # What the wave between samples follows from: that of a magnitude runs along the axes.
 _WAVE = frozenset({"axis_traces", "selected_extremes", "selected_projection"})
-# Where time begins with the pulse of the measurement: the filter of its drive rings before 0.
-_BEFORE_S = 0.005
 _RINGS = "Something moves before 0: the filter of the measuring pulse rings"
 # Less is rounding.
 _LEAST_EARLY_S = 1e-6
@@ -172,7 +170,7 @@ class TracesPanel(SignalPanel):
         view = self._view
         visible_until_s = self._end_s if view.time_range_s is None else view.time_range_s[1]
         axis = _axis(axis_unit(visible_until_s)[0], self._delay_s, removed=self._drawn_removed)
-        begin_s = -min(self._delay_s, _BEFORE_S) if self._drawn_removed else 0.0
+        begin_s = -min(self._delay_s, BEFORE_S) if self._drawn_removed else 0.0
         if self._early_s >= _LEAST_EARLY_S:
             axis = _without_beginning(axis, self._early_s, (begin_s, self._end_s))
         elif self._drawn_removed:

@@ -89,6 +89,8 @@ def test_what_travels_is_shown_as_it_moves_and_slowed_down():
         if ("quantity", "z") in dict(view.panels).get("skin", ())
     }
     assert slow == moving == {"1C", "2A", "4A"}
+    # The time before the pulse is left out.
+    assert all(view.delay_removed for view in views.values())
     for name in slow:
         first_s, last_s = views[name].time_range_s
         assert first_s < views[name].playhead_s < last_s

@@ -117,6 +117,7 @@ def test_the_spectrogram_reads_its_times_with_the_delay_and_without_it(show, rem
     picture = show("spectrogram", delay_removed=removed).picture
     spectrogram = picture.content.spectrogram
     assert picture.content.first_s == pytest.approx(-0.052 if removed else 0.0)
+    assert picture.axes.x.shown[0] == pytest.approx(-0.005 if removed else 0.0)
     row, column = np.unravel_index(np.argmax(spectrogram.amplitude), spectrogram.amplitude.shape)
     time_s = spectrogram.time_s[column] + picture.content.first_s
     place = picture.axes.to_screen(np.array([time_s]), spectrogram.frequency_hz[[row]])[0]

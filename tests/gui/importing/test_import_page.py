@@ -98,6 +98,7 @@ def test_a_file_that_is_none_says_why_and_imports_nothing(desk, page_at, tmp_pat
     page = page_at(tmp_path / "bad.wav")
     assert not page.ready
     assert "bad.wav: cannot be read" in page.preview.text
+    assert not page.findChild(object, "spectrum_preview").isVisible()
     page.reject()
     assert desk.document.design is before
 

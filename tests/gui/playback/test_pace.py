@@ -30,6 +30,9 @@ def test_on_actuators_it_is_played_in_real_time(sound, studio, player, qtbot, li
 
 def test_faster_and_slower_go_through_the_paces(studio):
     document, factors = studio.document, []
+    # Where waves can be followed, to begin with.
+    assert document.view.slow_motion == 50.0
+    document.look(replace(document.view, slow_motion=1.0))
     for _ in range(9):
         studio.do("play_slower")
         factors.append(document.view.slow_motion)

@@ -67,7 +67,7 @@ _CYCLES_SHOWN = 4.0
 
 def strengths(opened: OpenedScene) -> Drawn:
     """Draw each tone at five strengths, divided by them, over each other."""
-    view = opened.view
+    view = replace(opened.view, delay_removed=False)
     results = [
         evaluate(condition.design, "response_time_s", "selected_traces", view=view)
         for condition in opened.conditions
@@ -77,15 +77,14 @@ def strengths(opened: OpenedScene) -> Drawn:
     normalised = (
         np.stack([result["selected_traces"] for result in results]) / factors[:, None, None]
     )
-    drawn_s, drawn = finer(time_s, normalised)
+    drawn_s, drawn = finer(_from_pulse(opened, time_s), normalised)
     clips = opened.design.inputs[0].clips
-    delay_s = facts_of(opened.design.limb).pre_trigger_delay_s
     sheet, columns = Sheet(opened, 78.0), {"time_s": time_s}
     with style():
         for row, number in enumerate(view.outputs):
             for column, clip in enumerate(clips):
                 ax = sheet.axes(22.0 + 52.0 * column, 46.0 - 34.0 * row, 46.0, 24.0)
-                middle = clip.onset_s + clip.duration_s / 2.0 + delay_s
+                middle = clip.onset_s + clip.duration_s / 2.0
                 half = _CYCLES_SHOWN / (2.0 * frequency_of(clip))
                 within = np.abs(drawn_s - middle) <= half
                 _overlay(ax, opened, 1e3 * drawn_s[within], drawn[:, row, within])
@@ -258,7 +257,7 @@ def superposition(opened: OpenedScene) -> Drawn:
     normal = normal_of(opened.design, separate), normal_of(opened.design, joint)
     sheet = Sheet(opened, 70.0)
     with style():
-        _draw_sums(sheet, outputs, time_s, *normal)
+        _draw_sums(sheet, outputs, _from_pulse(opened, time_s), *normal)
         ax = sheet.axes(112.0, 12.0, 62.0, 46.0)
         numbers = np.arange(1.0, worst.size + 1.0)
         ax.semilogy(numbers, np.maximum(1.0 - worst, _SMALLEST), "o", ms=2.5, color=COLOURS[0])
@@ -288,7 +287,7 @@ def _draw_sums(
     """Draw some cycles in the middle of the sweep, along the axis normal to the skin."""
     chosen = np.array(outputs) - 1
     drawn_s, (drawn_separate, drawn_joint) = finer(time_s, np.stack((separate, joint))[:, chosen])
-    within = (drawn_s > 1.0) & (drawn_s < 1.05)
+    within = (drawn_s > 0.95) & (drawn_s < 1.0)
     for k, number in enumerate(outputs):
         ax = sheet.axes(26.0, 40.0 - 28.0 * k, 66.0, 20.0)
         ax.plot(
@@ -387,7 +386,7 @@ def tone_frames(opened: OpenedScene) -> Drawn:
     with style():
         places = sheet.row_of_axes(_N_FRAMES, 4.0, 2.0, 146.0, 76.0)
         shown = [levels_of_values(opened.design, values) for values in normal]
-        titles = _instant_titles(quarters)
+        titles = _instant_titles(_from_pulse(opened, quarters))
         image = draw_maps(places, shown, (-limit, limit), titles, signed=True)
         label = f"z, m/s²; colours end at {_SHARE_OF_PEAK:.0%} of the peak"
         sheet.colour_bar(image, 153.0, 20.0, 48.0, label)
@@ -395,6 +394,11 @@ def tone_frames(opened: OpenedScene) -> Drawn:
     for at_s, values in zip(quarters, normal, strict=True):
         columns[f"z at {1e3 * at_s:.3f} ms (m/s²)"] = values
     return Drawn(sheet=sheet, tables={"": columns})
+
+
+def _from_pulse(opened: OpenedScene, time_s: Floats) -> Floats:
+    """Return times of records as they are drawn: 0 is the pulse; tables keep the record."""
+    return time_s - facts_of(opened.design.limb).pre_trigger_delay_s
 
 
 def _instant_titles(time_s: Floats) -> list[str]:
@@ -466,8 +470,8 @@ def pulse_traces(opened: OpenedScene) -> Drawn:
     """Draw the axes of each output, relative to its peak, and maps of the first 3 ms."""
     outputs, axes = opened.view.outputs, axes_of_sensors(opened.design)
     time_s, field = field_of(opened.design)
-    within = _in_time_range(opened, time_s)
-    drawn_s, drawn = finer(time_s, field[np.array(outputs) - 1])
+    within = _in_time_range(opened, _from_pulse(opened, time_s))
+    drawn_s, drawn = finer(_from_pulse(opened, time_s), field[np.array(outputs) - 1])
     drawn_within = _in_time_range(opened, drawn_s)
     rows = [
         _row(number, 1e3 * drawn_s[drawn_within], curves[:, drawn_within])
@@ -486,7 +490,7 @@ def pulse_traces(opened: OpenedScene) -> Drawn:
         annotate_scale(ax, "each row relative to its peak")
         colours = common_range(*(level.values for level in levels))
         places = sheet.row_of_axes(len(instants), 12.0, 1.0, 146.0, _FRAMES_MM - 6.0)
-        titles = _instant_titles(time_s[instants])
+        titles = _instant_titles(_from_pulse(opened, time_s[instants]))
         image = draw_maps(places, levels, colours, titles, part="hand")
         sheet.colour_bar(image, 160.0, 4.0, _FRAMES_MM - 14.0, "magnitude, dB re 1 m/s²")
     shown = field[np.array(outputs) - 1][..., within]
@@ -520,15 +524,18 @@ def traces(opened: OpenedScene, *, colours: Sequence[str], own_scale: bool) -> D
 
     ``own_scale``: whether each row is relative to its peak; else all have one scale.
     """
-    view, several = opened.view, len(opened.conditions) > 1
+    view, several = replace(opened.view, delay_removed=False), len(opened.conditions) > 1
     results = [
         evaluate(condition.design, "response_time_s", "selected_traces", view=view)
         for condition in opened.conditions
     ]
     time_s = results[0]["response_time_s"]
-    within = _in_time_range(opened, time_s)
+    from_pulse_s = _from_pulse(opened, time_s)
+    within = _in_time_range(opened, from_pulse_s)
     curves = [result["selected_traces"][:, within] for result in results]
-    drawn_s, drawn = finer(time_s, np.stack([result["selected_traces"] for result in results]))
+    drawn_s, drawn = finer(
+        from_pulse_s, np.stack([result["selected_traces"] for result in results])
+    )
     shown = _in_time_range(opened, drawn_s)
     drawn_s, drawn = drawn_s[shown], drawn[..., shown]
     size = None if own_scale else common_size(list(drawn))

@@ -259,21 +259,13 @@ def _unplayable(designs: tuple[Design, ...], facts: LimbFacts) -> str:
 
 
 def _view_on(view: View, design: Design, facts: LimbFacts, places: Mapping[int, int]) -> View:
-    """Return the view with axes, delay and outputs of the limb."""
+    """Return the view with axes and outputs of the limb."""
     edit = change_limb(design, view, facts.name)
     view = view if isinstance(edit, Refusal) else edit.view
     if not facts.own:
         return view
-    later_s = facts.pre_trigger_delay_s - facts_of(design.limb).pre_trigger_delay_s
-    shown = view.time_range_s
-    if shown is not None:
-        shown = (max(round(shown[0] + later_s, 6), 0.0), round(shown[1] + later_s, 6))
-    return replace(
-        view,
-        outputs=_from_near_to_far(facts, next(iter(places.values())), len(view.outputs)),
-        time_range_s=shown,
-        playhead_s=max(round(view.playhead_s + later_s, 6), 0.0),
-    )
+    place = next(iter(places.values()))
+    return replace(view, outputs=_from_near_to_far(facts, place, len(view.outputs)))
 
 
 def _from_near_to_far(facts: LimbFacts, place: int, count: int) -> tuple[int, ...]:
