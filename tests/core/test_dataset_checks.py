@@ -96,7 +96,7 @@ def test_a_variable_that_is_no_table_with_the_columns_is_refused(download, refus
 
 def test_a_matlab_file_with_something_else_in_it_is_refused(download, refused):
     shutil.copy(download / "visualization" / "mask1.mat", download / "impulseResponses.mat")
-    assert "holds mask, expected a variable 'dataTable'. Is this the right file?" in refused()
+    assert "holds mask, expected a variable 'dataTable' (is this the right file?)" in refused()
 
 
 @pytest.mark.parametrize(

@@ -337,7 +337,7 @@ def _add_measure(actions: Any) -> None:
         metavar="V",
         help="volts at the input for a recorded sample of 1",
     )
-    add("--input", type=int, default=default.input_number, metavar="N", help="from 1")
+    add("--input", type=int, default=default.input_number, metavar="N", help="with the sensor")
     add(
         "--loopback",
         type=int,
@@ -351,9 +351,9 @@ def _add_measure(actions: Any) -> None:
         type=float,
         default=default.level_db,
         metavar="DB",
-        help=f"dB of full scale (default: {default.level_db:g})",
+        help=f"of the sweeps, dB re full scale (default: {default.level_db:g})",
     )
-    add("--seconds", type=float, default=default.sweep_s, metavar="S", help="length of each sweep")
+    add("--seconds", type=float, default=default.sweep_s, metavar="S", help="of each sweep")
     add("--repeats", type=int, default=default.repeats, metavar="N")
     add(
         "--band",
@@ -361,7 +361,7 @@ def _add_measure(actions: Any) -> None:
         nargs=2,
         default=default.band_hz,
         metavar="HZ",
-        help="lowest and highest frequency to measure (default: 20 1000)",
+        help="lowest and highest frequency to measure, Hz (default: 20 1000)",
     )
     add = parser.add_argument_group("audio devices").add_argument
     add("--rate", type=int, default=output.sample_rate_hz, metavar="HZ")

@@ -98,7 +98,7 @@ def test_figures_say_on_which_limb_and_which_conditions_are_not_kept(measured, t
     about, _, _ = table(tmp_path / "2B.csv")
     drawing = (tmp_path / "2B.svg").read_text("utf-8")
     assert "Limb: Measured 1 (175 mm). Scaling: Peak of each input." in drawing
-    assert "not kept (see the table): noise, scaling, spacing." in drawing
+    assert "not met (see the table): noise, scaling, spacing." in drawing
     assert "Hatched: less than 6 dB above the noise of the measurement." in drawing
     of_noise = [line for line in about if "validity, noise: CAUTION" in line]
     assert [line.split(":")[0] for line in of_noise] == [

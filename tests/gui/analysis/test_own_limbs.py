@@ -88,8 +88,8 @@ def test_each_panel_of_analysis_says_what_the_limb_says(window, qtbot):
     assert windowed.strip.content.levels_db.shape[1] == N_OUTPUTS
     assert windowed.strip.message == ""
     assert "Lab 1" in windowed._heading()
-    assert "not known" in panels["regions"].about.whole
-    assert "published limbs only" in panels["perception"].message
+    assert "unknown" in panels["regions"].about.whole
+    assert "only for the published limbs" in panels["perception"].message
     assert panels["compare"].maps.content.message.startswith("There is no other limb")
 
 

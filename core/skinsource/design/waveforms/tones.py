@@ -230,7 +230,7 @@ END = replace(FREQUENCY, label="To", hint="Frequency at the end; a lower one fal
 LAW = ChoiceSpec(
     label="Law",
     options=(("linear", "Linear"), ("logarithmic", "Logarithmic")),
-    hint="Linear: equal steps in Hz in equal times; logarithmic: equal factors",
+    hint="Linear: equal steps in Hz in equal times; logarithmic: equal ratios",
 )
 
 
