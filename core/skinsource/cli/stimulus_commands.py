@@ -243,14 +243,14 @@ def _add_sweep(subparsers: Any) -> None:
     """Add the command ``sweep``."""
     sweep = subparsers.add_parser(
         "sweep",
-        help="measure many stimuli: designs x frequencies x places x ...",
+        help="predict many stimuli: designs x frequencies x places x ...",
         description=(
-            "Measures all combinations that a TOML file names, on all cores, and writes "
-            "stimuli.csv with one row for each. Run it again after a stop, and it continues."
+            "Predicts all combinations that a TOML file names, on all cores, and writes a row of "
+            "metrics for each to stimuli.csv. Run it again after a stop, and it continues."
         ),
         epilog=(
-            "A stimulus that cannot be measured is left out, and its row says why. Exit codes: 0, "
-            "all rows were measured; 1, one was left out or the sweep could not run; 130, it was "
+            "A stimulus that cannot be predicted is left out, and its row says why. Exit codes: 0, "
+            "all were predicted; 1, one was left out or the sweep could not run; 130, it was "
             "stopped."
         ),
     )
@@ -264,7 +264,7 @@ def _add_sweep(subparsers: Any) -> None:
     sweep.add_argument(
         "--scheduler",
         metavar="ADDRESS",
-        help="address of a Dask cluster that measures instead: tcp://host:8786",
+        help="address of a Dask cluster that computes instead: tcp://host:8786",
     )
     sweep.set_defaults(run=_sweep)
 

@@ -294,4 +294,4 @@ def _limits(settings: PerceptionSettings, sensation: Sensation | None, matched: 
     if sensation is None or sensation.band_hz is None:
         return text
     low_hz, high_hz = sensation.band_hz
-    return f"{text} What lies from {low_hz:g} to {high_hz:g} Hz counts."
+    return f"{text} Only {low_hz:g} to {high_hz:g} Hz counts."

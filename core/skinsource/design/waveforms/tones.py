@@ -94,7 +94,7 @@ MODULATOR = replace(
     label="Modulator",
     minimum=0.1,
     measured_band_hz=None,
-    hint="Swells per second",
+    hint="Modulation frequency: swells per second",
 )
 DEPTH = NumberSpec(
     label="Depth", minimum=0.0, maximum=1.0, step=0.01, hint="1: down to silence; 0: a plain tone"
