@@ -334,7 +334,7 @@ def _content_of(text: bytes) -> dict[str, Any]:
         return tomllib.loads(text.decode())
     except (ValueError, RecursionError) as error:
         raise InvalidInputError(
-            f"the text is no TOML ({printable(error)}). Correct that place, and try again."
+            f"the text is not TOML ({printable(error)}). Correct that place, and try again."
         ) from error
 
 
