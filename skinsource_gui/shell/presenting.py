@@ -428,7 +428,7 @@ class Presenter(QObject):
         document, left = self._document, ""
         before = document.scene or ("" if document.path is None else document.path.stem)
         if self.presenting and self._take_back():
-            left = f"; changes to {before.partition(' · ')[0]} are undone"
+            left = f"; changes to {before.partition(' · ')[0]} are not saved"
         self._opening = True
         document.start_over(design, view, None, scene=title)
         self._files.leave_file()

@@ -121,7 +121,7 @@ def test_a_limb_without_z_says_what_can_be_seen_of_it():
         name, axes = "flat", "xy"
 
     with pytest.raises(
-        InvalidInputError, match=r"flat was measured along x and y, and not along z.*magnitude"
+        InvalidInputError, match=r"flat was measured along x and y, not along z.*magnitude"
     ):
         z_axis(Flat())
 

@@ -235,13 +235,15 @@ class Monkey:
         )
 
     def _show_levels(self) -> None:
-        """Where the map is covered, or shows the skin in time, have it show levels again."""
+        """Where the map is covered, or shows the skin in time or in motion, have it show levels again."""
         if self.window.panel("skin").map.content.message == "Covered":
             self.window.do("cover_map")
         view = self.document.view
         settings = settings_of(view, "skin", SkinSettings)
         if settings.quantity != LEVELS:
             self.document.look(with_settings(view, "skin", replace(settings, quantity=LEVELS)))
+        if self.window.panel("skin").moves:
+            self.window.do("play")
 
     def _check_history(self) -> None:
         """Undo all the way back gives what was there at first, and redo what was there at last."""

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from PySide6.QtWidgets import QLabel, QToolButton
 
-from skinsource.lab.playing import mixer
+from skinsource.lab.playing import session
 from skinsource.lab.playing.devices import Output
 
 WAIT = {"timeout": 20_000}
@@ -142,13 +142,13 @@ def armed(sound, arm):
 @pytest.fixture
 def made(monkeypatch):
     """Lets a mix be made once it is set, at the latest at the end of the test."""
-    ready, mix = threading.Event(), mixer.Mixer.mix
+    ready, mix = threading.Event(), session.Mixer.mix
 
     def slowly(self, *given, **more):
         assert ready.wait(20)
         return mix(self, *given, **more)
 
-    monkeypatch.setattr(mixer.Mixer, "mix", slowly)
+    monkeypatch.setattr(session.Mixer, "mix", slowly)
     yield ready
     ready.set()
 

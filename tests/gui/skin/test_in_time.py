@@ -189,7 +189,7 @@ def test_while_time_runs_the_wave_moves_in_place_of_its_level(open_window, look,
     levels = look(window)
     window.do("play")
     qtbot.waitUntil(lambda: panel.content.quantity.name == Z, timeout=10_000)
-    assert panel.measure.quantity.accessibleDescription() == "In time"
+    assert panel.measure.quantity.accessibleDescription() == "Animation"
     # The map keeps its place, and a choice of colours is none of a quantity.
     assert not panel.scrub.isVisible()
     choose(panel.measure.unit, "Magma")
