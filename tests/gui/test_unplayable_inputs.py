@@ -100,7 +100,7 @@ def test_snapshots_keep_their_numbers(window, design, settle, qtbot):
     qtbot.waitUntil(panel.isVisible)
     window.comparison.store("1")
     settle()
-    card = panel.cards[1]
+    card = panel.cards[0]
     qtbot.waitUntil(lambda: card.compared.values is not None, timeout=30_000)
     expected = window.panel("skin").map.content.values
     np.testing.assert_allclose(card.compared.values["output_levels_db"], expected, atol=1e-9)
