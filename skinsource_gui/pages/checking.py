@@ -89,7 +89,7 @@ class BoxFigure(Figure):
         high = max(1e-9, *(box[4] for box in boxes))
         edge = 0.05 * (high - low)
         labels = tuple(label for label, _ in self.groups)
-        x = _GroupAxis(shown=(0.0, float(len(boxes))), title="Main frequency (Hz)", labels=labels)
+        x = _GroupAxis(shown=(0.0, float(len(boxes))), title="Peak frequency (Hz)", labels=labels)
         y = Axis(shown=(low - (edge if low < 0.0 else 0.0), high + edge), title=self._title)
         self.axes = axes = fitted_axes(room, x, y, QtGui.QFontMetricsF(painter.font()))
         axes.paint(painter, current_theme(), grid=False)

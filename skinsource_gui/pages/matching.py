@@ -384,7 +384,7 @@ class LatestDesignPlayer(QObject):
 _TABLE = "matches.csv"
 _INTRODUCTION = (
     "A person feels a reference and a test in turn, and adjusts the test until both feel equally "
-    "strong (method of adjustment, ascending and descending runs). Sweeps use the table: "
+    "strong (method of adjustment, ascending and descending series). Sweeps use the table: "
     'level = "matches.csv".'
 )
 _REHEARSAL = "Rehearsal: nothing is stored."

@@ -538,7 +538,7 @@ DPI = NumberSpec(
     maximum=2400,
     step=10.0,
     whole=True,
-    hint="Dots in an inch of the page",
+    hint="Dots per inch of the page",
 )
 COLOURS = ChoiceSpec(
     label="Colours",

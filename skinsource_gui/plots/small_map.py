@@ -424,7 +424,7 @@ COLOURS = ChoiceSpec(
         ("CET-L1", "Grey"),
         ("turbo", "Turbo, like MATLAB's jet"),
     ),
-    hint="All but the last are even, and safe for any colour vision",
+    hint="All but Turbo are perceptually uniform, and safe for any colour vision",
 )
 
 # The panel whose settings hold the colours and the range.

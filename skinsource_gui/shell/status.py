@@ -179,7 +179,7 @@ class EditClock(QObject):
 #: What the map shows, by the quantity of its settings.
 _PREDICTED = {
     LEVELS: "acceleration",
-    SENSATION: "level above the threshold of detection",
+    SENSATION: "sensation level",
     Z: "acceleration along z",
     MAGNITUDE: "magnitude of acceleration",
     RMS: "acceleration, sliding RMS",

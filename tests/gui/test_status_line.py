@@ -37,9 +37,7 @@ def test_the_middle_says_what_the_skin_shows_and_how_many_inputs_are_felt(window
     wait_for(f"{SHOWN} · 1 of 2 inputs play")
     view, settings = window.document.view, SkinSettings(quantity=SENSATION)
     window.document.look(with_settings(view, "skin", settings))
-    wait_for(
-        "Predicted level above the threshold of detection, back of the hand · 1 of 2 inputs play"
-    )
+    wait_for("Predicted sensation level, back of the hand · 1 of 2 inputs play")
     window.document.edit("a", replace(window.document.design, inputs=()))
     wait_for("No input yet")
 

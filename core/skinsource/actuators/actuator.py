@@ -50,7 +50,7 @@ class ResponseShape(fields.CheckedModel):
     title: ClassVar[str] = "Response shape"
 
     resonance_hz: float = fields.field(positive("Resonance", "Hz"))
-    quality: float = fields.field(positive("Quality", ""))
+    quality: float = fields.field(positive("Quality factor", ""))
 
     def shape(self, frequency_hz: ArrayLike) -> Complexes:
         """Return the acceleration relative to that far above the resonance, at equal force.

@@ -357,18 +357,18 @@ RESONANCE = NumberSpec(
     hint="Resonance of the actuator, which the filter removes",
 )
 QUALITY = NumberSpec(
-    label="Quality",
+    label="Quality factor",
     minimum=0.3,
     maximum=10_000.0,
     step=0.02,
     logarithmic=True,
-    hint="Quality factor of the actuator",
+    hint="Of the resonance that the filter removes",
 )
 NEW_QUALITY = replace(
     QUALITY,
-    label="New quality",
+    label="New quality factor",
     maximum=10.0,
-    hint="Quality factor afterwards; 0.7 rings least",
+    hint="Afterwards; 0.7: flattest response, 0.5: no ringing",
 )
 
 

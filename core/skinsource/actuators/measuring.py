@@ -171,7 +171,7 @@ def exponential_sweep(
         It is too short.
     """
     first_hz, last_hz = band_hz
-    expected = "at least two turns of the first frequency"
+    expected = "at least two periods of the first frequency"
     long_s = real_number("duration_s", duration_s, expected, least=2.0 / first_hz)
     n = round(long_s * sample_rate_hz)
     # Where, in samples of the clock that plays.
@@ -455,7 +455,7 @@ def _noise_power(sweeps: Sweeps, n: int, length: int | None = None) -> Floats:
 
 def _noise_message(error: Floats) -> str:
     best = float(error.min(initial=np.inf))
-    known = f"; the best point is uncertain by {100.0 * best:.0f} %" if np.isfinite(best) else ""
+    known = f"; the best point has an error of {100.0 * best:.0f} %" if np.isfinite(best) else ""
     return (
         f"hardly any of the sweep is above the noise of the input{known}. Check amplifier, sensor "
         "and wiring, or raise the level"

@@ -56,19 +56,19 @@ class Limits(fields.CheckedModel):
 
     peak_voltage_v: float | None = fields.field(_limit("Peak voltage", "V", "Largest"), None)
     rms_voltage_v: float | None = fields.field(
-        _limit("RMS voltage", "V", "Over the loudest second"), None
+        _limit("RMS voltage", "V", "Highest over any second"), None
     )
-    slew_v_per_s: float | None = fields.field(_limit("Slew", "V/s", "Fastest change"), None)
+    slew_v_per_s: float | None = fields.field(_limit("Slew rate", "V/s", "Fastest change"), None)
     duration_s: float | None = fields.field(_limit("Duration", "s", "Longest stimulus"), None)
     displacement_m: float | None = fields.field(
         _limit("Displacement", "m", "Largest distance from rest"), None
     )
     peak_current_a: float | None = fields.field(_limit("Peak current", "A", "Largest"), None)
     rms_current_a: float | None = fields.field(
-        _limit("RMS current", "A", "Over the loudest second"), None
+        _limit("RMS current", "A", "Highest over any second"), None
     )
     duty: float | None = fields.field(
-        _limit("Duty", "", "Largest share of time that it is driven", 1.0), None
+        _limit("Duty cycle", "", "Largest share of time that it is driven", 1.0), None
     )
 
 

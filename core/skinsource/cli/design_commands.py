@@ -59,7 +59,7 @@ def add_to(subparsers: Any) -> None:
         "--quantity",
         choices=("z", "magnitude"),
         default="z",
-        help="acceleration normal to the skin, or its length (default: z)",
+        help="acceleration normal to the skin, or the length of its vector (default: z)",
     )
     film.add_argument(
         "--slow-motion",
@@ -191,8 +191,8 @@ def _add_pack(subparsers: Any) -> None:
     parser = subparsers.add_parser(
         "pack",
         help="put a design file and all that belongs to it into one zip",
-        description="Writes design, stimulus, map, levels and traces, what to cite, and the "
-        "versions and digests of all that went in, into one zip file.",
+        description="Writes design, stimulus, map, levels, traces, citation, and the versions "
+        "and digests of all of them into one zip file.",
     )
     parser.add_argument("design", type=Path, metavar="DESIGN", help="a .skinsource file")
     parser.add_argument("--out", type=Path, required=True, metavar="FILE", help="the zip to write")
@@ -220,8 +220,8 @@ def _add_check(subparsers: Any) -> None:
         "check",
         help="check linearity and superposition, and agreement with recorded responses",
         description=(
-            "For each design: whether outputs are proportional to inputs, whether inputs add up, "
-            "and, with --measured, the figures of the paper's Fig. 4 against recorded responses "
+            "For each design: whether responses scale linearly, whether they superpose, and, "
+            "with --measured, the figures of the paper's Fig. 4 against recorded responses "
             "(CSV, NPZ, MATLAB, HDF5: times by outputs and axes)."
         ),
     )

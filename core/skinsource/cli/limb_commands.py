@@ -78,8 +78,8 @@ def _add_responses(add: Any) -> None:
         help="order of its dimensions: i input, o output, a axis, t tap (default: ioat, or iot)",
     )
     add("--axes", choices=AXES, help="axes of each output; z: normal to the skin")
-    add("--rate", type=float, metavar="HZ", help="samples per second")
-    add("--delay", type=float, metavar="S", help="delay of the responses")
+    add("--rate", type=float, metavar="HZ", help="sample rate, Hz")
+    add("--delay", type=float, metavar="S", help="delay of the responses, s")
     add(
         "--band",
         type=float,
@@ -101,7 +101,7 @@ def _add_responses(add: Any) -> None:
 
 
 def _add_hand(add: Any) -> None:
-    add("--hand-length", type=float, metavar="MM", help="middle finger tip to wrist")
+    add("--hand-length", type=float, metavar="MM", help="middle fingertip to wrist, mm")
     add(
         "--hand-length-units",
         type=float,

@@ -243,14 +243,14 @@ def _add_sweep(subparsers: Any) -> None:
     """Add the command ``sweep``."""
     sweep = subparsers.add_parser(
         "sweep",
-        help="measure many stimuli: designs x frequencies x places x ...",
+        help="predict many stimuli: designs x frequencies x places x ...",
         description=(
-            "Measures all combinations that a TOML file names, on all cores, and writes "
-            "stimuli.csv with one row for each. Run it again after a stop, and it continues."
+            "Predicts all combinations that a TOML file names, on all cores, and writes a row of "
+            "metrics for each to stimuli.csv. Run it again after a stop, and it continues."
         ),
         epilog=(
-            "A stimulus that cannot be measured is left out, and its row says why. Exit codes: 0, "
-            "all rows were measured; 1, one was left out or the sweep could not run; 130, it was "
+            "A stimulus that cannot be predicted is left out, and its row says why. Exit codes: 0, "
+            "all were predicted; 1, one was left out or the sweep could not run; 130, it was "
             "stopped."
         ),
     )
@@ -264,7 +264,7 @@ def _add_sweep(subparsers: Any) -> None:
     sweep.add_argument(
         "--scheduler",
         metavar="ADDRESS",
-        help="address of a Dask cluster that measures instead: tcp://host:8786",
+        help="address of a Dask cluster that computes instead: tcp://host:8786",
     )
     sweep.set_defaults(run=_sweep)
 
@@ -337,7 +337,7 @@ def _add_measure(actions: Any) -> None:
         metavar="V",
         help="volts at the input for a recorded sample of 1",
     )
-    add("--input", type=int, default=default.input_number, metavar="N", help="from 1")
+    add("--input", type=int, default=default.input_number, metavar="N", help="with the sensor")
     add(
         "--loopback",
         type=int,
@@ -351,9 +351,9 @@ def _add_measure(actions: Any) -> None:
         type=float,
         default=default.level_db,
         metavar="DB",
-        help=f"dB of full scale (default: {default.level_db:g})",
+        help=f"of the sweeps, dB re full scale (default: {default.level_db:g})",
     )
-    add("--seconds", type=float, default=default.sweep_s, metavar="S", help="length of each sweep")
+    add("--seconds", type=float, default=default.sweep_s, metavar="S", help="of each sweep")
     add("--repeats", type=int, default=default.repeats, metavar="N")
     add(
         "--band",
@@ -361,7 +361,7 @@ def _add_measure(actions: Any) -> None:
         nargs=2,
         default=default.band_hz,
         metavar="HZ",
-        help="lowest and highest frequency to measure (default: 20 1000)",
+        help="lowest and highest frequency to measure, Hz (default: 20 1000)",
     )
     add = parser.add_argument_group("audio devices").add_argument
     add("--rate", type=int, default=output.sample_rate_hz, metavar="HZ")

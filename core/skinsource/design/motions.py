@@ -105,7 +105,7 @@ SPACING = NumberSpec(
     minimum=0.001,
     maximum=60.0,
     step=0.005,
-    hint="Time from one start to the next",
+    hint="Stimulus onset asynchrony: from one start to the next",
 )
 LEVEL = replace(AMPLITUDE, minimum=0.0, hint="Amplitude of each track")
 
@@ -279,7 +279,7 @@ class ApparentMotion(fields.CheckedModel):
     """
 
     title: ClassVar[str] = "Apparent motion"
-    law: ClassVar[str] = "From start to start 0.32 d + 47.3 ms, d the duration of a burst."
+    law: ClassVar[str] = "Stimulus onset asynchrony: 0.32 d + 47.3 ms, d the duration of a burst."
     source: ClassVar[str] = (
         "Israr and Poupyrev, Tactile Brush: drawing on skin with a tactile grid display, CHI 2011."
     )
@@ -347,7 +347,7 @@ class Phantom(fields.CheckedModel):
     """
 
     title: ClassVar[str] = "Phantom"
-    law: ClassVar[str] = "Amplitudes √(1-β) and √β at once: the sum of the energies stays."
+    law: ClassVar[str] = "Amplitudes √(1-β) and √β at once: their summed energy stays."
     source: ClassVar[str] = (
         "Israr and Poupyrev, Tactile Brush, CHI 2011; first Alles, Information transmission by "
         "phantom sensations, IEEE Trans. Man-Machine Systems 11, 1970."
@@ -507,12 +507,12 @@ class TapSequence(fields.CheckedModel):
     law: ClassVar[str] = "Tap k starts k × spacing after the first, the same number at each place."
     source: ClassVar[str] = (
         "Geldard and Sherrick, The cutaneous “rabbit”: a perceptual illusion, Science 178, 1972; "
-        "range of times: Geldard, J. Invest. Dermatology 1985."
+        "range of times: Geldard, J. Invest. Dermatology 69, 1977."
     )
     limits: ClassVar[str] = (
-        "From 20 to 260 ms between taps, taps are felt between the places, as if something hopped "
-        "along; slower ones stay where they are. Found on the arm: where the skin resolves places "
-        "well, as on the palm and most of all at the fingertips, hops are short."
+        "Sensory saltation: from 20 to 260 ms apart, taps are felt between the places, as if they "
+        "hopped along; slower ones stay where they are. Found on the arm: where the skin resolves "
+        "places well, as on the palm and most of all at the fingertips, hops are short."
     )
 
     path: tuple[int, ...] = fields.field(PATH, (16, 18, 20))

@@ -101,7 +101,7 @@ SNAPSHOTS = ListSpec(
     most=1 + len(NUMBERS),
 )
 LEVELS_MATCHED = SwitchSpec(
-    label="Match levels", hint="Show snapshots equally loud at their loudest output"
+    label="Match levels", hint="Show snapshots with equal levels at their loudest outputs"
 )
 
 

@@ -73,7 +73,7 @@ DURATION = NumberSpec(
 )
 WINDOW = ChoiceSpec(
     label="Window",
-    options=(("none", "None"), ("tukey", "Tukey, 25 % taper"), ("hanning", "Hanning")),
+    options=(("none", "None"), ("tukey", "Tukey, 25 % taper"), ("hanning", "Hann")),
     other_names=tuple(OTHER_NAMES.items()),
     hint="Fades the burst in and out; without it the ends click",
 )

@@ -396,7 +396,7 @@ def output_main_axes(axis_traces: Floats, axis_numbers: tuple[int, ...]) -> Main
 
 #: Level of an output without sensation.
 SILENT_DB = -200.0
-_NO_SCALE = "Levels above threshold need accelerations: choose the scaling Probe acceleration"
+_NO_SCALE = "Sensation levels need accelerations: choose the scaling Probe acceleration"
 _NO_SITES = "Which outputs lie on hairy skin is known only for the published limbs"
 _OWN = "own"
 # Padding before and after a drive, into which a weighted drive rings.
@@ -405,7 +405,7 @@ _ROOM_S = 0.2
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Sensation:
-    """Levels above the threshold of detection, of the loudest 100 ms.
+    """Levels above the detection threshold, of the loudest 100 ms.
 
     Attributes
     ----------

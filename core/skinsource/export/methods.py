@@ -81,7 +81,7 @@ def methods_of(design: Design, view: View, ready: PreparedStimulus) -> str:
     if len(tracks) > _MOST_INPUTS:
         described.append(f"and {counted(len(tracks) - _MOST_INPUTS, 'more input')}")
     through = "" if design.actuated is None else f", through {design.actuated.words}"
-    origin = "computed from a model" if facts.synthetic else "from measured responses"
+    origin = "from modelled responses" if facts.synthetic else "from measured responses"
     level = f"{level_db:.1f}".replace("-", "\N{MINUS SIGN}")
     return " ".join(
         (

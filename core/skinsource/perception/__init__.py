@@ -1,4 +1,4 @@
-"""How far above the threshold of detection a vibration of the skin is.
+"""How far above the detection threshold a vibration of the skin is.
 
 The thresholds are of glabrous skin; most outputs lie on hairy or bony skin.  Masses and glue of
 accelerometers, temperature, age and force are not in the model, people differ by 6 to 10 dB, and

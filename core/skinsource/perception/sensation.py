@@ -1,4 +1,4 @@
-"""Sensation levels: how far each output is above the threshold of detection."""
+"""Sensation levels: how far each output is above the detection threshold."""
 
 from __future__ import annotations
 

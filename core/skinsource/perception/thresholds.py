@@ -179,7 +179,7 @@ AREA = NumberSpec(
     minimum=0.01,
     maximum=100.0,
     step=0.1,
-    hint="Moving area: 2.9 cm² for spreading waves; smaller raises the P threshold",
+    hint="Vibrating area: 2.9 cm² for spreading waves; smaller raises the P threshold",
 )
 TABLE = PlainSpec(label="Own thresholds")
 SOURCE = TextSpec(label="File of own thresholds", longest=200, one_line=True)

@@ -92,7 +92,7 @@ def decode(tree: Tree, kinds: tuple[type, ...], at: Address) -> Any:
         missing.
     """
     if not isinstance(tree, dict) or not isinstance(tree.get(KIND), str):
-        raise FileFormatError(f"{at} is {quoted(tree)}, expected a recipe. {_DAMAGED}")
+        raise FileFormatError(f"{at} is {quoted(tree)}, expected a value with its kind. {_DAMAGED}")
     at.check_depth()
     kind = next((kind for kind in kinds if kind.__name__ == tree[KIND]), None)
     if kind is None:

@@ -310,7 +310,7 @@ def _box_plot(groups: Sequence[tuple[str, Floats]]) -> str:
         )
     shapes.append(
         f"<text x='{(_LEFT + _WIDTH) / 2}' y='{_HEIGHT - 3}' text-anchor='middle'>"
-        "Main frequency (Hz)</text>"
+        "Peak frequency (Hz)</text>"
     )
     return (
         f"<svg width='{_WIDTH:g}' height='{_HEIGHT:g}' font-size='12' font-family='sans-serif' "

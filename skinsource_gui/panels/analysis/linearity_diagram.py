@@ -197,7 +197,7 @@ def _overlay(
         for rank in range(len(rows))
         for k in range(n)
     )
-    axis = _symmetric_axis(y, f"Divided ({unit.divided_by})")
+    axis = _symmetric_axis(y, f"Normalised ({unit.divided_by})")
     return Diagram(x=_time_axis(x), y=axis, curves=over)
 
 
@@ -263,7 +263,7 @@ def diagrams_of_superposition(
     )
     axis = _symmetric_axis(both, "Joint (m/s²)")
     return (
-        Diagram(x=_time_axis(x), y=_symmetric_axis(joint, "Both (m/s²)"), curves=over),
+        Diagram(x=_time_axis(x), y=_symmetric_axis(joint, "Sum and joint (m/s²)"), curves=over),
         Diagram(x=Axis(shown=axis.shown, title="Sum of separate (m/s²)"), y=axis, curves=against),
     )
 
@@ -286,20 +286,20 @@ def part_text(
 def proportion_text(result: Proportion, all_outputs: Straightness | None = None) -> str:
     """Return the result in a sentence."""
     difference = _difference_text(result.largest_difference)
-    text = f"{len(result.strengths)} strengths, divided by them: {difference}"
+    text = f"{len(result.strengths)} strengths, responses divided by them: {difference}"
     r2 = (result if all_outputs is None else all_outputs).adjusted_r2
     known, whose = r2[np.isfinite(r2)], "" if all_outputs is None else f" of all {len(r2)} outputs"
     if not known.size:  # A short response may have no frequency in the band of its limb.
         return text
-    return f"{text} · adjusted R²{whose} in bands of 2 Hz {known.min():.6f} at least"
+    return f"{text} · adjusted R²{whose} in bands of 2 Hz ≥ {known.min():.6f}"
 
 
 def superposition_text(result: Superposition) -> str:
     """Return the result in a sentence."""
     known = result.correlation[np.isfinite(result.correlation)]
-    correlation = f" · r {known.min():.6f} at least" if known.size else ""
+    correlation = f" · r ≥ {known.min():.6f}" if known.size else ""
     difference = _difference_text(result.largest_difference)
-    return f"Sum of separate and joint, wide and thin: {difference}{correlation}"
+    return f"Sum of separate responses (wide) and joint response (thin): {difference}{correlation}"
 
 
 def _difference_text(difference: float) -> str:

@@ -38,7 +38,7 @@ class MainAxisContent:
         if np.isnan(main_axes.share[rank]):
             return f"{start}: silent"
         if main_axes.none[rank]:
-            return f"{start}: no main axis"
+            return f"{start}: no principal axis"
         direction = ", ".join(
             f"{axis} {part:+.2f}"
             for axis, part in zip(self.axes, main_axes.direction[rank], strict=True)
@@ -52,7 +52,7 @@ class MainAxisPicture(Figure):
     """For each output its ellipse in each plane of two axes, and the main axis through it."""
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__("main_axis_picture", "Main axes", parent)
+        super().__init__("main_axis_picture", "Principal axes", parent)
         self.content: MainAxisContent | None = None
         self._cells: list[tuple[QRectF, int]] = []
 
@@ -108,12 +108,12 @@ class MainAxisPicture(Figure):
         if np.isnan(main_axes.share[rank]):
             text = "silent"
         elif main_axes.none[rank]:
-            text = "no main axis"
+            text = "no principal axis"
         else:
             text = f"{main_axes.share[rank]:.0%}"
         painter.setPen(theme.output_colour(rank))
         painter.drawText(head, Qt.AlignmentFlag.AlignLeft, f"{number}")
-        painter.setPen(QtGui.QColor(theme.warning if text == "no main axis" else theme.dim))
+        painter.setPen(QtGui.QColor(theme.warning if text == "no principal axis" else theme.dim))
         painter.drawText(head, Qt.AlignmentFlag.AlignRight, text)
         planes = tuple(combinations(range(len(content.axes)), 2))
         each = place.width() / len(planes)
@@ -174,16 +174,16 @@ def _cell_size(room: QRectF, count: int, n_planes: int, line: float) -> tuple[fl
     return best
 
 
-_SINGLE = "A single axis has no main axis: choose two or three axes above"
-_ALONG_ONE = "A single axis has no main axis, and this limb was measured along one only"
-_ABOUT = "Ellipses of one standard deviation; the line is the main axis"
+_SINGLE = "A single axis has no principal axis: choose two or three axes above"
+_ALONG_ONE = "A single axis has no principal axis, and this limb was measured along one only"
+_ABOUT = "Ellipses of one standard deviation; the line is the principal axis"
 _OWN_AXES = "x and y are local to each sensor"
 
 
 class MainAxisView(FigureView):
     """The ellipse of motion of each selected output, and its main axis where it has one."""
 
-    title: ClassVar[str] = "Main axis"
+    title: ClassVar[str] = "Principal axis"
     name: ClassVar[str] = "main_axis"
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:

@@ -81,18 +81,18 @@ def _listed(weighted: tuple[tuple[int, float], ...], between: str) -> str:
 
 _TITLES = {"P": "P\ndB", "NP I": "NP I\ndB", "own": "Own\ndB"}
 _HINTS = {
-    "P": "Above the threshold of the Pacinian channel, which governs fast vibrations",
-    "NP I": "Above the threshold of the channel NP I, which governs slow ones and the arm",
+    "P": "Above the threshold of the Pacinian channel, which governs high frequencies",
+    "NP I": "Above the threshold of channel NP I, for low frequencies and the arm",
     "own": "Above the thresholds of your own table",
 }
 
 
 def header(sensation: Sensation) -> list[tuple[str, str]]:
     """Return titles and hints of the columns."""
-    columns = [("Output", "Number and place"), ("Above\ndB", "Above the lowest threshold")]
+    columns = [("Output", "Number and place"), ("SL\ndB", "Sensation level (lowest threshold)")]
     columns += [(_TITLES[name], _HINTS[name]) for name in sensation.by_channel]
     if sensation.strength is not None:
-        hint = "Larger channel plus half the smaller one; for comparisons on one limb"
+        hint = "Perceived intensity: larger channel plus half the smaller; compares on one limb"
         columns.append(("Strength", hint))
     return columns
 
@@ -159,7 +159,7 @@ class PerceptionView(OutputTableView):
     name: ClassVar[str] = "perception"
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__("Levels above threshold", parent)
+        super().__init__("Sensation levels", parent)
         self.setMinimumSize(240, 160)
         self.settings = PerceptionSettings()
         self._sensation: Sensation | None = None
@@ -171,7 +171,7 @@ class PerceptionView(OutputTableView):
         self._folder = Path()
         self.area = NumberField(AREA, widest_unit="cm²")
         LetterWidth(self.area, _MOST_AREA_PX, at_most=True)
-        self.area_label = QtWidgets.QLabel("Moving area")
+        self.area_label = QtWidgets.QLabel("Vibrating area")
         self.area_label.setBuddy(self.area)
         set_tone(self.area_label, "dim")
         self.own = tool_button(self, "perception_own", "Own thresholds…")
@@ -294,4 +294,4 @@ def _limits(settings: PerceptionSettings, sensation: Sensation | None, matched: 
     if sensation is None or sensation.band_hz is None:
         return text
     low_hz, high_hz = sensation.band_hz
-    return f"{text} What lies from {low_hz:g} to {high_hz:g} Hz counts."
+    return f"{text} Only {low_hz:g} to {high_hz:g} Hz counts."

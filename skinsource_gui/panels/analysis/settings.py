@@ -40,22 +40,22 @@ VIEWS: tuple[ViewSpec, ...] = (
     ViewSpec(
         name="wave",
         title="Wave speed",
-        answer="How fast does the wave travel along the selected outputs, and what does it lose?",
+        answer="How fast does the wave travel along the selected outputs, and how does it decay?",
     ),
     ViewSpec(
         name="main_axis",
-        title="Main axis",
+        title="Principal axis",
         answer="In which direction does the skin move most at each selected output?",
     ),
     ViewSpec(
         name="transfer",
-        title="Transfer",
+        title="Transfer function",
         answer="How does each selected output respond to the selected input at each frequency?",
     ),
     ViewSpec(
         name="perception",
         title="Perception",
-        answer="How far above the threshold of detection is each selected output?",
+        answer="How far above the detection threshold is each selected output?",
     ),
     ViewSpec(
         name="spectrogram",
@@ -65,7 +65,7 @@ VIEWS: tuple[ViewSpec, ...] = (
     ViewSpec(
         name="linearity",
         title="Linearity",
-        answer="Are outputs proportional to inputs, and do inputs add up?",
+        answer="Do responses scale linearly with inputs, and do they superpose?",
     ),
     ViewSpec(
         name="windowed",
@@ -100,7 +100,7 @@ class TransferSettings(fields.CheckedModel):
 
 VELOCITY = SwitchSpec(
     label="In mm/s",
-    hint="Give strengths as the largest probe velocity, not the amplitude",
+    hint="Give strengths as peak probe velocity, not amplitude",
 )
 BANDS = SwitchSpec(
     label="By band",

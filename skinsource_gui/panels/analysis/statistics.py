@@ -25,8 +25,8 @@ COLUMNS = (
     ("Output", "Number and place of the output"),
     ("RMS\nm/s²", "RMS over the time that Levels names"),
     ("Peak\nm/s²", "Largest magnitude of the signal, over the whole record"),
-    ("Crest", "Peak over RMS"),
-    ("Main\nHz", "Frequency with the most power along the chosen axes"),
+    ("Crest", "Crest factor: peak over RMS"),
+    ("Main\nHz", "Peak frequency: most power along the chosen axes"),
     (
         "Delay\nms",
         f"From first input to {BEGUN_SHARE:.0%} of the peak; includes pre-trigger unless removed",

@@ -109,7 +109,7 @@ _OF_SNAPSHOTS = (
     (
         "match",
         "Match levels",
-        "Make their loudest outputs equally loud",
+        "Give their loudest outputs the same level",
         "match_levels",
     ),
     ("toggle", "A/B (X)", "Show the other one of the last two", "toggle_snapshots"),

@@ -10,7 +10,7 @@ from skinsource.specs.spec import ChoiceSpec, SwitchSpec, TextSpec
 #: Shown in slow motion.
 MOTION = "motion"
 OF = ChoiceSpec(
-    label="Of",
+    label="Compared",
     options=(
         ("snapshots", "Snapshots"),
         ("limbs", "Limbs"),

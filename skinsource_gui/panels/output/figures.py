@@ -123,12 +123,12 @@ _ROWS = (
     ("Displacement", "peak_displacement_m", "m", "displacement_m"),
     ("Peak voltage", "peak_voltage_v", "V", "peak_voltage_v"),
     ("RMS voltage", "rms_voltage_v", "V", "rms_voltage_v"),
-    ("Slew", "slew_v_per_s", "V/s", "slew_v_per_s"),
+    ("Slew rate", "slew_v_per_s", "V/s", "slew_v_per_s"),
     ("Peak current", "peak_current_a", "A", "peak_current_a"),
     ("RMS current", "rms_current_a", "A", "rms_current_a"),
     ("Mean power", "mean_power_w", "W", None),
-    ("Duty", "duty", "%", "duty"),
-    ("Warming", "temperature_rise_k", "K", None),
+    ("Duty cycle", "duty", "%", "duty"),
+    ("Temperature rise", "temperature_rise_k", "K", None),
 )
 
 

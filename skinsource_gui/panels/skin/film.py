@@ -150,7 +150,7 @@ PART = ChoiceSpec(
     options=((ON_SCREEN, "As on screen"), (HAND, "Hand"), (WHOLE, "Hand and arm")),
     hint="Part of the map to film",
 )
-PACE = replace(PLAY_PACE, hint="Speed of time in the film")
+PACE = replace(PLAY_PACE, hint="Speed of the film, relative to real time")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

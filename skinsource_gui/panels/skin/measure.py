@@ -194,7 +194,7 @@ class MeasureLine(QtWidgets.QWidget):
         short_unit = self._content.quantity.matched or unit.split(" ")[0]
         combined = self._settings.quantity in (LEVELS, RMS)
         shorter = label_of(AXES, self._view.axes).title if combined else signal.split(" t")[0]
-        brief = what.replace("Above t", "T")
+        brief = what.replace("Sensation level", "Sensation")
         shortened = (
             (what, signal, over, unit),
             (what, signal, over, short_unit),

@@ -17,7 +17,7 @@ from skinsource_gui.plots.small_map import MAP_RANGE, LevelStyle
 
 #: Levels; acceleration along z, with its sign; its magnitude; its RMS over a sliding window.
 LEVELS, Z, MAGNITUDE, RMS = "levels", "z", "magnitude", "rms"
-#: Level above the threshold of detection.
+#: Level above the detection threshold.
 SENSATION = "sensation"
 #: Quantities that are the same at any time.
 STILL = (LEVELS, SENSATION)
@@ -75,7 +75,7 @@ class MapQuantity:
         if self.name == LEVELS:
             return "RMS", self.signal, f"{span_label(self.span)}{self._length}", self.unit
         if self.name == SENSATION:
-            return "Above threshold", self.signal, "loudest 100 ms", self.unit
+            return "Sensation level", self.signal, "loudest 100 ms", self.unit
         over = f"RMS over {self.window_s * 1e3:g} ms" if self.name == RMS else ""
         return "Animation", self.signal, over, self.unit
 
@@ -91,7 +91,7 @@ class MapQuantity:
         if self.name == LEVELS:
             return f"Skin acceleration, {level_label(self.span)}{self._length}"
         if self.name == SENSATION:
-            return "Level above the threshold of detection, loudest 100 ms"
+            return "Sensation level, loudest 100 ms"
         titles = {
             Z: "Skin acceleration along z",
             MAGNITUDE: "Magnitude of skin acceleration",
@@ -104,7 +104,7 @@ class MapQuantity:
         if self.name == LEVELS:
             return level_text(value, self.span)
         if self.name == SENSATION:
-            return minus(f"{value:+z.1f} dB re the threshold of detection")
+            return minus(f"{value:+z.1f} dB above the detection threshold")
         if self.name == Z:
             return minus(f"{value:+.3g} m/s² along z")
         amount = 10.0 ** (value / 20.0)
@@ -124,12 +124,12 @@ QUANTITY = ChoiceSpec(
     label="Shown",
     options=(
         (LEVELS, "RMS"),
-        (SENSATION, "Above threshold"),
+        (SENSATION, "Sensation level"),
         (Z, "Animation: z acceleration"),
         (MAGNITUDE, "Animation: magnitude"),
         (RMS, "Animation: sliding RMS"),
     ),
-    hint="RMS level, level above threshold, or acceleration at the playhead",
+    hint="RMS level, sensation level, or acceleration at the playhead",
 )
 RMS_WINDOW = NumberSpec(
     label="Window",
@@ -155,7 +155,7 @@ class SkinSettings(LevelStyle):
     map_style, sensors_shown
         ``"interpolated"`` or ``"sensors"``; whether sensors are marked on the interpolated map.
     sensation_range_db
-        As ``map_range_db``, of levels above threshold.
+        As ``map_range_db``, of sensation levels.
     quantity
         What is shown: levels, or what the skin does at the playhead.
     rms_window_s

@@ -299,7 +299,7 @@ def _axis_notes(outputs: tuple[int, ...]) -> tuple[str, ...]:
         return ()
     names = ", ".join(map(str, outputs))
     return (
-        f"no main axis at {names}: all directions move equally, and the one shown is arbitrary",
-        f"no main axis at {names}",
-        "some have no main axis",
+        f"no principal axis at {names}: motion is equal in all directions, the one shown arbitrary",
+        f"no principal axis at {names}",
+        "some have no principal axis",
     )

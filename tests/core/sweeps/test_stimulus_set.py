@@ -124,4 +124,4 @@ def test_the_command_writes_what_the_function_writes(design, tmp_path, capsys):
     assert content_of(out) == content_of(tmp_path / "own")
     capsys.readouterr()
     assert main([*call[:4], "--vary", "location = 7, 12"]) == 1
-    assert "no TOML" in capsys.readouterr().err
+    assert "not TOML" in capsys.readouterr().err

@@ -198,7 +198,7 @@ def test_transfer_functions_are_of_the_selected_input(show, window, settle):
 
 def test_a_single_axis_has_no_main_axis_and_circles_say_so(show, window, settle):
     panel = show("main_axis", axes="z")
-    assert panel.figure.message.startswith("A single axis has no main axis")
+    assert panel.figure.message.startswith("A single axis has no principal axis")
     window.document.look(replace(window.document.view, axes="xyz"))
     settle()
     shown = panel.picture.content
@@ -207,7 +207,7 @@ def test_a_single_axis_has_no_main_axis_and_circles_say_so(show, window, settle)
     assert panel.note_label.whole.startswith("20 III nail rad.: x ")
     none = replace(shown.main_axes, none=np.ones(4, bool))
     panel.picture.show_axes(replace(shown, main_axes=none))
-    assert panel.picture.content.text_of(0) == "20 III nail rad.: no main axis"
+    assert panel.picture.content.text_of(0) == "20 III nail rad.: no principal axis"
     header, first, *_ = panel.table_text().splitlines()
     assert dict(zip(header.split("\t"), first.split("\t"), strict=True))["main_axis"] == "no"
 

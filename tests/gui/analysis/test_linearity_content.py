@@ -97,7 +97,7 @@ def test_a_response_without_a_frequency_in_its_band_has_no_straightness_to_tell(
     *_, straight = diagrams_of_proportion(fits, ROWS, TIME_S[:30], None, of_amplitudes("×"))
     assert straight.x.shown[1] > 0.0
     least = np.nanmin(bent().adjusted_r2)
-    assert f"R² in bands of 2 Hz {least:.6f} at least" in proportion_text(bent())
+    assert f"R² in bands of 2 Hz ≥ {least:.6f}" in proportion_text(bent())
 
 
 def test_the_sum_is_wide_below_the_joint_response_and_they_are_held_against_each_other():

@@ -89,7 +89,7 @@ def test_snapshots_count_alone_where_the_design_in_the_window_is_something_else(
     assert head == "output\taxis\tpearson_r"
     assert [row.split("\t")[:2] for row in rows] == [["20", "z"], ["26", "z"]]
     assert [float(row.split("\t")[2]) for row in rows] == pytest.approx([1.0, 1.0])
-    assert "Sum of separate and joint" in panel.note_label.whole
+    assert "Sum of separate responses" in panel.note_label.whole
     assert "alone" not in panel.about.whole
     result = panel.result
     window.document.edit("Elsewhere", played(3))
@@ -235,7 +235,7 @@ def test_strengths_are_velocities_of_the_probe_where_these_are_known(show, qtbot
     settings = settings_of(window.document.view, "linearity", LinearitySettings)
     assert settings.velocity
     over, growth, _ = panel.picture.diagrams
-    assert over.y.title == "Divided (m/s² per mm/s)"
+    assert over.y.title == "Normalised (m/s² per mm/s)"
     assert growth.x.title == "Probe velocity (mm/s)"
     assert growth.curves[0].x == pytest.approx(1e3 * np.array(fastest))
     assert over.curves[0].y * 1e3 * fastest[0] == pytest.approx(divided)

@@ -32,7 +32,7 @@ def test_the_panel_shows_levels_limits_and_the_contact(window, settle, tmp_path)
     settle()
     panel = window.panel("analysis").view
     assert panel.table.model().rowCount() == 3
-    assert panel.limits.text() == f"{LIMITS} What lies from 25 to 600 Hz counts."
+    assert panel.limits.text() == f"{LIMITS} Only 25 to 600 Hz counts."
     assert "not perception" in panel.contact.text()
     assert "place 7" in panel.contact.text()
     numbers, contacts = copied(window).split("\n\n")

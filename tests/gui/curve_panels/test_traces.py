@@ -125,7 +125,7 @@ def test_a_problem_empties_the_picture_until_there_are_results(show):
 def test_outputs_without_a_main_axis_are_named_in_the_plot(show):
     panel = show(View(axes="xyz", method="pca", outputs=(29, 52)), without_axis=(29,))
     assert "selected_without_main_axis" in panel.needs
-    assert "no main axis at 29" in header_of(panel).notes[0]
+    assert "no principal axis at 29" in header_of(panel).notes[0]
 
 
 @pytest.mark.parametrize(("until_s", "unit"), [(0.999, "ms"), (1.0, "s")])

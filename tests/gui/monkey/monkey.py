@@ -235,7 +235,7 @@ class Monkey:
         )
 
     def _show_levels(self) -> None:
-        """Where the map is covered, or shows the skin in time or in motion, have it show levels again."""
+        """Have the map show levels again, where it is covered, in time or in motion."""
         if self.window.panel("skin").map.content.message == "Covered":
             self.window.do("cover_map")
         view = self.document.view

@@ -53,11 +53,11 @@ def test_the_figures_are_those_of_the_selected_input_through_the_equaliser(panel
     # The band-limited tone of 10 m/s² moves the contactor by 10 m/s².
     assert number(panel, "Peak acceleration") == pytest.approx(10.0, rel=0.03)
     assert number(panel, "Peak velocity") == pytest.approx(1e3 * 10.0 / (2 * np.pi * 100), rel=0.1)
-    assert figures(panel)["Duty"].value == "100 %"
+    assert figures(panel)["Duty cycle"].value == "100 %"
     coil = ss.actuators.load("example-voice-coil")
     volts = 10.0 / abs(coil.response(100.0))
     assert number(panel, "Peak voltage") == pytest.approx(volts, rel=0.1)
-    assert "Warming" not in figures(panel)
+    assert "Temperature rise" not in figures(panel)
 
 
 def test_figures_follow_edits_and_settings_and_are_red_beyond_a_limit(window, panel, qtbot):

@@ -155,7 +155,7 @@ def test_strengths_of_snapshots_are_told_in_it(limbs, open_window, qtbot, limb, 
     qtbot.waitUntil(lambda: panel.result is not None and not window.engine.busy, **WAIT)
     over, growth, _ = panel.picture.diagrams
     assert growth.x.title == f"Strength ({unit})"
-    assert over.y.title == f"Divided (m/s² per {unit})"
+    assert over.y.title == f"Normalised (m/s² per {unit})"
     assert panel.velocity.isHidden() is (limb == DRIVE)
 
 

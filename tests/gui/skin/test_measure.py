@@ -26,9 +26,9 @@ def test_the_words_say_what_is_shown_and_their_menus_change_it(window):
     choose(line.span, "Loudest 100 ms")
     assert (window.view.axes, window.view.method, window.view.span) == ("xy", "soc", "loudest")
     assert words(window) == ["RMS", "x, y, sum of components", "loudest 100 ms"]
-    choose(line.quantity, "Above threshold")
+    choose(line.quantity, "Sensation level")
     assert window.settings.quantity == SENSATION
-    assert words(window)[0] == "Above threshold"
+    assert words(window)[0] == "Sensation level"
     # Its axes and window are its own: nothing is offered that it would not follow.
     assert words(window)[1:] == ["x, y, z together", "loudest 100 ms"]
     assert not line.span.isEnabled()

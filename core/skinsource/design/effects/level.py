@@ -78,7 +78,7 @@ OUT = NumberSpec(
 SHAPE = ChoiceSpec(
     label="Shape",
     options=(("straight", "Straight"), ("smooth", "Smooth"), ("equal power", "Equal power")),
-    hint="Equal power: crossfaded clips keep their energy",
+    hint="Equal power: uncorrelated clips keep their energy in a crossfade",
 )
 
 # A shorter fade is none.

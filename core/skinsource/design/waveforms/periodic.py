@@ -20,7 +20,7 @@ from skinsource.specs.numbers import NumberSpec
 # A slower wave would be a few edges, for which clips of their own do better.
 FUNDAMENTAL = replace(FREQUENCY, minimum=1.0)
 DUTY = NumberSpec(
-    label="Duty", minimum=0.01, maximum=0.99, step=0.01, hint="Share of each period that is high"
+    label="Duty cycle", minimum=0.01, maximum=0.99, step=0.01, hint="High share of each period"
 )
 
 

@@ -94,7 +94,7 @@ MODULATOR = replace(
     label="Modulator",
     minimum=0.1,
     measured_band_hz=None,
-    hint="Swells per second",
+    hint="Modulation frequency: swells per second",
 )
 DEPTH = NumberSpec(
     label="Depth", minimum=0.0, maximum=1.0, step=0.01, hint="1: down to silence; 0: a plain tone"
@@ -230,7 +230,7 @@ END = replace(FREQUENCY, label="To", hint="Frequency at the end; a lower one fal
 LAW = ChoiceSpec(
     label="Law",
     options=(("linear", "Linear"), ("logarithmic", "Logarithmic")),
-    hint="Linear: equal steps in Hz in equal times; logarithmic: equal factors",
+    hint="Linear: equal steps in Hz in equal times; logarithmic: equal ratios",
 )
 
 

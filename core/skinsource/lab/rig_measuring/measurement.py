@@ -95,7 +95,7 @@ LEVEL = NumberSpec(
     unit="dB",
     minimum=LOWEST_DB,
     maximum=min(HIGHEST_DB, 0.0),
-    hint="Of full scale; a sweep 20 dB weaker comes first",
+    hint="Re full scale; a sweep 20 dB weaker comes first",
 )
 SWEEP = NumberSpec(label="Sweep", unit="s", minimum=1.0, maximum=60.0, hint="Length of each sweep")
 REPEATS = NumberSpec(
@@ -331,9 +331,9 @@ class ChannelMeasurement:
         sentences = [
             f"Place {self.place}: {len(points)} points from {points[0][0]:.4g} to "
             f"{points[-1][0]:.4g} Hz{left_out}.",
-            f"Their standard error is {typical:.2g} % in the middle, at most {worst:.2g} %.",
+            f"Their standard error is {typical:.2g} % (median), at most {worst:.2g} %.",
             f"The delay from output to input is {self.delay_s * 1e3:.2f} ms, measured from {by}; "
-            "the response is without it.",
+            "it is removed from the response.",
             *self._clocks,
             f"At the input: peak {self.peak_m_per_s2:.3g} m/s² ({self.peak_input_db:z.1f} dB of "
             f"full scale), noise {self.noise_m_per_s2:.2g} m/s² RMS.".replace("-", "\u2212"),
@@ -345,8 +345,8 @@ class ChannelMeasurement:
             )
         if self.misfit_rad > _DOUBTFUL_RAD:
             sentences.append(
-                f"Its phase is doubtful: {np.degrees(self.misfit_rad):.0f} degrees of it are "
-                "explained by neither gain nor delay. Wire a loop-back, or check the sensor."
+                f"Its phase is doubtful: gain and delay leave {np.degrees(self.misfit_rad):.0f}° "
+                "unexplained. Wire a loop-back, or check the sensor."
             )
         return tuple(sentences)
 
@@ -360,13 +360,13 @@ class ChannelMeasurement:
             clocks = "Their clocks agree."
         else:
             clocks = (
-                f"The clock of the input is {abs(ppm):.1f} millionths "
-                f"{'quicker' if ppm > 0.0 else 'slower'}, measured from the sweeps; the response "
+                f"The clock of the input is {abs(ppm):.1f} ppm "
+                f"{'faster' if ppm > 0.0 else 'slower'}, measured from the sweeps; the response "
                 "is corrected for it."
             )
         return (
             f"Output and input are two devices, {self.played_on} and {self.recorded_from}, which "
-            "begin when they can: the delay is that of this take alone.",
+            "start independently: the delay is that of this take alone.",
             clocks,
         )
 

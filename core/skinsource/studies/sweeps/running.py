@@ -173,12 +173,12 @@ def run(
         outcomes: dict[int, Metrics | str] = {} if folder is None else dict(folder.journal.rows)
         remaining = [number for number in range(1, len(plan) + 1) if number not in outcomes]
         measure = measuring or _measuring(len(remaining), processes)
-        progress(len(outcomes), len(plan), "Measuring")
+        progress(len(outcomes), len(plan), "Predicting")
         for number, row in measure(plan, remaining, stop):
             outcomes[number] = row
             if folder is not None:
                 folder.journal.add(number, row)
-            progress(len(outcomes), len(plan), f"Measured stimulus {number} of {len(plan)}")
+            progress(len(outcomes), len(plan), f"Predicted stimulus {number} of {len(plan)}")
         table = table_of(plan, outcomes)
         if folder is not None:
             folder.finish(wanted.plan, table, wanted.order, parquet=wanted.parquet)

@@ -218,7 +218,7 @@ def export_set(
     """
     plan = Plan(designs=(("", design),), variables=variables_of(vary))
     if len(plan) > MOST_CONDITIONS:
-        raise InvalidInputError(f"{len(plan)} files are more than {MOST_CONDITIONS}. Use fewer values.")
+        raise InvalidInputError(f"{len(plan)} files are more than {MOST_CONDITIONS}. Choose fewer.")
     kind, options = format_named(format), options or StimulusOptions()
     made_for: dict[str, Any] = {"actuation": actuation, "rig": rig, "equaliser": equaliser}
     prepare = partial(prepare_stimulus, format=kind, rate_hz=rate_hz, **made_for)

@@ -67,7 +67,7 @@ def measured(
             unfinished = [number for number in suspects or remaining if number in remaining]
             if suspects:
                 del remaining[unfinished[0]]
-                yield unfinished[0], "the process that measured it ended, twice"
+                yield unfinished[0], "the process that predicted it ended, twice"
                 suspects = unfinished[1:]
             else:
                 suspects = unfinished[:under_way]
