@@ -3,9 +3,9 @@
 from dataclasses import replace
 
 import numpy as np
-from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QMenu
 
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, track
@@ -84,6 +84,15 @@ class Bench:
 
     def key(self, key, modifiers=NONE):
         QTest.keyClick(QApplication.focusWidget(), key, modifiers)
+
+    def menu(self, name, show):
+        """Close a menu and have it shown anew; return its lines by their words."""
+        for menu in self.panel.findChildren(QMenu, name):
+            menu.close()
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        show()
+        (menu,) = self.panel.findChildren(QMenu, name)
+        return {action.text().split("\t")[0]: action for action in menu.actions() if action.text()}
 
     def _edit(self, outcome, gesture):
         if isinstance(outcome, Refusal):
@@ -183,6 +192,10 @@ class LanesBench(Bench):
             self.lanes.mouse.move(QPointF(_point(between)), held)
         if release:
             QTest.mouseRelease(view, LEFT, held, _point(end))
+
+    def menu_at(self, place):
+        """The lines of the menu of a place, by their words."""
+        return self.menu("lanes_menu", lambda: self.lanes.menu.open(QPoint(0, 0), place))
 
     def click(self, at, held=NONE):
         QTest.mouseClick(self.lanes.viewport(), LEFT, held, _point(at))
