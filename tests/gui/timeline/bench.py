@@ -1,11 +1,12 @@
 """A timeline without a studio, and what mouse and keys do on it."""
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
-from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QPointF, Qt
+from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMenu
+from PySide6.QtWidgets import QApplication
 
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, track
@@ -15,6 +16,7 @@ from skinsource.design.waveforms.pulses import Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.panels.timeline.heads import Heads
 from skinsource_gui.panels.timeline.panel import TimelinePanel
+from tests.gui.menus import lines_of
 
 LEFT, NONE = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
 CONTROL, SHIFT, ALT = (
@@ -84,15 +86,6 @@ class Bench:
 
     def key(self, key, modifiers=NONE):
         QTest.keyClick(QApplication.focusWidget(), key, modifiers)
-
-    def menu(self, name, show):
-        """Close a menu and have it shown anew; return its lines by their words."""
-        for menu in self.panel.findChildren(QMenu, name):
-            menu.close()
-        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-        show()
-        (menu,) = self.panel.findChildren(QMenu, name)
-        return {action.text().split("\t")[0]: action for action in menu.actions() if action.text()}
 
     def _edit(self, outcome, gesture):
         if isinstance(outcome, Refusal):
@@ -195,7 +188,8 @@ class LanesBench(Bench):
 
     def menu_at(self, place):
         """The lines of the menu of a place, by their words."""
-        return self.menu("lanes_menu", lambda: self.lanes.menu.open(QPoint(0, 0), place))
+        show = partial(self.lanes.menu.open, QPoint(0, 0), place)
+        return lines_of(self.panel, "lanes_menu", show)
 
     def click(self, at, held=NONE):
         QTest.mouseClick(self.lanes.viewport(), LEFT, held, _point(at))

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QContextMenuEvent, QMouseEvent
+from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QToolButton
 
@@ -19,6 +19,7 @@ from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.timeline.content import shown_gain_curves
 from skinsource_gui.qt.keys import key_text
 from skinsource_gui.qt.labels import how_to_add
+from tests.gui.menus import KEYBOARD, MOUSE, lines_at
 from tests.gui.timeline.bench import (
     ALT,
     CONTROL,
@@ -309,10 +310,9 @@ def test_the_way_back_of_a_drag_leads_where_it_began_also_from_a_limit():
 ALL = ("mute", "solo", "duplicate", "remove", "shift_up", "shift_down", "gain_curve")
 
 
-def menu_of(bench, index, reason=QContextMenuEvent.Reason.Mouse):
-    at, view = bench.place(index), bench.rows.viewport()
-    event = QContextMenuEvent(reason, at, view.mapToGlobal(at))
-    return bench.menu("inputs_menu", lambda: QApplication.sendEvent(view, event))
+def menu_of(bench, index, reason=MOUSE):
+    view = bench.rows.viewport()
+    return lines_at(bench.panel, "inputs_menu", view, bench.place(index), reason)
 
 
 def test_the_menu_is_about_the_row_under_the_pointer_and_each_line_does_what_it_says(bench):
@@ -335,7 +335,7 @@ def test_the_menu_is_about_the_row_under_the_pointer_and_each_line_does_what_it_
     menu_of(bench, 1)["Duplicate"].trigger()
     assert bench.places == [7, 2, 15, 2]
     # The menu key means the row that was selected last.
-    menu_of(bench, 0, QContextMenuEvent.Reason.Keyboard)["Remove"].trigger()
+    menu_of(bench, 0, KEYBOARD)["Remove"].trigger()
     assert bench.places == [7, 2, 15]
 
 
