@@ -62,24 +62,6 @@ def test_ctrl_a_selects_all_and_delete_removes_all_in_one_step(studio):
     assert len(studio.edits) == 1
 
 
-@pytest.mark.parametrize(
-    ("key", "selected", "left", "then"),
-    [
-        (KEY.Key_Delete, 0, [8, 9], 2),
-        (KEY.Key_Backspace, 1, [7, 9], 3),
-        (KEY.Key_Delete, 2, [7, 8], 2),
-    ],
-)
-def test_delete_removes_the_selected_input_and_selects_a_neighbour(
-    studio, key, selected, left, then
-):
-    studio.show(*(track(location=site) for site in (7, 8, 9)), selected=selected)
-    studio.keys(key)
-    assert studio.sites == left
-    assert studio.view.selected_input == then
-    assert len(studio.edits) == 1
-
-
 def test_the_menu_of_a_site_selects_mutes_solos_removes_and_adds(studio):
     studio.show(track(location=7), track(location=3), selected=0)
     studio.keys(KEY.Key_3)
