@@ -10,7 +10,7 @@ import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtGui import QCursor
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QWidget
 
 from skinsource_gui.pages.files import exports
 from skinsource_gui.qt.theme import LIGHT, apply_theme, current_theme
@@ -181,6 +181,23 @@ def make_desk(qtbot, preferences):
 def desk(make_desk):
     """A desk with the start design."""
     return make_desk()
+
+
+@pytest.fixture
+def answers(monkeypatch):
+    """Answer dialogs, those for files with a name, questions with a button; note the questions."""
+    given = {"open": "", "save": "", "question": QMessageBox.StandardButton.Cancel, "asked": []}
+
+    def question(_window, _title, text, *_):
+        given["asked"].append(text)
+        return given["question"]
+
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (given["open"], ""))
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (given["save"], ""))
+    monkeypatch.setattr(QMessageBox, "exec", lambda box: question(None, "", box.text()))
+    for kind in ("question", "warning"):
+        monkeypatch.setattr(QMessageBox, kind, question)
+    return given
 
 
 @pytest.fixture

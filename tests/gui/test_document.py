@@ -21,23 +21,6 @@ def document(qapp):
     return Document(ONE_TONE)
 
 
-def test_one_drag_is_one_undo_step(document):
-    for frequency_hz in range(101, 121):
-        document.edit("Change frequency", with_frequency(document, frequency_hz), gesture=1)
-    assert document.design.inputs[0].clips[0].waveform.frequency_hz == 120.0
-    assert document.undo_stack.count() == 1
-    document.undo_stack.undo()
-    assert document.design is ONE_TONE
-    document.undo_stack.redo()
-    assert document.design.inputs[0].clips[0].waveform.frequency_hz == 120.0
-
-
-def test_edits_without_a_gesture_never_merge(document):
-    document.edit("f", with_frequency(document, 101.0))
-    document.edit("f", with_frequency(document, 102.0))
-    assert document.undo_stack.count() == 2
-
-
 def test_a_drag_that_comes_back_leaves_no_trace(document):
     document.edit("f", with_frequency(document, 101.0), gesture=1)
     document.edit("f", ONE_TONE, gesture=1)
@@ -84,19 +67,6 @@ def test_another_design_starts_with_an_empty_history(document):
     assert not document.modified
 
 
-def test_undo_and_redo_bring_back_the_selection_that_belonged_to_the_edit(document):
-    document.edit("add", document.design.adding(track(location=3)))
-    document.edit("add", document.design.adding(track(location=9)))
-    document.look(View(selected_inputs=(3,)))
-    document.edit("delete", document.design.without_input(2))
-    assert document.view.selected_input == 2
-    document.look(View(selected_inputs=(1,)))
-    document.undo_stack.undo()
-    assert document.view.selected_inputs == (3,)  # the one that came back
-    document.undo_stack.redo()
-    assert document.view.selected_inputs == (2,)
-
-
 def test_undo_leaves_what_is_only_looked_at(document):
     document.edit("add", document.design.adding(track(location=3)))
     panels = (("skin", (("map_style", "sensors"),)),)
@@ -119,29 +89,6 @@ def test_each_choice_of_outputs_is_a_step_and_no_edit_of_the_design(document):
     for outputs in ((1, 2), (1,), View().outputs):
         document.undo_stack.undo()
         assert document.view.outputs == outputs
-
-
-def test_whoever_selects_another_input_ends_the_gesture(document):
-    document.edit("add", document.design.adding(track(location=3)))
-    document.edit("a", document.design.with_input(0, amplitude=2.0), gesture=7)
-    document.edit("a", document.design.with_input(0, amplitude=3.0), gesture=7)
-    assert document.undo_stack.count() == 2
-    document.look(replace(document.view, selected_inputs=(2,)))
-    document.edit("a", document.design.with_input(1, amplitude=2.0), gesture=7)
-    document.edit("a", document.design.with_input(1, amplitude=3.0), gesture=7)
-    assert document.undo_stack.count() == 3
-    document.undo_stack.undo()
-    assert [track.amplitude for track in document.design.inputs] == [3.0, 1.0]
-
-
-def test_what_was_taken_back_in_the_middle_of_a_gesture_is_not_joined_to_what_follows(document):
-    document.edit("f", with_frequency(document, 101.0), gesture=7)
-    document.edit("f", with_frequency(document, 102.0), gesture=8)
-    document.undo_stack.undo()
-    document.edit("f", with_frequency(document, 103.0), gesture=8)
-    assert [document.undo_stack.text(k) for k in range(document.undo_stack.count())] == ["f", "f"]
-    document.undo_stack.undo()
-    assert document.design.inputs[0].clips[0].waveform.frequency_hz == 101.0
 
 
 def test_going_to_a_step_tells_once_and_undoes_or_redoes_all_between(document):

@@ -143,28 +143,38 @@ class History:
 
     def __init__(self, document):
         self.document, self.stack = document, document.undo_stack
-        self.steps, self.done = [], 0
+        self.steps, self.gestures, self.done = [], [], 0
 
     @property
     def now(self):
         view = self.document.view
         return self.document.design, view.selected_inputs, view.selected_clips, view.outputs
 
+    @property
+    def _stored(self):
+        return {(each.number, each.design) for each in self.document.view.snapshots}
+
     def do(self, outcome, gesture):
-        before, index = self.now, self.stack.index()
+        before, stored = self.now, self._stored
         self.document.apply(outcome, gesture)
-        if self.stack.count() == self.stack.index():
-            # What was taken back before cannot be done again.
-            del self.steps[self.done :]
-        if self.stack.index() > index:
-            self.steps.append([before, self.now])
-            self.done += 1
-        elif self.stack.index() < index:
-            # A gesture that came back to where it began.
-            self.steps.pop()
-            self.done -= 1
-        elif self.done and (self.now[0], self.now[-1]) != (before[0], before[-1]):
+        design, *_, outputs = self.now
+        if (design, outputs) == (before[0], before[-1]) and stored <= self._stored:
+            return  # nothing was lost
+        # What was taken back before cannot be done again.
+        del self.steps[self.done :], self.gestures[self.done :]
+        last = self.steps[-1][1] if self.steps else None
+        if gesture and self.gestures[-1:] == [gesture] and last[:-1] == before[:-1]:
             self.steps[-1][1] = self.now
+        else:
+            self.steps.append([before, self.now])
+            self.gestures.append(gesture)
+        if self.stack.count() < len(self.steps):
+            # A gesture that came back to where it began.
+            first, now = self.steps.pop()
+            self.gestures.pop()
+            assert (first[0], first[-1]) == (now[0], now[-1])
+        self.done = len(self.steps)
+        assert self.stack.count() == self.stack.index() == self.done
 
     def undo(self):
         if self.done:

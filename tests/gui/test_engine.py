@@ -116,33 +116,6 @@ def test_each_slot_and_purpose_has_a_place_to_wait_and_showing_goes_first(
     assert evaluated == [0, 6, 4, 5, 1]
 
 
-def test_each_slot_has_a_graph_of_its_own_until_it_is_released(qtbot, qapp):
-    made = []
-
-    def new_graph():
-        made.append(Graph(answer))
-        return made[-1]
-
-    def answer(x):
-        return x
-
-    engine = Engine(new_graph)
-
-    def ask(x, slot):
-        engine.request(Request(frozenset({"answer"}), {"x": x}, slot=slot))
-        qtbot.waitUntil(lambda: not engine.busy)
-
-    for _ in range(3):
-        ask(1, FIRST_SLOT)
-        ask(2, SECOND_SLOT)
-    assert [graph.runs["answer"] for graph in made] == [1, 1]
-    engine.release(SECOND_SLOT)
-    ask(2, SECOND_SLOT)
-    ask(1, FIRST_SLOT)
-    assert [graph.runs["answer"] for graph in made] == [1, 1, 1]
-    engine.close()
-
-
 @pytest.mark.parametrize(
     ("purpose", "shown", "is_done"),
     [(Purpose.EXPORT, 2, True), (Purpose.CHECK, 2, False), (Purpose.CHECK, 1, True)],

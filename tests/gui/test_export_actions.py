@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QFileDialog, QLabel, QMessageBox, QProgressBar, QPushButton
+from PySide6.QtWidgets import QLabel, QMessageBox, QProgressBar, QPushButton
 
 from skinsource.base.errors import Stopped
 from skinsource.design.design import track
@@ -15,23 +15,7 @@ from skinsource.export.stimulus_export.preparing import size_text
 from skinsource_gui.pages.files.export_parts import preview_of
 from tests.gui.exporting import export, press, shown
 
-YES, NO = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.Cancel
-
-
-@pytest.fixture
-def answers(monkeypatch):
-    """Answer what dialogs would ask: where to, and questions; remember the questions."""
-    given = {"save": "", "question": NO, "asked": []}
-
-    def question(_window, title, text, *_):
-        given["asked"].append(text)
-        return given["question"]
-
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (given["save"], ""))
-    monkeypatch.setattr(QMessageBox, "question", question)
-    yield given
-    # The window is closed after this; what it asks then is whether to stop exporting.
-    given["question"] = YES
+YES = QMessageBox.StandardButton.Yes
 
 
 @pytest.fixture

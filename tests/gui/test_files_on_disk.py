@@ -15,29 +15,11 @@ from skinsource_gui.pages.files import file_actions
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.state.document import Document
 
-YES, CANCEL = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.Cancel
 OTHER = Design(limb="synthetic-2", inputs=(track(location=13),))
 
 
 @pytest.fixture
-def asked(monkeypatch):
-    """Questions that were asked; each is answered with ``asked.answer``."""
-
-    class Asked(list):
-        answer = CANCEL
-
-    questions = Asked()
-
-    def question(_window, _title, text, *_):
-        questions.append(text)
-        return questions.answer
-
-    monkeypatch.setattr(QMessageBox, "question", question)
-    return questions
-
-
-@pytest.fixture
-def opened(window, asked, tmp_path) -> Path:
+def opened(window, answers, tmp_path) -> Path:
     """A file that the window has open, with an edit that is not saved yet."""
     path = tmp_path / "shared.skinsource"
     save_design(path, Design(limb="synthetic-1", inputs=(track(location=4),)))
@@ -70,33 +52,33 @@ def test_opening_a_design_reads_its_file_once(window, tmp_path, monkeypatch):
     assert reads == [path]
 
 
-def test_a_file_that_another_program_changed_is_not_replaced_unasked(window, opened, asked):
+def test_a_file_that_another_program_changed_is_not_replaced_unasked(window, opened, answers):
     save_design(opened, OTHER)
     assert not window.files.save()
-    assert len(asked) == 1
-    assert "shared.skinsource was changed by another program" in asked[0]
+    assert len(answers["asked"]) == 1
+    assert "shared.skinsource was changed by another program" in answers["asked"][0]
     assert open_design(opened).design == OTHER
     assert window.document.modified
-    asked.answer = YES
+    answers["question"] = QMessageBox.StandardButton.Yes
     assert window.files.save()
     assert open_design(opened).design == window.document.design
     place(window)
     assert window.files.save()
-    assert len(asked) == 2
+    assert len(answers["asked"]) == 2
 
 
-def test_a_file_that_was_only_touched_is_saved_unasked(window, opened, asked):
+def test_a_file_that_was_only_touched_is_saved_unasked(window, opened, answers):
     content = opened.read_bytes()
     opened.unlink()
     opened.write_bytes(content)
     os.utime(opened, times=(1e9, 1e9))
     activate(window)
     assert window.files.save()
-    assert asked == []
+    assert answers["asked"] == []
     assert window.notice.text == ""
 
 
-def test_two_windows_on_one_file_notice_each_other(window, opened, asked, preferences, qtbot):
+def test_two_windows_on_one_file_notice_each_other(window, opened, answers, preferences, qtbot):
     frame, document = QWidget(), Document(OTHER)
     qtbot.addWidget(frame)
     other = FileActions(document, preferences, frame, lambda: b"")
@@ -109,7 +91,7 @@ def test_two_windows_on_one_file_notice_each_other(window, opened, asked, prefer
     assert [track.location for track in open_design(opened).design.inputs] == [4, 9]
 
 
-def test_a_design_whose_file_was_deleted_counts_as_modified(window, opened, asked):
+def test_a_design_whose_file_was_deleted_counts_as_modified(window, opened, answers):
     assert window.files.save()
     assert not window.document.modified
     opened.unlink()
@@ -118,19 +100,19 @@ def test_a_design_whose_file_was_deleted_counts_as_modified(window, opened, aske
     assert window.isWindowModified()
     assert f"shared.skinsource is no longer in {opened.parent}" in window.notice.text
     window.files.new()
-    assert len(asked) == 1
+    assert len(answers["asked"]) == 1
     assert window.document.path == opened
     assert window.files.save()
     assert not window.document.modified
     assert opened.exists()
 
 
-def test_closing_looks_once_more_whether_the_file_is_there(window, opened, asked):
+def test_closing_looks_once_more_whether_the_file_is_there(window, opened, answers):
     assert window.files.save()
     opened.unlink()
     window.close()
-    assert len(asked) == 1
+    assert len(answers["asked"]) == 1
     assert window.isVisible()
-    asked.answer = QMessageBox.StandardButton.Discard
+    answers["question"] = QMessageBox.StandardButton.Discard
     window.close()
     assert not window.isVisible()

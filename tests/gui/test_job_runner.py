@@ -67,19 +67,6 @@ def test_orders_are_carried_out_one_after_another_away_from_this_thread(qtbot, j
     assert QThread.currentThread() not in writers[0].threads + writers[1].threads
 
 
-def test_cancel_stops_the_present_order_alone(qtbot, jobs, tmp_path):
-    first, second = Writer(), Writer()
-    jobs.add(order(tmp_path / "a", first))
-    jobs.add(order(tmp_path / "b", second))
-    assert first.started.wait(5)
-    jobs.cancel()
-    qtbot.waitUntil(second.started.is_set)
-    second.go_on.set()
-    qtbot.waitUntil(lambda: not jobs.busy)
-    assert jobs.ends == [("cancelled", "a"), ("done", "b")]
-    assert not (tmp_path / "a").exists()
-
-
 def test_cancelling_shows_at_once_even_where_clearing_away_takes_long(qtbot, jobs, tmp_path):
     writer = Writer()
     writer.cleared = threading.Event()
@@ -106,16 +93,6 @@ def test_a_cancel_that_comes_too_late_says_that_the_file_was_written(qtbot, jobs
     jobs.cancel()
     qtbot.waitUntil(lambda: not jobs.busy)
     assert jobs.ends == [("done", "a")]
-
-
-def test_a_failing_order_tells_why_and_the_next_one_begins(qtbot, jobs, tmp_path):
-    first, second = Writer(), Writer()
-    first.error = ValueError("why")
-    for name, writer in (("a", first), ("b", second)):
-        writer.go_on.set()
-        jobs.add(order(tmp_path / name, writer))
-    qtbot.waitUntil(lambda: not jobs.busy)
-    assert jobs.ends == [("why", "a"), ("done", "b")]
 
 
 def test_closing_forgets_all_orders_and_waits_for_the_thread(jobs, tmp_path):

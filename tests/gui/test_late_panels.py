@@ -7,7 +7,6 @@ from PySide6.QtWidgets import QApplication
 
 from skinsource.design import edits
 from skinsource_gui.shell.workspaces import WORKSPACES
-from skinsource_gui.state.panel import Panel, PanelRegistry
 from tests.gui.analysis.analysis_bench import analysis
 
 
@@ -65,24 +64,6 @@ def test_a_hidden_panel_is_told_nothing_and_takes_over_what_is_now_when_it_is_sh
     window.docks["inspector"].hide()
     window.docks["inspector"].bring_forward()
     assert len(states) == 1
-
-
-def test_each_panel_is_met_once_whenever_it_is_made(qapp):
-    class One(Panel):
-        name = "one"
-
-    class Other(Panel):
-        name = "other"
-
-    panels, met = PanelRegistry({"one": One, "other": Other}), []
-    panels["other"]
-    panels.each(lambda panel: met.append(panel.name))
-    assert met == ["other"]
-    panels["one"], panels["other"]
-    assert met == ["other", "one"]
-    assert [panel.name for panel in panels] == ["one", "other"]
-    assert "one" in panels
-    assert "third" not in panels
 
 
 _Type = QEvent.Type

@@ -96,21 +96,6 @@ def turned(x, y, held=HELD.NoModifier, at_px=60.0, whole_s=(0.0, 1.0)):
 
 
 @pytest.mark.parametrize(
-    ("turn", "held"),
-    [
-        ((0, 120), HELD.NoModifier),
-        ((0, 120), HELD.ControlModifier),
-        ((120, 0), HELD.ControlModifier),
-    ],
-)
-def test_a_notch_zooms_around_the_pointer(qapp, turn, held):
-    low, high = turned(*turn, held)
-    assert high - low == pytest.approx(0.2 / 1.2)
-    # A quarter of the width lies left of the pointer, before and after.
-    assert low + 0.25 * (high - low) == pytest.approx(0.45)
-
-
-@pytest.mark.parametrize(
     ("turn", "held"), [((0, -120), HELD.ShiftModifier), ((-120, 0), HELD.NoModifier)]
 )
 def test_with_shift_or_sideways_it_goes_along_the_time(qapp, turn, held):

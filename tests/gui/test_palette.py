@@ -1,5 +1,4 @@
 from collections import defaultdict
-from functools import partial
 from unittest.mock import Mock
 
 from PySide6.QtCore import QCoreApplication, QEvent, Qt
@@ -25,19 +24,6 @@ def test_what_begins_with_the_letters_comes_before_what_holds_them(qapp):
 
 def _note(ran, name, _checked=False):
     ran.append(name)
-
-
-def test_typing_and_enter_run_the_action(qtbot):
-    ran = []
-    actions = [QAction("Undo"), QAction("Dark theme"), QAction("Save")]
-    for action in actions:
-        action.triggered.connect(partial(_note, ran, action.text()))
-    palette = Palette(actions)
-    qtbot.addWidget(palette)
-    qtbot.keyClicks(palette.line, "dark")
-    assert palette.list.topLevelItemCount() == 1
-    qtbot.keyClick(palette.line, Qt.Key.Key_Return)
-    assert ran == ["Dark theme"]
 
 
 def test_the_line_is_there_until_what_its_key_runs_is_done(qtbot):

@@ -5,8 +5,8 @@ import re
 import numpy as np
 import pytest
 from PySide6.QtCore import QRectF
-from PySide6.QtGui import QColor, QContextMenuEvent, QPainter, QPdfWriter
-from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QMenu
+from PySide6.QtGui import QColor, QPainter, QPdfWriter
+from PySide6.QtWidgets import QAbstractButton, QComboBox
 
 import skinsource as ss
 from skinsource.design.panel_settings import with_settings
@@ -19,6 +19,7 @@ from skinsource_gui.plots.small_map import FieldImage
 from skinsource_gui.qt.frames import fitted
 from skinsource_gui.qt.theme import LIGHT
 from tests.gui.analysis.analysis_bench import analysis
+from tests.gui.menus import close_menus, lines_at
 from tests.gui.pages_of_paper import Paper
 from tests.gui.test_pictures_out import texts_of
 
@@ -167,14 +168,9 @@ def test_the_right_button_on_a_figure_offers_its_picture_and_numbers(qtbot):
     panel.activateWindow()
     qtbot.waitUntil(panel.isActiveWindow)
     panel.figure.say("")
-    at = panel.figure.rect().center()
-    where = panel.figure.mapToGlobal(at)
-    event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, at, where)
-    QApplication.sendEvent(panel.figure, event)
-    menu = panel.figure.findChild(QMenu, "figure_menu")
-    lines = {action.text(): action for action in menu.actions()}
+    lines = lines_at(panel.figure, "figure_menu", panel.figure, panel.figure.rect().center())
     lines["Save picture as…"].trigger()
-    menu.close()
+    close_menus(panel.figure, "figure_menu")
     # The action saves the panel that has the keyboard focus.
     assert asked == ["export_panel_picture"]
     assert panel.figure.hasFocus()

@@ -98,24 +98,6 @@ def test_a_zoom_keeps_the_place_under_the_pointer_and_stays_inside():
     assert within((-1.0, 2.0), (0.0, 1.0), 0.01) is None
 
 
-def test_peaks_survive_when_a_long_signal_is_drawn_with_few_points():
-    x = np.arange(80_000) / 1300
-    y = np.zeros((2, x.size))
-    y[0, 12_345], y[1, 70_001] = 3.0, -4.0
-    few = columns_of(x, (x[0], x[-1]), 500).points(y)
-    assert few.strokes
-    assert few.x.size <= 1004
-    assert few.y[0].max() == 3.0
-    assert few.y[1].min() == -4.0
-    assert np.all(np.diff(few.x) >= 0)
-    close = columns_of(x, (x[12_300], x[12_400]), 500).points(y)
-    assert not close.strokes
-    assert close.y[0].max() == 3.0
-    assert close.x[0] <= x[12_300]
-    assert close.x[-1] >= x[12_400]
-    assert close.x.size <= 103
-
-
 @pytest.mark.parametrize(("columns", "size"), [(64, 2600), (325, 13_000), (333, 78_000)])
 def test_every_column_has_its_stroke_even_where_samples_lie_on_its_edge(columns, size):
     samples = np.random.default_rng(size + columns).uniform(-1, 1, (1, size))

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QByteArray
-from PySide6.QtWidgets import QFileDialog, QMessageBox
+from PySide6.QtWidgets import QMessageBox
 
 from skinsource.base import lock
 from skinsource.base.assets import config_folder
@@ -39,19 +39,6 @@ def other_runs(monkeypatch):
     monkeypatch.setattr("skinsource.base.lock.still_runs", still_runs)
     monkeypatch.setattr(file_actions, "still_runs", still_runs)
     return state
-
-
-@pytest.fixture
-def answers(monkeypatch):
-    given = {"save": "", "agreed": QMessageBox.StandardButton.Cancel, "asked": []}
-
-    def question(_window, _title, text, *_):
-        given["asked"].append(text)
-        return given["agreed"]
-
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (given["save"], ""))
-    monkeypatch.setattr(QMessageBox, "question", question)
-    return given
 
 
 def place(window):
@@ -110,7 +97,7 @@ def test_a_studio_elsewhere_may_have_ended_and_only_the_user_knows(
     assert not window.files.save()
     assert "ana on lab-3" in answers["asked"][0]
     assert read_owner(Lock(path).path) == ELSEWHERE
-    answers["agreed"] = QMessageBox.StandardButton.Yes
+    answers["question"] = QMessageBox.StandardButton.Yes
     assert window.files.save()
     assert read_owner(Lock(path).path) == this_process()
     assert open_design(path).design == window.document.design

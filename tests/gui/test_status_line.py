@@ -11,7 +11,6 @@ from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 from skinsource.design.design import track
 from skinsource.design.edits.edit import Refusal
 from skinsource.design.panel_settings import with_settings
-from skinsource.engine.gains import TraceError
 from skinsource_gui.panels.skin.settings import SENSATION, SkinSettings
 from skinsource_gui.shell import notices
 from skinsource_gui.shell.status import summary
@@ -64,28 +63,11 @@ def test_a_message_is_shown_in_the_middle_and_goes_while_the_chip_stays(window, 
     wait_for(SHOWN)
 
 
-def test_an_edit_is_timed_from_hand_to_screen(window, qtbot):
-    times = window.status_line.clock.times
-    before = len(times.seconds())
-    edit(window, amplitude=2.0)
-    qtbot.waitUntil(lambda: len(times.seconds()) > before)
-    assert times.seconds()[-1] > 0.0
-    assert window.status_line.times_and_error().startswith("Last ")
-
-
 def test_times_are_summed_up_by_median_95_percent_and_slowest():
     seconds = (0.004, 0.008, 0.3)
     assert summary(seconds) == "Last 3 edits: median 8.0 ms, 95 % within 300 ms, slowest 300 ms."
     assert summary(()) == ""
     assert "95 % within 95 ms" in summary(tuple(k * 1e-3 for k in range(1, 101)))
-
-
-def test_the_error_of_the_traces_is_kept_for_the_page_on_accuracy(window, wait_for):
-    line = window.status_line
-    wait_for(SHOWN)
-    line.show_error(TraceError(estimate=1.2e-15, bound=3.4e-13))
-    assert line.times_and_error().endswith("Traces that are shown: error ≈ 2e-15, at most 4e-13.")
-    assert line.text() == SHOWN
 
 
 def test_nothing_in_the_status_bar_is_clipped(window, wait_for):

@@ -1,5 +1,5 @@
 from functools import partial
-from threading import Event, Timer, current_thread
+from threading import Event, Timer
 
 import pytest
 
@@ -20,26 +20,6 @@ def worker(qtbot, gate):
     yield worker
     gate.set()
     worker.close()
-
-
-def test_results_arrive_in_the_order_of_the_tasks_in_the_thread_that_gave_them(worker, qtbot):
-    arrived = []
-    for k in range(3):
-        worker.run(lambda k=k: (k, current_thread().name), lambda *came: arrived.append(came))
-    assert not arrived
-    qtbot.waitUntil(lambda: not worker.busy)
-    assert [result[0] for result, error in arrived] == [0, 1, 2]
-    assert all(name.startswith("test-worker") for (_, name), _ in arrived)
-
-
-def test_an_error_arrives_in_place_of_a_result_and_the_next_task_runs(worker, qtbot):
-    arrived = []
-    worker.run(partial(int, "no number"), lambda *came: arrived.append(came))
-    worker.run(partial(int, "3"), lambda *came: arrived.append(came))
-    qtbot.waitUntil(lambda: not worker.busy)
-    assert arrived[0][0] is None
-    assert isinstance(arrived[0][1], ValueError)
-    assert arrived[1] == (3, None)
 
 
 def test_of_what_waits_with_a_key_only_the_newest_runs(worker, qtbot, gate):

@@ -2,14 +2,13 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, Qt
-from PySide6.QtGui import QContextMenuEvent
+from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMenu
 
 from skinsource.design.effects.level import Envelope
 from skinsource_gui.panels.clip_editor import tools
 from tests.gui.clip_editor.bench import ALT, LEFT, NONE, RIGHT, SHIFT, whole
+from tests.gui.menus import lines_at
 
 
 def shaped(bench, *places):
@@ -137,30 +136,18 @@ def test_insert_adds_a_point_that_changes_nothing_and_arrows_move_it(tone):
 
 def menu_at(tone, time_s, value):
     """What the right button offers there, after it went down, as a screen with a mouse sends it."""
-    at = whole(tone.at(time_s, value))
-    tone.press(tone.at(time_s, value), RIGHT)
-    viewport = tone.canvas.viewport()
-    event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, at, viewport.mapToGlobal(at))
-    QApplication.sendEvent(viewport, event)
-    menus = tone.canvas.findChildren(QMenu, "clip_editor_menu")
-    return (
-        (menus[-1], {action.text(): action for action in menus[-1].actions()})
-        if menus
-        else (None, {})
-    )
+    at = tone.at(time_s, value)
+    tone.press(at, RIGHT)
+    return lines_at(tone.canvas, "clip_editor_menu", tone.canvas.viewport(), whole(at))
 
 
 def test_the_right_button_opens_the_menu_of_a_small_curve(tone):
     shaped(tone, (0.0, 0.5), (0.1, 0.9))
-    menu, lines = menu_at(tone, 0.1, 0.9)
+    lines = menu_at(tone, 0.1, 0.9)
     assert len(points(tone)) == 2  # nothing is done before a line is chosen
     lines["After this point: held"].trigger()
     assert points(tone)[1] == (0.1, 0.9, "held")
     lines["Remove point"].trigger()
-    menu.close()
     assert [time_s for time_s, *_ in points(tone)] == [0.0]
-    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    menu, lines = menu_at(tone, 0.05, -0.4)
-    lines["Add point here"].trigger()
-    menu.close()
+    menu_at(tone, 0.05, -0.4)["Add point here"].trigger()
     assert points(tone)[1][0] == pytest.approx(0.05, abs=0.002)

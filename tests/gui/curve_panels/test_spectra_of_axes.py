@@ -40,24 +40,6 @@ def panel(show):
     return panel
 
 
-def test_each_output_can_be_drawn_relative_to_its_own_peak(show):
-    panel = show()
-    plot = plot_of(panel)
-    before = plot.curves.y
-    click(panel, "relative")
-    assert settings(panel).relative
-    assert plot.curves.y.max(axis=-1) == pytest.approx([1.0, 1.0])
-    assert plot.value_scale.values == (0.0, 1.1)
-    assert header_of(panel).unit == "of its peak"
-    click(panel, "log-magnitude")
-    assert plot.curves.y.max(axis=-1) == pytest.approx([0.0, 0.0], abs=1e-9)
-    assert header_of(panel).unit == "dB re its peak"
-    assert plot.value_scale.values == (-80.0, 0.0)
-    click(panel, "relative")
-    click(panel, "log-magnitude")
-    assert plot.curves.y == pytest.approx(before)
-
-
 def test_a_peak_is_one_of_the_measured_band(show):
     panel = show()
     time_s = np.arange(650) / 1300

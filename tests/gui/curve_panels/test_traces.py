@@ -139,23 +139,6 @@ def test_times_are_in_seconds_from_one_second_on(show, until_s, unit):
     assert float(ticks[-1]) == pytest.approx(until_s * (1 if unit == "s" else 1000), rel=0.2)
 
 
-def test_each_curve_can_be_drawn_relative_to_its_own_peak(show):
-    panel = show()
-    plot = plot_of(panel)
-    peaks = np.abs(plot.curves.y).max(axis=-1)
-    assert peaks[2] < 0.5 * peaks[0]
-    click(panel, "relative")
-    assert settings_of(panel._view, "traces", TracesSettings).relative
-    assert np.allclose(np.abs(plot.curves.y).max(axis=-1), 1.0)
-    assert plot.unit.symbol == "of its peak"
-    # New results are drawn the same.
-    panel.show_results(traces_for(panel._view, amplitude=7.0))
-    assert np.allclose(np.abs(plot.curves.y).max(axis=-1), 1.0)
-    click(panel, "relative")
-    assert np.abs(plot.curves.y).max() == pytest.approx(peaks[0])
-    assert plot.unit.symbol == "m/s²"
-
-
 def test_zoomed_in_values_fit_what_is_seen_if_that_is_chosen(show):
     panel = show(SIGNED)
     plot = plot_of(panel)

@@ -1,15 +1,15 @@
 """The hand panel, driven by real mouse and key events."""
 
-from PySide6.QtCore import QEvent, QPoint, Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QAction, QContextMenuEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMenu
 
 from skinsource.design.design import Design, Input
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.view import View
 from skinsource.limbs.locations import INPUTS
 from skinsource_gui.panels.hand.panel import HandPanel
+from tests.gui.menus import MOUSE, lines_at
 
 KEY, LEFT = Qt.Key, Qt.MouseButton.LeftButton
 
@@ -78,18 +78,10 @@ class Studio:
         for key in keys:
             QTest.keyClick(self.diagram, key, modifier)
 
-    def menu(self, site: int, reason: QContextMenuEvent.Reason) -> dict[str, QAction]:
-        point = self.diagram.site_centre(site)
-        event = QContextMenuEvent(reason, point, self.diagram.mapToGlobal(point))
-        QApplication.sendEvent(self.diagram, event)
-        menus = self.panel.findChildren(QMenu, "hand_menu")
-        assert len(menus) == 1
-        return {a.text().split("\t")[0]: a for a in menus[0].actions() if a.text()}
-
-    def close_menu(self) -> None:
-        for menu in self.panel.findChildren(QMenu, "hand_menu"):
-            menu.close()
-        QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    def menu(self, site: int, reason: QContextMenuEvent.Reason = MOUSE) -> dict[str, QAction]:
+        return lines_at(
+            self.panel, "hand_menu", self.diagram, self.diagram.site_centre(site), reason
+        )
 
 
 def short(site: int) -> str:

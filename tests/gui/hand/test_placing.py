@@ -4,10 +4,10 @@ from itertools import combinations
 
 import pytest
 from PySide6.QtCore import QPoint, QPointF
-from PySide6.QtGui import QContextMenuEvent
 
 from skinsource.design.design import track
 from tests.gui.hand.bench import CONTROL, KEY, SHIFT, short
+from tests.gui.menus import KEYBOARD
 
 
 def test_each_site_is_hit_at_the_smallest_size_and_a_click_places_an_input_there(studio):
@@ -62,51 +62,27 @@ def test_ctrl_a_selects_all_and_delete_removes_all_in_one_step(studio):
     assert len(studio.edits) == 1
 
 
-@pytest.mark.parametrize(
-    ("key", "selected", "left", "then"),
-    [
-        (KEY.Key_Delete, 0, [8, 9], 2),
-        (KEY.Key_Backspace, 1, [7, 9], 3),
-        (KEY.Key_Delete, 2, [7, 8], 2),
-    ],
-)
-def test_delete_removes_the_selected_input_and_selects_a_neighbour(
-    studio, key, selected, left, then
-):
-    studio.show(*(track(location=site) for site in (7, 8, 9)), selected=selected)
-    studio.keys(key)
-    assert studio.sites == left
-    assert studio.view.selected_input == then
-    assert len(studio.edits) == 1
-
-
 def test_the_menu_of_a_site_selects_mutes_solos_removes_and_adds(studio):
-    mouse, keyboard = QContextMenuEvent.Reason.Mouse, QContextMenuEvent.Reason.Keyboard
     studio.show(track(location=7), track(location=3), selected=0)
     studio.keys(KEY.Key_3)
-    studio.menu(3, keyboard)["Mute"].trigger()
+    studio.menu(3, KEYBOARD)["Mute"].trigger()
     assert studio.view.selected_input == 2
     assert studio.diagram.state.marks[1].silent
-    studio.close_menu()
-    actions = studio.menu(3, mouse)
+    actions = studio.menu(3)
     assert actions["Mute"].isChecked()
     actions["Solo"].trigger()
     actions["Add input here"].trigger()
     assert studio.sites == [7, 3, 3]
-    studio.close_menu()
     studio.click(7, CONTROL)
-    actions = studio.menu(7, mouse)
+    actions = studio.menu(7)
     assert set(studio.view.selected_inputs) == {1, 3}
     actions["Mute 2 inputs"].trigger()
     assert [track.muted for track in studio.design.inputs] == [True, True, True]
-    studio.close_menu()
-    studio.menu(3, mouse)["Remove 2 inputs"].trigger()
+    studio.menu(3)["Remove 2 inputs"].trigger()
     assert studio.sites == [3]
-    studio.close_menu()
     # Elsewhere it only adds.
-    actions = studio.menu(12, mouse)
+    actions = studio.menu(12)
     assert [text for text, action in actions.items() if action.isEnabled()] == ["Add input here"]
-    studio.close_menu()
 
 
 def test_a_drag_moves_the_input_live_in_one_gesture(studio):

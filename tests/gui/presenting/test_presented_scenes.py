@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMessageBox
+from PySide6.QtWidgets import QApplication
 
 from skinsource.studies.scenes.catalog import all_scenes
 from skinsource_gui.shell.presenting import NotesWindow, steps_of_folder
@@ -39,27 +39,12 @@ def test_a_file_that_does_not_open_is_passed_by(studio, folder):
     assert studio.notice.text == "Scene 4 of 4: 1 tap"
 
 
-@pytest.fixture
-def asked(monkeypatch):
-    """Questions about what would be lost; they are answered with Cancel."""
-    questions = []
-
-    def question(*given):
-        questions.append(given)
-        return QMessageBox.StandardButton.Cancel
-
-    monkeypatch.setattr(QMessageBox, "exec", lambda box: question(box.text()))
-    for kind in ("question", "warning"):
-        monkeypatch.setattr(QMessageBox, kind, question)
-    return questions
-
-
 def louder(window, amplitude):
     window.document.edit("Louder", window.document.design.with_input(0, amplitude=amplitude))
     return window.document.design
 
 
-def test_what_is_turned_while_a_scene_is_presented_is_not_asked_about(open_window, asked, design):
+def test_what_is_turned_while_a_scene_is_presented_is_not_asked_about(open_window, answers, design):
     window = open_window(design)
     window.do("next_scene")
     window.do("present")
@@ -69,7 +54,7 @@ def test_what_is_turned_while_a_scene_is_presented_is_not_asked_about(open_windo
     louder(window, 3.0)
     window.do("next_scene")
     assert all_scenes()[2].name in title(window)
-    assert not asked
+    assert not answers["asked"]
 
 
 def test_of_a_scene_that_was_turned_it_is_said_that_it_is_left_as_it_was(open_window, design):
@@ -97,7 +82,7 @@ def test_of_a_scene_that_was_turned_it_is_said_that_it_is_left_as_it_was(open_wi
 
 
 @pytest.mark.parametrize("presented", ["afterwards", "before"])
-def test_work_that_was_done_in_a_scene_is_not_lost_unasked(open_window, asked, presented, design):
+def test_work_that_was_done_in_a_scene_is_not_lost_unasked(open_window, answers, presented, design):
     window = open_window(design)
     window.do("next_scene")
     if presented == "before":
@@ -107,7 +92,7 @@ def test_work_that_was_done_in_a_scene_is_not_lost_unasked(open_window, asked, p
     if presented == "afterwards":
         window.do("present")
     window.do("next_scene")
-    assert len(asked) == 1
+    assert len(answers["asked"]) == 1
     assert window.document.design == edited
     window.document.mark_saved(window.document.path)
 

@@ -97,13 +97,6 @@ def test_a_drag_between_the_ends_moves_both_from_where_they_were_and_back(window
     assert len(window.views) == views
 
 
-def test_a_double_click_brings_the_automatic_range_back(window):
-    window.show(map_range_db=(-30.0, -20.0))
-    QTest.mouseDClick(window.panel.colour_bar.strip, LEFT, PLAIN, QPoint(60, 12))
-    assert window.settings.map_range_db is None
-    assert window.panel.colour_bar.value_range == (-60.0, -10.0)
-
-
 def test_keys_move_the_range(window):
     strip = window.panel.colour_bar.strip
     QTest.keyClick(strip, Qt.Key.Key_Up)

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QRectF, Qt
-from PySide6.QtGui import QColor, QContextMenuEvent
+from PySide6.QtCore import QPoint, QPointF, QRect, QRectF, Qt
+from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
@@ -11,6 +11,7 @@ from skinsource_gui.panels.skin.layout import HAND
 from skinsource_gui.panels.skin.panel import SkinPanel
 from skinsource_gui.qt.theme import LIGHT
 from skinsource_gui.qt.wheel import FREE, PAUSE_S, WHOLE, ScrollGesture
+from tests.gui.menus import close_menus, lines_at
 from tests.gui.skin.bench import CONTROL, LEFT, MIDDLE, PLAIN, Window, drag, pixel, place, wheel
 
 # Zooming
@@ -112,21 +113,11 @@ def test_the_map_cannot_be_panned_out_of_sight(window, zoom, way):
     assert len(drawn) > 0.03 * len(places)
 
 
-def menu_of(window, qtbot):
-    view = window.panel.map
-    at = QPoint(30, 30)
-    reason = QContextMenuEvent.Reason.Mouse
-    QApplication.sendEvent(view, QContextMenuEvent(reason, at, view.mapToGlobal(at)))
-    menus = window.panel.map.findChildren(QMenu, "skin_menu")
-    assert len(menus) == 1
-    return menus[0], {action.text().split("\t")[0]: action for action in menus[0].actions()}
-
-
-def test_the_right_button_offers_fits_and_pictures(window, qtbot):
+def test_the_right_button_offers_fits_and_pictures(window):
     view, requested = window.panel.map, []
     window.panel.action_requested.connect(requested.append)
-    menu, actions = menu_of(window, qtbot)
-    assert [name for name in actions if name] == [
+    actions = lines_at(view, "skin_menu", view, QPoint(30, 30))
+    assert list(actions) == [
         "Fit hand",
         "Fit hand and arm",
         "Colours",
@@ -143,8 +134,7 @@ def test_the_right_button_offers_fits_and_pictures(window, qtbot):
     assert requested == ["export_picture", "export_levels"]
     actions["Copy picture"].trigger()
     assert QApplication.clipboard().image() == window.panel.picture(1200, 1800)
-    menu.close()
-    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    close_menus(view, "skin_menu")
     assert not window.panel.map.findChildren(QMenu, "skin_menu")
 
 

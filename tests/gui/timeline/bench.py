@@ -1,6 +1,7 @@
 """A timeline without a studio, and what mouse and keys do on it."""
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 from PySide6.QtCore import QPoint, QPointF, Qt
@@ -15,6 +16,7 @@ from skinsource.design.waveforms.pulses import Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.panels.timeline.heads import Heads
 from skinsource_gui.panels.timeline.panel import TimelinePanel
+from tests.gui.menus import lines_of
 
 LEFT, NONE = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
 CONTROL, SHIFT, ALT = (
@@ -183,6 +185,11 @@ class LanesBench(Bench):
             self.lanes.mouse.move(QPointF(_point(between)), held)
         if release:
             QTest.mouseRelease(view, LEFT, held, _point(end))
+
+    def menu_at(self, place):
+        """The lines of the menu of a place, by their words."""
+        show = partial(self.lanes.menu.open, QPoint(0, 0), place)
+        return lines_of(self.panel, "lanes_menu", show)
 
     def click(self, at, held=NONE):
         QTest.mouseClick(self.lanes.viewport(), LEFT, held, _point(at))

@@ -3,9 +3,8 @@
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMenu
 
 from skinsource_gui.panels.timeline.content import show_gain_curves, shown_gain_curves
 from tests.gui.timeline.bench import ALT, CONTROL, LEFT, SHIFT, LanesBench
@@ -119,22 +118,11 @@ def test_insert_adds_a_point_at_the_playhead_and_shows_the_curve(lanes):
     assert shown_gain_curves(lanes.view) == {1}
 
 
-def menu_of(lanes, place):
-    lanes.lanes.menu.open(lanes.lanes.mapToGlobal(place).toPoint(), place)
-    menu = lanes.panel.findChildren(QMenu, "lanes_menu")[-1]
-    return menu, {action.text().split("\t")[0]: action for action in menu.actions()}
-
-
 def test_the_menu_on_a_point_removes_it_or_the_curve(lanes):
     with_curve(lanes, (0.1, 1.0), (0.5, 0.4))
-    menu, lines = menu_of(lanes, on_line(lanes, 0.5))
-    lines["Remove point"].trigger()
-    menu.close()
+    lanes.menu_at(on_line(lanes, 0.5))["Remove point"].trigger()
     assert curve(lanes) == ((0.1, 1.0),)
-    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    menu, lines = menu_of(lanes, on_line(lanes, 0.3))
-    lines["Remove gain curve"].trigger()
-    menu.close()
+    lanes.menu_at(on_line(lanes, 0.3))["Remove gain curve"].trigger()
     assert curve(lanes) == ()
 
 

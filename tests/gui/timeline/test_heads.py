@@ -5,10 +5,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QContextMenuEvent, QMouseEvent
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel, QMenu, QToolButton
+from PySide6.QtWidgets import QApplication, QLabel, QToolButton
 
 from skinsource.design.design import Design
 from skinsource.design.view import View
@@ -19,6 +19,7 @@ from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.timeline.content import shown_gain_curves
 from skinsource_gui.qt.keys import key_text
 from skinsource_gui.qt.labels import how_to_add
+from tests.gui.menus import KEYBOARD, MOUSE, lines_at
 from tests.gui.timeline.bench import (
     ALT,
     CONTROL,
@@ -318,60 +319,43 @@ def test_the_way_back_of_a_drag_leads_where_it_began_also_from_a_limit():
 ALL = ("mute", "solo", "duplicate", "remove", "shift_up", "shift_down", "gain_curve")
 
 
-@pytest.fixture
-def menu_of(bench):
-    """Open the menu of a row; its actions by their words."""
-
-    def close():
-        for menu in bench.panel.findChildren(QMenu, "inputs_menu"):
-            menu.close()
-        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-
-    def open_menu(index, reason=QContextMenuEvent.Reason.Mouse):
-        close()
-        at, view = bench.place(index), bench.rows.viewport()
-        QApplication.sendEvent(view, QContextMenuEvent(reason, at, view.mapToGlobal(at)))
-        (menu,) = bench.panel.findChildren(QMenu, "inputs_menu")
-        return {action.text().split("\t")[0]: action for action in menu.actions() if action.text()}
-
-    yield open_menu
-    close()
+def menu_of(bench, index, reason=MOUSE):
+    view = bench.rows.viewport()
+    return lines_at(bench.panel, "inputs_menu", view, bench.place(index), reason)
 
 
-def test_the_menu_is_about_the_row_under_the_pointer_and_each_line_does_what_it_says(
-    bench, menu_of
-):
-    lines = menu_of(2)
+def test_the_menu_is_about_the_row_under_the_pointer_and_each_line_does_what_it_says(bench):
+    lines = menu_of(bench, 2)
     assert [line.text().split("\t")[1] for line in lines.values()] == [
         key_text("inputs", name) for name in ALL
     ]
     assert bench.view.selected_inputs == (3,)
     lines["Mute"].trigger()
-    assert menu_of(2)["Mute"].isChecked()
-    menu_of(1)["Solo"].trigger()
+    assert menu_of(bench, 2)["Mute"].isChecked()
+    menu_of(bench, 1)["Solo"].trigger()
     assert [(track.muted, track.solo) for track in bench.design.inputs] == [
         (False, False),
         (False, True),
         (True, False),
     ]
-    menu_of(1)["Move up"].trigger()
+    menu_of(bench, 1)["Move up"].trigger()
     assert bench.places == [2, 7, 15]
-    menu_of(0)["Move down"].trigger()
-    menu_of(1)["Duplicate"].trigger()
+    menu_of(bench, 0)["Move down"].trigger()
+    menu_of(bench, 1)["Duplicate"].trigger()
     assert bench.places == [7, 2, 15, 2]
     # The menu key means the row that was selected last.
-    menu_of(0, QContextMenuEvent.Reason.Keyboard)["Remove"].trigger()
+    menu_of(bench, 0, KEYBOARD)["Remove"].trigger()
     assert bench.places == [7, 2, 15]
 
 
-def test_on_one_of_several_the_menu_is_about_all_of_them(bench, menu_of):
+def test_on_one_of_several_the_menu_is_about_all_of_them(bench):
     bench.key(KEY.Key_A, CONTROL)
-    lines = menu_of(1)
+    lines = menu_of(bench, 1)
     assert set(bench.view.selected_inputs) == {1, 2, 3}
     assert "Move 3 inputs up" in lines
     lines["Gain curve"].trigger()
     assert shown_gain_curves(bench.view) == {1, 2, 3}
     lines["Mute 3 inputs"].trigger()
     assert all(track.muted for track in bench.design.inputs)
-    menu_of(1)["Remove 3 inputs"].trigger()
+    menu_of(bench, 1)["Remove 3 inputs"].trigger()
     assert bench.places == []

@@ -1,7 +1,7 @@
 """Keys and menus of the lanes, and clips that lie over each other."""
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QPointF, Qt
+from PySide6.QtCore import QPointF, Qt
 from PySide6.QtWidgets import QInputDialog, QMenu, QToolButton
 
 from skinsource.design.clips import Clip
@@ -30,71 +30,52 @@ def test_keys_act_on_the_clip_that_the_inspector_shows_where_none_is_selected(la
     assert [clip.muted for clip in lanes.design.inputs[0].clips] == [True, False, False]
 
 
-@pytest.fixture
-def menu_at(lanes):
-    """Open the menu of a place; its lines by their words."""
-
-    def close():
-        for menu in lanes.panel.findChildren(QMenu, "lanes_menu"):
-            menu.close()
-        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-
-    def open_menu(place):
-        close()
-        lanes.lanes.menu.open(QPoint(0, 0), place)
-        (menu,) = lanes.panel.findChildren(QMenu, "lanes_menu")
-        return {action.text().split("\t")[0]: action for action in menu.actions() if action.text()}
-
-    yield open_menu
-    close()
-
-
-def test_on_clips_the_menu_is_about_one_or_all_that_are_selected(lanes, menu_at):
-    lines = menu_at(lanes.middle(2))
+def test_on_clips_the_menu_is_about_one_or_all_that_are_selected(lanes):
+    lines = lanes.menu_at(lanes.middle(2))
     assert lanes.view.selected_clips == (2,)
     lines["Mute clip"].trigger()
     assert lanes.design.clip(2).muted
     lanes.drag(lanes.at(0.62), lanes.at(0.25, lane=1))
-    menu_at(lanes.middle(4))["Duplicate 2 clips"].trigger()
+    lanes.menu_at(lanes.middle(4))["Duplicate 2 clips"].trigger()
     assert len(lanes.design.clips) == 6
     lanes.click(lanes.middle(1))
-    menu_at(lanes.middle(1))["Remove clip"].trigger()
+    lanes.menu_at(lanes.middle(1))["Remove clip"].trigger()
     assert 1 not in [clip.id for clip in lanes.design.clips]
 
 
-def test_a_clip_is_moved_to_a_place_added_copied_and_pasted(lanes, menu_at):
-    menu_at(lanes.middle(3))
+def test_a_clip_is_moved_to_a_place_added_copied_and_pasted(lanes):
+    lanes.menu_at(lanes.middle(3))
     places = lanes.panel.findChild(QMenu, "lanes_places")
     entry = next(action for action in places.actions() if action.text().startswith("15 "))
     assert entry.text().endswith("(new track)")
     entry.trigger()
     assert lanes.design.track_of(3).location == 15
-    menu_at(lanes.at(0.62, lane=1))["Add clip here"].trigger()
+    lanes.menu_at(lanes.at(0.62, lane=1))["Add clip here"].trigger()
     assert lanes.design.inputs[1].clips[-1].onset_s == pytest.approx(0.62, abs=1e-3)
     asked = []
     lanes.panel.action_requested.connect(asked.append)
-    menu_at(lanes.middle(1))["Copy"].trigger()
-    menu_at(lanes.at(0.62))["Paste at playhead"].trigger()
+    lanes.menu_at(lanes.middle(1))["Copy"].trigger()
+    lanes.menu_at(lanes.at(0.62))["Paste at playhead"].trigger()
     assert asked == ["copy_clips", "paste_clips"]
 
 
-def test_markers_are_added_renamed_and_removed_on_the_ruler(lanes, menu_at, monkeypatch):
+def test_markers_are_added_renamed_and_removed_on_the_ruler(lanes, monkeypatch):
     place = QPointF(lanes.content.scale.x(0.5), 5)
-    menu_at(place)["Add marker here"].trigger()
+    lanes.menu_at(place)["Add marker here"].trigger()
     assert lanes.design.markers[0].time_s == pytest.approx(0.5)
     monkeypatch.setattr(QInputDialog, "getText", lambda *args, **kwargs: ("touch", True))
-    menu_at(place)["Rename marker…"].trigger()
+    lanes.menu_at(place)["Rename marker…"].trigger()
     assert lanes.design.markers[0].name == "touch"
-    menu_at(place)["Remove marker"].trigger()
+    lanes.menu_at(place)["Remove marker"].trigger()
     assert lanes.design.markers == ()
 
 
-def test_a_loop_goes_round_the_selected_clips_and_its_time_can_be_taken_out(lanes, menu_at):
+def test_a_loop_goes_round_the_selected_clips_and_its_time_can_be_taken_out(lanes):
     lanes.click(lanes.middle(2))
     place = QPointF(lanes.content.scale.x(0.9), 5)
-    menu_at(place)["Loop the selected clips"].trigger()
+    lanes.menu_at(place)["Loop the selected clips"].trigger()
     assert lanes.design.loop_s == pytest.approx((0.3, 0.5))
-    menu_at(place)["Remove loop time"].trigger()
+    lanes.menu_at(place)["Remove loop time"].trigger()
     assert lanes.design.clip(3).onset_s == pytest.approx(0.5)
     assert 2 not in [clip.id for clip in lanes.design.clips]
 
@@ -139,7 +120,7 @@ def test_overlaps_are_where_two_clips_or_more_play():
     assert overlaps_of([]) == []
 
 
-def test_a_key_and_the_menu_reach_clips_that_overlap(over, menu_at):
+def test_a_key_and_the_menu_reach_clips_that_overlap(over):
     ids = [clip.id for clip in over.design.inputs[0].clips]
     over.click(over.at(0.05))
     selected = []
@@ -150,7 +131,7 @@ def test_a_key_and_the_menu_reach_clips_that_overlap(over, menu_at):
     track = over.design.inputs[0]
     assert overlapping(track, track.clips[0]) == tuple(ids[:3])
     assert overlapping(track, track.clips[3]) == (ids[3],)
-    menu_at(over.at(0.25))
+    over.menu_at(over.at(0.25))
     lines = over.panel.findChild(QMenu, "clips_here").actions()
     assert [line.text() for line in lines] == ["Tone · 0 ms", "Tone · 200 ms"]
     lines[0].trigger()
