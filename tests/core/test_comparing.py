@@ -21,6 +21,7 @@ from skinsource.design.comparing import (
     matching_gain,
     other_snapshot,
     restored_snapshots,
+    same_but_rounding,
     shown_snapshot,
     why_no_comparison,
 )
@@ -86,6 +87,17 @@ def test_what_lies_far_below_the_loudest_makes_no_difference():
     np.testing.assert_array_equal(difference_db(mine, theirs), expected)
 
 
+def test_a_snapshot_takes_the_place_of_the_one_with_its_number_and_stands_last():
+    view = View()
+    for design, number in ((DESIGN, 1), (OTHER, 2), (THIRD, 1)):
+        stored, view = store(design, view, number)
+        assert stored is design
+    assert [(snapshot.number, snapshot.design) for snapshot in view.snapshots] == [
+        (2, OTHER),
+        (1, THIRD),
+    ]
+
+
 @pytest.mark.parametrize("edit", ["store_snapshot", "show_snapshot", "forget_snapshot"])
 def test_other_numbers_are_refused(edit):
     for number in (0, 5, -1, None, "1"):
@@ -137,6 +149,18 @@ def test_with_levels_matched_the_way_back_leads_to_the_same_numbers():
     assert isinstance(edits.show_snapshot(DESIGN, view, 2, 1e7), Refusal)
 
 
+def test_only_the_snapshot_that_is_shown_has_its_gain_and_what_is_edited_has_none():
+    _, view = store(OTHER, MATCHED, 1)
+    _, view = store(DESIGN, view, 2)
+    view = edits.show_snapshot(DESIGN, view, 2, 0.5).view
+    assert view.match_gain(DESIGN) == 0.5
+    assert view.match_gain(THIRD) == 1.0
+    assert replace(view, levels_matched=False).match_gain(DESIGN) == 1.0
+    assert edits.match_levels(DESIGN, replace(view, levels_matched=False), on=True).view == view
+    # Under another number too it stays as loud as it is.
+    assert store(DESIGN, view, 3)[1].match_gain(DESIGN) == 0.5
+
+
 def test_to_keep_a_gain_is_an_edit_of_all_amplitudes():
     _, view = store(OTHER, MATCHED, 1)
     view = edits.show_snapshot(OTHER, view, 1, 0.5).view
@@ -145,6 +169,14 @@ def test_to_keep_a_gain_is_an_edit_of_all_amplitudes():
     assert outcome.design == louder(OTHER, 0.5)
     assert outcome.view.match_gain(outcome.design) == 1.0
     assert isinstance(edits.keep_match_gain(outcome.design, outcome.view), Refusal)
+
+
+def test_designs_are_alike_where_amplitudes_differ_by_rounding_alone():
+    assert same_but_rounding(louder(OTHER, 1 + 1e-12), OTHER)
+    assert not same_but_rounding(louder(OTHER, 1.001), OTHER)
+    assert not same_but_rounding(replace(OTHER, inputs=OTHER.inputs[:1]), OTHER)
+    assert not same_but_rounding(OTHER, replace(OTHER, inputs=OTHER.inputs[:1]))
+    assert not same_but_rounding(DESIGN, OTHER)
 
 
 def test_a_snapshot_is_forgotten_and_the_design_stays():

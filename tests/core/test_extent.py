@@ -33,6 +33,23 @@ def test_each_figure_is_its_formula():
     assert extent.d90_mm == within[0]
 
 
+def test_the_unit_of_the_rms_does_not_matter_even_far_out():
+    rms = np.random.default_rng(4).uniform(0.1, 1.0, 72)
+    plain = ss.extent(rms, LIMB, 7)
+    for scale in (2.0**-500, 2.0**500):
+        assert ss.extent(rms * scale, LIMB, 7) == plain
+
+
+def test_of_several_places_the_nearest_counts():
+    rms = np.random.default_rng(5).uniform(0.1, 1.0, 72)
+    nearest = np.fmin(distances_mm(LIMB, 1), distances_mm(LIMB, 20))
+    shown = ~np.isnan(nearest)
+    w = rms[shown] ** 2 / np.sum(rms[shown] ** 2)
+    both = ss.extent(rms, LIMB, (1, 20))
+    assert both.mean_distance_mm == pytest.approx(np.sum(w * nearest[shown]), rel=1e-12)
+    assert both == ss.extent(rms, LIMB, (20, 1))
+
+
 @pytest.mark.parametrize(
     ("rms", "location", "message"),
     [
@@ -47,6 +64,25 @@ def test_each_figure_is_its_formula():
 def test_what_has_no_extent_is_refused(rms, location, message):
     with pytest.raises(InvalidInputError, match=message):
         ss.extent(rms, LIMB, location)
+
+
+def test_outputs_without_a_place_take_no_part():
+    rms = np.ones(72)
+    louder = rms.copy()
+    louder[60:66] = 100.0
+    assert ss.extent(louder, LIMB, 7) == ss.extent(rms, LIMB, 7)
+
+
+@pytest.mark.parametrize(
+    ("length", "first", "n"), [(20, 7, 4), (103, 0, 1), (104, 0, 0), (5, 200, 0)]
+)
+def test_windows_follow_each_other_and_the_rest_is_left_out(length, first, n):
+    signals = np.random.default_rng(6).standard_normal((3, 2, 103))
+    rms = ss.windowed_rms(signals, length, first_sample=first)
+    assert rms.shape == (n, 3, 2)
+    for j in range(n):
+        piece = signals[..., first + length * j : first + length * (j + 1)]
+        np.testing.assert_allclose(rms[j], np.sqrt(np.mean(piece**2, axis=-1)), rtol=1e-14)
 
 
 def test_squares_of_windows_do_not_overflow():

@@ -64,3 +64,36 @@ def test_it_is_the_energy_that_resampling_leaves(signal):
     assert loss_db(signal, 1000) == pytest.approx(
         10.0 * np.log10(energy(room, RATE_HZ) / passed_energy), abs=0.12
     )
+
+
+@pytest.mark.parametrize("to_hz", [1000, 1001])
+@pytest.mark.parametrize("phase_rad", [0.0, 0.4, np.pi / 2])
+def test_a_tone_at_half_the_rate_is_halved_whatever_its_phase(to_hz, phase_rad):
+    assert loss_db(burst(500.0, phase_rad), to_hz) == pytest.approx(6.0, abs=0.4)
+
+
+def test_a_higher_rate_loses_what_lies_beyond_the_pass_band():
+    assert loss_db(burst(590.0), 48_000) < 0.01
+    # From 600 Hz on the filter falls, also on the way up.
+    inside = ss.resample(np.pad(burst(640.0), 1300), RATE_HZ, 48_000)
+    spectrum = np.abs(np.fft.rfft(inside)) ** 2
+    at_own_hz = np.fft.rfftfreq(inside.size, 1.0 / 48_000) < RATE_HZ / 2
+    lost_db = 10.0 * np.log10(
+        energy(burst(640.0), RATE_HZ) / (2.0 * spectrum[at_own_hz].sum() / inside.size / 48_000)
+    )
+    assert loss_db(burst(640.0), 48_000) == pytest.approx(lost_db, abs=0.01)
+    assert lost_db > 1.0
+
+
+def test_steeper_filters_between_1200_and_1300_hz_keep_600_hz():
+    assert loss_db(burst(590.0), 1250) < 0.01
+    assert loss_db(burst(640.0), 1250) > 20.0
+
+
+@pytest.mark.parametrize("to_hz", [100, 900, 1250, 48_000])
+def test_what_passes_stays_where_it_is(to_hz):
+    signal = burst(30.0)
+    left = passed(signal, RATE_HZ, to_hz)
+    ring = (left.size - signal.size) // 2
+    np.testing.assert_allclose(left[ring:-ring], signal, atol=2e-4)
+    assert np.abs(left[:ring]).max() < 2e-4

@@ -4,6 +4,7 @@ import math
 import numpy as np
 import pytest
 
+from skinsource.design.waveforms.pulses import Noise
 from skinsource.design.waveforms.tones import Tone
 from skinsource.signals.spectra import magnitude_spectrum, share_outside_band
 
@@ -47,6 +48,16 @@ def test_two_samples_have_a_cosine_for_a_spectrum(second, low_hz, high_hz):
     assert share == pytest.approx(expected, abs=1e-14)
 
 
+def test_any_signal_agrees_with_the_integral_of_its_spectrum():
+    samples = Noise(5, 0.2).samples(RATE_HZ) + 0.1
+    n = 2**20
+    frequency_hz = np.fft.rfftfreq(n, 1 / RATE_HZ)
+    power = np.abs(np.fft.rfft(samples, n)) ** 2
+    inside = (frequency_hz >= 25.0) & (frequency_hz <= 600.0)
+    expected = 1 - np.trapezoid(power[inside]) / np.trapezoid(power)
+    assert share_outside_band(samples, RATE_HZ) == pytest.approx(expected, abs=1e-5)
+
+
 def test_silence_around_a_signal_and_its_strength_change_nothing():
     samples = Tone(40.0, duration_s=0.05).samples(RATE_HZ)
     share = share_outside_band(samples, RATE_HZ)
@@ -55,3 +66,8 @@ def test_silence_around_a_signal_and_its_strength_change_nothing():
     assert share_outside_band(padded, RATE_HZ) == pytest.approx(share, abs=1e-13)
     for factor in (-1.0, 1e-200, 1e200):
         assert share_outside_band(factor * samples, RATE_HZ) == pytest.approx(share, abs=1e-13)
+
+
+def test_nothing_of_silence_lies_outside():
+    assert share_outside_band(np.zeros(100), RATE_HZ) == 0.0
+    assert share_outside_band(np.zeros(0), RATE_HZ) == 0.0

@@ -10,9 +10,10 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.design import effects
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, track
-from skinsource.design.waveforms.pulses import Noise
+from skinsource.design.waveforms.pulses import Impulse, Noise
 from skinsource.design.waveforms.tones import Tone
 from skinsource.design.waveforms.wavelets import Gabor
+from skinsource.engine import stimulus
 from skinsource.engine import stimulus as of_design
 from skinsource.engine.stimulus import stimulus_of
 
@@ -84,6 +85,36 @@ def test_only_what_is_chosen_takes_part():
 def test_the_band_is_that_of_the_lower_rate():
     assert stimulus_of(design(track(3)), 48_000).band_hz == (25.0, 600.0)
     assert stimulus_of(design(track(3)), 650).band_hz == (25.0, 300.0)
+
+
+def test_a_part_of_the_time_is_those_samples():
+    result = stimulus_of(SEVERAL, 48_000)
+    part = stimulus.part_of_time(result, 0.1, 0.2)
+    assert part.start_s == 0.1
+    np.testing.assert_array_equal(part.samples, result.samples[:, 4800:9600])
+    beyond = stimulus.part_of_time(result, result.duration_s - 0.01, result.duration_s + 0.01)
+    assert beyond.n_times == 960
+    assert not beyond.samples[:, 480:].any()
+    for times in ((0.2, 0.1), (0.1, 0.1), (-1.0, 0.1)):
+        with pytest.raises(InvalidInputError, match="_s is"):
+            stimulus.part_of_time(result, *times)
+
+
+def test_a_sync_channel_marks_time_0_at_full_scale():
+    quiet = stimulus_of(design(track(7, Impulse(), onset_s=0.1, amplitude=0.01)), 8000)
+    marked = stimulus.with_sync(stimulus.with_silence(quiet, 0.05))
+    assert marked.channels[-1] == stimulus.Channel(number=2, place=None, title="Sync")
+    assert np.flatnonzero(marked.samples[1]).tolist() == list(range(400, 480))
+    # Neither the factor of the others nor a fade changes it.
+    done = stimulus.scaled(marked, stimulus.full_scale_factor(marked))
+    assert np.abs(done.samples).max(axis=1) == pytest.approx([1.0, 1.0])
+    np.testing.assert_array_equal(stimulus.faded(marked, 0.1, 0.0).samples[1], marked.samples[1])
+    # What begins later is marked where it begins.
+    late = stimulus.with_sync(stimulus.part_of_time(quiet, 0.09, 0.2), 0.001)
+    assert np.flatnonzero(late.samples[1]).tolist() == list(range(8))
+    # Or at another time.
+    other = stimulus.with_sync(quiet, 0.001, at_s=0.05)
+    assert np.flatnonzero(other.samples[1]).tolist() == list(range(400, 408))
 
 
 @pytest.mark.parametrize(
