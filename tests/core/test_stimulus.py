@@ -117,6 +117,22 @@ def test_a_sync_channel_marks_time_0_at_full_scale():
     assert np.flatnonzero(other.samples[1]).tolist() == list(range(400, 408))
 
 
+def test_a_channel_map_says_what_each_output_gets():
+    result = stimulus_of(SEVERAL)
+    mapped = stimulus.in_order(result, [0, 2, 0, 1])
+    assert [(channel.number, channel.place) for channel in mapped.channels] == [
+        (1, None),
+        (2, 12),
+        (3, None),
+        (4, 7),
+    ]
+    np.testing.assert_array_equal(mapped.samples[[1, 3]], result.samples[[1, 0]])
+    assert not mapped.samples[[0, 2]].any()
+    for wrong in ([1], [1, 1, 2], [1, 2, 3], [1.5, 2]):
+        with pytest.raises(InvalidInputError, match="Channel map"):
+            stimulus.in_order(result, wrong)
+
+
 @pytest.mark.parametrize(
     ("call", "message"),
     [
