@@ -20,11 +20,9 @@ from skinsource.engine.gains import ExactVoice, exact_gains, peaks_of, trace_err
 from skinsource.engine.quantities import graphs_that_share, new_graph, sources
 from skinsource.engine.spectra import ResponseSpectrum
 from skinsource.engine.transforms import BLOCK_FFT, Blocks, forward, inverse, transform_length
-from skinsource.limbs.extent import extent
 from skinsource.limbs.limb import Limb, LimbMap
 from skinsource.limbs.locations import input_name, output_name
 from skinsource.limbs.scaling import SCALINGS, per_probe_acceleration
-from skinsource.limbs.surface.surface import surface_operator
 from skinsource.limbs.synthetic import load_synthetic_limb
 from skinsource.signals.projection import METHODS, project_axes
 from skinsource.signals.spectra import magnitude_spectrum, peak_hold_spectrum, rms
@@ -281,22 +279,6 @@ def test_where_nothing_is_heard_everything_is_silent(limb_of_designs, way, input
     assert limb.bytes_read == 0
 
 
-def test_what_each_input_plays_and_when_the_skin_answers_are_told_muted_or_not():
-    inputs = (track(1, Tap(), onset_s=0.3, amplitude=5.0, muted=True), track(2, Tone()))
-    design, names = (
-        Design(limb="synthetic-1", inputs=inputs),
-        ("input_waveforms", "response_time_s"),
-    )
-    values = ss.evaluate(design, *names)
-    for drawn_samples, source in zip(values["input_waveforms"], inputs, strict=True):
-        expected = source.clips[0].waveform.samples(1300.0)
-        np.testing.assert_array_equal(drawn_samples, expected)
-    time_s = values["response_time_s"]
-    np.testing.assert_allclose(time_s, np.arange(260 + 521) / 1300.0, rtol=1e-15)
-    shifted_s = ss.evaluate(design, *names, view=View(delay_removed=True))["response_time_s"]
-    np.testing.assert_allclose(shifted_s, time_s - 0.052, rtol=0, atol=1e-15)
-
-
 @pytest.mark.parametrize("axes", ["xyz", "z"])
 def test_no_selected_outputs_give_empty_traces_and_spectra_also_after_some(
     limb_of_designs, way, axes
@@ -361,19 +343,6 @@ def test_probe_scaling_divides_by_the_pulse_only_where_a_pulse_was_played():
     limb, drive = limb_of_taps(200, "xz", per_unit_drive=True), Tone().samples(RATE_HZ)
     by_probe, relative = (ss.predict(limb, drive, 3, scaling=way) for way in ("probe", "relative"))
     np.testing.assert_array_equal(by_probe, relative)
-
-
-def test_the_map_shows_the_outputs_that_have_a_place(limb_of_designs):
-    limb = limb_of_designs(axes="xz")
-    operator = surface_operator(limb)
-    assert operator.weights.shape[1] == N_OUTPUTS
-    assert not operator.weights[:, [4]].nnz
-    values = new_graph().evaluate({"output_rms"}, sources(drawn(4), View(axes="xz", outputs=())))
-    shown, placed = operator.interpolate(values["output_rms"]), np.delete(values["output_rms"], 4)
-    inside = shown[np.isfinite(shown)]
-    assert inside.size
-    assert placed.min() * (1 - 1e-9) <= inside.min() <= inside.max() <= placed.max() * (1 + 1e-9)
-    assert 0.0 < extent(values["output_rms"], limb, (7,)).mean_distance_mm < 100.0
 
 
 def test_a_limb_that_is_not_here_is_refused_and_its_places_are_called_by_their_number():

@@ -1,10 +1,12 @@
 """Every kind of field checks what it is given, and comes back from a tree."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 import numpy as np
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
 from skinsource.base.errors import FileFormatError, InvalidInputError
 from skinsource.specs import breakpoints, fields, numbers
@@ -33,7 +35,11 @@ from skinsource.specs.spec import (
     TextSpec,
     made_for,
 )
+from tests.core.design_files.any_recipe import recipes
+from tests.core.frozen.read_frozen import models
 
+#: The public ones; how far each field may go is frozen.
+MODELS = models()
 UNIT = NumberSpec(label="Part", minimum=0.0, maximum=1.0)
 WHOLE = NumberSpec(label="Count", minimum=1, maximum=72, whole=True)
 SOUND = Samples(values=np.arange(5.0), sample_rate_hz=1300.0)
@@ -184,6 +190,16 @@ def test_what_does_not_fit_is_refused_with_the_name_and_what_was_expected(name):
     for value in WRONG[name]:
         with pytest.raises(InvalidInputError, match=rf"Everything\.{name} is .*, expected "):
             Everything(**{name: value})
+
+
+@pytest.mark.parametrize("kind", MODELS.values(), ids=MODELS)
+@settings(max_examples=2, deadline=None, suppress_health_check=list(HealthCheck))
+@given(data=st.data())
+def test_every_field_of_every_model_refuses_what_does_not_fit_by_its_name(kind, data):
+    model = data.draw(recipes(kind))
+    for name in specs_of(kind):
+        with pytest.raises(InvalidInputError, match=rf"{kind.__name__}\.{name} is .*, expected "):
+            replace(model, **{name: object()})
 
 
 def test_what_is_kept_has_one_form():

@@ -37,12 +37,6 @@ def test_spectra_of_odd_and_even_lengths_are_those_of_the_sum(n):
 RATE_HZ = 1300.0
 
 
-def test_one_sample_is_spread_over_all_frequencies():
-    assert share_outside_band(np.array([3.0]), RATE_HZ) == pytest.approx(1 - 575 / 650, abs=1e-15)
-    between = np.array([0.0, -1.0, 0.0])
-    assert share_outside_band(between, RATE_HZ) == pytest.approx(1 - 575 / 650, abs=1e-15)
-
-
 @pytest.mark.parametrize(("low_hz", "high_hz"), [(0.0, 100.0), (25.0, 600.0), (600.0, 650.0)])
 @pytest.mark.parametrize("second", [1.0, -1.0, 0.3])
 def test_two_samples_have_a_cosine_for_a_spectrum(second, low_hz, high_hz):

@@ -100,20 +100,6 @@ def test_a_part_of_the_time_is_those_samples():
             stimulus.part_of_time(result, *times)
 
 
-def test_fades_begin_and_end_at_zero_and_leave_the_middle():
-    plain = stimulus_of(
-        design(track(7, Tone(frequency_hz=100.0, phase_rad=1.5, window="none"))), 8000
-    )
-    soft = stimulus.faded(plain, 0.01, 0.02)
-    assert soft.samples[0, 0] == 0.0
-    assert soft.samples[0, -1] == 0.0
-    np.testing.assert_array_equal(soft.samples[:, 80:640], plain.samples[:, 80:640])
-    assert soft.samples[0, 40] == pytest.approx(0.5 * plain.samples[0, 40])
-    assert soft.samples[0, -81] == pytest.approx(0.5 * plain.samples[0, -81])
-    with pytest.raises(InvalidInputError, match="length of the stimulus"):
-        stimulus.faded(plain, 1.0)
-
-
 def test_a_sync_channel_marks_time_0_at_full_scale():
     quiet = stimulus_of(design(track(7, Impulse(), onset_s=0.1, amplitude=0.01)), 8000)
     marked = stimulus.with_sync(stimulus.with_silence(quiet, 0.05))

@@ -6,7 +6,7 @@ import pytest
 from skinsource.base.errors import InvalidInputError, RecordingError
 from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.signals.resampling import resample
-from skinsource.studies.checking import proportion, superposition
+from skinsource.studies.checking import proportion
 from skinsource.studies.validation import agreement, aligned, open_recorded
 
 RNG = np.random.default_rng(21)
@@ -61,19 +61,6 @@ def fitted(levels, responses):
     return fit.frequency_hz, fit.adjusted_r2
 
 
-def test_outputs_in_proportion_are_a_straight_line_and_a_limiter_is_not():
-    time = np.arange(2600) / 1300.0
-    sweep = np.sin(2 * np.pi * (25 * time + 140 * time**2))
-    levels = np.array([0.25, 0.5, 1.0, 2.0])
-    straight = levels[:, None, None] * np.stack([sweep, 0.3 * sweep])
-    frequency_hz, fit = fitted(levels, straight)
-    assert fit == pytest.approx(np.ones(fit.shape), abs=1e-9)
-    assert frequency_hz[0] == 26.0
-    assert frequency_hz[-1] == 598.0
-    _, fit = fitted(levels, np.tanh(2.0 * straight))
-    assert np.median(fit[0]) < 0.97
-
-
 def test_the_adjusted_share_is_that_of_its_formula():
     levels = np.array([1.0, 2.0, 3.0, 4.0])
     heights = np.array([1.0, 2.2, 2.7, 4.1])
@@ -82,13 +69,6 @@ def test_the_adjusted_share_is_that_of_its_formula():
     k = int(np.argmin(np.abs(frequency_hz - 100.0)))
     r2 = np.corrcoef(levels, heights)[0, 1] ** 2
     assert fit[0, k] == pytest.approx(1 - (1 - r2) * 3 / 2)
-
-
-def test_a_sum_of_inputs_correlates_with_the_joint_response():
-    parts = RNG.normal(size=(3, 5, 300))
-    together = superposition(parts, parts.sum(axis=0))
-    assert together.correlation == pytest.approx(np.ones(5))
-    assert (superposition(parts, parts[0]).correlation < 0.8).all()
 
 
 @pytest.mark.parametrize("suffix", [".csv", ".npz"])

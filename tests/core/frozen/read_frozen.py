@@ -26,9 +26,13 @@ import numpy as np
 import skinsource as ss
 from skinsource.__main__ import main
 from skinsource.engine.quantities import new_graph
+from skinsource.specs.models import specs_of
+from skinsource.specs.spec import Spec
 
 HERE = Path(__file__).parent
 QUANTITIES = ("output_levels_db", "selected_traces", "selected_spectra")
+#: Attributes of a field's specification that limit its values.
+LIMITS = ("minimum", "maximum", "whole", "longest", "one_line", "fewest", "most", "different")
 #: Traces and spectra are stored as so many sums with random signs: any change changes these.
 N_SUMS = 4
 EXPORTED = ss.waveforms.Recording(
@@ -54,16 +58,45 @@ def _description(value: object) -> dict:
     return description
 
 
-def public_names() -> dict:
-    """Return descriptions of all names of ``skinsource`` and of its packages."""
-    names = {}
+def _public() -> dict[str, object]:
+    """Return all public names of ``skinsource`` and of its packages."""
+    names: dict[str, object] = {}
     for name in sorted(ss.__all__):
         value = getattr(ss, name)
         if isinstance(value, types.ModuleType):
-            names |= {f"{name}.{n}": _description(getattr(value, n)) for n in sorted(value.__all__)}
+            names |= {f"{name}.{n}": getattr(value, n) for n in sorted(value.__all__)}
         else:
-            names[name] = _description(value)
+            names[name] = value
     return names
+
+
+def public_names() -> dict:
+    """Return descriptions of all public names."""
+    return {name: _description(value) for name, value in _public().items()}
+
+
+def models() -> dict[str, type]:
+    """Return the public classes whose fields say what they may hold."""
+    classes = {n: v for n, v in _public().items() if dataclasses.is_dataclass(v)}
+    return {n: v for n, v in classes.items() if inspect.isclass(v) and specs_of(v)}
+
+
+def limits() -> dict:
+    """Return what each field of the models may hold."""
+    return {
+        f"{name}.{field}": _limits(spec)
+        for name, model in models().items()
+        for field, spec in specs_of(model).items()
+    }
+
+
+def _limits(spec: Spec) -> dict:
+    found = {name: getattr(spec, name) for name in LIMITS if hasattr(spec, name)}
+    parts = {name: getattr(spec, name) for name in ("of", "x", "y") if hasattr(spec, name)}
+    parts |= {str(k): column for k, column in enumerate(getattr(spec, "columns", ()))}
+    found |= {name: _limits(part) for name, part in parts.items()}
+    options = [option for option, _ in getattr(spec, "options", ())]
+    return {"kind": type(spec).__name__, **found, "options": options}
 
 
 class _Stop(BaseException):
@@ -163,6 +196,7 @@ def designs():
 def _write() -> None:
     for name, value in (
         ("public", public_names()),
+        ("limits", limits()),
         ("commands", commands()),
         ("quantities", sorted(new_graph().rules)),
     ):

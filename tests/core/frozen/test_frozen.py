@@ -24,6 +24,12 @@ def test_public_names_keep_their_parameters_and_fields():
         assert json.loads(json.dumps(names.get(name))) == description, name
 
 
+def test_fields_of_models_keep_their_limits():
+    limits = read_frozen.limits()
+    for name, expected in stored("limits").items():
+        assert limits.get(name) == expected, name
+
+
 def test_commands_keep_their_options_and_choices():
     commands = read_frozen.commands()
     for name, options in stored("commands").items():
