@@ -242,7 +242,7 @@ class Monkey:
         settings = settings_of(view, "skin", SkinSettings)
         if settings.quantity != LEVELS:
             self.document.look(with_settings(view, "skin", replace(settings, quantity=LEVELS)))
-        if self.window.panel("skin").moves:
+        if self.window.playback.player.playing:
             self.window.do("play")
 
     def _check_history(self) -> None:
