@@ -422,7 +422,7 @@ COLOURS = ChoiceSpec(
         ("cividis", "Cividis"),
         ("magma", "Magma"),
         ("CET-L1", "Grey"),
-        ("turbo", "Turbo, like MATLAB's jet"),
+        ("turbo", "Turbo, like jet"),
     ),
     hint="All but the last are even, and safe for any colour vision",
 )
