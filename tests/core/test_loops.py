@@ -90,6 +90,12 @@ def test_an_animation_leaves_silence_out_at_any_speed(onset_s):
         assert slow_motion == 5.0
 
 
+def test_an_animation_of_a_long_response_goes_to_its_end():
+    taps = (ss.track(7, ss.waveforms.Tap()), ss.track(8, ss.waveforms.Tap(), onset_s=40.0))
+    begin_s, end_s, _ = animation_of(ss.Design(limb="synthetic-1", inputs=taps), ss.View())
+    assert (begin_s < 0.1, end_s > 40.1) == (True, True)
+
+
 def test_at_its_own_speed_an_animation_shows_one_period_of_a_steady_tone_without_a_seam():
     design = tones(0.5)
     begin_s, end_s, slow_motion = animation_of(design, ss.View(slow_motion=0.0))
