@@ -11,9 +11,6 @@ from PySide6.QtWidgets import QWidget
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
-from skinsource_gui.panels.hand.panel import HandDiagram
-from skinsource_gui.panels.skin.map import SkinMap
-from skinsource_gui.panels.timeline.lanes import LanesView
 from skinsource_gui.qt.accessible import Told, tell_items
 
 TONE = Tone(frequency_hz=100.0, duration_s=0.2)
@@ -42,8 +39,9 @@ def studio(open_window, settle):
 
 def test_nothing_is_told_while_nobody_asks(studio, settle, monkeypatch):
     told = []
-    for widget in (HandDiagram, SkinMap, LanesView):
-        monkeypatch.setattr(widget, "told", lambda _, k: told.append(k))
+    for name, part in (("hand", "diagram"), ("skin", "map"), ("timeline", "lanes")):
+        painted = getattr(studio.panel(name), part)
+        monkeypatch.setattr(painted, "told", told.append, raising=True)
     studio.do("duplicate_clips")
     settle()
     assert not told
