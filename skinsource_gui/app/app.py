@@ -17,6 +17,7 @@ from skinsource.base.assets import user_folder
 from skinsource.base.crash_log import CrashLog
 from skinsource.base.files import make_folder
 from skinsource.limbs.catalog import available_limbs, default_limb
+from skinsource_gui.qt.accessible import tell_items
 from skinsource_gui.qt.windows import fit_by_guess
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.playing import device_is_stuck
@@ -154,6 +155,7 @@ def make_application() -> QtWidgets.QApplication:
     application.setDesktopFileName("skinsource-studio")
     sys.setswitchinterval(_SWITCH_INTERVAL_S)
     keep_freed_memory()
+    tell_items()
     return application
 
 

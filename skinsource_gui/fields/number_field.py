@@ -61,8 +61,7 @@ def help_text(spec: NumberSpec) -> str:
     return tooltip(
         f"{spec.label}, {range_text(spec)}",
         spec.about,
-        "Drag, wheel or ↑ ↓: next round number; Ctrl: finer; Shift: coarser",
-        "Double-click or type to enter a number",
+        "Drag, turn the wheel, or type; Ctrl: finer; Shift: coarser",
     )
 
 

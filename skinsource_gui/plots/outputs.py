@@ -10,7 +10,7 @@ from skinsource_gui.qt.keys import meaning_of
 Outputs = tuple[int, ...]
 
 # A click selects an output from this far away.
-_REACH_PX = 11.0
+REACH_PX = 11.0
 
 
 def dorsal_outputs(points: Floats, unplaced: Outputs) -> Outputs:
@@ -23,7 +23,7 @@ def is_placed(points: Floats, number: int) -> bool:
     return number <= len(points) and bool(np.isfinite(points[number - 1]).all())
 
 
-def output_at(points: Floats, at: QPointF, reach_px: float = _REACH_PX) -> int | None:
+def output_at(points: Floats, at: QPointF, reach_px: float = REACH_PX) -> int | None:
     """Return the output nearest to ``at`` within reach; ``points`` is (n_outputs, 2), px.
 
     Outputs without a place, NaN, are ignored.

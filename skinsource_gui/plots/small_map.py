@@ -422,7 +422,7 @@ COLOURS = ChoiceSpec(
         ("cividis", "Cividis"),
         ("magma", "Magma"),
         ("CET-L1", "Grey"),
-        ("turbo", "Turbo, like MATLAB's jet"),
+        ("turbo", "Turbo, like jet"),
     ),
     hint="All but Turbo are perceptually uniform, and safe for any colour vision",
 )

@@ -6,7 +6,7 @@ from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, QTimer
 
 from skinsource.base.decibels import levels_for_tables
 
@@ -41,8 +41,17 @@ def ask_to_save(
 ) -> bool:
     """Ask whether to save changes; return whether they are saved or discarded."""
     buttons = _Answer.Save | _Answer.Discard | _Answer.Cancel
+    QTimer.singleShot(0, parent, _give_discard_a_key)
     answer = QtWidgets.QMessageBox.question(parent, title, question, buttons, _Answer.Save)
     return save() if answer == _Answer.Save else answer == _Answer.Discard
+
+
+def _give_discard_a_key() -> None:
+    """Have Alt+D discard in the question that is open: Qt gives this button no key."""
+    box = QtWidgets.QApplication.activeModalWidget()
+    discard = box.button(_Answer.Discard) if isinstance(box, QtWidgets.QMessageBox) else None
+    if discard is not None:
+        discard.setText("&Discard")
 
 
 def copied_number(value: float) -> str:

@@ -184,6 +184,7 @@ EDITS: dict[str, MakeEdit] = {
     "remove_clips": _of_clips(edits.remove_clips),
     "limit_to_band": _of_clips(edits.limit_to_band),
     "remove_delay": lambda design, view: edits.remove_delay(design, view, not view.delay_removed),
+    "play_automatic": partial(edits.play_slower, slow_motion=0.0),
     **{f"use_{word}_colours": partial(use_colours, name) for word, name in _COLOURS.items()},
 }
 
@@ -228,6 +229,7 @@ CHECKED: dict[str, Condition] = {
     "fade_out": _faded(1),
     "mute_clips": _are(_clips, lambda clip: clip.muted),
     "remove_delay": lambda _, view: view.delay_removed,
+    "play_automatic": lambda _, view: not view.slow_motion,
     **{f"use_{word}_colours": partial(has_colours, name) for word, name in _COLOURS.items()},
 }
 # What an entry of the file stands there for, once for each.

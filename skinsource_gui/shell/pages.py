@@ -10,6 +10,9 @@ from PySide6.QtCore import QObject, Qt, QTimer, QUrl
 
 from skinsource.base.assets import manual_file
 from skinsource.base.measurement_conditions import PRE_TRIGGER_DELAY_S
+from skinsource.design.design import Design
+from skinsource.design.labels import limb_label
+from skinsource.export import packing
 from skinsource.version import __version__
 from skinsource_gui import pages
 from skinsource_gui.qt.keys import KEYS, MOUSE, native_text
@@ -32,6 +35,7 @@ and its dataset,
 films leave this out and count time from the pulse, which is known to about 2 ms; View &gt; Remove
 pre-trigger delay brings it back. Tables and files keep the record.</p>
 """
+
 # What a page has room for.
 _PICTURE_PX = 640
 
@@ -94,6 +98,15 @@ def _page(title: str, html: str, parent: QtWidgets.QWidget) -> QtWidgets.QDialog
     buttons.rejected.connect(dialog.reject)
     in_column(browser, buttons, of=dialog)
     return dialog
+
+
+def _checksums(design: Design) -> str:
+    """Return the checksums of the responses that predict a design, and of an own limb."""
+    data = packing.data_of(design)
+    found = {data["source_name"] or "Responses": data["source_sha256"]}
+    found |= {f"Limb {limb_label(design.limb).title}": data["limb_sha256"]}
+    lines = (f"{escape(of)}: SHA-256 <code>{sha}</code>" for of, sha in found.items() if sha)
+    return f"<p>{'<br>'.join(lines)}</p>"
 
 
 class Pages(QObject):
@@ -168,7 +181,8 @@ class Pages(QObject):
 
     def show_about(self) -> None:
         """Open the page on version, licence and citation."""
-        _page("About SkinSource studio", _ABOUT, self._window).open()
+        text = _ABOUT + _checksums(self._document.design)
+        _page("About SkinSource studio", text, self._window).open()
 
     def _gestures(self) -> list[QtGui.QAction]:
         """Return an action for each gesture of the mouse, which opens the keys page there."""

@@ -145,11 +145,8 @@ class RigPages(QObject):
         self.opened.emit(f"Opened {printable(path.name)}.")
 
 
-_PLAY = "Animate or stop", "Animate the wave on the skin; no actuator moves."
-_REPEAT = (
-    "Repeat",
-    "Repeat the whole design; a loop on the ruler always repeats.",
-)
+_PLAY = "Animate or stop", "No actuator moves."
+_REPEAT = "Repeat", "A loop on the ruler always repeats."
 
 
 class Transport(QtWidgets.QWidget):

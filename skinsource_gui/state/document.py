@@ -64,9 +64,9 @@ class HistoryState:
 _SINGLE_STEP = -1
 
 
-#: The view of a new design: time begins at the pulse of the measurement, and a tone of 100 Hz is
-#: seen at 2 Hz; the highest frequency of the band keeps five pictures a period.
-NEW_VIEW = View(delay_removed=True, slow_motion=50.0)
+#: The view of a new design: time begins at the pulse of the measurement, and waves run as slowly
+#: as they can be followed.
+NEW_VIEW = View(delay_removed=True, slow_motion=0.0)
 
 
 class Document(QObject):

@@ -21,6 +21,7 @@ from skinsource.base.quoting import quoted
 from skinsource.design import edits
 from skinsource.design.comparing import louder
 from skinsource.design.design import Design
+from skinsource.design.view import View
 from skinsource.lab.playing.devices import Output, output_from_text, outputs_by_place
 from skinsource.lab.playing.mix import HIGHEST_DB, LOWEST_DB, START_DB
 from skinsource_gui.state.document import Document
@@ -185,7 +186,7 @@ class LiveEdits(QObject):
         super().__init__(parent)
         self._document, self._session, self._thread = document, session, thread
         self._playing: Playing | None = None
-        self._rendered: tuple[Design, bool] | None = None
+        self._rendered: tuple[Design, bool, View] | None = None
         self._output, self._loops = Output(), False
         self._rig: Rig | None = None
         self._busy = False
@@ -196,7 +197,7 @@ class LiveEdits(QObject):
     ) -> None:
         """Follow the document, whose ``design`` is played now."""
         self._playing, self._output, self._loops, self._rig = playing, output, loops, rig
-        self._rendered, self.render_s = (design, loops), 0.0
+        self._rendered, self.render_s = (design, loops, self._pace), 0.0
         self._document.changed.connect(self._follow)
         self._follow()
 
@@ -212,8 +213,16 @@ class LiveEdits(QObject):
         if self._playing is not None:
             self._follow()
 
+    @property
+    def _pace(self) -> View:
+        """A view that has but the speed, which actuators do not follow."""
+        if self._playing is None or self._playing.silent is None:
+            return View()
+        view = self._document.view
+        return View(slow_motion=view.slow_motion, delay_removed=view.delay_removed)
+
     def _follow(self) -> None:
-        latest = played_of(self._document), self._loops
+        latest = played_of(self._document), self._loops, self._pace
         if self._playing is None or self._busy or self._rendered == latest:
             return
         self._busy, self._rendered = True, latest
@@ -225,6 +234,7 @@ class LiveEdits(QObject):
             self._output,
             loops=latest[1],
             rig=self._rig,
+            view=latest[2],
         )
         self._thread.run(partial(_timed, change), self._receive)
 
@@ -571,9 +581,8 @@ class Player(QObject):
         animate = partial(
             self._session().animate,
             design,
+            view,
             loops=True,
-            at_s=view.playhead_s,
-            slow_motion=view.slow_motion,
         )
         self._begin(animate, partial(self._run, design, None))
 
@@ -796,17 +805,17 @@ def _ignore_result(_result: object, _error: Exception | None) -> None:
 
 #: Choices of slow motion: real time, and how many times slower.
 PACES = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0)
+# From here it goes on where the automatic one is not known: of a tone of 100 Hz.
+_USUAL = 50.0
 
 
 class PlaybackPace(QObject):
-    """Pauses the player, and has it follow the playhead and the slow motion of the view."""
+    """Pauses the player, has it follow the playhead, and chooses the slow motion of the view."""
 
     def __init__(self, document: Document, player: Player, parent: QObject) -> None:
         super().__init__(parent)
         self._document, self._player = document, player
-        self._slow_motion = document.view.slow_motion
         player.playhead.moved_away.connect(self._seek)
-        document.changed.connect(self._follow)
 
     def pause(self) -> None:
         """Stop and leave the playhead where it is, or play on from there."""
@@ -828,7 +837,9 @@ class PlaybackPace(QObject):
 
     @property
     def _now(self) -> float:
-        return self._document.view.slow_motion
+        now = self._player.now
+        running = _USUAL if now is None or now.silent is None else now.silent.slow_motion
+        return self._document.view.slow_motion or running
 
     def _set_slow_motion(self, slow_motion: float) -> None:
         design, view = self._document.design, self._document.view
@@ -837,14 +848,6 @@ class PlaybackPace(QObject):
     def _seek(self, time_s: float) -> None:
         if self._player.now is not None:
             self._player.now.seek(time_s)
-
-    def _follow(self) -> None:
-        before, self._slow_motion = self._slow_motion, self._now
-        now = self._player.now
-        if now is None or before == self._now:
-            return
-        if now.silent is not None:
-            now.silent.run_at(self._now)
 
 
 def _calibration(settings: SoundSettings, design: Design) -> str:

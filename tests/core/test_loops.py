@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.engine.loops import loop_of
+from skinsource.engine.loops import animation_of, loop_of
 
 HZ = 130.0
 
@@ -75,6 +75,35 @@ def test_lengths_of_vectors_are_not_negative_and_move_twice_as_fast():
     assert length.slow_motion == pytest.approx(2.0 * along.slow_motion)
     assert length.values(0.25).min() >= 0.0
     assert not length.signed
+
+
+@pytest.mark.parametrize("onset_s", [0.3, 30.0])
+def test_an_animation_leaves_silence_out_at_any_speed(onset_s):
+    tap = ss.track(7, ss.waveforms.Tap(), onset_s=onset_s)
+    design = ss.Design(limb="synthetic-1", inputs=(tap,))
+    for removed in (True, False):
+        view = ss.View(slow_motion=5.0, delay_removed=removed)
+        begin_s, end_s, slow_motion = animation_of(design, view)
+        delay_s = 0.0 if removed else moving(design).delay_s
+        assert begin_s == pytest.approx(onset_s + delay_s - 0.005)
+        assert 0.05 < end_s - begin_s < 0.4
+        assert slow_motion == 5.0
+
+
+def test_an_animation_of_a_long_response_goes_to_its_end():
+    taps = (ss.track(7, ss.waveforms.Tap()), ss.track(8, ss.waveforms.Tap(), onset_s=40.0))
+    begin_s, end_s, _ = animation_of(ss.Design(limb="synthetic-1", inputs=taps), ss.View())
+    assert (begin_s < 0.1, end_s > 40.1) == (True, True)
+
+
+def test_at_its_own_speed_an_animation_shows_one_period_of_a_steady_tone_without_a_seam():
+    design = tones(0.5)
+    begin_s, end_s, slow_motion = animation_of(design, ss.View(slow_motion=0.0))
+    assert (end_s - begin_s, slow_motion) == (pytest.approx(1.0 / HZ), HZ / 2.0)
+    signals = moving(design)
+    first, last = signals.acceleration(begin_s), signals.acceleration(end_s)
+    np.testing.assert_allclose(first, last, atol=0.01 * signals.largest)
+    assert animation_of(tones(0.03), ss.View(slow_motion=0.0, delay_removed=True))[0] == 0.0
 
 
 def test_spectra_have_the_tone_on_top():

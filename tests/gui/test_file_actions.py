@@ -1,13 +1,14 @@
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
+from PySide6.QtCore import QMimeData, QPointF, Qt, QTimer, QUrl
 from PySide6.QtGui import QColor, QDragEnterEvent, QDropEvent, QImage
-from PySide6.QtWidgets import QApplication, QMessageBox
+from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
 from skinsource.design.design import track
 from skinsource.design.design_file import open_design, save_design
 from skinsource_gui.plots.pictures import PictureOptions
+from skinsource_gui.qt.questions import ask_to_save
 from skinsource_gui.qt.theme import DARK
 from tests.gui.exporting import press, shown
 
@@ -136,3 +137,18 @@ def test_a_file_dropped_on_the_window_is_opened(window, settle, answers, tmp_pat
     assert entering.isAccepted()
     QApplication.sendEvent(window, QDropEvent(QPointF(middle), *arguments))
     assert window.document.design == design
+
+
+def test_a_key_discards(qtbot):
+    owner, keys = QWidget(), []
+    qtbot.addWidget(owner)
+
+    def look():
+        box = QApplication.activeModalWidget()
+        keys.append(box.button(QMessageBox.StandardButton.Discard).shortcut().toString())
+        box.reject()
+
+    # After what the question does when it opens.
+    QTimer.singleShot(0, lambda: QTimer.singleShot(0, look))
+    assert not ask_to_save(owner, "Unsaved design", "Save?", lambda: False)
+    assert keys == ["Alt+D"]

@@ -1,16 +1,18 @@
 import threading
 from dataclasses import replace
 from functools import partial
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QAbstractScrollArea, QWidget
+from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QTextBrowser, QWidget
 
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.prediction import predict
+from skinsource.export import packing
 from skinsource.limbs.catalog import load_limb
 from skinsource.signals.projection import project_axes
 from skinsource_gui.state.preferences import start_design
@@ -86,3 +88,14 @@ def test_closing_during_an_evaluation_ends_cleanly(open_window):
     window.document.mark_saved(window.document.path)
     gate.set()
     window.close()  # the fixture sees that no thread is left
+
+
+def test_about_the_data_says_the_checksum_of_the_responses(open_window, monkeypatch):
+    store = SimpleNamespace(source_name="responses.mat", source_sha256="ab" * 32, note="")
+    monkeypatch.setattr(packing, "describe", lambda: store)
+    window = open_window(Design(limb="measured-1"))
+    window.do("show_about")
+    page = QApplication.activeModalWidget()
+    text = page.findChild(QTextBrowser, "page_text").toPlainText()
+    page.close()
+    assert f"responses.mat: SHA-256 {'ab' * 32}" in text

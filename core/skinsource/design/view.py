@@ -55,9 +55,10 @@ SELECTED_CLIPS = ListSpec(
 PLAYHEAD = NumberSpec(label="Playhead", unit="s", minimum=0.0, maximum=1e6)
 SLOW_MOTION = NumberSpec(
     label="Slow motion",
-    minimum=1.0,
+    minimum=0.0,
     maximum=200.0,
     hint="How many times slower than real time; sound plays only at 1",
+    unset="automatic",
 )
 DELAY_REMOVED = SwitchSpec(label="Remove pre-trigger delay")
 TIME_RANGE = RangeSpec(label="Zoom of time axes", unit="s")
@@ -127,7 +128,7 @@ class View:
     playhead_s
         Time of the playhead.
     slow_motion
-        How many times slower than in reality the animation plays.
+        How many times slower than in reality the animation plays; 0: as its waves can be followed.
     delay_removed
         Whether time axes are shifted by the pre-trigger delay of the responses.
     time_range_s

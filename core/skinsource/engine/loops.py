@@ -10,8 +10,11 @@ from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.decibels import decibels
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, audible_inputs
+from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
+from skinsource.engine.evaluation import evaluate
 from skinsource.engine.time_rules import Moving
+from skinsource.limbs.own_limbs import facts_of
 from skinsource.signals.resampling import finer
 
 #: The fastest strong component is shown at this frequency at most, in so many pictures a period.
@@ -23,6 +26,8 @@ _REST = 0.01
 # It begins so long before the stimulus: the filter of the measurement rings before it.
 _BEFORE_S = 0.005
 _POINTS_PER_PERIOD = 48
+# A tone of so many periods is steady in its middle.
+_STEADY_PERIODS = 8
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -116,12 +121,45 @@ def loop_of(design: Design, moving: Moving) -> Loop:
             fastest_hz=hz if moving.signals.shape[1] == 1 else 2.0 * hz,
             phasors=_steady(*tone, moving),
         )
+    return _passing(design, moving)
+
+
+def animation_of(design: Design, view: View) -> tuple[float, float, float]:
+    """Return begin and end of what an animation repeats, and how many times slower it runs.
+
+    Times are those of the playhead, s.  At a chosen speed it is all that moves; else a steady tone
+    is shown in its middle, for one period.
+    """
+    onset_s = min((part.onset_s for part in _played(design)), default=0.0)
+    name = moving_name(design.limb)
+    moving = evaluate(design, name, view=View(playhead_s=onset_s))[name]
+    loop, tone = loop_of(design, moving), _only_tone(design)
+    slow_motion = view.slow_motion or loop.slow_motion
+    if tone is not None and not view.slow_motion and loop.phasors is not None:
+        clip, period_s = tone[0], loop.duration_s
+        if clip.duration_s >= _STEADY_PERIODS * period_s:
+            middle_s = clip.onset_s + clip.duration_s / 2
+            return middle_s, middle_s + period_s, slow_motion
+    passing = _passing(design, moving)
+    removed_s = moving.delay_s if view.delay_removed else 0.0
+    begin_s = max(passing.begin_s - removed_s, 0.0)
+    return begin_s, passing.begin_s + passing.duration_s - removed_s, slow_motion
+
+
+def moving_name(limb: str) -> str:
+    """Return the quantity that moves on a limb: along z, or all axes where z was not measured."""
+    return "moving_z" if "z" in facts_of(limb).axes else "moving_vector"
+
+
+def _passing(design: Design, moving: Moving) -> Loop:
     rate_hz = moving.sample_rate_hz
     size = np.abs(moving.signals).max(axis=(0, 1), initial=0.0)
     moves = np.flatnonzero(size > _REST * moving.largest)
     onset_s = min((part.onset_s for part in _played(design)), default=0.0)
     begin_s = max(onset_s + moving.delay_s - _BEFORE_S, moving.first / rate_hz)
-    end_s = (moving.first + (int(moves[-1]) if moves.size else 0)) / rate_hz
+    last = moving.first + (int(moves[-1]) if moves.size else 0)
+    # Of a long response only a part is known.
+    end_s = (last if moving.end == moving.response_samples else moving.response_samples) / rate_hz
     return Loop(
         moving=moving,
         begin_s=begin_s,

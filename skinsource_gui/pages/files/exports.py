@@ -98,7 +98,7 @@ EXPORTS: tuple[ExportSpec, ...] = (
     ExportSpec(
         name=STIMULUS,
         group="Stimulus",
-        hint="Write what the actuators get: WAV, FLAC, CSV, MATLAB, C and others",
+        hint="Write what the actuators get: WAV, CSV, MATLAB and others",
         keys=("Ctrl+Alt+E",),
         keywords="drive wav flac csv npz mat hdf5 header bids sound play actuator equaliser",
     ),
@@ -113,7 +113,7 @@ EXPORTS: tuple[ExportSpec, ...] = (
         group="Picture",
         title="Skin map",
         file_name="skin-map.png",
-        hint="Save the skin map with its colour bar: PNG, SVG or PDF",
+        hint="Save the skin map as PNG, SVG or PDF",
         panel="skin",
         keys=("Ctrl+Shift+E",),
         keywords="image figure screenshot heatmap vector pdf svg png",
@@ -175,7 +175,7 @@ EXPORTS: tuple[ExportSpec, ...] = (
     ExportSpec(
         name="map",
         group="Table",
-        title="Map of levels",
+        title="Level map",
         file_name="map.csv",
         hint="Save the map as numbers in dB: rows y, columns x",
         write=export_map,

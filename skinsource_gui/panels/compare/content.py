@@ -34,9 +34,10 @@ from skinsource.design.labels import (
     span_label,
 )
 from skinsource.design.view import View
+from skinsource.engine.loops import moving_name
 from skinsource.engine.time_rules import Moving
 from skinsource.limbs.limb import PUBLISHED
-from skinsource.limbs.own_limbs import axes_on, facts_of
+from skinsource.limbs.own_limbs import axes_on
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.studies import scenes
 from skinsource_gui.fields.units import output_text
@@ -433,11 +434,6 @@ LEVELS = frozenset(
         "surface_levels_db",
     }
 )
-
-
-def moving_name(limb: str) -> str:
-    """Return the quantity that moves on a limb: along z, or all axes where z was not measured."""
-    return "moving_z" if "z" in facts_of(limb).axes else _ALL_AXES
 
 
 _ALL_AXES = "moving_vector"

@@ -6,8 +6,8 @@ from dataclasses import replace
 from PySide6.QtCore import QElapsedTimer, QObject, Qt, QTimer, Signal
 
 from skinsource.base.arrays import Floats
-from skinsource.engine.loops import PICTURES_PER_PERIOD, SHOWN_HZ, Loop, loop_of
-from skinsource_gui.panels.compare.content import Cell, Names, moving_name
+from skinsource.engine.loops import PICTURES_PER_PERIOD, SHOWN_HZ, Loop, loop_of, moving_name
+from skinsource_gui.panels.compare.content import Cell, Names
 from skinsource_gui.plots.colour_maps import DIVERGING, VIRIDIS
 from skinsource_gui.plots.ranges import SteadyRange
 from skinsource_gui.plots.small_map import ColourScale, Range, small_map_of

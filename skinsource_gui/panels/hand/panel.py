@@ -21,6 +21,7 @@ from skinsource_gui.fields.inputs import EMPTY, fill_inputs_menu
 from skinsource_gui.panels.hand.layout import HandDrawing, HandState, Mark
 from skinsource_gui.panels.hand.picture import HandStage, PlacesOfMap, drawing_of, places_of_map
 from skinsource_gui.panels.hand.settings import HAND, HandSettings
+from skinsource_gui.qt.accessible import Told
 from skinsource_gui.qt.buttons import page_label, passing_menu, tool_button
 from skinsource_gui.qt.frames import DropPlace, paint_focus_frame
 from skinsource_gui.qt.keys import claims_shortcut, key_text, meaning_of
@@ -368,6 +369,17 @@ class HandDiagram(QtWidgets.QWidget):
     def site_centre(self, site: int) -> QPoint:
         """Return the middle of a site's marker, in pixels of this widget."""
         return self.stage.layout.centre(site).toPoint()
+
+    def told_count(self) -> int:
+        """Return the number of places."""
+        return self.stage.layout.n_sites
+
+    def told(self, k: int) -> Told:
+        """Return what a screen reader says of a place."""
+        site, marks = k + 1, self.state.marks
+        chosen = any(marks[index].chosen for index in self.state.at(site))
+        name = self.stage.text(site).replace("\n", ". ").replace(", selected", "")
+        return Told(f"Place {name}", self.stage.layout.marker_area(site), chosen)
 
     def show_drawing(self, drawing: HandDrawing) -> None:
         """Take another hand."""

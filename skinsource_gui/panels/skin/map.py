@@ -2,7 +2,7 @@
 
 import numpy as np
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRectF, QSize, QSizeF, Qt, Signal
 
 from skinsource.base.work import counted
 from skinsource.design.labels import BACK_SIDE
@@ -26,7 +26,7 @@ from skinsource_gui.panels.skin.painting import (
     small_font,
 )
 from skinsource_gui.panels.skin.settings import time_text
-from skinsource_gui.plots.outputs import ADDS, OutputPicker, output_at
+from skinsource_gui.plots.outputs import ADDS, REACH_PX, OutputPicker, is_placed, output_at
 from skinsource_gui.plots.small_map import (
     FIXED_MARK,
     bounds_of,
@@ -34,6 +34,7 @@ from skinsource_gui.plots.small_map import (
     paint_band,
     paint_ring,
 )
+from skinsource_gui.qt.accessible import Told
 from skinsource_gui.qt.frames import CachedPicture, Same, paint_focus_frame
 from skinsource_gui.qt.keys import KEYS, claims_shortcut, meaning_of
 from skinsource_gui.qt.theme import Theme, current_theme, tabular
@@ -396,6 +397,18 @@ class SkinMap(QtWidgets.QWidget):
             self.ring = at
             self.readout_changed.emit(self.readout())
             self.update()
+
+    def told_count(self) -> int:
+        """Return the number of outputs."""
+        return 0 if self.stage.layout is None else len(self.stage.layout.points)
+
+    def told(self, k: int) -> Told:
+        """Return what a screen reader says of an output."""
+        layout, area = self.stage.layout, QRectF()
+        if layout is not None and is_placed(layout.points, k + 1):
+            area.setSize(QSizeF(2 * REACH_PX, 2 * REACH_PX))
+            area.moveCenter(self.stage.place_of(k + 1))
+        return Told(output_readout(self.content, k + 1), area, k + 1 in self.content.outputs)
 
     def readout(self) -> str:
         """Return a text on what is under the pointer, else under the keyboard's cursor."""

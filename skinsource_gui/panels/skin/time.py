@@ -1,6 +1,7 @@
 """The skin map in time: how slowly it runs, and the controls for playhead and speed."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import count as counted
 
 from PySide6 import QtWidgets
@@ -79,7 +80,8 @@ class ScrubBar(QtWidgets.QWidget):
         self.time = QtWidgets.QLabel(self)
         self.time.setFont(tabular(self.time.font()))
         self.time.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        self.pace = ChoiceField(PACE, self)
+        options = ("0", "Automatic"), *PACE.options
+        self.pace = ChoiceField(replace(PACE, options=options), self)
         self.pace.setObjectName("skin_pace")
         self.pace.setMinimumContentsLength(5)
         in_row(

@@ -18,6 +18,7 @@ from skinsource.design.waveform import Waveform
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.fields.editor import Burst
+from skinsource_gui.fields.units import value_text
 from skinsource_gui.panels.timeline import gestures
 from skinsource_gui.panels.timeline.content import (
     CURSORS,
@@ -27,6 +28,7 @@ from skinsource_gui.panels.timeline.content import (
     Lane,
     Part,
     TimelineContent,
+    clip_name,
     clip_text,
     drawn_clips,
     loudest_of,
@@ -41,6 +43,7 @@ from skinsource_gui.panels.timeline.gain import GainItem, GainPoints
 from skinsource_gui.panels.timeline.painting import LanesItem, OverlayItem, PlayheadItem
 from skinsource_gui.plots.plot import PLAYHEAD, Canvas, moved_playhead
 from skinsource_gui.plots.time_scale import Range, TimeScale, panned, range_by_wheel, within, zoomed
+from skinsource_gui.qt.accessible import Told
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.keys import key_text, meaning_of, shortcut_text
@@ -602,6 +605,21 @@ class LanesView(Canvas):
             (clip.waveform for clip in design.clips if (clip.id,) == chosen), self._last
         )
         self.change(design=design, view=view, lanes=lanes)
+
+    def told_count(self) -> int:
+        """Return the number of clips in sight."""
+        return len(self.content.boxes)
+
+    def told(self, k: int) -> Told:
+        """Return what a screen reader says of a clip; they are counted track by track."""
+        boxes = sorted(self.content.boxes, key=lambda box: (box.rect.top(), box.rect.left()))
+        box, clip = boxes[k], boxes[k].clip
+        onset, duration = (
+            value_text(time_s, "s")
+            for time_s in (clip.onset_s, self.content.lengths.durations_s[clip.id])
+        )
+        name = f"{clip_name(clip)}, place {box.lane.track.location}, onset {onset}"
+        return Told(f"{name}, duration {duration}", box.rect, clip.id in self.content.selected)
 
     def show_playhead(self, view: View) -> None:
         """Show a view in which the playhead alone has moved."""

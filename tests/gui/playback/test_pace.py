@@ -4,6 +4,10 @@ from dataclasses import replace
 
 import pytest
 
+from skinsource.design.edits.edit import Edit
+from skinsource_gui.state.document import NEW_VIEW
+from tests.gui.playback.conftest import DESIGN, TONE
+
 WAIT = {"timeout": 20_000}
 RESPONSE_S = 522 / 1300
 
@@ -30,8 +34,9 @@ def test_on_actuators_it_is_played_in_real_time(sound, studio, player, qtbot, li
 
 def test_faster_and_slower_go_through_the_paces(studio):
     document, factors = studio.document, []
-    # Where waves can be followed, to begin with.
-    assert document.view.slow_motion == 50.0
+    assert studio.actions_by_name["play_automatic"].isChecked()
+    studio.do("play_slower")
+    assert document.view.slow_motion == 100.0
     document.look(replace(document.view, slow_motion=1.0))
     for _ in range(9):
         studio.do("play_slower")
@@ -43,7 +48,23 @@ def test_faster_and_slower_go_through_the_paces(studio):
     for _ in range(5):
         studio.do("play_faster")
     assert document.view.slow_motion == 1.0
+    studio.do("play_automatic")
+    assert document.view.slow_motion == 0.0
     assert document.undo_stack.count() == 0
+
+
+def test_the_speed_is_chosen_by_itself_until_the_user_chooses_one(studio, qtbot, animate):
+    document, run = studio.document, animate().silent
+    assert run.slow_motion == 50.0
+    assert 0.25 <= run.position_s() <= 0.26
+    document.look(replace(document.view, slow_motion=2.0))
+    qtbot.waitUntil(lambda: run.slow_motion == 2.0, **WAIT)
+    quick = replace(TONE, frequency_hz=400.0)
+    inputs = tuple(
+        replace(track, clips=(replace(track.clips[0], waveform=quick),)) for track in DESIGN.inputs
+    )
+    document.apply(Edit(label="", design=replace(DESIGN, inputs=inputs), view=NEW_VIEW))
+    qtbot.waitUntil(lambda: run.slow_motion == 200.0, **WAIT)
 
 
 def test_a_pause_leaves_the_playhead_where_it_is(studio, player, qtbot, animate):

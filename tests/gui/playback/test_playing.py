@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject
 import skinsource as ss
 from skinsource.lab.playing.devices import Output
 from skinsource.lab.playing.mix import START_DB
+from skinsource.lab.playing.session import Playing
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.playing import LiveEdits, Player
 from tests.gui.playback.conftest import DESIGN
@@ -202,7 +203,7 @@ def test_of_edits_made_while_one_is_rendered_only_the_last_is_rendered_too(qapp)
 
     thread = SimpleNamespace(run=lambda *task: waiting.append(task))
     edits = LiveEdits(document, lambda: SimpleNamespace(change=change), thread, owner)
-    edits.begin(object(), DESIGN, Output(), None, loops=True)
+    edits.begin(Playing(), DESIGN, Output(), None, loops=True)
     for amplitude in (0.5, 0.6, 0.7):
         document.edit("Louder", DESIGN.with_input(0, amplitude=amplitude))
     while waiting:

@@ -22,6 +22,8 @@ from skinsource.base.job import Stop, never, stop_if
 from skinsource.base.quoting import quoted
 from skinsource.design.amplitudes import equaliser_of
 from skinsource.design.design import Design
+from skinsource.design.view import View
+from skinsource.engine.loops import animation_of
 from skinsource.engine.stimulus import Stimulus, for_rig, stimulus_of, through_actuators
 from skinsource.lab.playing.devices import (
     Device,
@@ -56,6 +58,11 @@ class SilentRun:
         Returns seconds.
     slow_motion
         How many times slower than the clock it runs.
+
+    Attributes
+    ----------
+    slow_motion
+        The same.
     """
 
     def __init__(
@@ -66,13 +73,13 @@ class SilentRun:
         clock: Callable[[], float] = perf_counter,
         slow_motion: float = 1.0,
     ) -> None:
-        self._clock, self._slow_motion = clock, slow_motion
+        self._clock, self.slow_motion = clock, slow_motion
         self._duration_s, self._loop_s = duration_s, loop_s
         self._at_s, self._since_s = at_s, clock()
 
     def position_s(self) -> float:
         """Return the time in the design, s."""
-        later_s = self._at_s + (self._clock() - self._since_s) / self._slow_motion
+        later_s = self._at_s + (self._clock() - self._since_s) / self.slow_motion
         if self._loop_s is None or not self._at_s < self._loop_s[1] <= later_s:
             return later_s
         first_s, end_s = self._loop_s
@@ -88,20 +95,16 @@ class SilentRun:
         """Continue at another time."""
         self._at_s, self._since_s = at_s, self._clock()
 
-    def run_at(self, slow_motion: float) -> None:
-        """Continue from the present position, so many times slower than the clock."""
-        self.seek(self.position_s())
-        self._slow_motion = slow_motion
-
-    def change(self, duration_s: float, loop_s: Loop) -> None:
-        """Continue in another design; at the beginning of the loop where its end has passed."""
+    def change(self, duration_s: float, loop_s: Loop, slow_motion: float = 1.0) -> None:
+        """Continue in another design, or at another speed; outside of the loop at its beginning."""
         here_s = self.position_s()
-        self._duration_s, self._loop_s = duration_s, loop_s
-        self.seek(loop_s[0] if loop_s is not None and here_s >= loop_s[1] else here_s)
+        self._duration_s, self._loop_s, self.slow_motion = duration_s, loop_s, slow_motion
+        self.seek(here_s if loop_s is None else _begin(here_s, duration_s, loop_s))
 
 
 #: Outputs that are opened at least: a device of two may play a single channel on both.
 _FEWEST = 2
+_REAL_TIME = View()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -191,26 +194,29 @@ class Session:
         self.close()
         return refresh_devices()
 
-    def animate(
-        self, design: Design, *, loops: bool, at_s: float, slow_motion: float = 1.0
-    ) -> Playing:
+    def animate(self, design: Design, view: View, *, loops: bool) -> Playing:
         """Begin to move the playhead through a design; no device is opened.
 
         Parameters
         ----------
+        view
+            How slowly, and where it begins; outside of the repeated part at its beginning.
         loops
-            Whether the whole design is repeated where it has no loop.
-        at_s
-            Time to begin at; where it is after the end or outside the loop, the beginning.
-        slow_motion
-            How many times slower than real time.
+            Whether all that moves is repeated where the design has no loop.
         """
         self._start_over()
-        duration_s = response_end_s(design, self._mixer.stimulus(design).duration_s)
-        loop_s = loop_of(design, duration_s, loops=loops)
-        begin_s = _begin(at_s, duration_s, loop_s)
+        duration_s, loop_s, slow_motion = self._animation(design, view, loops=loops)
+        begin_s = _begin(view.playhead_s, duration_s, loop_s)
         silent = SilentRun(duration_s, loop_s, begin_s, slow_motion=slow_motion)
         return Playing(silent=silent, visible_s=duration_s)
+
+    def _animation(self, design: Design, view: View, *, loops: bool) -> tuple[float, Loop, float]:
+        """Return when the skin is at rest, what is repeated, and how many times slower it runs."""
+        duration_s = response_end_s(design, self._mixer.stimulus(design).duration_s)
+        if not loops:
+            return duration_s, design.loop_s, view.slow_motion
+        begin_s, end_s, slow_motion = animation_of(design, view)
+        return duration_s, design.loop_s or (begin_s, end_s), slow_motion
 
     def peak(self, design: Design, output: Output, *, rig: Rig | None = None) -> Peak:
         """Return the largest sample that `play` would send, before the gain; none is sent.
@@ -245,8 +251,10 @@ class Session:
 
         Parameters
         ----------
-        loops, at_s
-            As for `animate`.
+        loops
+            Whether the whole design is repeated where it has no loop.
+        at_s
+            Time to begin at; where it is after the end or outside the loop, the beginning.
         rig
             What is wired to the device; None where it is not known.
         stop
@@ -263,7 +271,7 @@ class Session:
         try:
             device = device_of(output, devices())
         except NothingToPlayOnError as missing:
-            silent = self.animate(design, loops=loops, at_s=at_s)
+            silent = self.animate(design, View(playhead_s=at_s), loops=loops)
             return replace(silent, reason=str(missing))
         mix = self._mix(design, output, device, loops=loops, rig=rig)
         stop_if(stop)
@@ -284,11 +292,11 @@ class Session:
         *,
         loops: bool,
         rig: Rig | None = None,
+        view: View = _REAL_TIME,
     ) -> Playing | None:
         """Change to an edited design at the present position; None where playing has ended."""
         if playing.silent is not None:
-            duration_s = response_end_s(design, self._mixer.stimulus(design).duration_s)
-            playing.silent.change(duration_s, loop_of(design, duration_s, loops=loops))
+            playing.silent.change(*self._animation(design, view, loops=loops))
             return playing
         stream = playing.stream
         if stream is None or stream is not self._stream or stream.queue.ending is not None:
