@@ -213,16 +213,18 @@ def _recoloured(image: QtGui.QImage, base: QtGui.QColor, text: QtGui.QColor) -> 
     """Return a picture with white and black as ``base`` and ``text``; colours stay."""
     image = image.convertToFormat(QtGui.QImage.Format.Format_RGB32)
     pixels = np.frombuffer(image.bits(), np.uint8).reshape(image.height(), image.width(), 4)
-    bgr = pixels[..., :3] / 255.0
-    high = bgr.max(-1, keepdims=True)
-    # No colour of a map is less than half saturated: they all stay as they are.
-    saturation = 1.0 - bgr.min(-1, keepdims=True) / np.maximum(high, 1e-9)
-    coloured = np.minimum(2.0 * saturation, 1.0) * (high > 0)
     white, black = (
         np.array((colour.blueF(), colour.greenF(), colour.redF())) for colour in (base, text)
     )
-    greys = black + (white - black) * high
-    pixels[..., :3] = np.round(255.0 * (coloured * bgr + (1.0 - coloured) * greys))
+    # Some lines at a time: of a whole picture this would take 130 MB.
+    for lines in np.array_split(pixels, 32):
+        bgr = lines[..., :3] / 255.0
+        high = bgr.max(-1, keepdims=True)
+        # No colour of a map is less than half saturated: they all stay as they are.
+        saturation = 1.0 - bgr.min(-1, keepdims=True) / np.maximum(high, 1e-9)
+        coloured = np.minimum(2.0 * saturation, 1.0) * (high > 0)
+        greys = black + (white - black) * high
+        lines[..., :3] = np.round(255.0 * (coloured * bgr + (1.0 - coloured) * greys))
     return image
 
 

@@ -42,7 +42,9 @@ def per_probe_acceleration(response: Floats, sample_rate_hz: float) -> Floats:
     area = PULSE_PEAK_M_PER_S2 * PULSE_WIDTH_S * sample_rate_hz
     pulse = area * np.sinc(frequency_hz * PULSE_WIDTH_S)
     inverse = pulse / (pulse**2 + _REGULARISATION * area**2)
-    return scipy.fft.irfft(scipy.fft.rfft(response, n_fft) * inverse, n_fft)[..., :n_taps]
+    padded = scipy.fft.irfft(scipy.fft.rfft(response, n_fft) * inverse, n_fft)
+    # A view would keep the padding, too, for as long as somebody keeps the responses.
+    return padded[..., :n_taps].copy()
 
 
 Scaling = Literal["upstream", "relative", "probe"]
