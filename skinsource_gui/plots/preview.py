@@ -1,13 +1,14 @@
 """Small pictures of what a design plays: a spectrum, a waveform, and clips on tracks."""
 
-from collections.abc import Callable
+from collections import OrderedDict
+from collections.abc import Callable, Hashable
 from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
 from pyqtgraph.functions import arrayToQPath
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, QSizeF, Qt, Signal
 
 from skinsource.base.arrays import Floats
 from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ, Band
@@ -107,12 +108,142 @@ def _lines(samples: Floats, sample_rate_hz: float) -> tuple[Floats, Floats]:
     return np.asarray(np.fft.rfftfreq(length, 1.0 / sample_rate_hz), np.float64), level_db
 
 
+_BUDGET_BYTES = 48 * 2**20
+_BYTES_PER_PIXEL = 4
+# Strokes of this mean length, of 2, make a block, whose edge needs no smoothing.
+_BLOCK = 0.8
+
+
+@dataclass(frozen=True, slots=True)
+class ClipStyle:
+    """How the curve of a clip is drawn.
+
+    Attributes
+    ----------
+    sample_rate_hz
+        Of what the clip plays.
+    colour
+        Colour of the curve, as a number.
+    reach
+        Height of a sample of 1, as a share of half the picture; negative: upside down.
+    part
+        Which part of the whole is shown, from 0 to 1.
+    ratio
+        Dots in a px.
+    """
+
+    sample_rate_hz: float
+    colour: int
+    reach: float
+    part: tuple[float, float] = (0.0, 1.0)
+    ratio: float = 1.0
+
+
+def paint_samples(
+    painter: QtGui.QPainter,
+    samples: Floats,
+    area: QRectF,
+    style: ClipStyle,
+    columns: CachedColumns,
+) -> bool:
+    """Paint samples, (n_times,), as a curve; return whether it shows the wave between them."""
+    if not samples.size:
+        return False
+    time_s = np.arange(samples.size) / style.sample_rate_hz
+    first_s, end_s = (share * samples.size / style.sample_rate_hz for share in style.part)
+    across = max(round(area.width() * style.ratio), 1)
+    wave = wave_of(time_s, samples[np.newaxis])
+    known = columns.of(time_s, (first_s, end_s), across)
+    curve = visible_course(known, samples[np.newaxis], wave, area.width(), style.ratio)
+    heights = style.reach * curve.line.y[0]
+    if curve.wave:
+        # Between samples it may be higher than there is room for them.
+        heights = heights / max(float(np.abs(heights).max()), 1.0)
+    strokes = np.abs(heights[1::2] - heights[::2]) if curve.line.strokes else 0.0
+    block = not is_on_paper() and np.mean(strokes) > _BLOCK * abs(style.reach)
+    painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing, not block)
+    painter.setPen(thin_pen(QtGui.QColor.fromRgba(style.colour)))
+    middle = area.center().y()
+    x = area.left() + (curve.line.x - first_s) / (end_s - first_s) * area.width()
+    y = middle - np.clip(heights, -1, 1) * (area.height() / 2 - 1)
+    if x.size == 1:
+        painter.drawLine(QPointF(x[0], middle), QPointF(x[0], y[0]))
+        painter.setBrush(painter.pen().color())
+        painter.drawEllipse(QPointF(x[0], y[0] + (2 if y[0] < middle else -2)), 2, 2)
+    else:
+        # A path, because Qt leaves gaps in a polyline of upright strokes.
+        painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
+    return curve.wave
+
+
+class ClipPictures:
+    """Curves of clips, painted once for each size and style; the oldest are dropped first.
+
+    Attributes
+    ----------
+    columns
+        Columns of the samples that were painted last.
+    painted, waves
+        How many pictures were painted, and how many of them show the wave between samples: an edit
+        that changes no clip paints none.
+    """
+
+    def __init__(self, budget_bytes: int = _BUDGET_BYTES) -> None:
+        self._pictures: OrderedDict[Hashable, tuple[Floats, QtGui.QPixmap]] = OrderedDict()
+        self._budget, self._bytes = budget_bytes, 0
+        self.painted = self.waves = 0
+        self.columns = CachedColumns()
+
+    def paint(
+        self, painter: QtGui.QPainter, samples: Floats, area: QRectF, style: ClipStyle
+    ) -> None:
+        """Paint what a clip plays; on paper as lines."""
+        if is_on_paper():
+            paint_samples(painter, samples, area, style, self.columns)
+            return
+        painter.drawPixmap(area.topLeft(), self.picture(samples, area.size(), style))
+
+    def picture(self, samples: Floats, size: QSizeF, style: ClipStyle) -> QtGui.QPixmap:
+        """Return the picture of what a clip plays; size in px."""
+        # The samples are stored with the picture, so that no other array gets their id.
+        key = (id(samples), size.width(), size.height(), style)
+        cached = self._pictures.get(key)
+        if cached is not None and cached[0] is samples:
+            self._pictures.move_to_end(key)
+            return cached[1]
+        made = QtGui.QPixmap((size * style.ratio).toSize().expandedTo(QSizeF(1, 1).toSize()))
+        made.setDevicePixelRatio(style.ratio)
+        made.fill(Qt.GlobalColor.transparent)
+        on_picture = QtGui.QPainter(made)
+        room = QRectF(QPointF(), size)
+        self.waves += paint_samples(on_picture, samples, room, style, self.columns)
+        on_picture.end()
+        self.painted += 1
+        self._store(key, samples, made)
+        return made
+
+    def forget(self) -> None:
+        """Keep nothing."""
+        self._pictures.clear()
+        self._bytes = 0
+
+    def _store(self, key: Hashable, samples: Floats, made: QtGui.QPixmap) -> None:
+        old = self._pictures.pop(key, None)
+        self._bytes += _size(made) - (0 if old is None else _size(old[1]))
+        self._pictures[key] = (samples, made)
+        while self._bytes > self._budget and len(self._pictures) > 1:
+            _, (_, removed) = self._pictures.popitem(last=False)
+            self._bytes -= _size(removed)
+
+
+def _size(picture: QtGui.QPixmap) -> int:
+    return picture.width() * picture.height() * _BYTES_PER_PIXEL
+
+
 _AXIS_PX, _CURVE_PX = 18, 46
 _MARGIN_PX = 4
 # Distance of ticks, in letters of the usual size.
 _TICK_SPACING_PX = 52
-# Strokes of this mean length, of 2, make a block, which needs no antialiasing.
-_BLOCK = 0.8
 # A single sample needs some time around it to look like one.
 _SHORTEST_S = 0.005
 _PALE = 0.35
@@ -240,36 +371,12 @@ class WaveformPreview(QtWidgets.QWidget):
     def _paint_curve(self, painter: QtGui.QPainter, plot: QRectF, drawn: Floats) -> None:
         if self._pale:
             painter.setOpacity(_PALE)
-        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
-        painter.setPen(QtGui.QPen(self._drawn_colour(), 1))
-        sign = -1 if self._flipped else 1
+        reach = (-1.0 if self._flipped else 1.0) / self._height
         shown_px = plot.width() * drawn.size / self._sample_rate_hz / self._span_s(drawn)
-        ratio = dots_in_px(painter)
-        time_s, end_s = (
-            np.arange(drawn.size) / self._sample_rate_hz,
-            drawn.size / self._sample_rate_hz,
-        )
-        wave, across = wave_of(time_s, drawn[np.newaxis]), max(int(shown_px * ratio), 1)
-        columns = self._columns.of(time_s, (0.0, end_s), across)
-        points = visible_course(columns, drawn[np.newaxis], wave, shown_px, ratio).line
-        samples = points.y[0]
-        # The wave between samples may be higher than they are.
-        highest = max(self._height, float(np.abs(samples).max()))
-        middle, reach = plot.center().y(), sign * plot.height() / 2 / highest
-        if points.strokes and not is_on_paper():
-            block = bool(np.mean(np.abs(samples[1::2] - samples[::2])) > _BLOCK)
-            painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing, not block)
-        x = plot.left() + shown_px * points.x / end_s
-        y = middle - reach * samples
-        if samples.size == 1:
-            top = QPointF(x[0] + 1, y[0])
-            painter.drawLine(QPointF(x[0] + 1, middle), top)
-            painter.setBrush(self._drawn_colour())
-            painter.drawEllipse(top + QPointF(0, 2 if y[0] < middle else -2), 2, 2)
-            return
-        # A path, because Qt leaves gaps in a polyline of upright strokes.
-        painter.setPen(thin_pen(self._drawn_colour()))
-        painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
+        area = QRectF(plot.left(), plot.top() - 1, shown_px, plot.height() + 2)
+        rate_hz, colour = self._sample_rate_hz, self._drawn_colour().rgba()
+        style = ClipStyle(rate_hz, colour, reach, ratio=dots_in_px(painter))
+        paint_samples(painter, drawn, area, style, self._columns)
 
     def _paint_axis(self, painter: QtGui.QPainter, plot: QRectF, span_s: float) -> None:
         spacing_px = _TICK_SPACING_PX * letter_scale(self.font())
@@ -350,9 +457,7 @@ class ClipStrip(QtWidgets.QWidget):
         #: What is shown, and the message in its place, or "".
         self.lanes: tuple[Lane, ...] = ()
         self.message = ""
-        self._picture = CachedPicture()
-        # Outlines of the clips being painted, by samples and size.
-        self._outlines: dict[tuple[int, float, float], QtGui.QPainterPath] = {}
+        self._picture, self._clips = CachedPicture(), ClipPictures()
         self.setObjectName("clip_strip")
         self.setAccessibleName("Clips")
         self.setFont(tabular(self.font()))
@@ -414,7 +519,6 @@ class ClipStrip(QtWidgets.QWidget):
             painter.drawLine(QLineF(area.left(), area.bottom(), area.right(), area.bottom()))
             for clip in lane.clips:
                 self._paint_clip(painter, area, colour, clip, x_of)
-        self._outlines.clear()
 
     def _paint_head(
         self, painter: QtGui.QPainter, area: QRectF, lane: Lane, colour: QtGui.QColor
@@ -441,16 +545,9 @@ class ClipStrip(QtWidgets.QWidget):
         painter.setPen(QtGui.QPen(colour, 1))
         painter.setBrush(ground)
         painter.drawRoundedRect(box, 3, 3)
-        painter.setBrush(colour)
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.drawPath(self._outline(clip.samples, box))
-
-    def _outline(self, samples: Floats, box: QRectF) -> QtGui.QPainterPath:
-        size = QRectF(0.0, 0.0, round(box.width(), 3), round(box.height(), 3))
-        key = (id(samples), size.width(), size.height())
-        if key not in self._outlines:
-            self._outlines[key] = _outline(samples, size)
-        return self._outlines[key].translated(box.topLeft())
+        rate_hz = clip.samples.size / clip.duration_s
+        style = ClipStyle(rate_hz, colour.rgba(), 1.0, ratio=dots_in_px(painter))
+        self._clips.paint(painter, clip.samples, box, style)
 
 
 def _paint_time_axis(
@@ -482,27 +579,6 @@ def _paint_time_axis(
 
 def _x_at(plot: QRectF, start_s: float, span_s: float, time_s: float) -> float:
     return plot.left() + (time_s - start_s) / span_s * plot.width()
-
-
-def _outline(samples: Floats, box: QRectF) -> QtGui.QPainterPath:
-    """Return the area between the highest and the lowest sample of each pixel."""
-    columns = max(int(box.width()), 1)
-    edges = np.linspace(0, samples.size, min(columns, max(samples.size, 1)) + 1).astype(int)
-    if samples.size == 0:
-        return QtGui.QPainterPath()
-    starts = edges[:-1]
-    high = np.maximum(np.maximum.reduceat(samples, starts), 0.0)
-    low = np.minimum(np.minimum.reduceat(samples, starts), 0.0)
-    x = box.left() + box.width() * (np.arange(starts.size) + 0.5) / starts.size
-    reach = box.height() / 2 - 1
-    middle = box.center().y()
-    path = QtGui.QPainterPath(QPointF(x[0] - 0.5, middle))
-    for across, value in zip(x, high, strict=True):
-        path.lineTo(across, middle - reach * value - 0.3)
-    for across, value in zip(x[::-1], low[::-1], strict=True):
-        path.lineTo(across, middle - reach * value + 0.3)
-    path.closeSubpath()
-    return path
 
 
 class SharesPointedInput(DrawableWidget):
