@@ -32,7 +32,7 @@ from skinsource_gui.fields.units import (
     read_points,
     value_text,
 )
-from skinsource_gui.qt.buttons import page_label, tool_button
+from skinsource_gui.qt.buttons import answers, page_label, tool_button
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import tabular
 
@@ -74,19 +74,13 @@ class SweepDialog(QtWidgets.QDialog):
         self.order.set_value("down" if falls else "up")
         self._list = page_label("sweep_list")
         self._list.setMinimumWidth(260)
-        buttons = QtWidgets.QDialogButtonBox(
-            QtWidgets.QDialogButtonBox.StandardButton.Ok
-            | QtWidgets.QDialogButtonBox.StandardButton.Cancel
-        )
-        buttons.accepted.connect(self.accept)
-        buttons.rejected.connect(self.reject)
         form = QtWidgets.QFormLayout(self)
         for field in (self.low, self.high, self.count, self.spacing, self.order):
             field.setObjectName(f"{field.accessibleName().lower()}_sweep")
             field.edited.connect(self._show_list)
             form.addRow(field.accessibleName(), field)
         form.addRow(self._list)
-        form.addRow(buttons)
+        form.addRow(answers(self))
         self._show_list()
 
     @property

@@ -31,6 +31,7 @@ from skinsource_gui.qt.theme import (
     letter_scale,
     tabular,
     thin_pen,
+    translucent,
 )
 from skinsource_gui.qt.tooltips import show_tooltip
 
@@ -76,8 +77,7 @@ class SpectrumPreview(QtWidgets.QWidget):
             QRectF(self.rect()), frequency, level, QtGui.QFontMetricsF(painter.font())
         )
         if self._band_hz is not None:
-            band = QtGui.QColor(theme.accent)
-            band.setAlpha(_BAND_ALPHA)
+            band = translucent(theme.accent, _BAND_ALPHA)
             ends_hz = np.clip(self._band_hz, _LOWEST_HZ, self._highest_hz)
             (left, top), (right, bottom) = axes.to_screen(ends_hz, np.array(level.shown[::-1]))
             painter.fillRect(QRectF(QPointF(left, top), QPointF(right, bottom)), band)
@@ -539,8 +539,7 @@ class ClipStrip(QtWidgets.QWidget):
     ) -> None:
         left, right = x_of(clip.start_s), x_of(clip.start_s + clip.duration_s)
         box = QRectF(left, area.top() + 2, max(right - left, 2.0), area.height() - 4)
-        ground = QtGui.QColor(colour)
-        ground.setAlphaF(0.22)
+        ground = translucent(colour, 56)
         painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
         painter.setPen(QtGui.QPen(colour, 1))
         painter.setBrush(ground)

@@ -37,6 +37,7 @@ from skinsource_gui.pages.importing.form import (
     OverviewStrip,
 )
 from skinsource_gui.pages.page import ToolPage
+from skinsource_gui.qt.buttons import Answer, answers, progress_bar
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.worker import Worker, fault_text
@@ -203,11 +204,9 @@ class ImportPage(ToolPage):
         self._place = ChoiceField(ChoiceSpec(label="Destination", options=places))
         self.preview, self._strip = ImportPreview(), OverviewStrip(MOST_PART_S)
         self._strip.hide()
-        self._bar = QtWidgets.QProgressBar()
-        self._buttons = QtWidgets.QDialogButtonBox(
-            QtWidgets.QDialogButtonBox.StandardButton.Ok
-            | QtWidgets.QDialogButtonBox.StandardButton.Cancel
-        )
+        self._bar = progress_bar("import_progress", "Progress of reading", keeps_room=True)
+        self._bar.setRange(0, 0)
+        self._buttons = answers(self)
         self._name_parts()
         self._lay_out()
         self._worker = ReadingWorker(path, limb.sample_rate_hz, self)
@@ -233,7 +232,7 @@ class ImportPage(ToolPage):
             self.chosen.emit(tuple(part.waveform for part in taken), place)
 
     def _name_parts(self) -> None:
-        self._import_button = self._buttons.button(QtWidgets.QDialogButtonBox.StandardButton.Ok)
+        self._import_button = self._buttons.button(Answer.Ok)
         self._import_button.setText("Import")
         self._import_button.setEnabled(False)
         self._about.setObjectName("import_about")
@@ -243,14 +242,6 @@ class ImportPage(ToolPage):
             label.setWordWrap(True)
         set_tone(self._warning, "warning")
         self._warning.hide()
-        self._bar.setObjectName("import_progress")
-        self._bar.setAccessibleName("Progress of reading")
-        self._bar.setTextVisible(False)
-        self._bar.setRange(0, 0)
-        # The hidden bar keeps its room, so that nothing moves.
-        policy = self._bar.sizePolicy()
-        policy.setRetainSizeWhenHidden(True)
-        self._bar.setSizePolicy(policy)
 
     def _lay_out(self) -> None:
         left = QtWidgets.QWidget()
@@ -270,8 +261,6 @@ class ImportPage(ToolPage):
         worker.surveyed.connect(self._show_overview)
         worker.failed.connect(self._show_failed)
         worker.progressed.connect(self._show_progress)
-        self._buttons.accepted.connect(self.accept)
-        self._buttons.rejected.connect(self.reject)
 
     def _show_contents(self, contents: Found) -> None:
         self._about.setText(about(contents))

@@ -39,7 +39,7 @@ from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.plots.curves import CurveName, Curves
 from skinsource_gui.plots.ranges import XAxis
 from skinsource_gui.plots.signal_view import ResponseView
-from skinsource_gui.qt.buttons import page_label
+from skinsource_gui.qt.buttons import page_label, progress_bar
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.playing import SoundSettings, end_sound, sound_worker
@@ -175,7 +175,7 @@ class MeasurePage(ToolPage):
         self._show_cells()
         self.plot = ResponseView("measured-plot", "Measured response")
         self.plot.show_message(_NOTHING)
-        self._bar = QtWidgets.QProgressBar()
+        self._bar = progress_bar("measure_progress", "Progress", keeps_room=True)
         self.arm = self.add_arm("measure_arm", self._show_armed)
         self.start = self.add_button("measure_start", "Start", _START, self._start)
         self.stop = self.add_button(
@@ -229,11 +229,6 @@ class MeasurePage(ToolPage):
 
     def _lay_out(self) -> None:
         about = page_label("measure_about", _INTRODUCTION)
-        self._bar.setTextVisible(False)
-        policy = self._bar.sizePolicy()
-        policy.setRetainSizeWhenHidden(True)
-        self._bar.setSizePolicy(policy)
-        self._bar.setAccessibleName("Progress")
         foot = in_row(self.arm, self.start, self.stop, (self._bar, 1), self.keep, self._close)
         in_column(about, self.grid, (self.plot, 1), self.message, foot, of=self, gap_px=UNIT_PX)
 

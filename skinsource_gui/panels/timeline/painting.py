@@ -20,7 +20,7 @@ from skinsource_gui.panels.timeline.gestures import GesturePreview
 from skinsource_gui.plots.preview import ClipPictures, ClipStyle
 from skinsource_gui.plots.ranges import Tick, linear_ticks
 from skinsource_gui.plots.time_scale import Range, TimeScale
-from skinsource_gui.qt.theme import Theme, current_theme, dots_in_px
+from skinsource_gui.qt.theme import Theme, current_theme, dots_in_px, translucent
 
 _ROUNDING_PX = 3.0
 _LABEL_FROM_PX = 40.0
@@ -124,8 +124,7 @@ def _write(painter: QtGui.QPainter, words: str, shown: QRectF, theme: Theme, *, 
     if width > room.width():
         text = metrics.elidedText(words, Qt.TextElideMode.ElideRight, room.width())
         width = metrics.horizontalAdvance(text)
-    ground = QtGui.QColor(theme.base)
-    ground.setAlpha(190)
+    ground = translucent(theme.base, 190)
     painter.fillRect(QRectF(room.left() - 2, room.top(), width + 4, line_px), ground)
     painter.setPen(QtGui.QColor(theme.dim if pale else theme.text))
     painter.drawText(room, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, text)
@@ -143,8 +142,7 @@ def _paint_frame(
     if selected:
         painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 2))
     else:
-        edge = QtGui.QColor(colour)
-        edge.setAlpha(130)
+        edge = translucent(colour, 130)
         painter.setPen(QtGui.QPen(edge, 1))
     painter.setBrush(Qt.BrushStyle.NoBrush)
     frame = _frame(rect, shown).adjusted(0.5, 0.5, -0.5, -0.5)
@@ -276,8 +274,7 @@ def _paint_loop(
     start, end = (content.scale.x(time_s) for time_s in loop_s)
     half = QRectF(room.left(), room.top(), room.width(), room.height() / 2)
     band = QRectF(start, room.top(), end - start, room.height()).intersected(half)
-    tint = QtGui.QColor(theme.accent)
-    tint.setAlpha(_LOOP_ALPHA)
+    tint = translucent(theme.accent, _LOOP_ALPHA)
     painter.fillRect(band, tint)
     painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 2))
     for x in (start, end):
@@ -436,8 +433,7 @@ class LanesItem(LaneLayer):
     def _paint_ground(self, painter: QtGui.QPainter, lane: Lane) -> None:
         strip = self._strip(lane)
         if lane.selected:
-            tint = QtGui.QColor(current_theme().accent)
-            tint.setAlpha(_TINT_ALPHA)
+            tint = translucent(current_theme().accent, _TINT_ALPHA)
             painter.fillRect(strip, tint)
         painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().border), 1))
         painter.drawLine(
@@ -460,8 +456,7 @@ class LanesItem(LaneLayer):
         if content.design.loop_s is None:
             return
         start, end = (content.scale.x(time_s) for time_s in content.design.loop_s)
-        shade = QtGui.QColor(current_theme().dim)
-        shade.setAlpha(22)
+        shade = translucent(current_theme().dim, 22)
         for left, right in ((lanes.left(), start), (end, lanes.right())):
             if right > left:
                 painter.fillRect(QRectF(left, lanes.top(), right - left, lanes.height()), shade)
@@ -485,8 +480,7 @@ class LanesItem(LaneLayer):
         self, painter: QtGui.QPainter, content: TimelineContent, lane: Lane
     ) -> None:
         """Mark at the foot of a lane where its clips overlap."""
-        colour = QtGui.QColor(current_theme().text)
-        colour.setAlpha(_OVERLAP_ALPHA)
+        colour = translucent(current_theme().text, _OVERLAP_ALPHA)
         top = lane.bottom_px - MARGIN_PX - _OVERLAP_PX
         for start_s, end_s in content.overlaps_on(lane):
             left, right = max(content.scale.x(start_s), -10.0), min(content.scale.x(end_s), 1e5)
