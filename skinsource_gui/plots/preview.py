@@ -8,7 +8,7 @@ from functools import partial
 import numpy as np
 from pyqtgraph.functions import arrayToQPath
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, QSizeF, Qt, Signal
+from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, QSizeF, Qt
 
 from skinsource.base.arrays import Floats
 from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ, Band
@@ -19,7 +19,6 @@ from skinsource.design.waveform import Waveform
 from skinsource_gui.fields.units import axis_unit
 from skinsource_gui.plots.curves import visible_course
 from skinsource_gui.plots.figure import Axes, Axis, fitted_axes
-from skinsource_gui.plots.pictures import DrawableWidget
 from skinsource_gui.plots.ranges import CachedColumns, linear_ticks, wave_of
 from skinsource_gui.qt.buttons import paint_swatch
 from skinsource_gui.qt.frames import CachedPicture
@@ -28,7 +27,6 @@ from skinsource_gui.qt.theme import (
     current_theme,
     dots_in_px,
     is_on_paper,
-    letter_scale,
     tabular,
     thin_pen,
     translucent,
@@ -240,47 +238,32 @@ def _size(picture: QtGui.QPixmap) -> int:
     return picture.width() * picture.height() * _BYTES_PER_PIXEL
 
 
-_AXIS_PX, _CURVE_PX = 18, 46
 _MARGIN_PX = 4
-# Distance of ticks, in letters of the usual size.
-_TICK_SPACING_PX = 52
 # A single sample needs some time around it to look like one.
 _SHORTEST_S = 0.005
-_PALE = 0.35
 
 
 class WaveformPreview(QtWidgets.QWidget):
-    """Samples over time, optionally with an axis in milliseconds or seconds.
+    """Samples over time, without an axis.
 
     The height is 1, or the peak where that is larger.
     """
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None, *, axis: bool = False) -> None:
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self._has_axis = axis
         self._samples: Floats | None = None
         self._sample_rate_hz = self._height = 1.0
         #: The message in place of a curve, or "".
         self.message = ""
         self._colour: int | None = None
         self._flipped, self._problem = False, ""
-        self._pale = False
-        self._axis, self._columns = CachedPicture(), CachedColumns()
+        self._columns = CachedColumns()
         self.setObjectName("waveform_preview")
         self.setAccessibleName("Waveform")
         self.setFont(tabular(self.font()))
-        # With an axis it paints all of itself: nothing behind is visible.
-        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent, axis)
         self.setSizePolicy(
             QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Expanding
         )
-
-    def minimumSizeHint(self) -> QSize:
-        return QSize(0, _CURVE_PX + self._axis_px if self._has_axis else 0)
-
-    @property
-    def _axis_px(self) -> int:
-        return round(_AXIS_PX * letter_scale(self.font()))
 
     @property
     def duration_s(self) -> float | None:
@@ -315,49 +298,22 @@ class WaveformPreview(QtWidgets.QWidget):
             self.setAccessibleDescription(problem)
             self.update()
 
-    def set_pale(self, pale: bool) -> None:
-        """Set whether the curve is out of date."""
-        if pale != self._pale:
-            self._pale = pale
-            self.update()
-
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         painter = QtGui.QPainter(self)
         drawn = not self.message and self._samples is not None and self._samples.size > 0
-        ground = self.palette().window().color()
-        if self._has_axis and not drawn:
-            painter.fillRect(self.rect(), ground)
         if self.message:
             painter.setPen(QtGui.QColor(current_theme().dim))
-            flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-            painter.drawText(self.rect(), flags, self._fitting_message(flags))
+            # The tooltip has the whole message.
+            right, metrics = Qt.TextElideMode.ElideRight, painter.fontMetrics()
+            text = metrics.elidedText(self.message, right, self.width())
+            painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, text)
             return
         if not drawn or self._samples is None:
             return
         plot = QRectF(self.rect()).adjusted(_MARGIN_PX, 2, -_MARGIN_PX, -2)
-        if self._has_axis:
-            plot.setBottom(plot.bottom() - self._axis_px)
-            span_s = self._span_s(self._samples)
-            shown = (current_theme(), span_s)
-            self._axis.paint(
-                painter,
-                QRectF(self.rect()),
-                shown,
-                partial(self._paint_axis, plot=plot, span_s=span_s),
-                ground,
-            )
         painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().border), 1))
         painter.drawLine(QLineF(plot.left(), plot.center().y(), plot.right(), plot.center().y()))
         self._paint_curve(painter, plot, self._samples)
-
-    def _fitting_message(self, flags: int) -> str:
-        # The tooltip has the whole message.
-        shown, words_left = self.message, self.message.split(" ")
-        room, metrics = self.rect(), self.fontMetrics()
-        while words_left and metrics.boundingRect(room, flags, shown).height() > room.height():
-            words_left.pop()
-            shown = " ".join(words_left) + " …"
-        return shown
 
     def _span_s(self, samples: Floats) -> float:
         return max(samples.size / self._sample_rate_hz, _SHORTEST_S)
@@ -369,19 +325,12 @@ class WaveformPreview(QtWidgets.QWidget):
         return QtGui.QColor(theme.text) if number is None else theme.input_colour(number)
 
     def _paint_curve(self, painter: QtGui.QPainter, plot: QRectF, drawn: Floats) -> None:
-        if self._pale:
-            painter.setOpacity(_PALE)
         reach = (-1.0 if self._flipped else 1.0) / self._height
         shown_px = plot.width() * drawn.size / self._sample_rate_hz / self._span_s(drawn)
         area = QRectF(plot.left(), plot.top() - 1, shown_px, plot.height() + 2)
         rate_hz, colour = self._sample_rate_hz, self._drawn_colour().rgba()
         style = ClipStyle(rate_hz, colour, reach, ratio=dots_in_px(painter))
         paint_samples(painter, drawn, area, style, self._columns)
-
-    def _paint_axis(self, painter: QtGui.QPainter, plot: QRectF, span_s: float) -> None:
-        spacing_px = _TICK_SPACING_PX * letter_scale(self.font())
-        baseline = self.height() - 5
-        _paint_time_axis(painter, plot, self.fontMetrics(), (0.0, span_s), spacing_px, baseline)
 
 
 _HEAD_PX, _STRIP_AXIS_PX = 34, 20
@@ -578,18 +527,3 @@ def _paint_time_axis(
 
 def _x_at(plot: QRectF, start_s: float, span_s: float, time_s: float) -> float:
     return plot.left() + (time_s - start_s) / span_s * plot.width()
-
-
-class SharesPointedInput(DrawableWidget):
-    """A panel that shares with others which input, and which place, is under the pointer."""
-
-    #: Id of the input under the pointer in this panel, or None.
-    input_pointed_at = Signal(object)
-    #: Place of the limb under the pointer, (x, y) in pixels of its outline, or None.
-    place_pointed_at = Signal(object)
-
-    def show_pointed_place(self, at: tuple[float, float] | None) -> None:
-        """Mark the place that is under the pointer in another panel; None: there is none."""
-
-    def show_pointed_input(self, input_id: int | None) -> None:
-        """Mark the input that is under the pointer in another panel; None: there is none."""

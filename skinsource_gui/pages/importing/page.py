@@ -37,9 +37,9 @@ from skinsource_gui.pages.importing.form import (
     OverviewStrip,
 )
 from skinsource_gui.pages.page import ToolPage
-from skinsource_gui.qt.buttons import Answer, answers, progress_bar
+from skinsource_gui.qt.buttons import Answer, answers, page_label, progress_bar
 from skinsource_gui.qt.layouts import in_column, in_row
-from skinsource_gui.qt.theme import UNIT_PX, set_tone
+from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.worker import Worker, fault_text
 
 # Reading that takes longer is given up for a newer request.
@@ -200,7 +200,8 @@ class ImportPage(ToolPage):
         self.form: ChoiceForm | None = None
         self._taken: tuple[Taken, ...] = ()
         self._surveyed = ""
-        self._about, self._warning = QtWidgets.QLabel(_READING), QtWidgets.QLabel(_ASSUMED)
+        self._about = page_label("import_about", _READING)
+        self._warning = page_label("import_warning", _ASSUMED, tone="warning")
         self._place = ChoiceField(ChoiceSpec(label="Destination", options=places))
         self.preview, self._strip = ImportPreview(), OverviewStrip(MOST_PART_S)
         self._strip.hide()
@@ -235,12 +236,7 @@ class ImportPage(ToolPage):
         self._import_button = self._buttons.button(Answer.Ok)
         self._import_button.setText("Import")
         self._import_button.setEnabled(False)
-        self._about.setObjectName("import_about")
-        self._warning.setObjectName("import_warning")
         self._place.setObjectName("import_place")
-        for label in (self._about, self._warning):
-            label.setWordWrap(True)
-        set_tone(self._warning, "warning")
         self._warning.hide()
 
     def _lay_out(self) -> None:

@@ -30,7 +30,7 @@ from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.pages.rig.measuring import MeasurePage
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled
 from skinsource_gui.qt.layouts import in_column, in_row
-from skinsource_gui.qt.questions import ask_to_save
+from skinsource_gui.qt.questions import ask_open, ask_to_save
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.playing import SoundSettings, end_sound, sound_worker
@@ -309,7 +309,7 @@ class RigPage(ToolPage):
         self._change(left, max(row - 1, 0))
 
     def _ask_response(self) -> None:
-        path = self.ask_open("Response of the actuator", RESPONSE_FILES)
+        path = ask_open(self, "Response of the actuator", RESPONSE_FILES)
         if path is not None:
             self.say("Reading…")
             self._thread.run(partial(open_response, path), self._take_response)
@@ -334,7 +334,7 @@ class RigPage(ToolPage):
             self.take_channel(row, channel)
 
     def _open(self) -> None:
-        path = self.ask_open("Open a rig", _KINDS) if self._may_lose_changes() else None
+        path = ask_open(self, "Open a rig", _KINDS) if self._may_lose_changes() else None
         if path is None:
             return
         try:

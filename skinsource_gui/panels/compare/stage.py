@@ -39,6 +39,7 @@ from skinsource_gui.panels.compare.motion import rounded
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.curves import output_names
 from skinsource_gui.plots.small_map import Range
+from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.frames import CachedPicture, Same
 from skinsource_gui.qt.labels import how_to_add
 from skinsource_gui.qt.layouts import in_column
@@ -228,7 +229,7 @@ class StagePanel(MapsPanel):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self.heading, self.sentence = QtWidgets.QLabel(), QtWidgets.QLabel()
+        self.heading, self.sentence = page_label("stage_title"), page_label("stage_sentence")
         self.strip, self.knob = Strip(), Knob()
         self.caution = QtWidgets.QLabel(self.maps)
         self.caution.setObjectName("stage_caution")
@@ -237,9 +238,7 @@ class StagePanel(MapsPanel):
         self._shown: tuple[Any, ...] = ()
         self._track: Input | None = None
         self._turned = ""
-        for label, name in ((self.heading, "stage_title"), (self.sentence, "stage_sentence")):
-            label.setObjectName(name)
-            label.setWordWrap(True)
+        for label in (self.heading, self.sentence):
             label.setTextFormat(Qt.TextFormat.PlainText)
         self.maps.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         # The wave is to be seen on the arm, too.
