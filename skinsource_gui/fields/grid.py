@@ -8,7 +8,7 @@ from PySide6.QtCore import QSize, Qt, Signal
 
 from skinsource.specs.spec import Spec
 from skinsource_gui.fields.editor import NewEditor
-from skinsource_gui.qt.buttons import page_label
+from skinsource_gui.qt.buttons import page_label, show_or_hide
 from skinsource_gui.qt.fitting import LayoutWatcher
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 
@@ -164,8 +164,7 @@ class EditedCell(LabelledCell):
     def _set_note(self, text: str, *, warns: bool) -> None:
         if (text, warns) != (self.note, self._warns):
             self._warns = warns
-            self._note.setText(text)
-            self._note.setVisible(bool(text))
+            show_or_hide(self._note, text)
             set_tone(self._note, "warning" if warns else "error")
 
 

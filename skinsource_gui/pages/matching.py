@@ -31,7 +31,7 @@ from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.qt.buttons import page_button, page_label, progress_bar
 from skinsource_gui.qt.fitting import LetterWidth
 from skinsource_gui.qt.keys import KEYS
-from skinsource_gui.qt.layouts import form_of, in_column, in_row
+from skinsource_gui.qt.layouts import add_row, form_of, in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.state.playing import end_sound, sound_worker
@@ -201,8 +201,7 @@ class SetupForm(QtWidgets.QWidget):
         self._texts: dict[str, QtWidgets.QLineEdit] = {}
         for name, (label, text, hint) in _TEXTS.items():
             field = self._texts[name] = QtWidgets.QLineEdit(text)
-            field.setToolTip(tooltip(label, hint))
-            self._add(name, label, field)
+            add_row(self._form, f"matching_{name}", label, field, hint)
         self._numbers: dict[str, NumberField] = {}
         for name, spec in _NUMBERS.items():
             if name == "amplitude":
@@ -210,8 +209,7 @@ class SetupForm(QtWidgets.QWidget):
             number = self._numbers[name] = NumberField(spec)
             number.set_value(gain_db if name == "gain_db" else _FIRST[name])
             LetterWidth(number, _NUMBER_PX, at_most=True)
-            number.setToolTip(tooltip(spec.label, spec.hint))
-            self._add(name, spec.label, number)
+            add_row(self._form, f"matching_{name}", spec.label, number, spec.hint)
         self.table = QtWidgets.QLineEdit(str(table))
         self.table.setToolTip(
             tooltip("Table", "CSV for the matches; matches that it holds are skipped")
@@ -268,11 +266,6 @@ class SetupForm(QtWidgets.QWidget):
 
     def _numbers_in(self, name: str) -> tuple[float, ...]:
         return read_numbers(self._texts[name].text(), _LISTS[name])
-
-    def _add(self, name: str, label: str, field: QtWidgets.QLineEdit) -> None:
-        field.setObjectName(f"matching_{name}")
-        field.setAccessibleName(label)
-        self._form.addRow(label, field)
 
 
 _DEVICE_LOST = (

@@ -19,7 +19,7 @@ from skinsource.design.waveform import Waveform
 from skinsource_gui.fields.units import axis_unit
 from skinsource_gui.plots.curves import visible_course
 from skinsource_gui.plots.figure import Axes, Axis, fitted_axes
-from skinsource_gui.plots.ranges import CachedColumns, linear_ticks, wave_of
+from skinsource_gui.plots.ranges import CachedColumns, Range, linear_ticks, wave_of
 from skinsource_gui.qt.buttons import paint_swatch
 from skinsource_gui.qt.frames import CachedPicture
 from skinsource_gui.qt.theme import (
@@ -37,23 +37,30 @@ _LOWEST_HZ, _FLOOR_DB = 10.0, -80.0
 _BAND_ALPHA = 24
 
 
-class SpectrumPreview(QtWidgets.QWidget):
+class _Preview(QtWidgets.QWidget):
+    """A small picture, which takes the room that there is."""
+
+    def __init__(self, name: str, title: str, parent: QtWidgets.QWidget | None) -> None:
+        super().__init__(parent)
+        self.setObjectName(name)
+        self.setAccessibleName(title)
+        self.setFont(tabular(self.font()))
+        self.setSizePolicy(
+            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Expanding
+        )
+
+
+class SpectrumPreview(_Preview):
     """A spectrum from 10 Hz to half the rate: the largest line of each pixel, in dB below the peak.
 
     The measured band of the limb is shaded.
     """
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__("spectrum_preview", "Spectrum", parent)
         self._lines: tuple[Floats, Floats] | None = None
         self._highest_hz = SAMPLE_RATE_HZ / 2.0
         self._band_hz: Band | None = None
-        self.setObjectName("spectrum_preview")
-        self.setAccessibleName("Spectrum")
-        self.setFont(tabular(self.font()))
-        self.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Expanding
-        )
 
     def show_samples(
         self,
@@ -243,14 +250,14 @@ _MARGIN_PX = 4
 _SHORTEST_S = 0.005
 
 
-class WaveformPreview(QtWidgets.QWidget):
+class WaveformPreview(_Preview):
     """Samples over time, without an axis.
 
     The height is 1, or the peak where that is larger.
     """
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__("waveform_preview", "Waveform", parent)
         self._samples: Floats | None = None
         self._sample_rate_hz = self._height = 1.0
         #: The message in place of a curve, or "".
@@ -258,12 +265,6 @@ class WaveformPreview(QtWidgets.QWidget):
         self._colour: int | None = None
         self._flipped, self._problem = False, ""
         self._columns = CachedColumns()
-        self.setObjectName("waveform_preview")
-        self.setAccessibleName("Waveform")
-        self.setFont(tabular(self.font()))
-        self.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Expanding
-        )
 
     @property
     def duration_s(self) -> float | None:
@@ -398,21 +399,15 @@ def strip_lanes(fragment: Fragment, sample_rate_hz: float) -> tuple[Lane, ...]:
     )
 
 
-class ClipStrip(QtWidgets.QWidget):
+class ClipStrip(_Preview):
     """A lane for each of ``lanes`` above an axis of time, or a ``message`` in place of them."""
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__("clip_strip", "Clips", parent)
         #: What is shown, and the message in its place, or "".
         self.lanes: tuple[Lane, ...] = ()
         self.message = ""
         self._picture, self._clips = CachedPicture(), ClipPictures()
-        self.setObjectName("clip_strip")
-        self.setAccessibleName("Clips")
-        self.setFont(tabular(self.font()))
-        self.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Expanding
-        )
 
     def show_lanes(self, lanes: tuple[Lane, ...]) -> None:
         """Show these tracks."""
@@ -454,12 +449,8 @@ class ClipStrip(QtWidgets.QWidget):
         plot = QRectF(self.rect()).adjusted(_HEAD_PX, 2, -UNIT_PX, -_STRIP_AXIS_PX)
         height = min(plot.height() / len(self.lanes), _LANE_PX[1])
         plot.setHeight(height * len(self.lanes))
-        baseline = plot.bottom() + _STRIP_AXIS_PX - 5
-        part_s = (start_s, span_s)
-        _paint_time_axis(
-            painter, plot, self.fontMetrics(), part_s, _STRIP_TICK_SPACING_PX, baseline
-        )
         x_of = partial(_x_at, plot, start_s, span_s)
+        self._paint_axis(painter, plot, (start_s, start_s + span_s), x_of)
         for row, lane in enumerate(self.lanes):
             area = QRectF(plot.left(), plot.top() + row * height, plot.width(), height)
             colour = current_theme().input_colour(lane.colour)
@@ -468,6 +459,25 @@ class ClipStrip(QtWidgets.QWidget):
             painter.drawLine(QLineF(area.left(), area.bottom(), area.right(), area.bottom()))
             for clip in lane.clips:
                 self._paint_clip(painter, area, colour, clip, x_of)
+
+    def _paint_axis(
+        self, painter: QtGui.QPainter, plot: QRectF, ends_s: Range, x_of: Callable[[float], float]
+    ) -> None:
+        """Draw grid, labels and unit of the axis of time."""
+        metrics, baseline = self.fontMetrics(), plot.bottom() + _STRIP_AXIS_PX - 5
+        unit, per_s = axis_unit(ends_s[1])
+        unit_px = metrics.horizontalAdvance(f" {unit}") + 2
+        for tick in linear_ticks(*ends_s, int(plot.width() / _STRIP_TICK_SPACING_PX), per_s):
+            x = x_of(tick.value)
+            painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().grid), 1))
+            painter.drawLine(QLineF(x, plot.top(), x, plot.bottom() + 3))
+            width = metrics.horizontalAdvance(tick.label)
+            left = min(max(x - width / 2, plot.left()), plot.right() - width)
+            painter.setPen(QtGui.QColor(current_theme().dim))
+            # The last tick makes room for the unit of all.
+            if left + width <= plot.right() - unit_px:
+                painter.drawText(QPointF(left, baseline), tick.label)
+        painter.drawText(QPointF(plot.right() - unit_px + 2, baseline), f" {unit}")
 
     def _paint_head(
         self, painter: QtGui.QPainter, area: QRectF, lane: Lane, colour: QtGui.QColor
@@ -496,33 +506,6 @@ class ClipStrip(QtWidgets.QWidget):
         rate_hz = clip.samples.size / clip.duration_s
         style = ClipStyle(rate_hz, colour.rgba(), 1.0, ratio=dots_in_px(painter))
         self._clips.paint(painter, clip.samples, box, style)
-
-
-def _paint_time_axis(
-    painter: QtGui.QPainter,
-    plot: QRectF,
-    metrics: QtGui.QFontMetrics,
-    part_s: tuple[float, float],
-    spacing_px: float,
-    baseline: float,
-) -> None:
-    """Draw grid, labels and unit of an axis of time; ``part_s`` is its start and its length."""
-    start_s, span_s = part_s
-    end_s = start_s + span_s
-    unit, per_s = axis_unit(end_s)
-    unit_px = metrics.horizontalAdvance(f" {unit}") + 2
-    for tick in linear_ticks(start_s, end_s, int(plot.width() / spacing_px), per_s):
-        x = _x_at(plot, start_s, span_s, tick.value)
-        painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().grid), 1))
-        painter.drawLine(QLineF(x, plot.top(), x, plot.bottom() + 3))
-        width = metrics.horizontalAdvance(tick.label)
-        left = min(max(x - width / 2, plot.left()), plot.right() - width)
-        # The last tick makes room for the unit of all.
-        if left + width <= plot.right() - unit_px:
-            painter.setPen(QtGui.QColor(current_theme().dim))
-            painter.drawText(QPointF(left, baseline), tick.label)
-    painter.setPen(QtGui.QColor(current_theme().dim))
-    painter.drawText(QPointF(plot.right() - unit_px + 2, baseline), f" {unit}")
 
 
 def _x_at(plot: QRectF, start_s: float, span_s: float, time_s: float) -> float:

@@ -30,6 +30,12 @@ def page_label(
     return label
 
 
+def show_or_hide(part: QtWidgets.QLabel | QtWidgets.QPushButton, text: str) -> None:
+    """Show a text; without one, the part takes no room."""
+    part.setText(text)
+    part.setVisible(bool(text))
+
+
 def progress_bar(name: str, title: str, *, keeps_room: bool = False) -> QtWidgets.QProgressBar:
     """Return a bar without a text; ``keeps_room``: nothing moves while it is hidden."""
     bar = QtWidgets.QProgressBar()

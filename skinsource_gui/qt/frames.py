@@ -106,6 +106,15 @@ def paint_focus_frame(painter: QtGui.QPainter, area: QRectF, theme: Theme) -> No
     painter.drawRect(area.adjusted(0.5, 0.5, -0.5, -0.5))
 
 
+def paint_card(painter: QtGui.QPainter, room: QRectF, text: str, theme: Theme) -> None:
+    """Write a text on raised ground, readable over anything."""
+    painter.setBrush(QtGui.QColor(theme.raised))
+    painter.setPen(QtGui.QPen(QtGui.QColor(theme.border), 1))
+    painter.drawRect(room)
+    painter.setPen(QtGui.QColor(theme.text))
+    painter.drawText(room, Qt.AlignmentFlag.AlignCenter, text)
+
+
 class Same:
     """Key of an object by its identity, for `CachedPicture`; it keeps the object alive."""
 

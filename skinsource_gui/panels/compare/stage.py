@@ -39,7 +39,7 @@ from skinsource_gui.panels.compare.motion import rounded
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.curves import output_names
 from skinsource_gui.plots.small_map import Range
-from skinsource_gui.qt.buttons import page_label
+from skinsource_gui.qt.buttons import page_label, show_or_hide
 from skinsource_gui.qt.frames import CachedPicture, Same
 from skinsource_gui.qt.labels import how_to_add
 from skinsource_gui.qt.layouts import in_column
@@ -283,8 +283,7 @@ class StagePanel(MapsPanel):
         self._release()
 
     def show_caution(self, text: str) -> None:
-        self.caution.setText(text)
-        self.caution.setVisible(bool(text))
+        show_or_hide(self.caution, text)
         self.caution.adjustSize()
 
     def fit(self) -> None:
@@ -352,8 +351,7 @@ class StagePanel(MapsPanel):
         track = self._track
         plain = how_to_add() if track is None else f"Place {track.location}"
         self.heading.setText(scenes.title_of(design) if design.title else plain)
-        self.sentence.setText(design.notes.partition("\n")[0])
-        self.sentence.setVisible(bool(self.sentence.text()))
+        show_or_hide(self.sentence, design.notes.partition("\n")[0])
 
     def _show_knob(self, design: Design, view: View, control: str) -> None:
         self._track = track = leading_input(design, view) or next(iter(design.inputs), None)

@@ -20,6 +20,7 @@ from skinsource_gui.panels.timeline.gestures import GesturePreview
 from skinsource_gui.plots.preview import ClipPictures, ClipStyle
 from skinsource_gui.plots.ranges import Tick, linear_ticks
 from skinsource_gui.plots.time_scale import Range, TimeScale
+from skinsource_gui.qt.frames import paint_card
 from skinsource_gui.qt.theme import Theme, current_theme, dots_in_px, translucent
 
 _ROUNDING_PX = 3.0
@@ -527,12 +528,7 @@ class OverlayItem(LaneLayer):
             painter.setBrush(tint)
             painter.drawRect(self.preview.covered)
         if self.preview.label:
-            room = self._label_room()
-            painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().border), 1))
-            painter.setBrush(QtGui.QColor(current_theme().raised))
-            painter.drawRect(room)
-            painter.setPen(QtGui.QColor(current_theme().text))
-            painter.drawText(room, Qt.AlignmentFlag.AlignCenter, self.preview.label)
+            paint_card(painter, self._label_room(), self.preview.label, current_theme())
 
     def _update_places(self) -> None:
         """Update the places of what is shown."""

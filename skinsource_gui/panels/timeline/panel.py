@@ -28,7 +28,7 @@ from skinsource_gui.panels.timeline.gestures import GesturePreview
 from skinsource_gui.panels.timeline.heads import Heads, heads_px, row_px
 from skinsource_gui.panels.timeline.lanes import ZOOM, LanesView
 from skinsource_gui.plots.time_scale import Range
-from skinsource_gui.qt.buttons import page_label, tool_button
+from skinsource_gui.qt.buttons import page_label, show_or_hide, tool_button
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.keys import KEYS
 from skinsource_gui.qt.labels import how_to_add
@@ -385,8 +385,7 @@ class TimelinePanel(Panel):
         return self.held_over(self.lanes.mapToGlobal(at).toPoint())
 
     def _show_foot(self, text: str) -> None:
-        self._foot.setText(text)
-        self._foot.setVisible(bool(text))
+        show_or_hide(self._foot, text)
 
 
 def _play_same(clip: Clip, other: Clip) -> bool:
