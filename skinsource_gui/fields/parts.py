@@ -33,6 +33,7 @@ from skinsource_gui.fields.editor import Editor, NewEditor
 from skinsource_gui.fields.grid import EditedCell, FieldGrid
 from skinsource_gui.fields.kinds import fill_kind_menu
 from skinsource_gui.qt.buttons import remove_button
+from skinsource_gui.qt.frames import drop_line
 from skinsource_gui.qt.keys import claims_shortcut, key_text, meaning_of
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX
@@ -477,10 +478,7 @@ class RowColumn(QtWidgets.QWidget, Generic[Row]):
         self.rows: tuple[Row, ...] = ()
         self._column = in_column(of=self, margins=0, gap_px=UNIT_PX // 4)
         # Shows where a dragged row would go.
-        self._line = QtWidgets.QFrame(self)
-        self._line.setBackgroundRole(QtGui.QPalette.ColorRole.Highlight)
-        self._line.setAutoFillBackground(True)
-        self._line.hide()
+        self._line = drop_line(self, "row_gap")
 
     def take_in(self, row: Row) -> None:
         """Let a new row be dragged."""

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
-from PySide6 import QtGui
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt
 
 from skinsource.base.arrays import Floats
@@ -113,6 +113,16 @@ def paint_card(painter: QtGui.QPainter, room: QRectF, text: str, theme: Theme) -
     painter.drawRect(room)
     painter.setPen(QtGui.QColor(theme.text))
     painter.drawText(room, Qt.AlignmentFlag.AlignCenter, text)
+
+
+def drop_line(parent: QtWidgets.QWidget, name: str) -> QtWidgets.QFrame:
+    """Return a line that shows where something would be dropped; hidden at first."""
+    line = QtWidgets.QFrame(parent)
+    line.setObjectName(name)
+    line.setBackgroundRole(QtGui.QPalette.ColorRole.Highlight)
+    line.setAutoFillBackground(True)
+    line.hide()
+    return line
 
 
 class Same:

@@ -38,6 +38,7 @@ from skinsource_gui.panels.compare.maps import MapsPanel
 from skinsource_gui.panels.compare.motion import rounded
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.curves import output_names
+from skinsource_gui.plots.figure import Figure
 from skinsource_gui.plots.small_map import Range
 from skinsource_gui.qt.buttons import page_label, show_or_hide
 from skinsource_gui.qt.frames import CachedPicture, Same
@@ -60,7 +61,7 @@ class Curve:
     y: Floats
 
 
-class Strip(QtWidgets.QWidget):
+class Strip(Figure):
     """Traces or spectra over one axis, and where the motion is.
 
     Attributes
@@ -70,15 +71,15 @@ class Strip(QtWidgets.QWidget):
     """
 
     def __init__(self) -> None:
-        super().__init__()
+        super().__init__("stage_traces", "Traces")
         self.curves: tuple[Curve, ...] = ()
         self.marked: float | None = None
         self.ends: tuple[Range, Range] = ((0.0, 1.0), (-1.0, 1.0))
         self._words = ("", "", "")
         self._picture = CachedPicture()
-        self.setObjectName("stage_traces")
         self.setMinimumHeight(80)
-        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+        self.setMouseTracking(False)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
 
     def show_curves(
         self, curves: tuple[Curve, ...], ends: tuple[Range, Range], words: tuple[str, str, str]
@@ -94,19 +95,17 @@ class Strip(QtWidgets.QWidget):
         self.marked = None if x is None or x > self.ends[0][1] else x
         self.update()
 
-    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
-        painter, theme = QtGui.QPainter(self), current_theme()
+    def draw(self, painter: QtGui.QPainter, room: QRectF) -> None:
         painter.setFont(tabular(self.font()))
-        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
+        theme = current_theme()
         key = (Same(self.curves), self.ends, theme)
         ground = QtGui.QColor(theme.base)
-        self._picture.paint(painter, QRectF(self.rect()), key, self._paint, ground)
+        self._picture.paint(painter, room, key, self._paint, ground)
         if self.marked is not None and self.curves:
             area = self._area()
             x = area.left() + area.width() * self.marked / self.ends[0][1]
             painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 2))
             painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()))
-        painter.end()
 
     def _area(self) -> QRectF:
         line = 1.2 * self.fontMetrics().height()

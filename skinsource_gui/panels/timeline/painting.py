@@ -19,6 +19,7 @@ from skinsource_gui.panels.timeline.content import MARGIN_PX, Box, Lane, Timelin
 from skinsource_gui.panels.timeline.gestures import GesturePreview
 from skinsource_gui.plots.preview import ClipPictures, ClipStyle
 from skinsource_gui.plots.ranges import Tick, linear_ticks
+from skinsource_gui.plots.small_map import paint_band
 from skinsource_gui.plots.time_scale import Range, TimeScale
 from skinsource_gui.qt.frames import paint_card
 from skinsource_gui.qt.theme import Theme, current_theme, dots_in_px, translucent
@@ -522,11 +523,7 @@ class OverlayItem(LaneLayer):
             painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().warning), 2))
             painter.drawLine(guide)
         if self.preview.covered is not None:
-            tint = QtGui.QColor(current_theme().accent)
-            painter.setPen(QtGui.QPen(tint, 1))
-            tint.setAlpha(30)
-            painter.setBrush(tint)
-            painter.drawRect(self.preview.covered)
+            paint_band(painter, self.preview.covered, current_theme())
         if self.preview.label:
             paint_card(painter, self._label_room(), self.preview.label, current_theme())
 
