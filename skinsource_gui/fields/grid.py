@@ -54,6 +54,15 @@ class LabelledCell(QtWidgets.QWidget):
         self.stack.setSpacing(2)
 
 
+def discard(cells: Sequence[LabelledCell], heir: QtWidgets.QWidget | None) -> None:
+    """Delete cells; where one of them has the keyboard, ``heir`` gets it."""
+    focused = QtWidgets.QApplication.focusWidget()
+    if heir and focused and any(cell.isAncestorOf(focused) for cell in cells):
+        heir.setFocus(Qt.FocusReason.OtherFocusReason)
+    for part in (widget for cell in cells for widget in (cell.label, cell)):
+        part.deleteLater()
+
+
 class TextCell(LabelledCell):
     """A label and a text that cannot be edited."""
 

@@ -30,7 +30,7 @@ from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import ListSpec, ModelSpec
 from skinsource.specs.spec import Spec
 from skinsource_gui.fields.editor import Editor, NewEditor
-from skinsource_gui.fields.grid import EditedCell, FieldGrid
+from skinsource_gui.fields.grid import EditedCell, FieldGrid, discard
 from skinsource_gui.fields.kinds import fill_kind_menu
 from skinsource_gui.qt.buttons import remove_button
 from skinsource_gui.qt.frames import drop_line
@@ -141,13 +141,8 @@ class PartFields(QObject):
                 if isinstance(field, PartsEditor):
                     field.holder = lambda: self._model
         self._own, self._nested, self._built_for = own, nested, type(model)
-        focused = QtWidgets.QApplication.focusWidget()
-        within = focused is not None and any(cell.isAncestorOf(focused) for cell in removed)
-        if within and self._kind is not None:
-            self._kind.field.setFocus(Qt.FocusReason.OtherFocusReason)
+        discard(removed, None if self._kind is None else self._kind.field)
         self.rebuilt.emit()
-        for part in (widget for cell in removed for widget in (cell.label, cell)):
-            part.deleteLater()
         for part_fields in old:
             part_fields.deleteLater()
 

@@ -33,7 +33,7 @@ from skinsource.lab.rig_measuring.measurement import (
 from skinsource.specs.models import specs_of
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.editors import FieldCell
-from skinsource_gui.fields.grid import FieldGrid
+from skinsource_gui.fields.grid import FieldGrid, discard
 from skinsource_gui.fields.units import minus
 from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.plots.curves import CurveName, Curves
@@ -168,7 +168,7 @@ class MeasurePage(ToolPage):
         self._thread, self._stop = sound_worker(self), Event()
         self._running = self._looking = False
         self.measurement: ChannelMeasurement | None = None
-        self.setup, self.grid = setup_of(settings.sensor_text), FieldGrid()
+        self.setup, self.grid = setup_of(settings.preferences.sensor_text), FieldGrid()
         specs = specs_of(self.setup).items()
         self.cells = {name: FieldCell(name, spec, edited=self._edit) for name, spec in specs}
         self.cells[_DEVICE] = self._devices(())
@@ -255,15 +255,14 @@ class MeasurePage(ToolPage):
     ) -> None:
         old, self.cells[_DEVICE] = self.cells[_DEVICE], self._devices(devices or ())
         self._show_cells()
-        old.label.deleteLater()
-        old.deleteLater()
+        discard((old,), None)
         self._say_readiness()
         if error is not None and not self._missing:
             self.say(str(error))
 
     def _start(self) -> None:
         setup, channel = self.setup, self._channel
-        self._settings.sensor_text = setup_text(setup)
+        self._settings.preferences.sensor_text = setup_text(setup)
         self._stop.clear()
         self._running, self.measurement = True, None
         self.plot.show_message("Measuring…")
