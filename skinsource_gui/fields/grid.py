@@ -8,7 +8,7 @@ from PySide6.QtCore import QSize, Qt, Signal
 
 from skinsource.specs.spec import Spec
 from skinsource_gui.fields.editor import NewEditor
-from skinsource_gui.qt.buttons import page_label
+from skinsource_gui.qt.buttons import page_label, show_or_hide
 from skinsource_gui.qt.fitting import LayoutWatcher
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 
@@ -52,6 +52,15 @@ class LabelledCell(QtWidgets.QWidget):
         self.stack = QtWidgets.QVBoxLayout(self)
         self.stack.setContentsMargins(0, 0, 0, 0)
         self.stack.setSpacing(2)
+
+
+def discard(cells: Sequence[LabelledCell], heir: QtWidgets.QWidget | None) -> None:
+    """Delete cells; where one of them has the keyboard, ``heir`` gets it."""
+    focused = QtWidgets.QApplication.focusWidget()
+    if heir and focused and any(cell.isAncestorOf(focused) for cell in cells):
+        heir.setFocus(Qt.FocusReason.OtherFocusReason)
+    for part in (widget for cell in cells for widget in (cell.label, cell)):
+        part.deleteLater()
 
 
 class TextCell(LabelledCell):
@@ -164,8 +173,7 @@ class EditedCell(LabelledCell):
     def _set_note(self, text: str, *, warns: bool) -> None:
         if (text, warns) != (self.note, self._warns):
             self._warns = warns
-            self._note.setText(text)
-            self._note.setVisible(bool(text))
+            show_or_hide(self._note, text)
             set_tone(self._note, "warning" if warns else "error")
 
 

@@ -3,6 +3,7 @@
 `SweepDialog` makes frequencies in equal steps or factors; the points of a glide are curves, too.
 """
 
+from dataclasses import replace
 from functools import partial
 from itertools import pairwise
 from typing import Any
@@ -31,7 +32,7 @@ from skinsource_gui.fields.units import (
     read_points,
     value_text,
 )
-from skinsource_gui.qt.buttons import page_label, tool_button
+from skinsource_gui.qt.buttons import answers, page_label, tool_button
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import tabular
 
@@ -61,32 +62,25 @@ class SweepDialog(QtWidgets.QDialog):
         count = NumberSpec(
             label="Count", minimum=max(spec.fewest, 1), maximum=spec.most, whole=True
         )
-        self.low = self._number("low_hz", number_of(spec), min(values, default=50.0))
-        self.high = self._number("high_hz", number_of(spec), max(values, default=400.0))
-        self.count = self._number("count", count, len(values) or 5)
-        self.spacing = self._choice("spacing", _SPACING, "logarithmic")
+        self.low = NumberField(replace(number_of(spec), label="From"), self)
+        self.high = NumberField(replace(number_of(spec), label="To"), self)
+        self.count = NumberField(count, self)
+        self.spacing, self.order = ChoiceField(_SPACING, self), ChoiceField(_ORDER, self)
+        self.low.set_value(min(values, default=50.0))
+        self.high.set_value(max(values, default=400.0))
+        self.count.set_value(len(values) or 5)
+        self.spacing.set_value("logarithmic")
         falls = len(values) > 1 and values[0] > values[-1]
-        self.order = self._choice("order", _ORDER, "down" if falls else "up")
+        self.order.set_value("down" if falls else "up")
         self._list = page_label("sweep_list")
         self._list.setMinimumWidth(260)
-        buttons = QtWidgets.QDialogButtonBox(
-            QtWidgets.QDialogButtonBox.StandardButton.Ok
-            | QtWidgets.QDialogButtonBox.StandardButton.Cancel
-        )
-        buttons.accepted.connect(self.accept)
-        buttons.rejected.connect(self.reject)
         form = QtWidgets.QFormLayout(self)
-        rows = {
-            "From": self.low,
-            "To": self.high,
-            "Count": self.count,
-            "Spacing": self.spacing,
-            "Order": self.order,
-        }
-        for title, field in rows.items():
-            form.addRow(title, field)
+        for field in (self.low, self.high, self.count, self.spacing, self.order):
+            field.setObjectName(f"{field.accessibleName().lower()}_sweep")
+            field.edited.connect(self._show_list)
+            form.addRow(field.accessibleName(), field)
         form.addRow(self._list)
-        form.addRow(buttons)
+        form.addRow(answers(self))
         self._show_list()
 
     @property
@@ -100,21 +94,6 @@ class SweepDialog(QtWidgets.QDialog):
             "linear" if self.spacing.value == "linear" else "logarithmic",
             "down" if self.order.value == "down" else "up",
         )
-
-    def _number(self, name: str, spec: NumberSpec, value: float) -> NumberField:
-        field = NumberField(spec, self)
-        field.setObjectName(f"{name}_sweep")
-        field.setAccessibleName({"low_hz": "From", "high_hz": "To"}.get(name, spec.label))
-        field.set_value(value)
-        field.edited.connect(self._show_list)
-        return field
-
-    def _choice(self, name: str, spec: ChoiceSpec, value: str) -> ChoiceField:
-        field = ChoiceField(spec, self)
-        field.setObjectName(f"{name}_sweep")
-        field.set_value(value)
-        field.edited.connect(self._show_list)
-        return field
 
     def _show_list(self, *_: object) -> None:
         values = tuple(float(f"{value:.5g}") for value in self.values)

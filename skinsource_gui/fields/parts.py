@@ -30,9 +30,10 @@ from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import ListSpec, ModelSpec
 from skinsource.specs.spec import Spec
 from skinsource_gui.fields.editor import Editor, NewEditor
-from skinsource_gui.fields.grid import EditedCell, FieldGrid
+from skinsource_gui.fields.grid import EditedCell, FieldGrid, discard
 from skinsource_gui.fields.kinds import fill_kind_menu
 from skinsource_gui.qt.buttons import remove_button
+from skinsource_gui.qt.frames import drop_line
 from skinsource_gui.qt.keys import claims_shortcut, key_text, meaning_of
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX
@@ -140,13 +141,8 @@ class PartFields(QObject):
                 if isinstance(field, PartsEditor):
                     field.holder = lambda: self._model
         self._own, self._nested, self._built_for = own, nested, type(model)
-        focused = QtWidgets.QApplication.focusWidget()
-        within = focused is not None and any(cell.isAncestorOf(focused) for cell in removed)
-        if within and self._kind is not None:
-            self._kind.field.setFocus(Qt.FocusReason.OtherFocusReason)
+        discard(removed, None if self._kind is None else self._kind.field)
         self.rebuilt.emit()
-        for part in (widget for cell in removed for widget in (cell.label, cell)):
-            part.deleteLater()
         for part_fields in old:
             part_fields.deleteLater()
 
@@ -477,10 +473,7 @@ class RowColumn(QtWidgets.QWidget, Generic[Row]):
         self.rows: tuple[Row, ...] = ()
         self._column = in_column(of=self, margins=0, gap_px=UNIT_PX // 4)
         # Shows where a dragged row would go.
-        self._line = QtWidgets.QFrame(self)
-        self._line.setBackgroundRole(QtGui.QPalette.ColorRole.Highlight)
-        self._line.setAutoFillBackground(True)
-        self._line.hide()
+        self._line = drop_line(self, "row_gap")
 
     def take_in(self, row: Row) -> None:
         """Let a new row be dragged."""

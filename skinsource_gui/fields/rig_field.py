@@ -1,13 +1,11 @@
 """The field of a rig: none, the present one, or another file."""
 
-from pathlib import Path
-
-from PySide6 import QtWidgets
 from PySide6.QtCore import Signal
 
 from skinsource.actuators import rigs
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.qt.questions import ask_open
 
 _SPEC = ChoiceSpec(
     label="Rig",
@@ -46,12 +44,10 @@ class RigField(ChoiceField):
 
     def _choose_rig(self, option: str) -> None:
         if option == "file":
-            name, _ = QtWidgets.QFileDialog.getOpenFileName(
-                self, "Choose a rig", "", f"Rigs (*{rigs.SUFFIX});;All files (*)"
-            )
+            path = ask_open(self, "Choose a rig", f"Rigs (*{rigs.SUFFIX});;All files (*)")
             # The present rig stays until the file is read.
             self.show_rig(self._title)
-            if name:
-                self.rig_chosen.emit(Path(name))
+            if path is not None:
+                self.rig_chosen.emit(path)
         elif option == "none":
             self.rig_chosen.emit(None)

@@ -12,7 +12,6 @@ import numpy as np
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QPointF, QRectF, Qt, SignalInstance
 
-from skinsource.base.errors import SkinSourceError
 from skinsource.base.files import write_bytes
 from skinsource.base.job import Job, Progress, Stop, time_left_text
 from skinsource.limbs.catalog import load_limb
@@ -190,13 +189,8 @@ class AccuracyPage(ToolPage):
 
     def save(self, path: Path) -> None:
         """Write the table."""
-        try:
-            write_bytes(path, table_csv(self.rows).encode())
-        except SkinSourceError as error:
-            self.complain(str(error))
-            return
-        self._preferences.folder = path.parent
-        self.say(f"Saved {path.name}.")
+        write = partial(write_bytes, path, table_csv(self.rows).encode())
+        self.save_as(path, write, self._preferences)
 
     def _lay_out(self) -> None:
         meaning = page_label("accuracy_meaning", MEANING)

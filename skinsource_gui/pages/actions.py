@@ -36,6 +36,7 @@ from skinsource_gui import pages
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.plots.small_map import with_colours_of
 from skinsource_gui.qt.frames import DropPlace
+from skinsource_gui.qt.questions import ask_open
 from skinsource_gui.qt.windows import WindowEvents
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.panel import Panel, PanelRegistry
@@ -251,14 +252,10 @@ class ImportActions(QObject):
         """Ask for a file, and open the page on it."""
         readers = importlib.import_module("skinsource.readers.readers")
         kinds = " ".join(f"*{ending}" for ending in readers.endings())
-        name, _ = QtWidgets.QFileDialog.getOpenFileName(
-            self._window,
-            "Import a recording",
-            str(self._preferences.folder),
-            f"Recordings ({kinds});;All files (*)",
-        )
-        if name:
-            self.open_page(Path(name))
+        known = f"Recordings ({kinds});;All files (*)"
+        path = ask_open(self._window, "Import a recording", known, self._preferences.folder)
+        if path is not None:
+            self.open_page(path)
 
     def open_page(self, path: Path, place: DropPlace | None = None) -> None:
         """Open the page on a file that is to go to ``place``, or where the user says."""

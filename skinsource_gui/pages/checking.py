@@ -41,6 +41,7 @@ from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
 from skinsource_gui.plots.ranges import Tick
 from skinsource_gui.qt.fitting import LetterWidth
 from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.questions import ask_open
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner, PageJobs
@@ -361,13 +362,8 @@ class CheckingPage(ToolPage):
     def save(self, path: Path) -> None:
         """Write the report, as the command ``check`` does."""
         limbs = (row.design.limb for row in self.rows if isinstance(row.result, Condition))
-        try:
-            write_report(path, self.conditions, limbs)
-        except SkinSourceError as error:
-            self.complain(str(error))
-            return
-        self._preferences.folder = path.parent
-        self.say(f"Saved {path.name}.")
+        write = partial(write_report, path, self.conditions, limbs)
+        self.save_as(path, write, self._preferences)
 
     def _lay_out(self) -> None:
         recording = self.add_button(
@@ -418,7 +414,7 @@ class CheckingPage(ToolPage):
         self.say(_AGAIN if has_recording else _BEGIN)
 
     def _ask(self, title: str, kinds: str, take: Callable[[Path], None]) -> None:
-        path = self.ask_open(title, kinds, self._preferences.folder)
+        path = ask_open(self, title, kinds, self._preferences.folder)
         if path is not None:
             take(path)
 

@@ -12,7 +12,7 @@ from skinsource.limbs.dataset.install import fetch, install
 from skinsource.limbs.dataset.published import published_files
 from skinsource.limbs.dataset.store import StoreInfo
 from skinsource_gui.pages.page import ToolPage
-from skinsource_gui.qt.buttons import page_label
+from skinsource_gui.qt.buttons import page_label, progress_bar
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.job_runner import JobProgress, JobRunner, PageJobs
@@ -44,10 +44,7 @@ class DatasetPage(ToolPage):
         size_mb = round(sum(file.size_bytes for file in published_files()) / 1e6)
         about = page_label("page_text", _ABOUT.format(size=size_mb))
         about.setOpenExternalLinks(True)
-        self._bar = QtWidgets.QProgressBar()
-        self._bar.setObjectName("dataset_progress")
-        self._bar.setAccessibleName("Progress of the installation")
-        self._bar.setTextVisible(False)
+        self._bar = progress_bar("dataset_progress", "Progress of the installation")
         self._install = self.add_button(
             "install_from_folder", "Install from folder…", "", self._ask_and_install
         )

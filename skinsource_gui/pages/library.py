@@ -14,7 +14,7 @@ from skinsource.design.presets.presets import Preset, tags_of, whole_design
 from skinsource.design.view import View
 from skinsource_gui.fields.choice_field import DropDown
 from skinsource_gui.pages.page import ToolPage
-from skinsource_gui.qt.layouts import in_column
+from skinsource_gui.qt.layouts import add_row, in_column
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -113,9 +113,7 @@ class SavePage(ToolPage):
             ("Description", self.description, "library_description"),
             ("Source", self.source, "library_source"),
         ):
-            field.setObjectName(name)
-            field.setAccessibleName(label)
-            form.addRow(label, field)
+            add_row(form, name, label, field)
         in_column(form, self.message, None, self.buttons, of=self)
 
     def _suggest(self) -> None:

@@ -28,10 +28,10 @@ from skinsource.specs.numbers import ListSpec, NumberSpec
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.units import read_numbers
 from skinsource_gui.pages.page import ToolPage
-from skinsource_gui.qt.buttons import page_button, page_label
+from skinsource_gui.qt.buttons import page_button, page_label, progress_bar
 from skinsource_gui.qt.fitting import LetterWidth
-from skinsource_gui.qt.keys import KEYS, Gesture
-from skinsource_gui.qt.layouts import form_of, in_column, in_row
+from skinsource_gui.qt.keys import KEYS
+from skinsource_gui.qt.layouts import add_row, form_of, in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.state.playing import end_sound, sound_worker
@@ -63,26 +63,24 @@ class RunView(QtWidgets.QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.lit = ""
-        self.progress, self.bar = QtWidgets.QLabel(), QtWidgets.QProgressBar()
-        self.progress.setObjectName("matching_progress")
-        self.bar.setTextVisible(False)
+        self.progress = page_label("matching_progress")
+        self.bar = progress_bar("matching_bar", "Progress")
         self.bar.setFixedHeight(UNIT_PX)
-        self.sides = {name: QtWidgets.QLabel() for name in ("reference", "test")}
-        for name, side in self.sides.items():
-            side.setObjectName(f"matching_{name}")
-            side.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.sides = {
+            name: page_label(f"matching_{name}", centred=True) for name in ("reference", "test")
+        }
+        for side in self.sides.values():
             side.setMinimumHeight(_SIDE_PX)
-            side.setWordWrap(True)
         gestures = KEYS["matching"].gestures
-        question = QtWidgets.QLabel(
+        question = page_label(
+            "matching_question",
             "Make the test as strong as the reference: arrow keys make it weaker or stronger, "
-            f"{gestures['store'].shown} when both feel equally strong."
+            f"{gestures['store'].shown} when both feel equally strong.",
         )
-        question.setWordWrap(True)
         self.note = page_label("matching_note")
         self.note.setTextFormat(Qt.TextFormat.PlainText)
         self.buttons = {
-            name: page_button(f"matching_{name}", label, _hint(gestures[name]))
+            name: page_button(f"matching_{name}", label, gestures[name].hint)
             for name, label in _BUTTONS.items()
         }
         for name, button in self.buttons.items():
@@ -139,10 +137,6 @@ class RunView(QtWidgets.QWidget):
     def _press(self, name: str) -> None:
         if self.isVisible() and self.buttons[name].isEnabled():
             self.requested.emit(name)
-
-
-def _hint(gesture: Gesture) -> str:
-    return f"{gesture.effect[:1].upper()}{gesture.effect[1:]} ({gesture.shown})"
 
 
 _NUMBERS = {
@@ -207,8 +201,7 @@ class SetupForm(QtWidgets.QWidget):
         self._texts: dict[str, QtWidgets.QLineEdit] = {}
         for name, (label, text, hint) in _TEXTS.items():
             field = self._texts[name] = QtWidgets.QLineEdit(text)
-            field.setToolTip(tooltip(label, hint))
-            self._add(name, label, field)
+            add_row(self._form, f"matching_{name}", label, field, hint)
         self._numbers: dict[str, NumberField] = {}
         for name, spec in _NUMBERS.items():
             if name == "amplitude":
@@ -216,8 +209,7 @@ class SetupForm(QtWidgets.QWidget):
             number = self._numbers[name] = NumberField(spec)
             number.set_value(gain_db if name == "gain_db" else _FIRST[name])
             LetterWidth(number, _NUMBER_PX, at_most=True)
-            number.setToolTip(tooltip(spec.label, spec.hint))
-            self._add(name, spec.label, number)
+            add_row(self._form, f"matching_{name}", spec.label, number, spec.hint)
         self.table = QtWidgets.QLineEdit(str(table))
         self.table.setToolTip(
             tooltip("Table", "CSV for the matches; matches that it holds are skipped")
@@ -274,11 +266,6 @@ class SetupForm(QtWidgets.QWidget):
 
     def _numbers_in(self, name: str) -> tuple[float, ...]:
         return read_numbers(self._texts[name].text(), _LISTS[name])
-
-    def _add(self, name: str, label: str, field: QtWidgets.QLineEdit) -> None:
-        field.setObjectName(f"matching_{name}")
-        field.setAccessibleName(label)
-        self._form.addRow(label, field)
 
 
 _DEVICE_LOST = (

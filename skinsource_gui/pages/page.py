@@ -6,10 +6,12 @@ from pathlib import Path
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QRectF, QSize, Qt
 
+from skinsource.base.errors import SkinSourceError
 from skinsource.base.quoting import sentence
 from skinsource_gui.qt.buttons import page_button, page_label
 from skinsource_gui.qt.labels import set_table_look
 from skinsource_gui.qt.theme import set_tone
+from skinsource_gui.state.preferences import Preferences
 
 
 class PictureView(QtWidgets.QWidget):
@@ -110,15 +112,20 @@ class ToolPage(QtWidgets.QDialog):
         arm.toggled.connect(follow)
         return arm
 
-    def ask_open(self, title: str, kinds: str, start: Path | None = None) -> Path | None:
-        """Ask for a file to read; None where the user has chosen none."""
-        name, _ = QtWidgets.QFileDialog.getOpenFileName(self, title, str(start or ""), kinds)
-        return Path(name) if name else None
-
     def ask_save(self, title: str, kinds: str, start: Path) -> Path | None:
         """Ask for a file to write; None where the user has chosen none."""
         name, _ = QtWidgets.QFileDialog.getSaveFileName(self, title, str(start), kinds)
         return Path(name) if name else None
+
+    def save_as(self, path: Path, write: Callable[[], object], preferences: Preferences) -> None:
+        """Write a file, and say that it is saved, or why it is not; remember its folder."""
+        try:
+            write()
+        except SkinSourceError as error:
+            self.complain(str(error))
+            return
+        preferences.folder = path.parent
+        self.say(f"Saved {path.name}.")
 
 
 class RowTable(QtWidgets.QTableWidget):

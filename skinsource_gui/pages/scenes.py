@@ -19,7 +19,7 @@ from skinsource.studies.scenes.catalog import (
 from skinsource.studies.scenes.opened_scene import Scene
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.page import PictureView, ToolPage
-from skinsource_gui.qt.buttons import page_label, scrolled
+from skinsource_gui.qt.buttons import Answer, answers, page_label, scrolled
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.resources import resource_folder
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
@@ -82,18 +82,15 @@ class ScenesPage(ToolPage):
         self.picture.setMinimumSize(*_LEAST_PX)
         self.text = page_label("scene_words")
         self.text.setTextFormat(Qt.TextFormat.RichText)
-        self.buttons = QtWidgets.QDialogButtonBox(
-            QtWidgets.QDialogButtonBox.StandardButton.Open
-            | QtWidgets.QDialogButtonBox.StandardButton.Cancel
-        )
+        self.buttons = answers(self, Answer.Open)
+        self.open_button = self.buttons.button(Answer.Open)
         self._lay_out()
         self._fill(selected)
         self.list.currentRowChanged.connect(self._show)
         # Not itemActivated: Return would count twice, for the list and for the button.
-        self.list.itemDoubleClicked.connect(self._choose)
+        self.list.itemDoubleClicked.connect(self.open_button.click)
         self.played_on.edited.connect(self._show_limb)
-        self.buttons.accepted.connect(self._choose)
-        self.buttons.rejected.connect(self.reject)
+        self.accepted.connect(lambda: self.chosen.emit(self.scene.name, self.played_on.value))
         self._show_limb()
         self.list.setFocus()
         fit_by_guess(self)
@@ -116,9 +113,8 @@ class ScenesPage(ToolPage):
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAsNeeded)
         columns = in_row(left, (area, 1), gap_px=2 * UNIT_PX)
         in_column((columns, 1), self.buttons, of=self)
-        button = self.buttons.button(QtWidgets.QDialogButtonBox.StandardButton.Open)
-        button.setDefault(True)
-        button.setToolTip("Open the scene in place of the present design")
+        self.open_button.setDefault(True)
+        self.open_button.setToolTip("Open the scene in place of the present design")
 
     def _fill(self, selected: str) -> None:
         for scene in self._scenes:
@@ -152,7 +148,7 @@ class ScenesPage(ToolPage):
         if row < 0:
             return
         scene, reason = self.scene, self._reasons[self.scene.name]
-        self.buttons.button(QtWidgets.QDialogButtonBox.StandardButton.Open).setEnabled(not reason)
+        self.open_button.setEnabled(not reason)
         self.picture.show_image(picture_of(scene).toImage())
         self.picture.setAccessibleName(scene.title)
         lines = [
@@ -175,14 +171,6 @@ class ScenesPage(ToolPage):
         titles = ", ".join(limb_label(limb).title for limb in limbs)
         note = f"Opens on {titles}. {opened.note} {too_large(limb) if limb else ''} {_PICTURES}"
         return _dim(" ".join(note.split()))
-
-    def _choose(self) -> None:
-        name = self.scene.name
-        if self._reasons[name]:
-            return
-        # The page closes first: the question about unsaved work appears in front of the window.
-        self.accept()
-        self.chosen.emit(name, self.played_on.value)
 
 
 def picture_of(scene: Scene) -> QtGui.QPixmap:

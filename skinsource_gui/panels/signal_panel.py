@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import Any
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import Qt
 
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
@@ -40,7 +39,7 @@ class SignalPanel(OutputsPanel):
         self._plot.cursors_requested.connect(lambda at: self.change_settings(cursors=at))
         self._plot.exports.failed.connect(self.failed)
         self._plot.exports.written.connect(self.written)
-        self._plot.save_picture = self._save_picture
+        self._plot.save_picture = self.save_picture
         self._plot.toolbar.layout_chosen.connect(lambda layout: self.change_settings(layout=layout))
         self._noisy: tuple[int, ...] = ()
         self._switches: dict[str, QtWidgets.QToolButton] = {}
@@ -106,8 +105,3 @@ class SignalPanel(OutputsPanel):
         self, painter: QtGui.QPainter, width: int, height: int, theme: Theme = LIGHT
     ) -> None:
         draw_signals(painter, width, height, plot=self._plot.plot, theme=theme)
-
-    def _save_picture(self) -> None:
-        # The action saves the panel that has the keyboard focus.
-        self.setFocus(Qt.FocusReason.MouseFocusReason)
-        self.action_requested.emit("export_panel_picture")

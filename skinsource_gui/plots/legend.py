@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from itertools import accumulate, islice
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEvent, QPointF, QRect, QSize, Qt
+from PySide6.QtCore import QPointF, QRect, QSize, Qt
 
 from skinsource_gui.plots.curves import CurveName
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, scaled, tabular
@@ -249,6 +249,7 @@ class LegendStrip(QtWidgets.QWidget):
         if text != self.text:
             self.text = text
             self.setAccessibleDescription(text.lines())
+            self.setToolTip(text.lines())
             self._make_room()
             self.update()
 
@@ -266,12 +267,6 @@ class LegendStrip(QtWidgets.QWidget):
     def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         self._make_room()
-
-    def event(self, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.ToolTip and isinstance(event, QtGui.QHelpEvent):
-            QtWidgets.QToolTip.showText(event.globalPos(), self.text.lines(), self)
-            return True
-        return super().event(event)
 
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         if not self.text.names:

@@ -1,13 +1,14 @@
 """Small pictures of what a design plays: a spectrum, a waveform, and clips on tracks."""
 
-from collections.abc import Callable
+from collections import OrderedDict
+from collections.abc import Callable, Hashable
 from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
 from pyqtgraph.functions import arrayToQPath
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, QSizeF, Qt
 
 from skinsource.base.arrays import Floats
 from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ, Band
@@ -18,8 +19,7 @@ from skinsource.design.waveform import Waveform
 from skinsource_gui.fields.units import axis_unit
 from skinsource_gui.plots.curves import visible_course
 from skinsource_gui.plots.figure import Axes, Axis, fitted_axes
-from skinsource_gui.plots.pictures import DrawableWidget
-from skinsource_gui.plots.ranges import CachedColumns, linear_ticks, wave_of
+from skinsource_gui.plots.ranges import CachedColumns, Range, linear_ticks, wave_of
 from skinsource_gui.qt.buttons import paint_swatch
 from skinsource_gui.qt.frames import CachedPicture
 from skinsource_gui.qt.theme import (
@@ -27,9 +27,9 @@ from skinsource_gui.qt.theme import (
     current_theme,
     dots_in_px,
     is_on_paper,
-    letter_scale,
     tabular,
     thin_pen,
+    translucent,
 )
 from skinsource_gui.qt.tooltips import show_tooltip
 
@@ -37,23 +37,30 @@ _LOWEST_HZ, _FLOOR_DB = 10.0, -80.0
 _BAND_ALPHA = 24
 
 
-class SpectrumPreview(QtWidgets.QWidget):
+class _Preview(QtWidgets.QWidget):
+    """A small picture, which takes the room that there is."""
+
+    def __init__(self, name: str, title: str, parent: QtWidgets.QWidget | None) -> None:
+        super().__init__(parent)
+        self.setObjectName(name)
+        self.setAccessibleName(title)
+        self.setFont(tabular(self.font()))
+        self.setSizePolicy(
+            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Expanding
+        )
+
+
+class SpectrumPreview(_Preview):
     """A spectrum from 10 Hz to half the rate: the largest line of each pixel, in dB below the peak.
 
     The measured band of the limb is shaded.
     """
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__("spectrum_preview", "Spectrum", parent)
         self._lines: tuple[Floats, Floats] | None = None
         self._highest_hz = SAMPLE_RATE_HZ / 2.0
         self._band_hz: Band | None = None
-        self.setObjectName("spectrum_preview")
-        self.setAccessibleName("Spectrum")
-        self.setFont(tabular(self.font()))
-        self.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Expanding
-        )
 
     def show_samples(
         self,
@@ -75,8 +82,7 @@ class SpectrumPreview(QtWidgets.QWidget):
             QRectF(self.rect()), frequency, level, QtGui.QFontMetricsF(painter.font())
         )
         if self._band_hz is not None:
-            band = QtGui.QColor(theme.accent)
-            band.setAlpha(_BAND_ALPHA)
+            band = translucent(theme.accent, _BAND_ALPHA)
             ends_hz = np.clip(self._band_hz, _LOWEST_HZ, self._highest_hz)
             (left, top), (right, bottom) = axes.to_screen(ends_hz, np.array(level.shown[::-1]))
             painter.fillRect(QRectF(QPointF(left, top), QPointF(right, bottom)), band)
@@ -107,49 +113,158 @@ def _lines(samples: Floats, sample_rate_hz: float) -> tuple[Floats, Floats]:
     return np.asarray(np.fft.rfftfreq(length, 1.0 / sample_rate_hz), np.float64), level_db
 
 
-_AXIS_PX, _CURVE_PX = 18, 46
-_MARGIN_PX = 4
-# Distance of ticks, in letters of the usual size.
-_TICK_SPACING_PX = 52
-# Strokes of this mean length, of 2, make a block, which needs no antialiasing.
+_BUDGET_BYTES = 48 * 2**20
+_BYTES_PER_PIXEL = 4
+# Strokes of this mean length, of 2, make a block, whose edge needs no smoothing.
 _BLOCK = 0.8
+
+
+@dataclass(frozen=True, slots=True)
+class ClipStyle:
+    """How the curve of a clip is drawn.
+
+    Attributes
+    ----------
+    sample_rate_hz
+        Of what the clip plays.
+    colour
+        Colour of the curve, as a number.
+    reach
+        Height of a sample of 1, as a share of half the picture; negative: upside down.
+    part
+        Which part of the whole is shown, from 0 to 1.
+    ratio
+        Dots in a px.
+    """
+
+    sample_rate_hz: float
+    colour: int
+    reach: float
+    part: tuple[float, float] = (0.0, 1.0)
+    ratio: float = 1.0
+
+
+def paint_samples(
+    painter: QtGui.QPainter,
+    samples: Floats,
+    area: QRectF,
+    style: ClipStyle,
+    columns: CachedColumns,
+) -> bool:
+    """Paint samples, (n_times,), as a curve; return whether it shows the wave between them."""
+    if not samples.size:
+        return False
+    time_s = np.arange(samples.size) / style.sample_rate_hz
+    first_s, end_s = (share * samples.size / style.sample_rate_hz for share in style.part)
+    across = max(round(area.width() * style.ratio), 1)
+    wave = wave_of(time_s, samples[np.newaxis])
+    known = columns.of(time_s, (first_s, end_s), across)
+    curve = visible_course(known, samples[np.newaxis], wave, area.width(), style.ratio)
+    heights = style.reach * curve.line.y[0]
+    if curve.wave:
+        # Between samples it may be higher than there is room for them.
+        heights = heights / max(float(np.abs(heights).max()), 1.0)
+    strokes = np.abs(heights[1::2] - heights[::2]) if curve.line.strokes else 0.0
+    block = not is_on_paper() and np.mean(strokes) > _BLOCK * abs(style.reach)
+    painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing, not block)
+    painter.setPen(thin_pen(QtGui.QColor.fromRgba(style.colour)))
+    middle = area.center().y()
+    x = area.left() + (curve.line.x - first_s) / (end_s - first_s) * area.width()
+    y = middle - np.clip(heights, -1, 1) * (area.height() / 2 - 1)
+    if x.size == 1:
+        painter.drawLine(QPointF(x[0], middle), QPointF(x[0], y[0]))
+        painter.setBrush(painter.pen().color())
+        painter.drawEllipse(QPointF(x[0], y[0] + (2 if y[0] < middle else -2)), 2, 2)
+    else:
+        # A path, because Qt leaves gaps in a polyline of upright strokes.
+        painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
+    return curve.wave
+
+
+class ClipPictures:
+    """Curves of clips, painted once for each size and style; the oldest are dropped first.
+
+    Attributes
+    ----------
+    columns
+        Columns of the samples that were painted last.
+    painted, waves
+        How many pictures were painted, and how many of them show the wave between samples: an edit
+        that changes no clip paints none.
+    """
+
+    def __init__(self, budget_bytes: int = _BUDGET_BYTES) -> None:
+        self._pictures: OrderedDict[Hashable, tuple[Floats, QtGui.QPixmap]] = OrderedDict()
+        self._budget, self._bytes = budget_bytes, 0
+        self.painted = self.waves = 0
+        self.columns = CachedColumns()
+
+    def paint(
+        self, painter: QtGui.QPainter, samples: Floats, area: QRectF, style: ClipStyle
+    ) -> None:
+        """Paint what a clip plays; on paper as lines."""
+        if is_on_paper():
+            paint_samples(painter, samples, area, style, self.columns)
+            return
+        painter.drawPixmap(area.topLeft(), self.picture(samples, area.size(), style))
+
+    def picture(self, samples: Floats, size: QSizeF, style: ClipStyle) -> QtGui.QPixmap:
+        """Return the picture of what a clip plays; size in px."""
+        # The samples are stored with the picture, so that no other array gets their id.
+        key = (id(samples), size.width(), size.height(), style)
+        cached = self._pictures.get(key)
+        if cached is not None and cached[0] is samples:
+            self._pictures.move_to_end(key)
+            return cached[1]
+        made = QtGui.QPixmap((size * style.ratio).toSize().expandedTo(QSizeF(1, 1).toSize()))
+        made.setDevicePixelRatio(style.ratio)
+        made.fill(Qt.GlobalColor.transparent)
+        on_picture = QtGui.QPainter(made)
+        room = QRectF(QPointF(), size)
+        self.waves += paint_samples(on_picture, samples, room, style, self.columns)
+        on_picture.end()
+        self.painted += 1
+        self._store(key, samples, made)
+        return made
+
+    def forget(self) -> None:
+        """Keep nothing."""
+        self._pictures.clear()
+        self._bytes = 0
+
+    def _store(self, key: Hashable, samples: Floats, made: QtGui.QPixmap) -> None:
+        old = self._pictures.pop(key, None)
+        self._bytes += _size(made) - (0 if old is None else _size(old[1]))
+        self._pictures[key] = (samples, made)
+        while self._bytes > self._budget and len(self._pictures) > 1:
+            _, (_, removed) = self._pictures.popitem(last=False)
+            self._bytes -= _size(removed)
+
+
+def _size(picture: QtGui.QPixmap) -> int:
+    return picture.width() * picture.height() * _BYTES_PER_PIXEL
+
+
+_MARGIN_PX = 4
 # A single sample needs some time around it to look like one.
 _SHORTEST_S = 0.005
-_PALE = 0.35
 
 
-class WaveformPreview(QtWidgets.QWidget):
-    """Samples over time, optionally with an axis in milliseconds or seconds.
+class WaveformPreview(_Preview):
+    """Samples over time, without an axis.
 
     The height is 1, or the peak where that is larger.
     """
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None, *, axis: bool = False) -> None:
-        super().__init__(parent)
-        self._has_axis = axis
+    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
+        super().__init__("waveform_preview", "Waveform", parent)
         self._samples: Floats | None = None
         self._sample_rate_hz = self._height = 1.0
         #: The message in place of a curve, or "".
         self.message = ""
         self._colour: int | None = None
         self._flipped, self._problem = False, ""
-        self._pale = False
-        self._axis, self._columns = CachedPicture(), CachedColumns()
-        self.setObjectName("waveform_preview")
-        self.setAccessibleName("Waveform")
-        self.setFont(tabular(self.font()))
-        # With an axis it paints all of itself: nothing behind is visible.
-        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent, axis)
-        self.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Expanding
-        )
-
-    def minimumSizeHint(self) -> QSize:
-        return QSize(0, _CURVE_PX + self._axis_px if self._has_axis else 0)
-
-    @property
-    def _axis_px(self) -> int:
-        return round(_AXIS_PX * letter_scale(self.font()))
+        self._columns = CachedColumns()
 
     @property
     def duration_s(self) -> float | None:
@@ -184,49 +299,22 @@ class WaveformPreview(QtWidgets.QWidget):
             self.setAccessibleDescription(problem)
             self.update()
 
-    def set_pale(self, pale: bool) -> None:
-        """Set whether the curve is out of date."""
-        if pale != self._pale:
-            self._pale = pale
-            self.update()
-
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         painter = QtGui.QPainter(self)
         drawn = not self.message and self._samples is not None and self._samples.size > 0
-        ground = self.palette().window().color()
-        if self._has_axis and not drawn:
-            painter.fillRect(self.rect(), ground)
         if self.message:
             painter.setPen(QtGui.QColor(current_theme().dim))
-            flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-            painter.drawText(self.rect(), flags, self._fitting_message(flags))
+            # The tooltip has the whole message.
+            right, metrics = Qt.TextElideMode.ElideRight, painter.fontMetrics()
+            text = metrics.elidedText(self.message, right, self.width())
+            painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, text)
             return
         if not drawn or self._samples is None:
             return
         plot = QRectF(self.rect()).adjusted(_MARGIN_PX, 2, -_MARGIN_PX, -2)
-        if self._has_axis:
-            plot.setBottom(plot.bottom() - self._axis_px)
-            span_s = self._span_s(self._samples)
-            shown = (current_theme(), span_s)
-            self._axis.paint(
-                painter,
-                QRectF(self.rect()),
-                shown,
-                partial(self._paint_axis, plot=plot, span_s=span_s),
-                ground,
-            )
         painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().border), 1))
         painter.drawLine(QLineF(plot.left(), plot.center().y(), plot.right(), plot.center().y()))
         self._paint_curve(painter, plot, self._samples)
-
-    def _fitting_message(self, flags: int) -> str:
-        # The tooltip has the whole message.
-        shown, words_left = self.message, self.message.split(" ")
-        room, metrics = self.rect(), self.fontMetrics()
-        while words_left and metrics.boundingRect(room, flags, shown).height() > room.height():
-            words_left.pop()
-            shown = " ".join(words_left) + " …"
-        return shown
 
     def _span_s(self, samples: Floats) -> float:
         return max(samples.size / self._sample_rate_hz, _SHORTEST_S)
@@ -238,43 +326,12 @@ class WaveformPreview(QtWidgets.QWidget):
         return QtGui.QColor(theme.text) if number is None else theme.input_colour(number)
 
     def _paint_curve(self, painter: QtGui.QPainter, plot: QRectF, drawn: Floats) -> None:
-        if self._pale:
-            painter.setOpacity(_PALE)
-        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
-        painter.setPen(QtGui.QPen(self._drawn_colour(), 1))
-        sign = -1 if self._flipped else 1
+        reach = (-1.0 if self._flipped else 1.0) / self._height
         shown_px = plot.width() * drawn.size / self._sample_rate_hz / self._span_s(drawn)
-        ratio = dots_in_px(painter)
-        time_s, end_s = (
-            np.arange(drawn.size) / self._sample_rate_hz,
-            drawn.size / self._sample_rate_hz,
-        )
-        wave, across = wave_of(time_s, drawn[np.newaxis]), max(int(shown_px * ratio), 1)
-        columns = self._columns.of(time_s, (0.0, end_s), across)
-        points = visible_course(columns, drawn[np.newaxis], wave, shown_px, ratio).line
-        samples = points.y[0]
-        # The wave between samples may be higher than they are.
-        highest = max(self._height, float(np.abs(samples).max()))
-        middle, reach = plot.center().y(), sign * plot.height() / 2 / highest
-        if points.strokes and not is_on_paper():
-            block = bool(np.mean(np.abs(samples[1::2] - samples[::2])) > _BLOCK)
-            painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing, not block)
-        x = plot.left() + shown_px * points.x / end_s
-        y = middle - reach * samples
-        if samples.size == 1:
-            top = QPointF(x[0] + 1, y[0])
-            painter.drawLine(QPointF(x[0] + 1, middle), top)
-            painter.setBrush(self._drawn_colour())
-            painter.drawEllipse(top + QPointF(0, 2 if y[0] < middle else -2), 2, 2)
-            return
-        # A path, because Qt leaves gaps in a polyline of upright strokes.
-        painter.setPen(thin_pen(self._drawn_colour()))
-        painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
-
-    def _paint_axis(self, painter: QtGui.QPainter, plot: QRectF, span_s: float) -> None:
-        spacing_px = _TICK_SPACING_PX * letter_scale(self.font())
-        baseline = self.height() - 5
-        _paint_time_axis(painter, plot, self.fontMetrics(), (0.0, span_s), spacing_px, baseline)
+        area = QRectF(plot.left(), plot.top() - 1, shown_px, plot.height() + 2)
+        rate_hz, colour = self._sample_rate_hz, self._drawn_colour().rgba()
+        style = ClipStyle(rate_hz, colour, reach, ratio=dots_in_px(painter))
+        paint_samples(painter, drawn, area, style, self._columns)
 
 
 _HEAD_PX, _STRIP_AXIS_PX = 34, 20
@@ -342,23 +399,15 @@ def strip_lanes(fragment: Fragment, sample_rate_hz: float) -> tuple[Lane, ...]:
     )
 
 
-class ClipStrip(QtWidgets.QWidget):
+class ClipStrip(_Preview):
     """A lane for each of ``lanes`` above an axis of time, or a ``message`` in place of them."""
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__("clip_strip", "Clips", parent)
         #: What is shown, and the message in its place, or "".
         self.lanes: tuple[Lane, ...] = ()
         self.message = ""
-        self._picture = CachedPicture()
-        # Outlines of the clips being painted, by samples and size.
-        self._outlines: dict[tuple[int, float, float], QtGui.QPainterPath] = {}
-        self.setObjectName("clip_strip")
-        self.setAccessibleName("Clips")
-        self.setFont(tabular(self.font()))
-        self.setSizePolicy(
-            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Expanding
-        )
+        self._picture, self._clips = CachedPicture(), ClipPictures()
 
     def show_lanes(self, lanes: tuple[Lane, ...]) -> None:
         """Show these tracks."""
@@ -400,12 +449,8 @@ class ClipStrip(QtWidgets.QWidget):
         plot = QRectF(self.rect()).adjusted(_HEAD_PX, 2, -UNIT_PX, -_STRIP_AXIS_PX)
         height = min(plot.height() / len(self.lanes), _LANE_PX[1])
         plot.setHeight(height * len(self.lanes))
-        baseline = plot.bottom() + _STRIP_AXIS_PX - 5
-        part_s = (start_s, span_s)
-        _paint_time_axis(
-            painter, plot, self.fontMetrics(), part_s, _STRIP_TICK_SPACING_PX, baseline
-        )
         x_of = partial(_x_at, plot, start_s, span_s)
+        self._paint_axis(painter, plot, (start_s, start_s + span_s), x_of)
         for row, lane in enumerate(self.lanes):
             area = QRectF(plot.left(), plot.top() + row * height, plot.width(), height)
             colour = current_theme().input_colour(lane.colour)
@@ -414,7 +459,25 @@ class ClipStrip(QtWidgets.QWidget):
             painter.drawLine(QLineF(area.left(), area.bottom(), area.right(), area.bottom()))
             for clip in lane.clips:
                 self._paint_clip(painter, area, colour, clip, x_of)
-        self._outlines.clear()
+
+    def _paint_axis(
+        self, painter: QtGui.QPainter, plot: QRectF, ends_s: Range, x_of: Callable[[float], float]
+    ) -> None:
+        """Draw grid, labels and unit of the axis of time."""
+        metrics, baseline = self.fontMetrics(), plot.bottom() + _STRIP_AXIS_PX - 5
+        unit, per_s = axis_unit(ends_s[1])
+        unit_px = metrics.horizontalAdvance(f" {unit}") + 2
+        for tick in linear_ticks(*ends_s, int(plot.width() / _STRIP_TICK_SPACING_PX), per_s):
+            x = x_of(tick.value)
+            painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().grid), 1))
+            painter.drawLine(QLineF(x, plot.top(), x, plot.bottom() + 3))
+            width = metrics.horizontalAdvance(tick.label)
+            left = min(max(x - width / 2, plot.left()), plot.right() - width)
+            painter.setPen(QtGui.QColor(current_theme().dim))
+            # The last tick makes room for the unit of all.
+            if left + width <= plot.right() - unit_px:
+                painter.drawText(QPointF(left, baseline), tick.label)
+        painter.drawText(QPointF(plot.right() - unit_px + 2, baseline), f" {unit}")
 
     def _paint_head(
         self, painter: QtGui.QPainter, area: QRectF, lane: Lane, colour: QtGui.QColor
@@ -435,86 +498,15 @@ class ClipStrip(QtWidgets.QWidget):
     ) -> None:
         left, right = x_of(clip.start_s), x_of(clip.start_s + clip.duration_s)
         box = QRectF(left, area.top() + 2, max(right - left, 2.0), area.height() - 4)
-        ground = QtGui.QColor(colour)
-        ground.setAlphaF(0.22)
+        ground = translucent(colour, 56)
         painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
         painter.setPen(QtGui.QPen(colour, 1))
         painter.setBrush(ground)
         painter.drawRoundedRect(box, 3, 3)
-        painter.setBrush(colour)
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.drawPath(self._outline(clip.samples, box))
-
-    def _outline(self, samples: Floats, box: QRectF) -> QtGui.QPainterPath:
-        size = QRectF(0.0, 0.0, round(box.width(), 3), round(box.height(), 3))
-        key = (id(samples), size.width(), size.height())
-        if key not in self._outlines:
-            self._outlines[key] = _outline(samples, size)
-        return self._outlines[key].translated(box.topLeft())
-
-
-def _paint_time_axis(
-    painter: QtGui.QPainter,
-    plot: QRectF,
-    metrics: QtGui.QFontMetrics,
-    part_s: tuple[float, float],
-    spacing_px: float,
-    baseline: float,
-) -> None:
-    """Draw grid, labels and unit of an axis of time; ``part_s`` is its start and its length."""
-    start_s, span_s = part_s
-    end_s = start_s + span_s
-    unit, per_s = axis_unit(end_s)
-    unit_px = metrics.horizontalAdvance(f" {unit}") + 2
-    for tick in linear_ticks(start_s, end_s, int(plot.width() / spacing_px), per_s):
-        x = _x_at(plot, start_s, span_s, tick.value)
-        painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().grid), 1))
-        painter.drawLine(QLineF(x, plot.top(), x, plot.bottom() + 3))
-        width = metrics.horizontalAdvance(tick.label)
-        left = min(max(x - width / 2, plot.left()), plot.right() - width)
-        # The last tick makes room for the unit of all.
-        if left + width <= plot.right() - unit_px:
-            painter.setPen(QtGui.QColor(current_theme().dim))
-            painter.drawText(QPointF(left, baseline), tick.label)
-    painter.setPen(QtGui.QColor(current_theme().dim))
-    painter.drawText(QPointF(plot.right() - unit_px + 2, baseline), f" {unit}")
+        rate_hz = clip.samples.size / clip.duration_s
+        style = ClipStyle(rate_hz, colour.rgba(), 1.0, ratio=dots_in_px(painter))
+        self._clips.paint(painter, clip.samples, box, style)
 
 
 def _x_at(plot: QRectF, start_s: float, span_s: float, time_s: float) -> float:
     return plot.left() + (time_s - start_s) / span_s * plot.width()
-
-
-def _outline(samples: Floats, box: QRectF) -> QtGui.QPainterPath:
-    """Return the area between the highest and the lowest sample of each pixel."""
-    columns = max(int(box.width()), 1)
-    edges = np.linspace(0, samples.size, min(columns, max(samples.size, 1)) + 1).astype(int)
-    if samples.size == 0:
-        return QtGui.QPainterPath()
-    starts = edges[:-1]
-    high = np.maximum(np.maximum.reduceat(samples, starts), 0.0)
-    low = np.minimum(np.minimum.reduceat(samples, starts), 0.0)
-    x = box.left() + box.width() * (np.arange(starts.size) + 0.5) / starts.size
-    reach = box.height() / 2 - 1
-    middle = box.center().y()
-    path = QtGui.QPainterPath(QPointF(x[0] - 0.5, middle))
-    for across, value in zip(x, high, strict=True):
-        path.lineTo(across, middle - reach * value - 0.3)
-    for across, value in zip(x[::-1], low[::-1], strict=True):
-        path.lineTo(across, middle - reach * value + 0.3)
-    path.closeSubpath()
-    return path
-
-
-class SharesPointedInput(DrawableWidget):
-    """A panel that shares with others which input, and which place, is under the pointer."""
-
-    #: Id of the input under the pointer in this panel, or None.
-    input_pointed_at = Signal(object)
-    #: Place of the limb under the pointer, (x, y) in pixels of its outline, or None.
-    place_pointed_at = Signal(object)
-
-    def show_pointed_place(self, at: tuple[float, float] | None) -> None:
-        """Mark the place that is under the pointer in another panel; None: there is none."""
-
-    def show_pointed_input(self, input_id: int | None) -> None:
-        """Mark the input that is under the pointer in another panel; None: there is none."""

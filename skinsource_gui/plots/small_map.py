@@ -27,7 +27,7 @@ from skinsource_gui.fields.units import minus
 from skinsource_gui.plots.colour_maps import VIRIDIS, colour_indices, colour_table, level_colours
 from skinsource_gui.plots.outputs import is_placed
 from skinsource_gui.qt.frames import Frame, fitted
-from skinsource_gui.qt.theme import Theme, is_on_paper, scaled
+from skinsource_gui.qt.theme import Theme, is_on_paper, scaled, translucent
 
 Range = tuple[float, float]
 
@@ -500,8 +500,7 @@ def paint_small_bar(
     above = QRectF(middle - text_width / 2 - 1.0, 0.0, text_width + 2.0, metrics.height())
     above.moveBottom(bottom - 1.0)
     # The text has to be readable on the arm, too.
-    ground = QtGui.QColor(theme.base)
-    ground.setAlphaF(0.88)
+    ground = translucent(theme.base, 224)
     painter.fillRect(above, ground)
     pen = QtGui.QPen(QtGui.QColor(theme.text), 2.0)
     pen.setCapStyle(Qt.PenCapStyle.FlatCap)

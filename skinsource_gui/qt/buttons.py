@@ -30,6 +30,35 @@ def page_label(
     return label
 
 
+def show_or_hide(part: QtWidgets.QLabel | QtWidgets.QPushButton, text: str) -> None:
+    """Show a text; without one, the part takes no room."""
+    part.setText(text)
+    part.setVisible(bool(text))
+
+
+def progress_bar(name: str, title: str, *, keeps_room: bool = False) -> QtWidgets.QProgressBar:
+    """Return a bar without a text; ``keeps_room``: nothing moves while it is hidden."""
+    bar = QtWidgets.QProgressBar()
+    bar.setObjectName(name)
+    bar.setAccessibleName(title)
+    bar.setTextVisible(False)
+    policy = bar.sizePolicy()
+    policy.setRetainSizeWhenHidden(keeps_room)
+    bar.setSizePolicy(policy)
+    return bar
+
+
+Answer = QtWidgets.QDialogButtonBox.StandardButton
+
+
+def answers(dialog: QtWidgets.QDialog, yes: Answer = Answer.Ok) -> QtWidgets.QDialogButtonBox:
+    """Return the button that accepts a dialog, and Cancel."""
+    box = QtWidgets.QDialogButtonBox(yes | Answer.Cancel)
+    box.accepted.connect(dialog.accept)
+    box.rejected.connect(dialog.reject)
+    return box
+
+
 def scrolled(content: QtWidgets.QWidget, name: str) -> QtWidgets.QScrollArea:
     """Return an area without a frame in which ``content`` scrolls up and down."""
     area = QtWidgets.QScrollArea()

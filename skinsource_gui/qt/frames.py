@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
-from PySide6 import QtGui
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt
 
 from skinsource.base.arrays import Floats
@@ -104,6 +104,25 @@ def paint_focus_frame(painter: QtGui.QPainter, area: QRectF, theme: Theme) -> No
     painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 1))
     painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.drawRect(area.adjusted(0.5, 0.5, -0.5, -0.5))
+
+
+def paint_card(painter: QtGui.QPainter, room: QRectF, text: str, theme: Theme) -> None:
+    """Write a text on raised ground, readable over anything."""
+    painter.setBrush(QtGui.QColor(theme.raised))
+    painter.setPen(QtGui.QPen(QtGui.QColor(theme.border), 1))
+    painter.drawRect(room)
+    painter.setPen(QtGui.QColor(theme.text))
+    painter.drawText(room, Qt.AlignmentFlag.AlignCenter, text)
+
+
+def drop_line(parent: QtWidgets.QWidget, name: str) -> QtWidgets.QFrame:
+    """Return a line that shows where something would be dropped; hidden at first."""
+    line = QtWidgets.QFrame(parent)
+    line.setObjectName(name)
+    line.setBackgroundRole(QtGui.QPalette.ColorRole.Highlight)
+    line.setAutoFillBackground(True)
+    line.hide()
+    return line
 
 
 class Same:

@@ -34,6 +34,11 @@ class Gesture:
     effect: str
     keys: tuple[str, ...] = ()
 
+    @property
+    def hint(self) -> str:
+        """The effect and the keys, for the tooltip of a button that does the same."""
+        return f"{self.effect[:1].upper()}{self.effect[1:]} ({self.shown})"
+
 
 @dataclass(frozen=True, slots=True)
 class Place:

@@ -5,6 +5,8 @@ from typing import TypeVar
 from PySide6 import QtWidgets
 from PySide6.QtCore import QRect, QSize, Qt
 
+from skinsource_gui.qt.tooltips import tooltip
+
 #: A widget or a layout, with its share of the spare room if it gets some; None: empty room.
 Part = (
     QtWidgets.QWidget | QtWidgets.QLayout | tuple[QtWidgets.QWidget | QtWidgets.QLayout, int] | None
@@ -54,6 +56,17 @@ def form_of(widget: QtWidgets.QWidget) -> QtWidgets.QFormLayout:
     form.setContentsMargins(0, 0, 0, 0)
     form.setFieldGrowthPolicy(form.FieldGrowthPolicy.AllNonFixedFieldsGrow)
     return form
+
+
+def add_row(
+    form: QtWidgets.QFormLayout, name: str, label: str, field: QtWidgets.QWidget, hint: str = ""
+) -> None:
+    """Add a field with its label to a form, and its names."""
+    field.setObjectName(name)
+    field.setAccessibleName(label)
+    if hint:
+        field.setToolTip(tooltip(label, hint))
+    form.addRow(label, field)
 
 
 def _filled(

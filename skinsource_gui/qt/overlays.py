@@ -3,7 +3,7 @@
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QRectF, Qt, QTimer, Signal
 
-from skinsource_gui.qt.theme import UNIT_PX
+from skinsource_gui.qt.theme import UNIT_PX, translucent
 
 # Results come many times a second during a drag; only a longer delay is shown.
 _STALE_MS = 150
@@ -128,8 +128,7 @@ class StaleOverlay(Overlay):
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         painter, palette = QtGui.QPainter(self), self.palette()
         ground = palette.color(QtGui.QPalette.ColorRole.Base)
-        thin = QtGui.QColor(ground)
-        thin.setAlphaF(1.0 - PALE)
+        thin = translucent(ground, round(255 * (1.0 - PALE)))
         painter.fillRect(self.rect(), thin)
         # A widget that is too low for a text stands beside one that has it.
         if self.height() >= _LEAST_LINES * self.fontMetrics().height():

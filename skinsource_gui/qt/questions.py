@@ -54,6 +54,14 @@ def _give_discard_a_key() -> None:
         discard.setText("&Discard")
 
 
+def ask_open(
+    parent: QtWidgets.QWidget, title: str, kinds: str, start: Path | None = None
+) -> Path | None:
+    """Ask for a file to read; None where the user has chosen none."""
+    name, _ = QtWidgets.QFileDialog.getOpenFileName(parent, title, str(start or ""), kinds)
+    return Path(name) if name else None
+
+
 def copied_number(value: float) -> str:
     """Return digits that read back as the same number; "" for no number."""
     return repr(float(value)) if math.isfinite(value) else ""

@@ -281,6 +281,13 @@ def dots_in_px(painter: QtGui.QPainter) -> float:
     return PAPER_DOTS if is_on_paper() else painter.device().devicePixelRatioF()
 
 
+def translucent(colour: str | QtGui.QColor, alpha: int) -> QtGui.QColor:
+    """Return a colour through which what lies below is seen; an ``alpha`` of 255 is opaque."""
+    through = QtGui.QColor(colour)
+    through.setAlpha(alpha)
+    return through
+
+
 def thin_pen(colour: QtGui.QColor) -> QtGui.QPen:
     """Return a pen of one pixel of the screen; any wider line takes a hundred times as long.
 

@@ -13,6 +13,7 @@ from PySide6.QtCore import QObject, QPoint, Qt, QTimer, Signal
 
 from skinsource.design import edits
 from skinsource.perception.validity import Finding, Findings
+from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.overlays import Staleness
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.document import Document
@@ -155,9 +156,7 @@ class ConditionsCard(QtWidgets.QFrame):
         font = title.font()
         font.setBold(chosen)
         title.setFont(font)
-        label = QtWidgets.QLabel(finding.sentence)
-        label.setObjectName(f"validity_{finding.name}")
-        label.setWordWrap(True)
+        label = page_label(f"validity_{finding.name}", finding.sentence)
         # Grids do not take the height of wrapped text into account.
         width = _TEXT_EM * self.fontMetrics().horizontalAdvance("m")
         label.setFixedWidth(width)

@@ -271,11 +271,8 @@ class FirstHints(QObject):
         if self._away:
             return
         text = f"{step + 1} of {len(HINTS)}: {HINTS[step]}"
-        last = step == len(HINTS) - 1
-        choices: tuple[tuple[str, Callable[[], None]], ...]
-        if last:
-            choices = ((DONE, self._end),)
-        else:
+        choices: tuple[Choice, ...] = ((DONE, self._end),)
+        if step < len(HINTS) - 1:
             choices = ((NEXT, lambda: self._say(step + 1)), (ENOUGH, self._end))
         self._notice.say(text, choices=choices)
 

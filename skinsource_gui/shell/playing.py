@@ -19,6 +19,7 @@ from skinsource_gui.fields.rig_field import RESPONSE_FILES
 from skinsource_gui.pages.actions import MatchingActions
 from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.layouts import in_row
+from skinsource_gui.qt.questions import ask_open
 from skinsource_gui.qt.theme import icon_of, set_tone
 from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.shell.focus import KeyboardFilter
@@ -115,11 +116,8 @@ class RigPages(QObject):
 
     def open_response(self) -> None:
         """Ask for a measured response, and choose it as the actuator of the design."""
-        name, _ = QtWidgets.QFileDialog.getOpenFileName(
-            self._window, "Response of the actuator", "", RESPONSE_FILES
-        )
-        if name:
-            path = Path(name)
+        path = ask_open(self._window, "Response of the actuator", RESPONSE_FILES)
+        if path is not None:
             self._thread.run(
                 partial(actuators.measuring.open_response, path), partial(self._look_at, path)
             )

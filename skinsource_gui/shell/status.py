@@ -25,7 +25,7 @@ from skinsource_gui.panels.skin.settings import (
     SkinSettings,
     Z,
 )
-from skinsource_gui.qt.buttons import page_button
+from skinsource_gui.qt.buttons import page_button, progress_bar
 from skinsource_gui.qt.labels import FittingLabel
 from skinsource_gui.qt.layouts import in_row
 from skinsource_gui.qt.overlays import Overlay, Staleness
@@ -90,21 +90,6 @@ _MS = 1e3
 _A_SECOND_MS = 1000.0
 
 
-class EditTimes:
-    """Times of the last edits, oldest first."""
-
-    def __init__(self) -> None:
-        self._seconds: deque[float] = deque(maxlen=MOST_EDITS)
-
-    def note(self, seconds: float) -> None:
-        """Store a time."""
-        self._seconds.append(seconds)
-
-    def seconds(self) -> tuple[float, ...]:
-        """Return the stored times."""
-        return tuple(self._seconds)
-
-
 def summary(seconds: tuple[float, ...]) -> str:
     """Return a sentence on several times; "" where there are none."""
     if not seconds:
@@ -143,7 +128,7 @@ class EditClock(QObject):
 
     def __init__(self, window: QtWidgets.QWidget) -> None:
         super().__init__(window)
-        self.times = EditTimes()
+        self.times_s: deque[float] = deque(maxlen=MOST_EDITS)
         self._window = window
         self._delivered: Outcome | None = None
         self._is_first = True
@@ -172,7 +157,7 @@ class EditClock(QObject):
             # The first picture follows no edit, so its time is not counted.
             self._is_first = False
         else:
-            self.times.note(perf_counter() - outcome.request.since_s)
+            self.times_s.append(perf_counter() - outcome.request.since_s)
             self.noted.emit()
 
 
@@ -261,7 +246,7 @@ class StatusLine(FittingLabel):
 
     def times_and_error(self) -> str:
         """Times of the latest edits, and the error of the traces, as a sentence or two."""
-        times = summary(self.clock.times.seconds()) or "No edit yet."
+        times = summary(tuple(self.clock.times_s)) or "No edit yet."
         known = "" if self.error is None else f" Traces that are shown: {error_text(self.error)}."
         return f"{times}{known}"
 
@@ -376,10 +361,7 @@ class JobBar(QtWidgets.QWidget):
         self._percent.setFont(tabular(self.font()))
         self._percent.setMinimumWidth(self._percent.fontMetrics().horizontalAdvance("100 %"))
         self._percent.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        self._bar = QtWidgets.QProgressBar()
-        self._bar.setObjectName("job_progress")
-        self._bar.setAccessibleName("Progress")
-        self._bar.setTextVisible(False)
+        self._bar = progress_bar("job_progress", "Progress")
         self._bar.setFixedSize(_BAR_PX, UNIT_PX)
         hint = "Stop this task, and clean up"
         self._cancel = page_button("cancel_running_job", "Cancel", hint)

@@ -8,14 +8,14 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QPoint, Signal
+from PySide6.QtCore import QPoint, Qt, Signal
 
 from skinsource.design.comparing import Snapshot
 from skinsource.design.design import Design
 from skinsource.design.panel_settings import with_settings
 from skinsource.design.signal_path import UnplayableInput
 from skinsource.design.view import View
-from skinsource_gui.plots.preview import SharesPointedInput
+from skinsource_gui.plots.pictures import DrawableWidget
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.labels import HOW_TO_SELECT_OUTPUT
 from skinsource_gui.qt.overlays import Cover, Staleness, StaleOverlay
@@ -23,7 +23,7 @@ from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.state.compared import Compared
 
 
-class ShowsStaleness(SharesPointedInput):
+class ShowsStaleness(DrawableWidget):
     """Shows whether its results are out of date.
 
     Results that are stale for a while get an overlay and cannot be copied; a panel that comes into
@@ -105,6 +105,10 @@ class Panel(ShowsStaleness):
     done = Signal(str)
     #: `Path` of a file that this panel wrote for the user.
     written = Signal(object)
+    #: Id of the input under the pointer in this panel, or None.
+    input_pointed_at = Signal(object)
+    #: Place of the limb under the pointer, (x, y) in pixels of its outline, or None.
+    place_pointed_at = Signal(object)
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
@@ -120,6 +124,12 @@ class Panel(ShowsStaleness):
         #: Returns where another panel would put what is dragged from here to a point of the
         #: screen; called with None at the end.  Set by the window.
         self.held_over: Callable[[QPoint | None], DropPlace | None] = _nowhere
+
+    def show_pointed_place(self, at: tuple[float, float] | None) -> None:
+        """Mark the place that is under the pointer in another panel; None: there is none."""
+
+    def show_pointed_input(self, input_id: int | None) -> None:
+        """Mark the input that is under the pointer in another panel; None: there is none."""
 
     def heightForWidth(self, width: int) -> int:
         # A dock scrolls only where there is less than the least height.
@@ -252,6 +262,12 @@ class OutputsPanel(Panel):
     def await_results(self) -> None:
         """Say that results are being computed."""
         self.say_instead(COMPUTING)
+
+    def save_picture(self) -> None:
+        """Ask for a file, and write a picture of this panel to it."""
+        # The action saves the panel that has the keyboard focus.
+        self.setFocus(Qt.FocusReason.MouseFocusReason)
+        self.action_requested.emit("export_panel_picture")
 
     def show_selection(self, view: View, fewest: int = 1) -> bool:
         """Ask for at least so many outputs, or stop that; return whether results are drawn."""

@@ -339,6 +339,8 @@ class SoundSettings(QObject):
 
     Attributes
     ----------
+    preferences
+        Where they are stored, as the sensor of the page that measures actuators.
     looked, devices, rates_hz
         Whether devices were looked for; the devices, and the rates of the chosen one.
     missing
@@ -361,7 +363,7 @@ class SoundSettings(QObject):
         self, preferences: Preferences, session: SessionOf, thread: Worker, parent: QObject
     ) -> None:
         super().__init__(parent)
-        self._preferences, self._session, self._thread = preferences, session, thread
+        self.preferences, self._session, self._thread = preferences, session, thread
         self.output = _stored_output(preferences)
         self.searched = False
         self.devices: tuple[Device, ...] = ()
@@ -374,26 +376,17 @@ class SoundSettings(QObject):
     @property
     def rig_path(self) -> Path | None:
         """The rig file of this machine; None without one."""
-        path = self._preferences.rig_path
+        path = self.preferences.rig_path
         return Path(path) if path else None
-
-    @property
-    def sensor_text(self) -> str:
-        """The sensor of this machine, as the page that measures actuators wrote it."""
-        return self._preferences.sensor_text
-
-    @sensor_text.setter
-    def sensor_text(self, text: str) -> None:
-        self._preferences.sensor_text = text
 
     def look_for_rig(self) -> None:
         """Read the rig of this machine, unless that was done before."""
         if self._rig_was_read:
             return
         self._rig_was_read = True
-        if self._preferences.rig_path:
+        if self.preferences.rig_path:
             try:
-                self._open_rig(Path(self._preferences.rig_path))
+                self._open_rig(Path(self.preferences.rig_path))
             except SkinSourceError as error:
                 self.rig_problem = f"The rig of this machine cannot be read: {error}"
 
@@ -427,7 +420,7 @@ class SoundSettings(QObject):
         except SkinSourceError as error:
             self.refused.emit(str(error))
             return False
-        self._preferences.rig_path = "" if path is None else str(path)
+        self.preferences.rig_path = "" if path is None else str(path)
         self.output_changed.emit()
         self.changed.emit()
         self.device_changed.emit()
@@ -443,7 +436,7 @@ class SoundSettings(QObject):
         before, self.output = self.output, output
         if before == output:
             return
-        self._preferences.output_text = output.to_text()
+        self.preferences.output_text = output.to_text()
         is_other_device = (before.device, before.host_api) != (output.device, output.host_api)
         if is_other_device:
             # A problem of the device before is none of this one.

@@ -94,7 +94,7 @@ def test_edits_lay_nothing_out_and_paint_no_more_than_looks_different(window, qt
 
     for hz in (101.0, 102.0):
         edit(hz)
-    qtbot.waitUntil(lambda: bool(clock.times.seconds()), timeout=10_000)
+    qtbot.waitUntil(lambda: bool(clock.times_s), timeout=10_000)
     for _ in range(3):
         QApplication.processEvents()
     spy = Events()

@@ -41,7 +41,7 @@ from skinsource_gui.plots.pictures import (
     drawn_image,
     save_drawing,
 )
-from skinsource_gui.qt.buttons import page_label, scrolled
+from skinsource_gui.qt.buttons import page_label, scrolled, show_or_hide
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, letter_scale
 from skinsource_gui.state.worker import Worker, fault_text
@@ -103,8 +103,7 @@ class ExportPart(QtWidgets.QWidget):
 
     def _say(self, summary: str, problem: str = "") -> None:
         self._summary.setText(summary)
-        self._problem.setText(problem)
-        self._problem.setVisible(bool(problem))
+        show_or_hide(self._problem, problem)
 
 
 def scrolled_fields(fields: QtWidgets.QWidget, name: str) -> QtWidgets.QScrollArea:

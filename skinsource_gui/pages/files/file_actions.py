@@ -29,7 +29,7 @@ from skinsource.design.edits.edit import Refusal
 from skinsource.design.show_file import SHOW_SUFFIX
 from skinsource.limbs.catalog import available_limbs, default_limb
 from skinsource.specs.image import MAX_IMAGE_BYTES
-from skinsource_gui.qt.questions import ask_to_replace, ask_to_save, ask_yes
+from skinsource_gui.qt.questions import ask_open, ask_to_replace, ask_to_save, ask_yes
 from skinsource_gui.qt.windows import WindowEvents
 from skinsource_gui.state.document import NEW_VIEW, Document
 from skinsource_gui.state.preferences import Preferences
@@ -215,8 +215,7 @@ class FileActions(QObject):
 
     def _ask_which(self, title: str, kinds: str = _FILTER) -> Path | None:
         folder = self._document.path.parent if self._document.path else self._preferences.folder
-        name, _ = QtWidgets.QFileDialog.getOpenFileName(self._window, title, str(folder), kinds)
-        return Path(name) if name else None
+        return ask_open(self._window, title, kinds, folder)
 
     def take_snapshot(self) -> None:
         """Ask for a file whose design becomes the snapshot of the first free number."""

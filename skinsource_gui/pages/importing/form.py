@@ -23,9 +23,14 @@ from skinsource.specs.samples import Samples
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
-from skinsource_gui.plots.preview import SpectrumPreview, WaveformPreview
+from skinsource_gui.fields.units import axis_unit
+from skinsource_gui.plots.curves import CurveName, Curves, PlotTexts
+from skinsource_gui.plots.plot import Plot
+from skinsource_gui.plots.preview import SpectrumPreview
+from skinsource_gui.plots.ranges import Range, XAxis, wave_of
+from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.layouts import form_of, in_column
-from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone, tabular
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
 
 #: Sample rate of a file that states none, until one is typed.
 ASSUMED_RATE_HZ = SAMPLE_RATE_HZ
@@ -294,17 +299,16 @@ class ImportPreview(QtWidgets.QWidget):
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("import_preview")
-        self._waveform = WaveformPreview(axis=True)
-        self._spectrum = SpectrumPreview()
-        self._numbers, self._notes = QtWidgets.QLabel(), QtWidgets.QLabel()
-        self._numbers.setObjectName("import_numbers")
+        self._waveform, self._spectrum = Plot(), SpectrumPreview()
+        self._waveform.setAccessibleName("Waveform")
+        self._waveform.navigation.zoom_requested.connect(self._zoom)
+        self._axis = XAxis(titles=("",), unit="s")
+        self._numbers = page_label("import_numbers")
+        self._notes = page_label("import_notes", tone="dim")
         self._numbers.setFont(tabular(self._numbers.font()))
-        self._notes.setObjectName("import_notes")
-        set_tone(self._notes, "dim")
         for label in (self._numbers, self._notes):
-            label.setWordWrap(True)
             label.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
-        self._waveform.setMinimumHeight(120)
+        self._waveform.setMinimumHeight(150)
         self._spectrum.setMinimumHeight(120)
         policy = self._spectrum.sizePolicy()
         policy.setRetainSizeWhenHidden(True)
@@ -333,7 +337,16 @@ class ImportPreview(QtWidgets.QWidget):
         taken = parts[0]
         samples = taken.samples
         rate = samples.sample_rate_hz
-        self._waveform.show_samples(samples.values / (samples.peak or 1.0), rate)
+        time_s = np.arange(samples.values.size) / rate
+        unit, factor = axis_unit(samples.duration_s)
+        self._axis = XAxis(titles=(f"Time ({unit})",), unit=unit, factor=factor)
+        self._zoom(None)
+        values = samples.values[np.newaxis] / (samples.peak or 1.0)
+        name = CurveName(number=0, short="", full="Waveform")
+        wave = wave_of(time_s, values)
+        self._waveform.show_curves(
+            Curves(x=time_s, y=values, names=(name,), kind="relative", wave=wave)
+        )
         self._spectrum.show_samples(samples.values, rate, band_hz)
         self._spectrum.show()
         rms = float(np.sqrt(np.mean(samples.values**2)))
@@ -358,7 +371,10 @@ class ImportPreview(QtWidgets.QWidget):
 
     def set_pale(self, pale: bool) -> None:
         """Paint the waveform pale where it is out of date."""
-        self._waveform.set_pale(pale)
+        self._waveform.set_texts(PlotTexts(stale=pale))
+
+    def _zoom(self, shown_s: Range | None) -> None:
+        self._waveform.set_view(self._axis, shown_s, stacked=False)
 
 
 def _in_own_unit(samples: Samples, choice: ImportChoice) -> str:

@@ -37,8 +37,9 @@ from skinsource_gui.pages.importing.form import (
     OverviewStrip,
 )
 from skinsource_gui.pages.page import ToolPage
+from skinsource_gui.qt.buttons import Answer, answers, page_label, progress_bar
 from skinsource_gui.qt.layouts import in_column, in_row
-from skinsource_gui.qt.theme import UNIT_PX, set_tone
+from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.worker import Worker, fault_text
 
 # Reading that takes longer is given up for a newer request.
@@ -199,15 +200,14 @@ class ImportPage(ToolPage):
         self.form: ChoiceForm | None = None
         self._taken: tuple[Taken, ...] = ()
         self._surveyed = ""
-        self._about, self._warning = QtWidgets.QLabel(_READING), QtWidgets.QLabel(_ASSUMED)
+        self._about = page_label("import_about", _READING)
+        self._warning = page_label("import_warning", _ASSUMED, tone="warning")
         self._place = ChoiceField(ChoiceSpec(label="Destination", options=places))
         self.preview, self._strip = ImportPreview(), OverviewStrip(MOST_PART_S)
         self._strip.hide()
-        self._bar = QtWidgets.QProgressBar()
-        self._buttons = QtWidgets.QDialogButtonBox(
-            QtWidgets.QDialogButtonBox.StandardButton.Ok
-            | QtWidgets.QDialogButtonBox.StandardButton.Cancel
-        )
+        self._bar = progress_bar("import_progress", "Progress of reading", keeps_room=True)
+        self._bar.setRange(0, 0)
+        self._buttons = answers(self)
         self._name_parts()
         self._lay_out()
         self._worker = ReadingWorker(path, limb.sample_rate_hz, self)
@@ -233,24 +233,11 @@ class ImportPage(ToolPage):
             self.chosen.emit(tuple(part.waveform for part in taken), place)
 
     def _name_parts(self) -> None:
-        self._import_button = self._buttons.button(QtWidgets.QDialogButtonBox.StandardButton.Ok)
+        self._import_button = self._buttons.button(Answer.Ok)
         self._import_button.setText("Import")
         self._import_button.setEnabled(False)
-        self._about.setObjectName("import_about")
-        self._warning.setObjectName("import_warning")
         self._place.setObjectName("import_place")
-        for label in (self._about, self._warning):
-            label.setWordWrap(True)
-        set_tone(self._warning, "warning")
         self._warning.hide()
-        self._bar.setObjectName("import_progress")
-        self._bar.setAccessibleName("Progress of reading")
-        self._bar.setTextVisible(False)
-        self._bar.setRange(0, 0)
-        # The hidden bar keeps its room, so that nothing moves.
-        policy = self._bar.sizePolicy()
-        policy.setRetainSizeWhenHidden(True)
-        self._bar.setSizePolicy(policy)
 
     def _lay_out(self) -> None:
         left = QtWidgets.QWidget()
@@ -270,8 +257,6 @@ class ImportPage(ToolPage):
         worker.surveyed.connect(self._show_overview)
         worker.failed.connect(self._show_failed)
         worker.progressed.connect(self._show_progress)
-        self._buttons.accepted.connect(self.accept)
-        self._buttons.rejected.connect(self.reject)
 
     def _show_contents(self, contents: Found) -> None:
         self._about.setText(about(contents))

@@ -19,7 +19,8 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.qt.buttons import page_button
-from skinsource_gui.qt.layouts import form_of, in_row
+from skinsource_gui.qt.frames import fitted
+from skinsource_gui.qt.layouts import add_row, form_of, in_row
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
 from skinsource_gui.qt.tooltips import tooltip
 
@@ -280,13 +281,8 @@ class PlacesCanvas(QtWidgets.QWidget):
         room = QRectF(self.rect()).adjusted(UNIT_PX, UNIT_PX, -UNIT_PX, -UNIT_PX)
         if bounds.isEmpty():
             return QtGui.QTransform()
-        scale = min(room.width() / bounds.width(), room.height() / bounds.height())
-        up = -1.0 if not self._draft.y_down and self._photograph.isNull() else 1.0
-        middle, centre = room.center(), bounds.center()
-        transform = QtGui.QTransform.fromTranslate(middle.x(), middle.y())
-        transform.scale(scale, up * scale)
-        transform.translate(-centre.x(), -centre.y())
-        return transform
+        up = not self._draft.y_down and self._photograph.isNull()
+        return fitted(bounds, room, up=up).transform()
 
 
 def spacing_of(points: Floats) -> Floats:
@@ -435,11 +431,8 @@ class LimbForm(QObject):
             ("Note", self.note, "Note for users"),
             ("Order", self.order, "Dimensions of the array: i input, o output, a axis, t tap"),
         ):
-            field.setObjectName(f"limb_{label.lower()}")
-            field.setAccessibleName(label)
-            field.setToolTip(tooltip(label, hint))
+            add_row(self._rows, f"limb_{label.lower()}", label, field, hint)
             field.textChanged.connect(self.changed)
-            self._rows.addRow(label, field)
         self.order.setPlaceholderText("ioat")
         self.axes.edited.connect(self.changed)
         self._rows.addRow("Axes", self.axes)
@@ -450,9 +443,8 @@ class LimbForm(QObject):
         self.synthetic.toggled.connect(self.changed)
         self._rows.addRow("Origin", self.synthetic)
         for name, field in self.numbers.items():
-            field.setObjectName(f"limb_{name}")
+            add_row(self._rows, f"limb_{name}", _NUMBERS[name].label, field)
             field.edited.connect(self.changed)
-            self._rows.addRow(_NUMBERS[name].label, field)
         for box in (self.left, self.mirrored):
             box.toggled.connect(self.changed)
         self._rows.addRow("Hand", in_row(self.left, self.mirrored, None))

@@ -26,7 +26,7 @@ from skinsource_gui.pages.limbs.form import Draft, LimbForm, PlacesCanvas
 from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.layouts import in_column, in_row
-from skinsource_gui.qt.questions import ask_yes
+from skinsource_gui.qt.questions import ask_open, ask_yes
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.job_runner import JobProgress, JobRunner, PageJobs
 from skinsource_gui.state.preferences import InstalledLimbs
@@ -237,7 +237,7 @@ class LimbPage(ToolPage):
         self._mirror.setText("Do not mirror" if mirrored else "Mirror")
 
     def _ask(self, what: str) -> None:
-        path = self.ask_open(f"Choose {what}", _KINDS[what])
+        path = ask_open(self, f"Choose {what}", _KINDS[what])
         if path is not None:
             self.open_file(path, what)
 

@@ -33,13 +33,13 @@ from skinsource.lab.rig_measuring.measurement import (
 from skinsource.specs.models import specs_of
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.editors import FieldCell
-from skinsource_gui.fields.grid import FieldGrid
+from skinsource_gui.fields.grid import FieldGrid, discard
 from skinsource_gui.fields.units import minus
 from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.plots.curves import CurveName, Curves
 from skinsource_gui.plots.ranges import XAxis
 from skinsource_gui.plots.signal_view import ResponseView
-from skinsource_gui.qt.buttons import page_label
+from skinsource_gui.qt.buttons import page_label, progress_bar
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.playing import SoundSettings, end_sound, sound_worker
@@ -168,14 +168,14 @@ class MeasurePage(ToolPage):
         self._thread, self._stop = sound_worker(self), Event()
         self._running = self._looking = False
         self.measurement: ChannelMeasurement | None = None
-        self.setup, self.grid = setup_of(settings.sensor_text), FieldGrid()
+        self.setup, self.grid = setup_of(settings.preferences.sensor_text), FieldGrid()
         specs = specs_of(self.setup).items()
         self.cells = {name: FieldCell(name, spec, edited=self._edit) for name, spec in specs}
         self.cells[_DEVICE] = self._devices(())
         self._show_cells()
         self.plot = ResponseView("measured-plot", "Measured response")
         self.plot.show_message(_NOTHING)
-        self._bar = QtWidgets.QProgressBar()
+        self._bar = progress_bar("measure_progress", "Progress", keeps_room=True)
         self.arm = self.add_arm("measure_arm", self._show_armed)
         self.start = self.add_button("measure_start", "Start", _START, self._start)
         self.stop = self.add_button(
@@ -229,11 +229,6 @@ class MeasurePage(ToolPage):
 
     def _lay_out(self) -> None:
         about = page_label("measure_about", _INTRODUCTION)
-        self._bar.setTextVisible(False)
-        policy = self._bar.sizePolicy()
-        policy.setRetainSizeWhenHidden(True)
-        self._bar.setSizePolicy(policy)
-        self._bar.setAccessibleName("Progress")
         foot = in_row(self.arm, self.start, self.stop, (self._bar, 1), self.keep, self._close)
         in_column(about, self.grid, (self.plot, 1), self.message, foot, of=self, gap_px=UNIT_PX)
 
@@ -260,15 +255,14 @@ class MeasurePage(ToolPage):
     ) -> None:
         old, self.cells[_DEVICE] = self.cells[_DEVICE], self._devices(devices or ())
         self._show_cells()
-        old.label.deleteLater()
-        old.deleteLater()
+        discard((old,), None)
         self._say_readiness()
         if error is not None and not self._missing:
             self.say(str(error))
 
     def _start(self) -> None:
         setup, channel = self.setup, self._channel
-        self._settings.sensor_text = setup_text(setup)
+        self._settings.preferences.sensor_text = setup_text(setup)
         self._stop.clear()
         self._running, self.measurement = True, None
         self.plot.show_message("Measuring…")

@@ -18,7 +18,6 @@ from skinsource.base.errors import InvalidInputError, SkinSourceError
 from skinsource.base.files import path_text
 from skinsource.base.quoting import sentence
 from skinsource.design import edits
-from skinsource.design.design import Design
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.models import specs_of
@@ -31,7 +30,7 @@ from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.pages.rig.measuring import MeasurePage
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled
 from skinsource_gui.qt.layouts import in_column, in_row
-from skinsource_gui.qt.questions import ask_to_save
+from skinsource_gui.qt.questions import ask_open, ask_to_save
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.playing import SoundSettings, end_sound, sound_worker
@@ -158,121 +157,12 @@ def _value(channel: RigChannel, name: str) -> Any:
     return getattr(channel, name)
 
 
-class RigDraft(QObject):
-    """Holds the rig that is edited, and its file; invalid changes are refused.
-
-    Parameters
-    ----------
-    rig, path
-        Initial rig and its file; None: a new rig.
-    design
-        Its places are wired first, then the other places of its limb.
-
-    Attributes
-    ----------
-    rig, path
-        The present rig, and the file that it was read from or written to.
-    """
-
-    #: The row of the channel that is to be shown now.
-    changed = Signal(int)
-    #: A message, mostly why a change was refused.
-    noted = Signal(str)
-
-    def __init__(self, rig: Rig | None, path: Path | None, design: Design, parent: QObject) -> None:
-        super().__init__(parent)
-        driven = (track.location for track in design.inputs)
-        every = range(1, facts_of(design.limb).n_inputs + 1)
-        self._places = tuple(dict.fromkeys((*driven, *every)))
-        self.rig = self._saved = rig or Rig()
-        self.path = path
-
-    @property
-    def unsaved(self) -> bool:
-        """Whether there are changes that are in no file."""
-        return self.rig != self._saved
-
-    def entitle(self, title: str) -> None:
-        """Give it another title."""
-        try:
-            self.rig = replace(self.rig, title=title)
-        except InvalidInputError as error:
-            self.noted.emit(str(error))
-
-    def take_channel(self, row: int, channel: RigChannel) -> None:
-        """Replace the channel of a row."""
-        channels = list(self.rig.channels)
-        channels[row] = channel
-        self._change(tuple(channels), row, row)
-
-    def add(self, row: int) -> None:
-        """Add a channel for the next free place, of the design first, and the next free output."""
-        channels = self.rig.channels
-        last = channels[-1] if channels else None
-        wired = {channel.place for channel in channels}
-        free = [place for place in self._places if place not in wired]
-        if not free:
-            self.noted.emit("All places are wired already.")
-            return
-        device = "" if last is None else last.device
-        outputs = {channel.output for channel in channels if channel.device == device}
-        output = next(k for k in range(1, len(channels) + 2) if k not in outputs)
-        if last is None:
-            new = RigChannel(place=free[0], output=output)
-        else:
-            # Most channels of a rig have the same settings, but each has its own response.
-            new = replace(last, place=free[0], output=output, measured=None, measured_on="")
-        self._change((*channels, new), row, len(channels))
-
-    def remove(self, row: int) -> None:
-        """Remove a channel."""
-        left = tuple(channel for k, channel in enumerate(self.rig.channels) if k != row)
-        self._change(left, row, max(row - 1, 0))
-
-    def take_response(self, row: int, response: MeasuredResponse | None) -> None:
-        """Set the response of a channel as measured today; None: forget it."""
-        if 0 <= row < len(self.rig.channels):
-            today = "" if response is None else datetime.now(UTC).date().isoformat()
-            changed = replace(self.rig.channels[row], measured=response, measured_on=today)
-            self.take_channel(row, changed)
-
-    def open(self, path: Path) -> None:
-        """Edit the rig of a file."""
-        try:
-            self.rig = self._saved = open_rig(path)
-        except SkinSourceError as error:
-            self.noted.emit(str(error))
-            return
-        self.path = path
-        self.changed.emit(0)
-
-    def save(self, path: Path) -> bool:
-        """Write the rig to a file; return whether that went well."""
-        try:
-            save_rig(path, self.rig)
-        except SkinSourceError as error:
-            self.noted.emit(str(error))
-            return False
-        self.path, self._saved = path, self.rig
-        return True
-
-    def _change(self, channels: tuple[RigChannel, ...], row: int, after: int) -> None:
-        """Set the channels, or emit why they are not valid; then ask to show a row."""
-        try:
-            self.rig = replace(self.rig, channels=channels)
-        except InvalidInputError as error:
-            self.changed.emit(row)
-            self.noted.emit(str(error))
-        else:
-            self.changed.emit(after)
-
-
 _KINDS = f"Rigs (*{SUFFIX});;All files (*)"
 _NOTHING = "No channel yet: add one for each actuator."
 
 
 class RigPage(ToolPage):
-    """Opens, edits and saves a rig file, channel by channel.
+    """Opens, edits and saves a rig file, channel by channel; invalid changes are refused.
 
     Parameters
     ----------
@@ -280,6 +170,11 @@ class RigPage(ToolPage):
         Holds the design, which can be predicted through the rig.
     settings
         Playback settings, among them the rig of this machine.
+
+    Attributes
+    ----------
+    rig, path
+        The present rig, and the file that it was read from or written to; None: a new one.
     """
 
     def __init__(
@@ -291,8 +186,8 @@ class RigPage(ToolPage):
         super().__init__(parent, "rig_page", "Rig", (860, 640))
         self._document, self._settings, self._thread = document, settings, sound_worker(self)
         settings.look_for_rig()
-        path = settings.rig_path if settings.rig is not None else None
-        self.draft = RigDraft(settings.rig, path, document.design, self)
+        self.rig = self._saved = settings.rig or Rig()
+        self.path = settings.rig_path if settings.rig is not None else None
         self._title = QtWidgets.QLineEdit()
         self._title.setObjectName("rig_title")
         self._title.setAccessibleName("Title")
@@ -308,12 +203,25 @@ class RigPage(ToolPage):
         self._connect()
         self._show(0)
 
+    @property
+    def unsaved(self) -> bool:
+        """Whether there are changes that are in no file."""
+        return self.rig != self._saved
+
     def done(self, result: int) -> None:
         """Close the page, after a question where changes are not saved."""
-        if self.draft.unsaved and not self._may_lose_changes():
-            return
-        end_sound(self._thread)
-        super().done(result)
+        if self._may_lose_changes():
+            end_sound(self._thread)
+            super().done(result)
+
+    def take_channel(self, row: int, channel: RigChannel) -> None:
+        """Replace the channel of a row."""
+        channels = list(self.rig.channels)
+        channels[row] = channel
+        self._change(tuple(channels), row)
+
+    def say(self, text: str) -> None:
+        super().say(sentence(text))
 
     def _lay_out(self) -> None:
         add = self.add_button("rig_add", "Add channel", "", self._add)
@@ -333,12 +241,10 @@ class RigPage(ToolPage):
         in_column((both, 1), self.message, ends, of=self)
 
     def _connect(self) -> None:
-        self.draft.changed.connect(self._show)
-        self.draft.noted.connect(self.say)
-        self._title.textEdited.connect(self.draft.entitle)
+        self._title.textEdited.connect(self._entitle)
         self.channels.currentRowChanged.connect(self._show_channel)
         self.fields.edited.connect(
-            lambda channel: self.draft.take_channel(self.channels.currentRow(), channel)
+            lambda channel: self.take_channel(self.channels.currentRow(), channel)
         )
         self.fields.refused.connect(self.say)
         self.fields.from_file.clicked.connect(self._ask_response)
@@ -347,9 +253,9 @@ class RigPage(ToolPage):
 
     def _show(self, row: int) -> None:
         """Show the rig, and one of its channels."""
-        draft, channels = self.draft, self.draft.rig.channels
-        if self._title.text() != draft.rig.title:
-            self._title.setText(draft.rig.title)
+        rig, channels = self.rig, self.rig.channels
+        if self._title.text() != rig.title:
+            self._title.setText(rig.title)
         with QSignalBlocker(self.channels):
             self.channels.clear()
             limb = self._document.design.limb
@@ -357,32 +263,60 @@ class RigPage(ToolPage):
             self.channels.setCurrentRow(min(row, len(channels) - 1))
         self._show_channel(self.channels.currentRow())
         self._remove_button.setEnabled(bool(channels))
-        changed = " (changed)" if draft.unsaved else ""
-        where = path_text(Path(draft.path.name)) if draft.path is not None else "not saved yet"
+        changed = " (changed)" if self.unsaved else ""
+        where = path_text(Path(self.path.name)) if self.path is not None else "not saved yet"
         self.say(f"The rig is {where}{changed}" if channels else _NOTHING)
 
     def _show_channel(self, row: int) -> None:
-        self.fields.show_channel(self.draft.rig.channels[row] if row >= 0 else None)
+        self.fields.show_channel(self.rig.channels[row] if row >= 0 else None)
 
-    def say(self, text: str) -> None:
-        super().say(sentence(text))
+    def _change(self, channels: tuple[RigChannel, ...], after: int) -> None:
+        """Set the channels and show row ``after``, or say why they are not valid."""
+        try:
+            self.rig = replace(self.rig, channels=channels)
+        except InvalidInputError as error:
+            self._show(self.channels.currentRow())
+            self.say(str(error))
+        else:
+            self._show(after)
+
+    def _entitle(self, title: str) -> None:
+        try:
+            self.rig = replace(self.rig, title=title)
+        except InvalidInputError as error:
+            self.say(str(error))
 
     def _add(self) -> None:
-        self.draft.add(self.channels.currentRow())
+        """Add a channel for the next free place, of the design first, and the next free output."""
+        channels, design = self.rig.channels, self._document.design
+        last = channels[-1] if channels else RigChannel(place=1, output=1)
+        wired = {channel.place for channel in channels}
+        driven = (track.location for track in design.inputs)
+        every = (*driven, *range(1, facts_of(design.limb).n_inputs + 1))
+        place = next((place for place in every if place not in wired), None)
+        if place is None:
+            self.say("All places are wired already.")
+            return
+        outputs = {channel.output for channel in channels if channel.device == last.device}
+        output = next(k for k in range(1, len(channels) + 2) if k not in outputs)
+        # Most channels of a rig have the same settings, but each has its own response.
+        new = replace(last, place=place, output=output, measured=None, measured_on="")
+        self._change((*channels, new), len(channels))
 
     def _remove(self) -> None:
-        self.draft.remove(self.channels.currentRow())
+        row = self.channels.currentRow()
+        left = tuple(channel for k, channel in enumerate(self.rig.channels) if k != row)
+        self._change(left, max(row - 1, 0))
 
     def _ask_response(self) -> None:
-        path = self.ask_open("Response of the actuator", RESPONSE_FILES)
+        path = ask_open(self, "Response of the actuator", RESPONSE_FILES)
         if path is not None:
             self.say("Reading…")
             self._thread.run(partial(open_response, path), self._take_response)
 
     def _measure(self) -> None:
         """Open the page that measures this channel."""
-        row = self.channels.currentRow()
-        channel = self.draft.rig.channels[row]
+        channel = self.rig.channels[self.channels.currentRow()]
         page = MeasurePage(channel, self._settings, self)
         page.measured.connect(lambda measurement: self._take_response(measurement.response))
         page.open()
@@ -390,37 +324,52 @@ class RigPage(ToolPage):
     def _take_response(
         self, response: MeasuredResponse | None, error: Exception | None = None
     ) -> None:
+        """Set the response of a channel as measured today; None: forget it."""
+        row = self.channels.currentRow()
         if error is not None:
             self.say(str(error))
-        else:
-            self.draft.take_response(self.channels.currentRow(), response)
+        elif row >= 0:
+            today = "" if response is None else datetime.now(UTC).date().isoformat()
+            channel = replace(self.rig.channels[row], measured=response, measured_on=today)
+            self.take_channel(row, channel)
 
     def _open(self) -> None:
-        if self.draft.unsaved and not self._may_lose_changes():
+        path = ask_open(self, "Open a rig", _KINDS) if self._may_lose_changes() else None
+        if path is None:
             return
-        path = self.ask_open("Open a rig", _KINDS)
-        if path is not None:
-            self.draft.open(path)
+        try:
+            self.rig = self._saved = open_rig(path)
+        except SkinSourceError as error:
+            self.say(str(error))
+            return
+        self.path = path
+        self._show(0)
 
     def _save(self) -> None:
-        draft = self.draft
-        start = draft.path or Path(f"{draft.rig.title or 'rig'}{SUFFIX}")
+        start = self.path or Path(f"{self.rig.title or 'rig'}{SUFFIX}")
         path = self.ask_save("Save the rig", _KINDS, start)
-        if path is not None and not path.suffix:
+        if path is None:
+            return
+        if not path.suffix:
             path = path.with_name(f"{path.name}{SUFFIX}")
-        if path is not None and draft.save(path):
-            if self._use.isChecked() and self._settings.choose_rig(path):
-                design, view = self._document.design, self._document.view
-                self._document.apply(edits.choose_rig(design, view, draft.rig))
-            self._show(self.channels.currentRow())
-            self.say(f"Saved {path_text(Path(path.name))}")
+        try:
+            save_rig(path, self.rig)
+        except SkinSourceError as error:
+            self.say(str(error))
+            return
+        self.path, self._saved = path, self.rig
+        if self._use.isChecked() and self._settings.choose_rig(path):
+            design, view = self._document.design, self._document.view
+            self._document.apply(edits.choose_rig(design, view, self.rig))
+        self._show(self.channels.currentRow())
+        self.say(f"Saved {path_text(Path(path.name))}")
 
     def _may_lose_changes(self) -> bool:
-        """Return whether changes may go: they are saved now, or the user gives them up."""
+        """Return whether there are none, or they are saved now, or the user gives them up."""
 
         def save() -> bool:
             self._save()
-            return not self.draft.unsaved
+            return not self.unsaved
 
         question = "The changes of the rig are not saved. Save them?"
-        return ask_to_save(self, "Changes of the rig", question, save)
+        return not self.unsaved or ask_to_save(self, "Changes of the rig", question, save)

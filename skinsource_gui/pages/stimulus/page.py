@@ -44,7 +44,7 @@ from skinsource_gui.pages.files.export_parts import ExportPart, scrolled_fields
 from skinsource_gui.pages.files.exports import STIMULUS, STIMULUS_SET
 from skinsource_gui.pages.page import RowTable
 from skinsource_gui.pages.stimulus.form import Order, StimulusForm, recall, remembered
-from skinsource_gui.qt.buttons import page_button, page_label, scrolled
+from skinsource_gui.qt.buttons import page_button, page_label, scrolled, show_or_hide
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.overlays import PALE, Staleness
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
@@ -376,8 +376,7 @@ class StimulusPart(ExportPart):
 
     def _offer_mend(self, edit: Edit | None, _error: Exception | None) -> None:
         self._mending = edit
-        self._mend.setText(edit.label if edit else "")
-        self._mend.setVisible(edit is not None)
+        show_or_hide(self._mend, edit.label if edit else "")
 
     def _show_computed(self, prepared: Any) -> None:
         self._show_channels(prepared)

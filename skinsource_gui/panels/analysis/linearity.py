@@ -1,6 +1,6 @@
 """Checks of stored designs: strengths in proportion, or inputs that add up."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -193,11 +193,9 @@ class LinearityView(FigureView):
         self.all_outputs: Straightness | None = None
         self.about = self.add_above("linearity_about")
         self.about.setToolTip("Snapshots as stored; over time, the part to which Traces is zoomed")
-        self.velocity = self._new_switch(VELOCITY, lambda on: self.change_settings(velocity=on))
-        self.bands = self._new_switch(BANDS, lambda on: self.change_settings(bands=on))
-        self.every_output = self._new_switch(
-            EVERY_OUTPUT, lambda on: self.change_settings(every_output=on)
-        )
+        self.velocity = self._new_switch("velocity", VELOCITY)
+        self.bands = self._new_switch("bands", BANDS)
+        self.every_output = self._new_switch("every_output", EVERY_OUTPUT)
         self._switches = self.velocity, self.bands, self.every_output
         self.choices.addWidget(FoldingRow(self._switches, UNIT_PX // 2, left=True), 1)
         self.heads.addWidget(self.about)
@@ -272,13 +270,11 @@ class LinearityView(FigureView):
             self._drawn = drawn
         return same
 
-    def _new_switch(
-        self, spec: SwitchSpec, chosen: Callable[[bool], None]
-    ) -> QtWidgets.QToolButton:
+    def _new_switch(self, setting: str, spec: SwitchSpec) -> QtWidgets.QToolButton:
         """Return a switch above the diagrams, which is only about strengths."""
         name = f"linearity_{spec.label.split()[-1].replace('/', '_')}"
         switch = tool_button(None, name, spec.label, spec.hint, checkable=True)
-        switch.clicked.connect(chosen)
+        switch.clicked.connect(lambda on: self.change_settings(**{setting: on}))
         switch.hide()
         return switch
 

@@ -14,7 +14,7 @@ from skinsource.signals.projection import MainAxes, ellipse
 from skinsource_gui.panels.analysis.view import FigureView
 from skinsource_gui.plots.figure import Figure
 from skinsource_gui.qt.questions import tab_separated
-from skinsource_gui.qt.theme import UNIT_PX, current_theme
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, translucent
 from skinsource_gui.state.compared import SILENT
 
 _LEAST_ROW_PX = 66.0
@@ -150,8 +150,7 @@ class MainAxisPicture(Figure):
         points = ellipse(content.main_axes.covariance[rank], plane) * scale
         line = QtGui.QPolygonF([centre + QPointF(x, -y) for x, y in points])
         colour = theme.output_colour(rank)
-        fill = QtGui.QColor(colour)
-        fill.setAlpha(50)
+        fill = translucent(colour, 50)
         painter.setPen(QtGui.QPen(colour, 1.2))
         painter.setBrush(fill)
         painter.drawPolygon(line)

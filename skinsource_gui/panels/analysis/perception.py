@@ -28,7 +28,7 @@ from skinsource_gui.panels.analysis.table import OutputTableView, TableRow
 from skinsource_gui.qt.buttons import page_label, tool_button
 from skinsource_gui.qt.fitting import FoldingRow, LetterWidth, grouped
 from skinsource_gui.qt.layouts import in_column
-from skinsource_gui.qt.questions import copied_level, tab_separated
+from skinsource_gui.qt.questions import ask_open, copied_level, tab_separated
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 
 #: Weighted RMS of each place in use, m/s²; None: drives are no accelerations of the probe.
@@ -263,11 +263,9 @@ class PerceptionView(OutputTableView):
         self.model.clicked.connect(lambda: self._change(message, table=(), source=""))
 
     def _ask(self) -> None:
-        chosen, _ = QtWidgets.QFileDialog.getOpenFileName(
-            self, "Own thresholds", str(self._folder), "CSV (*.csv)"
-        )
-        if chosen:
-            self.import_thresholds(Path(chosen))
+        path = ask_open(self, "Own thresholds", "CSV (*.csv)", self._folder)
+        if path is not None:
+            self.import_thresholds(path)
 
     def say_instead(self, message: str) -> None:
         self._sensation, self._matched = None, ""

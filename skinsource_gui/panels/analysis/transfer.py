@@ -22,7 +22,7 @@ from skinsource_gui.plots.ranges import LEVEL_SPAN_DB, SteadyRange
 from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.labels import how_to_add
 from skinsource_gui.qt.questions import tab_separated
-from skinsource_gui.qt.theme import UNIT_PX, current_theme
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, translucent
 
 # Bars of many outputs share this part of the height, above which the curves are visible.
 _BAR_PX, _BARS_PART = 3.0, 0.1
@@ -105,8 +105,7 @@ class TransferPicture(Figure):
         if content.transfer.band_hz is None:
             return
         band_hz = np.array(content.transfer.band_hz)
-        colour = QtGui.QColor(current_theme().grid)
-        colour.setAlpha(140)
+        colour = translucent(current_theme().grid, 140)
         frame = axes.frame
         low, high = (float(p[0]) for p in axes.to_screen(band_hz, np.zeros(1)))
         painter.fillRect(QRectF(frame.topLeft(), QPointF(low, frame.bottom())), colour)

@@ -137,12 +137,7 @@ class FigureView(AnalysisView):
     def _open_menu(self, at: QPoint) -> None:
         if not self.figure.message:
             copy = self.copy_requested.emit if self.copies else None
-            open_figure_menu(self.figure, self.figure.mapToGlobal(at), self._save_picture, copy)
-
-    def _save_picture(self) -> None:
-        # The action saves the panel that has the keyboard focus.
-        self.figure.setFocus(Qt.FocusReason.MouseFocusReason)
-        self.action_requested.emit("export_panel_picture")
+            open_figure_menu(self.figure, self.figure.mapToGlobal(at), self.save_picture, copy)
 
     def _show_reading(self, text: str) -> None:
         # A reading keeps the room of its line; otherwise the figure would jump.

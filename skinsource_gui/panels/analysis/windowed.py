@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
 
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import FLOOR_DB
@@ -23,6 +23,7 @@ from skinsource_gui.fields.inputs import duration_text
 from skinsource_gui.fields.units import axis_unit
 from skinsource_gui.panels.analysis.view import AnalysisView
 from skinsource_gui.plots.colour_maps import colour_table
+from skinsource_gui.plots.figure import Figure
 from skinsource_gui.plots.small_map import (
     LEAST_MAP_PX,
     USUAL_STYLE,
@@ -40,7 +41,6 @@ from skinsource_gui.plots.small_map import (
     with_matched,
 )
 from skinsource_gui.qt.fitting import FoldingRow, grouped
-from skinsource_gui.qt.frames import paint_focus_frame
 from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, current_theme, on_paper, tabular
 from skinsource_gui.state.compared import SILENT
@@ -386,21 +386,17 @@ _SYNTHETIC = "SYNTHETIC"
 _STEPS = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}
 
 
-class StripView(QtWidgets.QWidget):
+class StripView(Figure):
     """Shows windows, and tells which one is chosen."""
 
     #: Begin of a window that was chosen, s.
     time_chosen = Signal(float)
 
     def __init__(self, parent: QtWidgets.QWidget) -> None:
-        super().__init__(parent)
+        super().__init__("window_strip", "Windows", parent)
         self.content: WindowedContent | None = None
-        self.message = ""
         self.chosen: int | None = None
-        self.setObjectName("window_strip")
-        self.setAccessibleName("Windows")
         self.setAccessibleDescription("Left and right go from window to window")
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
 
     def sizeHint(self) -> QSize:
         return QSize(520, 460)
@@ -442,17 +438,11 @@ class StripView(QtWidgets.QWidget):
             room -= metrics.horizontalAdvance(_SYNTHETIC)
         return windows_heading(self.content, metrics.horizontalAdvance, room)
 
-    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
-        painter, theme = QtGui.QPainter(self), current_theme()
-        painter.setFont(tabular(self.font()))
-        painter.fillRect(self.rect(), QtGui.QColor(theme.base))
-        if self.content is None or self.message:
-            painter.setPen(QtGui.QColor(theme.dim))
-            flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-            painter.drawText(QRectF(self.rect()).adjusted(8, 8, -8, -8), flags, self.message)
-            painter.end()
+    def draw(self, painter: QtGui.QPainter, room: QRectF) -> None:
+        if self.content is None:
             return
-        places = self.places
+        painter.setFont(tabular(self.font()))
+        places, theme = self.places, current_theme()
         painter.setPen(QtGui.QColor(theme.warning if self.content.synthetic else theme.dim))
         text = _SYNTHETIC if self.content.synthetic else ""
         right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -460,16 +450,9 @@ class StripView(QtWidgets.QWidget):
         painter.setPen(QtGui.QColor(theme.dim))
         painter.drawText(places.head, Qt.AlignmentFlag.AlignVCenter, self.head_text)
         paint_strip(painter, self.content, places, theme, self.chosen)
-        if self.hasFocus():
-            paint_focus_frame(painter, QRectF(self.rect()), theme)
-        painter.end()
 
-    def event(self, event: QEvent) -> bool:
-        if isinstance(event, QtGui.QHelpEvent) and event.type() == QEvent.Type.ToolTip:
-            text = self.text_at(QPointF(event.pos()))
-            QtWidgets.QToolTip.showText(event.globalPos(), text, self)
-            return True
-        return super().event(event)
+    def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
+        self.setToolTip(self.text_at(event.position()))
 
     def text_at(self, point: QPointF) -> str:
         """Return times and extent of the window under a point."""

@@ -27,7 +27,7 @@ from skinsource_gui.fields.editor import Burst
 from skinsource_gui.fields.inputs import clip_text, duration_text, figure_text, waveforms_of
 from skinsource_gui.panels.clip_editor.tools import EnvelopeTool, GlideTool, Pen, ViewTool
 from skinsource_gui.panels.clip_editor.view import EditorView, SpectrumStrip, Tool
-from skinsource_gui.qt.buttons import tool_button
+from skinsource_gui.qt.buttons import page_label, tool_button
 from skinsource_gui.qt.keys import arrow_steps, key_text, meaning_of
 from skinsource_gui.qt.labels import HOW_TO_SELECT_CLIP, FittingLabel, how_to_add
 from skinsource_gui.qt.layouts import in_column, in_row
@@ -375,10 +375,7 @@ class ClipEditorPanel(Panel):
         }
         self._canvas = EditorView(self._view_tool)
         self._toolbar, self._spectrum = EditorToolbar(), SpectrumStrip()
-        self._empty = QtWidgets.QLabel()
-        set_tone(self._empty, "dim")
-        self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self._empty.setWordWrap(True)
+        self._empty = page_label("clip_empty", tone="dim", centred=True)
         inside = QtWidgets.QWidget()
         body = EditorBody(self._canvas, self._spectrum)
         in_column(self._toolbar, (body, 1), of=inside, margins=0, gap_px=0)

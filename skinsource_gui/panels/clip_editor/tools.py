@@ -23,6 +23,7 @@ from skinsource_gui.fields.editor import new_gesture
 from skinsource_gui.fields.units import value_text
 from skinsource_gui.panels.clip_editor.view import REACH, Button, EditorContent, Modifier, Tool
 from skinsource_gui.plots.ranges import linear_ticks, number_text
+from skinsource_gui.qt.frames import paint_card
 from skinsource_gui.qt.theme import Theme
 
 
@@ -97,15 +98,7 @@ def write_point(
     # Below the point where there is no room above it.
     top = at.y() - height - 10 if at.y() - height - 10 > area.top() else at.y() + 10
     room = QRectF(left, top, width, height)
-    _write_in_box(painter, room, text, theme)
-
-
-def _write_in_box(painter: QtGui.QPainter, room: QRectF, text: str, theme: Theme) -> None:
-    painter.setBrush(QtGui.QColor(theme.raised))
-    painter.setPen(QtGui.QPen(QtGui.QColor(theme.border), 1))
-    painter.drawRect(room)
-    painter.setPen(QtGui.QColor(theme.text))
-    painter.drawText(room, Qt.AlignmentFlag.AlignCenter, text)
+    paint_card(painter, room, text, theme)
 
 
 #: Distance within which the pointer catches a handle, px.
@@ -276,7 +269,7 @@ class ViewTool(Tool):
         width = metrics.horizontalAdvance(text) + 10
         left = min(here.x() + 6, area.right() - width)
         room = QRectF(left, area.top() + 2, width, metrics.height() + 2)
-        _write_in_box(painter, room, text, theme)
+        paint_card(painter, room, text, theme)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(QtGui.QColor(theme.accent))
         painter.drawEllipse(here, 3, 3)

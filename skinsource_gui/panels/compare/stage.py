@@ -38,7 +38,9 @@ from skinsource_gui.panels.compare.maps import MapsPanel
 from skinsource_gui.panels.compare.motion import rounded
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.curves import output_names
+from skinsource_gui.plots.figure import Figure
 from skinsource_gui.plots.small_map import Range
+from skinsource_gui.qt.buttons import page_label, show_or_hide
 from skinsource_gui.qt.frames import CachedPicture, Same
 from skinsource_gui.qt.labels import how_to_add
 from skinsource_gui.qt.layouts import in_column
@@ -59,7 +61,7 @@ class Curve:
     y: Floats
 
 
-class Strip(QtWidgets.QWidget):
+class Strip(Figure):
     """Traces or spectra over one axis, and where the motion is.
 
     Attributes
@@ -69,15 +71,15 @@ class Strip(QtWidgets.QWidget):
     """
 
     def __init__(self) -> None:
-        super().__init__()
+        super().__init__("stage_traces", "Traces")
         self.curves: tuple[Curve, ...] = ()
         self.marked: float | None = None
         self.ends: tuple[Range, Range] = ((0.0, 1.0), (-1.0, 1.0))
         self._words = ("", "", "")
         self._picture = CachedPicture()
-        self.setObjectName("stage_traces")
         self.setMinimumHeight(80)
-        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+        self.setMouseTracking(False)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
 
     def show_curves(
         self, curves: tuple[Curve, ...], ends: tuple[Range, Range], words: tuple[str, str, str]
@@ -93,19 +95,17 @@ class Strip(QtWidgets.QWidget):
         self.marked = None if x is None or x > self.ends[0][1] else x
         self.update()
 
-    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
-        painter, theme = QtGui.QPainter(self), current_theme()
+    def draw(self, painter: QtGui.QPainter, room: QRectF) -> None:
         painter.setFont(tabular(self.font()))
-        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
+        theme = current_theme()
         key = (Same(self.curves), self.ends, theme)
         ground = QtGui.QColor(theme.base)
-        self._picture.paint(painter, QRectF(self.rect()), key, self._paint, ground)
+        self._picture.paint(painter, room, key, self._paint, ground)
         if self.marked is not None and self.curves:
             area = self._area()
             x = area.left() + area.width() * self.marked / self.ends[0][1]
             painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 2))
             painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()))
-        painter.end()
 
     def _area(self) -> QRectF:
         line = 1.2 * self.fontMetrics().height()
@@ -228,7 +228,7 @@ class StagePanel(MapsPanel):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self.heading, self.sentence = QtWidgets.QLabel(), QtWidgets.QLabel()
+        self.heading, self.sentence = page_label("stage_title"), page_label("stage_sentence")
         self.strip, self.knob = Strip(), Knob()
         self.caution = QtWidgets.QLabel(self.maps)
         self.caution.setObjectName("stage_caution")
@@ -237,9 +237,7 @@ class StagePanel(MapsPanel):
         self._shown: tuple[Any, ...] = ()
         self._track: Input | None = None
         self._turned = ""
-        for label, name in ((self.heading, "stage_title"), (self.sentence, "stage_sentence")):
-            label.setObjectName(name)
-            label.setWordWrap(True)
+        for label in (self.heading, self.sentence):
             label.setTextFormat(Qt.TextFormat.PlainText)
         self.maps.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         # The wave is to be seen on the arm, too.
@@ -284,8 +282,7 @@ class StagePanel(MapsPanel):
         self._release()
 
     def show_caution(self, text: str) -> None:
-        self.caution.setText(text)
-        self.caution.setVisible(bool(text))
+        show_or_hide(self.caution, text)
         self.caution.adjustSize()
 
     def fit(self) -> None:
@@ -353,8 +350,7 @@ class StagePanel(MapsPanel):
         track = self._track
         plain = how_to_add() if track is None else f"Place {track.location}"
         self.heading.setText(scenes.title_of(design) if design.title else plain)
-        self.sentence.setText(design.notes.partition("\n")[0])
-        self.sentence.setVisible(bool(self.sentence.text()))
+        show_or_hide(self.sentence, design.notes.partition("\n")[0])
 
     def _show_knob(self, design: Design, view: View, control: str) -> None:
         self._track = track = leading_input(design, view) or next(iter(design.inputs), None)

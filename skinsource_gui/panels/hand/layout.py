@@ -16,7 +16,7 @@ from skinsource.limbs.hand import HandShape
 from skinsource.limbs.locations import DIGITS
 from skinsource_gui.qt.buttons import text_colour_on
 from skinsource_gui.qt.frames import Frame
-from skinsource_gui.qt.theme import Theme, tabular
+from skinsource_gui.qt.theme import Theme, tabular, translucent
 
 # Corner radius and circumradius of the triangle, in radii of the circle: about the same area.
 _TRIANGLE_RADII, _ROUNDING = 1.42, 0.3
@@ -100,8 +100,7 @@ def paint_hovered(painter: QtGui.QPainter, place: Marker, theme: Theme) -> None:
 def _paint_free(
     painter: QtGui.QPainter, place: Marker, theme: Theme, pen: QtGui.QPen, opacity: float
 ) -> None:
-    fill = QtGui.QColor(theme.base)
-    fill.setAlphaF(opacity)
+    fill = translucent(theme.base, round(255 * opacity))
     painter.setPen(pen)
     painter.setBrush(fill)
     painter.drawPath(place.path())
@@ -377,8 +376,7 @@ def polygon(points: NDArray[np.float64]) -> QtGui.QPolygonF:
 
 
 def _pen(colour: QtGui.QColor, opacity: float, width: float) -> QtGui.QPen:
-    faint = QtGui.QColor(colour)
-    faint.setAlphaF(opacity)
+    faint = translucent(colour, round(255 * opacity))
     cap, join = Qt.PenCapStyle.RoundCap, Qt.PenJoinStyle.RoundJoin
     return QtGui.QPen(faint, width, Qt.PenStyle.SolidLine, cap, join)
 

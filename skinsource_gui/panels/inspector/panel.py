@@ -42,7 +42,7 @@ from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.editors import FieldCell
-from skinsource_gui.fields.grid import LABEL_PX, FieldGrid, LabelledCell, TextCell
+from skinsource_gui.fields.grid import LABEL_PX, FieldGrid, LabelledCell, TextCell, discard
 from skinsource_gui.fields.inputs import (
     DURATION_FIELD,
     FieldChanges,
@@ -314,12 +314,8 @@ class InputFields(QObject):
             )
         self._own = tuple(cells)
         self._built_for = type(waveform) if waveform else None
-        focused = QtWidgets.QApplication.focusWidget()
-        if focused is not None and any(cell.isAncestorOf(focused) for cell in old):
-            self.kind.field.setFocus(Qt.FocusReason.OtherFocusReason)
+        discard(old, self.kind.field)
         self._arrange()
-        for part in (widget for cell in old for widget in (cell.label, cell)):
-            part.deleteLater()
 
 
 def _values(track: Input, clip: Clip | None) -> dict[str, object]:

@@ -20,7 +20,7 @@ from skinsource.limbs.locations import input_name
 from skinsource_gui.fields.units import value_text
 from skinsource_gui.plots.curves import CurveName, Curves
 from skinsource_gui.plots.ranges import XAxis
-from skinsource_gui.qt.buttons import page_button, page_label
+from skinsource_gui.qt.buttons import page_button, page_label, show_or_hide
 from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
 from skinsource_gui.state.panel import PREPARING
@@ -248,16 +248,13 @@ class DemandView(QtWidgets.QWidget):
         reason = demand.refusal
         if shown is not None and demand.place is None:
             reason = reason or _NOTHING
-        self.refusal.setText(reason)
-        self.refusal.setVisible(bool(reason))
+        show_or_hide(self.refusal, reason)
         # Silence and results that are not ready yet are no errors.
         quiet = demand.place is None or demand.refusal in ("", PREPARING)
         set_tone(self.refusal, "dim" if quiet else "error")
         beyond = _beyond(rows)
-        self.limits.setText(beyond)
-        self.limits.setVisible(bool(beyond))
-        self.mend.setText(mend)
-        self.mend.setVisible(bool(mend))
+        show_or_hide(self.limits, beyond)
+        show_or_hide(self.mend, mend)
         text = ""
         if shown is not None and demand.place is not None:
             place = f"Place {demand.place}, {input_name(demand.place, limb).name}"
@@ -265,8 +262,7 @@ class DemandView(QtWidgets.QWidget):
             part = f", the strongest {LONGEST_S:g} s" if demand.part else ""
             gain = "" if shown.gain_calibrated else " (uncalibrated gain)"
             text = f"{place}{peak}{part}{gain}"
-        self.heading.setText(text)
-        self.heading.setVisible(bool(text))
+        show_or_hide(self.heading, text)
 
 
 def _beyond(rows: tuple[Figure, ...]) -> str:

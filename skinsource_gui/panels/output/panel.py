@@ -46,7 +46,7 @@ from skinsource_gui.panels.output.figures import (
 )
 from skinsource_gui.panels.output.settings import OutputSettings
 from skinsource_gui.plots.signal_view import ResponseView
-from skinsource_gui.qt.buttons import page_button, page_label, scrolled, tool_button
+from skinsource_gui.qt.buttons import page_button, page_label, scrolled, show_or_hide, tool_button
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.panel import Panel
@@ -320,8 +320,7 @@ class OutputPanel(Panel):
     def show_played(self, played: Played) -> None:
         """Take over what is played and how loud; called while the panel is visible."""
         self._played = played
-        self.problem.setText(played.missing)
-        self.problem.setVisible(bool(played.missing))
+        show_or_hide(self.problem, played.missing)
         own = None if self._design is None else self._design.rig
         self.fields.show_played(played, None if own is None else own.title or "Rig")
         self.rows.show_played(played)

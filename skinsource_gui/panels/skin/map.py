@@ -37,7 +37,7 @@ from skinsource_gui.plots.small_map import (
 from skinsource_gui.qt.accessible import Told
 from skinsource_gui.qt.frames import CachedPicture, Same, paint_focus_frame
 from skinsource_gui.qt.keys import KEYS, claims_shortcut, meaning_of
-from skinsource_gui.qt.theme import Theme, current_theme, tabular
+from skinsource_gui.qt.theme import Theme, current_theme, tabular, translucent
 from skinsource_gui.qt.wheel import FREE, WHOLE, PanZoom
 
 #: Number of inputs on top of each other that are named.
@@ -216,8 +216,7 @@ def _paint_card(painter: QtGui.QPainter, area: QRectF, text: str, theme: Theme) 
     flags, metrics = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop, painter.fontMetrics()
     text = metrics.elidedText(text, Qt.TextElideMode.ElideRight, int(area.width()))
     needed = QtGui.QFontMetricsF(painter.font()).boundingRect(area, int(flags), text)
-    ground = QtGui.QColor(theme.base)
-    ground.setAlphaF(0.88)
+    ground = translucent(theme.base, 224)
     painter.fillRect(needed.adjusted(-4, -2, 4, 2), ground)
     painter.setPen(QtGui.QColor(theme.dim))
     painter.drawText(needed, int(flags), text)

@@ -20,7 +20,7 @@ from skinsource_gui.plots.small_map import (
     paint_strokes,
 )
 from skinsource_gui.qt.frames import CachedPicture, UncachedPicture
-from skinsource_gui.qt.theme import Theme
+from skinsource_gui.qt.theme import Theme, translucent
 
 _INPUT_RING_PX, _DASH, _REACH_PX = 7.5, (3.0, 2.0), 10.0
 
@@ -106,8 +106,7 @@ def paint_length_bar(
     on_screen = px_per_mm * layout.frame.scale
     length_mm = bar_length_mm(on_screen, layout.room.width())
     left, bottom = card.left() + 4 * unit, card.bottom() - 3 * unit
-    ground = QtGui.QColor(theme.base)
-    ground.setAlphaF(0.88)
+    ground = translucent(theme.base, 224)
     painter.fillRect(card, ground)
     pen = QtGui.QPen(QtGui.QColor(theme.text), 2 * unit)
     pen.setCapStyle(Qt.PenCapStyle.FlatCap)
@@ -520,8 +519,7 @@ def _paint_palm_ground(painter: QtGui.QPainter, layout: MapLayout, theme: Theme)
     card = layout.palmar_card
     if card.isEmpty():
         return
-    ground = QtGui.QColor(theme.base)
-    ground.setAlphaF(0.88)
+    ground = translucent(theme.base, 224)
     painter.setPen(QtGui.QPen(QtGui.QColor(theme.grid), 1))
     painter.setBrush(ground)
     painter.drawRoundedRect(card, 4 * layout.unit, 4 * layout.unit)

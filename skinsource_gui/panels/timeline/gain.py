@@ -18,7 +18,7 @@ from skinsource_gui.panels.timeline.content import (
 from skinsource_gui.panels.timeline.gestures import Gesture, GestureContext, Modifier, MoveGain
 from skinsource_gui.panels.timeline.painting import LaneLayer
 from skinsource_gui.qt.keys import arrow_steps, meaning_of
-from skinsource_gui.qt.theme import current_theme
+from skinsource_gui.qt.theme import current_theme, translucent
 
 if TYPE_CHECKING:
     from skinsource_gui.panels.timeline.lanes import LanesView
@@ -82,8 +82,7 @@ class GainItem(LaneLayer):
         curve = QtGui.QPolygonF(places)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         if strip.shown:
-            halo = QtGui.QColor(current_theme().base)
-            halo.setAlpha(_HALO_ALPHA)
+            halo = translucent(current_theme().base, _HALO_ALPHA)
             painter.setPen(QtGui.QPen(halo, 4))
             painter.drawPolyline(curve)
             painter.setPen(QtGui.QPen(line, 1.5))
@@ -109,8 +108,7 @@ class GainItem(LaneLayer):
             text, top = HINT, room.bottom() - height - 2
         width = metrics.horizontalAdvance(text) + 8
         label = QRectF(room.right() - width - 4, top, width, height)
-        ground = QtGui.QColor(theme.base)
-        ground.setAlpha(_HALO_ALPHA)
+        ground = translucent(theme.base, _HALO_ALPHA)
         painter.fillRect(label, ground)
         painter.setPen(QtGui.QColor(theme.text))
         painter.drawText(label, Qt.AlignmentFlag.AlignCenter, text)

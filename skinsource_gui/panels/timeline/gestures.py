@@ -86,10 +86,11 @@ class GestureContext:
         now, expected = self.now.design, self.applied or self.before.design
         return now is not expected and now != expected
 
-    def edit(self, outcome: Edit | Refusal) -> None:
-        """Show an edit of the design that there was before, unless that has become another."""
+    def edit(self, edit: Callable[..., Edit | Refusal], *more: object) -> None:
+        """Edit the design that there was before, unless that has become another."""
         if self.disturbed:
             return
+        outcome = edit(self.before.design, self.view, *more)
         if isinstance(outcome, Edit):
             self.applied = outcome.design
         self.lanes.edited.emit(outcome, self.number)
@@ -170,8 +171,7 @@ class MoveEnd(_EndDrag):
             end_s = max(end_s + rest.by_s, start_s + _SHORTEST_S)
         stretches = held & (Modifier.AltModifier | Modifier.ShiftModifier)
         act = edits.stretch_clip if stretches else edits.trim_clip
-        design, view = self._context.before.design, self._context.view
-        self._context.edit(act(design, view, self._clip.id, start_s, end_s))
+        self._context.edit(act, self._clip.id, start_s, end_s)
         length = value_text(end_s - start_s, "s", digits=5)
         text = f"Stretched to {length}" if stretches else f"{length} · Shift: stretch"
         return GesturePreview(guide_s=rest.guide_s, label=text)
@@ -194,8 +194,7 @@ class FadeEnd(_EndDrag):
             rest = self._rest(at, edge_s)
             inside_s = self._end_s - edge_s - rest.by_s
             changed = out_s = round(min(max(inside_s, 0.0), length_s - in_s), 9)
-        design, view = self._context.before.design, self._context.view
-        self._context.edit(edits.fade_clip(design, view, self._clip.id, in_s, out_s))
+        self._context.edit(edits.fade_clip, self._clip.id, in_s, out_s)
         return GesturePreview(guide_s=rest.guide_s, label=value_text(changed, "s", digits=4))
 
 
@@ -271,9 +270,8 @@ class MoveClips(Gesture):
         self._place = None
         rest = self._rest(at, copies=copies, free=bool(held & Modifier.AltModifier))
         by_tracks = 0 if held & Modifier.ShiftModifier else self._lanes_to(at)
-        before, view = self._context.before, self._context.view
         act = edits.copy_clips if copies else edits.move_clips
-        self._context.edit(act(before.design, view, self._ids, rest.by_s, by_tracks))
+        self._context.edit(act, self._ids, rest.by_s, by_tracks)
         onset_s = self._edges[0] + rest.by_s
         return GesturePreview(guide_s=rest.guide_s, label=value_text(onset_s, "s", digits=5))
 
@@ -281,11 +279,8 @@ class MoveClips(Gesture):
         """Drop the clips on the place in another panel over which they are held, if any."""
         self._context.lanes.elsewhere(None)
         if self._place is not None and self._place.location is not None:
-            design, view = self._context.before.design, self._context.view
             place = self._place.location
-            self._context.edit(
-                edits.move_clips_to_place(design, view, self._ids, place, self._copies)
-            )
+            self._context.edit(edits.move_clips_to_place, self._ids, place, self._copies)
 
     def cancel(self) -> None:
         self._context.lanes.elsewhere(None)
@@ -372,9 +367,7 @@ class MoveGain(Gesture):
 
     def put(self, points: Points) -> None:
         """Set the points of the track's curve."""
-        before, view = self._context.before, self._context.view
-        track = self._strip.lane.track.id
-        self._context.edit(edits.set_gain_curve(before.design, view, track, curve_of(points)))
+        self._context.edit(edits.set_gain_curve, self._strip.lane.track.id, curve_of(points))
 
 
 def snapped_time(
@@ -409,8 +402,7 @@ class MoveLoop(Gesture):
     def move(self, at: QPointF, held: Modifier) -> GesturePreview:
         time_s, guide_s = snapped_time(self._context, at)
         ends = (min(time_s, self._fixed_s), max(time_s, self._fixed_s))
-        design, view = self._context.before.design, self._context.view
-        self._context.edit(edits.set_loop(design, view, ends if ends[0] < ends[1] else None))
+        self._context.edit(edits.set_loop, ends if ends[0] < ends[1] else None)
         return GesturePreview(guide_s=guide_s, label=value_text(ends[1] - ends[0], "s", digits=4))
 
 
@@ -423,9 +415,8 @@ class MoveMarker(Gesture):
 
     def move(self, at: QPointF, held: Modifier) -> GesturePreview:
         time_s, guide_s = snapped_time(self._context, at, self._marker.time_s)
-        design, view = self._context.before.design, self._context.view
         index = self._context.before.design.markers.index(self._marker)
-        self._context.edit(edits.move_marker(design, view, index, time_s))
+        self._context.edit(edits.move_marker, index, time_s)
         return GesturePreview(guide_s=guide_s, label=value_text(time_s, "s", digits=5))
 
 

@@ -50,6 +50,7 @@ from skinsource_gui.fields.inputs import (
 from skinsource_gui.fields.number_field import FINISHERS, NumberField
 from skinsource_gui.panels.timeline.content import shown_gain_curves, toggle_gain_curves
 from skinsource_gui.qt.buttons import paint_swatch, passing_menu, text_colour_on
+from skinsource_gui.qt.frames import drop_line
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
 from skinsource_gui.qt.theme import Theme, current_theme
 from skinsource_gui.qt.wheel import NOTCH
@@ -408,11 +409,7 @@ class Heads(QtWidgets.QListView):
         self.selectionModel().selectionChanged.connect(self._select)
         self._burst = Burst(self)
         self._press: _Press | None = None
-        self._gap = QtWidgets.QFrame(self.viewport())
-        self._gap.setObjectName("input_gap")
-        self._gap.setBackgroundRole(QtGui.QPalette.ColorRole.Highlight)
-        self._gap.setAutoFillBackground(True)
-        self._gap.hide()
+        self._gap = drop_line(self.viewport(), "input_gap")
 
     @property
     def heads(self) -> list[Head]:

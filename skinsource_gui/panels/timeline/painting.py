@@ -3,151 +3,26 @@
 Lanes are kept as a picture, into which only lanes that look different are painted again.
 """
 
-from collections import OrderedDict
 from collections.abc import Hashable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pyqtgraph
-from pyqtgraph.functions import arrayToQPath
 from PySide6 import QtGui
-from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 
 from skinsource.base.arrays import Floats
 from skinsource.design.effects.level import Fade
 from skinsource_gui.fields.units import axis_unit
 from skinsource_gui.panels.timeline.content import MARGIN_PX, Box, Lane, TimelineContent, clip_name
 from skinsource_gui.panels.timeline.gestures import GesturePreview
-from skinsource_gui.plots.curves import visible_course
-from skinsource_gui.plots.ranges import CachedColumns, Tick, linear_ticks, wave_of
+from skinsource_gui.plots.preview import ClipPictures, ClipStyle
+from skinsource_gui.plots.ranges import Tick, linear_ticks
+from skinsource_gui.plots.small_map import paint_band
 from skinsource_gui.plots.time_scale import Range, TimeScale
-from skinsource_gui.qt.theme import Theme, current_theme, dots_in_px, is_on_paper, thin_pen
-
-_BUDGET_BYTES = 48 * 2**20
-_BYTES_PER_PIXEL = 4
-# Strokes of this mean length, of 2, make a block, whose edge needs no smoothing.
-_BLOCK = 0.8
-
-
-@dataclass(frozen=True, slots=True)
-class ClipStyle:
-    """How the curve of a clip is drawn.
-
-    Attributes
-    ----------
-    sample_rate_hz
-        Of what the clip plays.
-    colour
-        Colour of the curve, as a number.
-    reach
-        Height of a sample of 1, as a share of half the picture; negative: upside down.
-    part
-        Which part of the whole is shown, from 0 to 1.
-    ratio
-        Dots in a px.
-    """
-
-    sample_rate_hz: float
-    colour: int
-    reach: float
-    part: tuple[float, float] = (0.0, 1.0)
-    ratio: float = 1.0
-
-
-class ClipPictures:
-    """Curves of clips, painted once for each size and style; the oldest are dropped first.
-
-    Attributes
-    ----------
-    columns
-        Columns of the samples that were painted last.
-    painted, waves
-        How many pictures were painted, and how many of them show the wave between samples: an edit
-        that changes no clip paints none.
-    """
-
-    def __init__(self, budget_bytes: int = _BUDGET_BYTES) -> None:
-        self._pictures: OrderedDict[Hashable, tuple[Floats, QtGui.QPixmap]] = OrderedDict()
-        self._budget, self._bytes = budget_bytes, 0
-        self.painted = self.waves = 0
-        self.columns = CachedColumns()
-
-    def paint(
-        self, painter: QtGui.QPainter, samples: Floats, area: QRectF, style: ClipStyle
-    ) -> None:
-        """Paint what a clip plays; on paper as lines."""
-        if is_on_paper():
-            painter.save()
-            painter.translate(area.topLeft())
-            self._draw(painter, samples, area.size(), style)
-            painter.restore()
-            return
-        painter.drawPixmap(area.topLeft(), self.picture(samples, area.size(), style))
-
-    def picture(self, samples: Floats, size: QSizeF, style: ClipStyle) -> QtGui.QPixmap:
-        """Return the picture of what a clip plays; size in px."""
-        # The samples are stored with the picture, so that no other array gets their id.
-        key = (id(samples), size.width(), size.height(), style)
-        cached = self._pictures.get(key)
-        if cached is not None and cached[0] is samples:
-            self._pictures.move_to_end(key)
-            return cached[1]
-        made = QtGui.QPixmap((size * style.ratio).toSize().expandedTo(QSizeF(1, 1).toSize()))
-        made.setDevicePixelRatio(style.ratio)
-        made.fill(Qt.GlobalColor.transparent)
-        on_picture = QtGui.QPainter(made)
-        self._draw(on_picture, samples, size, style)
-        on_picture.end()
-        self.painted += 1
-        self._store(key, samples, made)
-        return made
-
-    def forget(self) -> None:
-        """Keep nothing."""
-        self._pictures.clear()
-        self._bytes = 0
-
-    def _store(self, key: Hashable, samples: Floats, made: QtGui.QPixmap) -> None:
-        old = self._pictures.pop(key, None)
-        self._bytes += _size(made) - (0 if old is None else _size(old[1]))
-        self._pictures[key] = (samples, made)
-        while self._bytes > self._budget and len(self._pictures) > 1:
-            _, (_, removed) = self._pictures.popitem(last=False)
-            self._bytes -= _size(removed)
-
-    def _draw(
-        self, painter: QtGui.QPainter, samples: Floats, size: QSizeF, style: ClipStyle
-    ) -> None:
-        width, height = size.width(), size.height()
-        if not samples.size:
-            return
-        time_s = np.arange(samples.size) / style.sample_rate_hz
-        first_s, end_s = (share * samples.size / style.sample_rate_hz for share in style.part)
-        across = max(round(width * style.ratio), 1)
-        wave = wave_of(time_s, samples[np.newaxis])
-        columns = self.columns.of(time_s, (first_s, end_s), across)
-        curve = visible_course(columns, samples[np.newaxis], wave, width, style.ratio)
-        heights = style.reach * curve.line.y[0]
-        if curve.wave:
-            self.waves += 1
-            # Between samples it may be higher than the lane is for them.
-            heights = heights / max(float(np.abs(heights).max()), 1.0)
-        strokes = np.abs(heights[1::2] - heights[::2]) if curve.line.strokes else 0.0
-        block = not is_on_paper() and np.mean(strokes) > _BLOCK * abs(style.reach)
-        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing, not block)
-        painter.setPen(thin_pen(QtGui.QColor.fromRgba(style.colour)))
-        x = (curve.line.x - first_s) / (end_s - first_s) * width
-        y = height / 2 - np.clip(heights, -1, 1) * (height / 2 - 1)
-        if x.size == 1:
-            painter.drawLine(QPointF(x[0], height / 2), QPointF(x[0], y[0]))
-        else:
-            painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
-
-
-def _size(picture: QtGui.QPixmap) -> int:
-    return picture.width() * picture.height() * _BYTES_PER_PIXEL
-
+from skinsource_gui.qt.frames import paint_card
+from skinsource_gui.qt.theme import Theme, current_theme, dots_in_px, translucent
 
 _ROUNDING_PX = 3.0
 _LABEL_FROM_PX = 40.0
@@ -251,8 +126,7 @@ def _write(painter: QtGui.QPainter, words: str, shown: QRectF, theme: Theme, *, 
     if width > room.width():
         text = metrics.elidedText(words, Qt.TextElideMode.ElideRight, room.width())
         width = metrics.horizontalAdvance(text)
-    ground = QtGui.QColor(theme.base)
-    ground.setAlpha(190)
+    ground = translucent(theme.base, 190)
     painter.fillRect(QRectF(room.left() - 2, room.top(), width + 4, line_px), ground)
     painter.setPen(QtGui.QColor(theme.dim if pale else theme.text))
     painter.drawText(room, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, text)
@@ -270,8 +144,7 @@ def _paint_frame(
     if selected:
         painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 2))
     else:
-        edge = QtGui.QColor(colour)
-        edge.setAlpha(130)
+        edge = translucent(colour, 130)
         painter.setPen(QtGui.QPen(edge, 1))
     painter.setBrush(Qt.BrushStyle.NoBrush)
     frame = _frame(rect, shown).adjusted(0.5, 0.5, -0.5, -0.5)
@@ -403,8 +276,7 @@ def _paint_loop(
     start, end = (content.scale.x(time_s) for time_s in loop_s)
     half = QRectF(room.left(), room.top(), room.width(), room.height() / 2)
     band = QRectF(start, room.top(), end - start, room.height()).intersected(half)
-    tint = QtGui.QColor(theme.accent)
-    tint.setAlpha(_LOOP_ALPHA)
+    tint = translucent(theme.accent, _LOOP_ALPHA)
     painter.fillRect(band, tint)
     painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 2))
     for x in (start, end):
@@ -563,8 +435,7 @@ class LanesItem(LaneLayer):
     def _paint_ground(self, painter: QtGui.QPainter, lane: Lane) -> None:
         strip = self._strip(lane)
         if lane.selected:
-            tint = QtGui.QColor(current_theme().accent)
-            tint.setAlpha(_TINT_ALPHA)
+            tint = translucent(current_theme().accent, _TINT_ALPHA)
             painter.fillRect(strip, tint)
         painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().border), 1))
         painter.drawLine(
@@ -587,8 +458,7 @@ class LanesItem(LaneLayer):
         if content.design.loop_s is None:
             return
         start, end = (content.scale.x(time_s) for time_s in content.design.loop_s)
-        shade = QtGui.QColor(current_theme().dim)
-        shade.setAlpha(22)
+        shade = translucent(current_theme().dim, 22)
         for left, right in ((lanes.left(), start), (end, lanes.right())):
             if right > left:
                 painter.fillRect(QRectF(left, lanes.top(), right - left, lanes.height()), shade)
@@ -612,8 +482,7 @@ class LanesItem(LaneLayer):
         self, painter: QtGui.QPainter, content: TimelineContent, lane: Lane
     ) -> None:
         """Mark at the foot of a lane where its clips overlap."""
-        colour = QtGui.QColor(current_theme().text)
-        colour.setAlpha(_OVERLAP_ALPHA)
+        colour = translucent(current_theme().text, _OVERLAP_ALPHA)
         top = lane.bottom_px - MARGIN_PX - _OVERLAP_PX
         for start_s, end_s in content.overlaps_on(lane):
             left, right = max(content.scale.x(start_s), -10.0), min(content.scale.x(end_s), 1e5)
@@ -654,18 +523,9 @@ class OverlayItem(LaneLayer):
             painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().warning), 2))
             painter.drawLine(guide)
         if self.preview.covered is not None:
-            tint = QtGui.QColor(current_theme().accent)
-            painter.setPen(QtGui.QPen(tint, 1))
-            tint.setAlpha(30)
-            painter.setBrush(tint)
-            painter.drawRect(self.preview.covered)
+            paint_band(painter, self.preview.covered, current_theme())
         if self.preview.label:
-            room = self._label_room()
-            painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().border), 1))
-            painter.setBrush(QtGui.QColor(current_theme().raised))
-            painter.drawRect(room)
-            painter.setPen(QtGui.QColor(current_theme().text))
-            painter.drawText(room, Qt.AlignmentFlag.AlignCenter, self.preview.label)
+            paint_card(painter, self._label_room(), self.preview.label, current_theme())
 
     def _update_places(self) -> None:
         """Update the places of what is shown."""

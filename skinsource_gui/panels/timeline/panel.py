@@ -28,7 +28,7 @@ from skinsource_gui.panels.timeline.gestures import GesturePreview
 from skinsource_gui.panels.timeline.heads import Heads, heads_px, row_px
 from skinsource_gui.panels.timeline.lanes import ZOOM, LanesView
 from skinsource_gui.plots.time_scale import Range
-from skinsource_gui.qt.buttons import page_label, tool_button
+from skinsource_gui.qt.buttons import page_label, show_or_hide, tool_button
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.keys import KEYS
 from skinsource_gui.qt.labels import how_to_add
@@ -98,7 +98,7 @@ class TimelineToolbar(QtWidgets.QWidget):
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setStyleSheet("QToolButton { padding: 1px 6px; }")
-        self._row = in_row(of=self, margins=(4, 1, 4, 1), gap_px=2)
+        self._row, keys = in_row(of=self, margins=(4, 1, 4, 1), gap_px=2), KEYS["timeline"].gestures
         self._kind: type[Waveform] = Tone
         self.add = self._button("add", "+ Add", "Add a clip at the playhead; the arrow: others")
         self.add.setPopupMode(self.add.ToolButtonPopupMode.MenuButtonPopup)
@@ -117,11 +117,11 @@ class TimelineToolbar(QtWidgets.QWidget):
         )
         self.snap.setCheckable(True)
         self.snap.setChecked(True)
-        wider = self._button("zoom_out", "\u2212", _hint("zoom_out"))
+        wider = self._button("zoom_out", "\u2212", keys["zoom_out"].hint)
         wider.clicked.connect(lambda: self.zoom_requested.emit(1 / ZOOM))
-        closer = self._button("zoom_in", "+", _hint("zoom_in"))
+        closer = self._button("zoom_in", "+", keys["zoom_in"].hint)
         closer.clicked.connect(lambda: self.zoom_requested.emit(ZOOM))
-        self.everything = self._button("fit", "Fit", _hint("whole"))
+        self.everything = self._button("fit", "Fit", keys["whole"].hint)
 
     def _add(self, kind: type[Waveform]) -> None:
         self._kind = kind
@@ -132,11 +132,6 @@ class TimelineToolbar(QtWidgets.QWidget):
         button.setAccessibleName(hint)
         self._row.addWidget(button)
         return button
-
-
-def _hint(name: str) -> str:
-    gesture = KEYS["timeline"].gestures[name]
-    return f"{gesture.effect[:1].upper()}{gesture.effect[1:]} ({gesture.shown})"
 
 
 def lanes_of(
@@ -390,8 +385,7 @@ class TimelinePanel(Panel):
         return self.held_over(self.lanes.mapToGlobal(at).toPoint())
 
     def _show_foot(self, text: str) -> None:
-        self._foot.setText(text)
-        self._foot.setVisible(bool(text))
+        show_or_hide(self._foot, text)
 
 
 def _play_same(clip: Clip, other: Clip) -> bool:

@@ -48,11 +48,11 @@ def rig_page(card, open_window, qtbot):
     rig_page = window.findChild(RigPage)
     qtbot.waitExposed(rig_page)
     QTest.mouseClick(rig_page.findChild(QPushButton, "rig_add"), Qt.MouseButton.LeftButton)
-    channel = rig_page.draft.rig.channels[0]
+    channel = rig_page.rig.channels[0]
     channel = replace(channel, actuator="example-voice-coil", full_scale_v=3.0)
-    rig_page.draft.take_channel(0, channel)
+    rig_page.take_channel(0, channel)
     yield rig_page
-    rig_page.draft._saved = rig_page.draft.rig
+    rig_page._saved = rig_page.rig
     rig_page.reject()
 
 
@@ -90,9 +90,9 @@ def test_what_is_measured_is_drawn_beside_the_model_and_kept(page, rig_page, qtb
     assert np.abs(curves.y[0] - curves.y[1])[curves.x < 800.0].max() < 0.3
     assert "240 points from 20 to 1000 Hz" in page.message.text()
     assert "dB from the model, at" in page.message.text()
-    assert rig_page.draft.rig.channels[0].measured is None
+    assert rig_page.rig.channels[0].measured is None
     page.keep.click()
-    channel = rig_page.draft.rig.channels[0]
+    channel = rig_page.rig.channels[0]
     assert np.abs(channel.measured.response(100.0) / COIL.response(100.0) - 1.0) < 0.03
     assert channel.measured_on
     assert "240 points" in rig_page.fields.measured.text()

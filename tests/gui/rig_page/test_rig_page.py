@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QObject, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QPushButton
 from shiboken6 import isValid
@@ -13,7 +13,7 @@ from skinsource.actuators.rigs import Rig, RigChannel, open_rig, save_rig
 from skinsource.design import edits
 from skinsource.design.view import View
 from skinsource.limbs.locations import input_name
-from skinsource_gui.pages.rig.page import RigDraft, RigPage, title_of
+from skinsource_gui.pages.rig.page import RigPage, title_of
 from tests.core.own_limbs.lab_bench import N_INPUTS, installed
 
 WAIT = {"timeout": 30_000}
@@ -37,7 +37,7 @@ def page(window, qtbot):
     qtbot.waitExposed(page)
     yield page
     if isValid(page):  # not closed by the test
-        page.draft._saved = page.draft.rig
+        page._saved = page.rig
         page.reject()
 
 
@@ -82,7 +82,7 @@ def test_a_rig_made_by_hand_is_the_one_in_its_file(page, window, answer):
     assert (second.place, second.output, second.full_scale_v) == (1, 2, 2.5)
     assert second.actuator == "example-voice-coil"
     assert "Saved bench.skinrig" in page.message.text()
-    assert window.playback.player.settings.rig == page.draft.rig
+    assert window.playback.player.settings.rig == page.rig
 
 
 def test_a_response_comes_from_a_table_and_is_forgotten_again(page, qtbot, answer):
@@ -93,14 +93,14 @@ def test_a_response_comes_from_a_table_and_is_forgotten_again(page, qtbot, answe
     )
     path.write_text(f"frequency_hz,gain,phase_rad\n{rows}\n", encoding="utf-8")
     page.fields.from_file.click()
-    qtbot.waitUntil(lambda: page.draft.rig.channels[0].measured is not None, **WAIT)
-    measured = page.draft.rig.channels[0].measured
+    qtbot.waitUntil(lambda: page.rig.channels[0].measured is not None, **WAIT)
+    measured = page.rig.channels[0].measured
     assert np.abs(measured.response(200.0)) == pytest.approx(12.0, rel=1e-3)
-    assert page.draft.rig.channels[0].measured_on
+    assert page.rig.channels[0].measured_on
     assert "78 points, 20 to 790 Hz" in page.fields.measured.text()
     page.fields.forget.click()
-    assert page.draft.rig.channels[0].measured is None
-    assert page.draft.rig.channels[0].measured_on == ""
+    assert page.rig.channels[0].measured is None
+    assert page.rig.channels[0].measured_on == ""
 
 
 def test_an_opened_rig_is_shown_and_what_is_none_is_refused(page, answer):
@@ -108,11 +108,11 @@ def test_an_opened_rig_is_shown_and_what_is_none_is_refused(page, answer):
     rig = Rig(title="Bench", channels=(RigChannel(place=12, output=4, full_scale_v=1.0),))
     save_rig(path, rig)
     press(page, "open")
-    assert page.draft.rig == rig
+    assert page.rig == rig
     assert page.channels.item(0).text() == "12 · Digit II, base, output 4"
     path.write_text("no rig", encoding="utf-8")
     press(page, "open")
-    assert page.draft.rig == rig
+    assert page.rig == rig
     assert "bench.skinrig" in page.message.text()
 
 
@@ -141,7 +141,7 @@ def test_a_saved_rig_is_that_of_the_design_with_its_actuators(page, window, answ
     answer("bench.skinrig")
     press(page, "save")
     design = window.document.design
-    assert design.rig == page.draft.rig
+    assert design.rig == page.rig
     assert design.actuation.at(7).model == ss.actuators.load("example-voice-coil")
     assert design.actuated is None
     with pytest.raises(ss.SkinSourceError, match="Place 3 has no actuator"):
@@ -153,21 +153,18 @@ def test_a_saved_rig_is_that_of_the_design_with_its_actuators(page, window, answ
     assert window.document.design.rig is None
 
 
-def test_places_are_those_of_the_limb_of_the_design_the_driven_ones_first(user_data, qtbot):
+def test_places_are_those_of_the_limb_of_the_design_the_driven_ones_first(page, window):
     installed()
     edit = edits.change_limb(
         ss.Design(limb="synthetic-1", inputs=(ss.track(5), ss.track(2))), View(), "lab-1"
     )
-    parent = QObject()
-    draft = RigDraft(None, None, edit.design, parent)
-    messages = []
-    draft.noted.connect(messages.append)
+    window.document.apply(edit)
     for _ in range(N_INPUTS + 1):
-        draft.add(0)
-    assert [channel.place for channel in draft.rig.channels] == [5, 2, 1, 3, 4, 6, 7]
-    assert messages == ["All places are wired already."]
+        press(page, "add")
+    assert [channel.place for channel in page.rig.channels] == [5, 2, 1, 3, 4, 6, 7]
+    assert page.message.text() == "All places are wired already."
     own = input_name(5, "lab-1").name
-    assert title_of(draft.rig.channels[0], "lab-1") == f"5 · {own}, output 1"
+    assert title_of(page.rig.channels[0], "lab-1") == f"5 · {own}, output 1"
     assert own != input_name(5).name
 
 

@@ -222,7 +222,7 @@ def test_a_scene_that_does_not_apply_says_why_and_is_not_opened(lab_window):
     selected(page, "1G")
     assert "Does not apply on Lab 1: It compares 4 people" in page.text.text()
     assert not page.buttons.button(OPEN).isEnabled()
-    page._choose()
+    page.list.itemDoubleClicked.emit(page.list.currentItem())
     assert lab_window.document.design is before
     rows = {name: page.list.item(row) for row, name in enumerate(ss.scenes.names())}
     assert rows["1G"].foreground().color() != rows["1F"].foreground().color()

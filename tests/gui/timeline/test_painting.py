@@ -13,7 +13,7 @@ from skinsource.design.design import Design, Input
 from skinsource.design.effects.level import Fade
 from skinsource.design.signal_path import UnplayableInput
 from skinsource.design.waveforms.pulses import Tap
-from skinsource_gui.panels.timeline.painting import ClipPictures, ClipStyle
+from skinsource_gui.plots.preview import ClipPictures, ClipStyle
 from skinsource_gui.qt.theme import DARK, apply_theme
 from tests.gui.timeline.bench import ALT, TONE, LanesBench, results_of
 
