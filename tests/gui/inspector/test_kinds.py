@@ -162,7 +162,7 @@ def test_a_length_that_follows_from_other_fields_is_said_anew(qtbot):
         (waveforms.Glide(), "Glide 60–240 Hz", None),
         (waveforms.Chirp(start_hz=600.0, end_hz=25.0), "Chirp 600–25 Hz", ""),
         (waveforms.Noise(), "Noise 25–600 Hz", " (seed 0)"),
-        (waveforms.Square(), "Square 100 Hz", " (duty 0.5)"),
+        (waveforms.Square(), "Square 100 Hz", " (duty cycle 0.5)"),
         (waveforms.Layers(), "Layers", " (Tone 100 Hz)"),
     ],
 )
