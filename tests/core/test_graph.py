@@ -143,6 +143,18 @@ def test_an_array_goes_before_the_next_one_is_made():
     assert alive == [[], [False], [False, False]]
 
 
+def test_results_that_nobody_can_use_again_go_and_others_stay():
+    graph = Graph(vector, length, pair, pair_total)
+    whole = graph.evaluate(["vector", "length", "pair_total"], {"number": 3, "other": 1})
+    held = weakref.ref(whole.pop("vector"))
+    graph.evaluate(["pair_total"], {"number": 3, "other": 2})
+    assert held() is not None
+    graph.evaluate(["length"], {"number": 3, "other": 2})
+    assert graph.runs == {"vector": 1, "length": 1, "pair": 1, "pair_total": 1}
+    graph.evaluate(["pair_total"], {"number": 4, "other": 2})
+    assert held() is None
+
+
 DOCUMENT = Path(__file__).parents[2] / "docs" / "internals" / "rendering.md"
 
 

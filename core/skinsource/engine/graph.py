@@ -51,7 +51,7 @@ class Graph:
             name: tuple(signature(rule).parameters) for name, rule in self._rules.items()
         }
         try:
-            TopologicalSorter(self._needs).prepare()
+            self._sorted = tuple(TopologicalSorter(self._needs).static_order())
         except CycleError as error:
             circle = " -> ".join(error.args[1])
             raise ValueError(f"rules need each other: {circle}") from error
@@ -97,6 +97,8 @@ class Graph:
         with counting() as self.work:
             for step in self._order(wanted, frozenset(known)):
                 known[step.name] = self._refresh(step, known)
+        if self._memo.keys() - known.keys():
+            self._forget_outdated(known)
         return {name: known[name] for name in wanted}
 
     def _order(self, wanted: frozenset[str], known: frozenset[str]) -> "tuple[_Step, ...]":
@@ -139,6 +141,25 @@ class Graph:
             result = memo[1]  # equal, so that results that depend on it stay valid
         self._memo[name] = inputs, result
         return result
+
+    def _forget_outdated(self, known: dict[str, Any]) -> None:
+        """Drop results of other rules that were computed from what has changed since.
+
+        Nobody can use them again, and they would hold the arrays of designs of long ago.
+        """
+        for name in self._sorted:
+            if name in self._memo and name not in known:
+                inputs, _ = self._memo[name]
+                present = [
+                    known.get(need, self._memo.get(need, (None, _GONE))[1])
+                    for need in self.needs_of(name)
+                ]
+                if not _all_same(inputs, present):
+                    del self._memo[name]
+
+
+#: In place of a quantity that is neither given nor remembered.
+_GONE = object()
 
 
 class _Step(NamedTuple):
