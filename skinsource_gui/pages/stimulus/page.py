@@ -509,6 +509,7 @@ class SetPart(StimulusPart):
         matched = ChoiceSpec(label="Match levels at", options=options, hint=_MATCHED)
         self.output, self.level = ChoiceField(matched), NumbersEditor(_LEVEL, self)
         self.level.line.setPlaceholderText("that of the design")
+        self.level.edited.connect(self.level.set_value)
         self._rows = QtWidgets.QFormLayout()
         for variable in self.variables:
             variable.edited.connect(partial(self.choose, variable))

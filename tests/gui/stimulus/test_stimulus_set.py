@@ -25,6 +25,19 @@ def vary(part, qtbot, row, name, values):
     qtbot.waitUntil(lambda: part.planned is not None and not part._worker.busy, timeout=WAIT_MS)
 
 
+def type_in(part, editor, text):
+    editor.line.setFocus()
+    editor.line.selectAll()
+    QTest.keyClick(editor.line, Qt.Key.Key_Delete)
+    QTest.keyClicks(editor.line, text)
+    QTest.keyClick(editor.line, Qt.Key.Key_Tab)
+
+
+def levels_of(part, qtbot):
+    qtbot.waitUntil(lambda: part.planned is not None and not part._worker.busy, timeout=WAIT_MS)
+    return [round(condition.level_db, 3) for condition in part.planned.conditions]
+
+
 def content_of(folder):
     return {path.name: path.read_bytes() for path in folder.iterdir()}
 
@@ -63,3 +76,12 @@ def test_a_variable_has_one_row_and_stays_while_the_dialog_is_open(part, desk, q
     assert part.table.rowCount() == 3
     QTest.keyClick(part.variables[0], Qt.Key.Key_Tab)
     assert desk.exports.page.focusWidget() is part.values[part.variables[0]].line
+
+
+def test_a_cleared_level_is_that_of_the_design_again(part, qtbot):
+    part.output.choose("29")
+    own = levels_of(part, qtbot)
+    type_in(part, part.level, "2")
+    assert levels_of(part, qtbot) == [2.0]
+    type_in(part, part.level, "")
+    assert levels_of(part, qtbot) == own != [2.0]
