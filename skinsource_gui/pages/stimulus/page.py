@@ -509,14 +509,14 @@ class SetPart(StimulusPart):
         matched = ChoiceSpec(label="Match levels at", options=options, hint=_MATCHED)
         self.output, self.level = ChoiceField(matched), NumbersEditor(_LEVEL, self)
         self.level.line.setPlaceholderText("that of the design")
-        self.level.edited.connect(self.level.set_value)
+        self._follow(self.level)
         self._rows = QtWidgets.QFormLayout()
         for variable in self.variables:
             variable.edited.connect(partial(self.choose, variable))
             self._rows.addRow(variable.accessibleName(), variable)
-        for title, field in ((matched.label, self.output), (_LEVEL.label, self.level)):
-            field.edited.connect(self.form.emit_order)
-            self._rows.addRow(title, field)
+        self.output.edited.connect(self.form.emit_order)
+        self._rows.addRow(matched.label, self.output)
+        self._rows.addRow(_LEVEL.label, self.level)
         self.setFocusProxy(self.variables[0])
         fields = QtWidgets.QWidget()
         in_column(self._rows, self.form, None, of=fields, margins=0, gap_px=UNIT_PX)
@@ -534,9 +534,7 @@ class SetPart(StimulusPart):
             editor = self.values[variable] = NumbersEditor(of, self)
             editor.line.setAccessibleName(f"{title}, values")
             editor.set_value((value,))
-            # A sweep is chosen in a dialog.
-            editor.edited.connect(editor.set_value)
-            editor.edited.connect(self.form.emit_order)
+            self._follow(editor)
             row: Any = self._rows.getWidgetPosition(variable)
             self._rows.insertRow(row[0] + 1, "Values", editor)
             editor.setFocusProxy(None)  # type: ignore[arg-type]
@@ -544,6 +542,12 @@ class SetPart(StimulusPart):
             for before, after in pairwise(stops):
                 self.setTabOrder(before, after)
         self.form.emit_order()
+
+    def _follow(self, editor: NumbersEditor) -> None:
+        # A sweep is chosen in a dialog.
+        editor.edited.connect(editor.set_value)
+        editor.edited.connect(self.form.emit_order)
+        editor.problem_changed.connect(self.form.emit_order)
 
     def _preview(self) -> QtWidgets.QLayout:
         self._about = page_label("set_condition")
@@ -556,10 +560,14 @@ class SetPart(StimulusPart):
         self.planned = None
         self._rows.setRowVisible(self.level, bool(self.output.value))
         names = [variable.value for variable in self.values]
-        if len(set(names)) == len(names):
-            super()._order(order)
+        twice = "A variable is chosen twice. Choose another one"
+        problems = [twice] * (len(set(names)) < len(names))
+        problems += [editor.line.problem for editor in self.values.values()]
+        problems += [self.level.line.problem] * bool(self.output.value)
+        if any(problems):
+            self._show_refused(next(filter(None, problems)))
         else:
-            self._show_refused("A variable is chosen twice. Choose another one")
+            super()._order(order)
 
     def _work(self, order: Order) -> Callable[[], Any]:
         return partial(

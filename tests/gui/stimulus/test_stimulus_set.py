@@ -2,10 +2,13 @@
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QPushButton
 
 import skinsource as ss
 from skinsource.cli.command_line import main
+from skinsource_gui.qt.theme import current_theme
 from tests.gui.stimulus.conftest import opened
 from tests.gui.stimulus.stimulus_bench import WAIT_MS, export
 
@@ -85,3 +88,21 @@ def test_a_cleared_level_is_that_of_the_design_again(part, qtbot):
     assert levels_of(part, qtbot) == [2.0]
     type_in(part, part.level, "")
     assert levels_of(part, qtbot) == own != [2.0]
+
+
+@pytest.mark.parametrize("text", ["abc", "50, abc", "5000, 0", ""])
+def test_values_that_are_refused_are_marked_with_the_reason_and_not_exported(part, qtbot, text):
+    part.variables[0].choose("2.frequency_hz")
+    editor = part.values[part.variables[0]]
+    type_in(part, editor, "50,120")
+    type_in(part, editor, text)
+    assert editor.line.problem in part._problem.text() != ""
+    frame = editor.line.viewport().grab().toImage().pixelColor(20, 1)
+    assert frame == QColor(current_theme().error)
+    part.form.emit_order()
+    assert not part.window().findChild(QPushButton, "export_button").isEnabled()
+    editor.line.setFocus()
+    QTest.keyClick(editor.line, Qt.Key.Key_Escape)
+    qtbot.waitUntil(lambda: part.ready, timeout=WAIT_MS)
+    assert not part._problem.isVisible()
+    assert len(part.planned.conditions) == 2
