@@ -454,7 +454,7 @@ _LEVEL = ListSpec(
     label="Level (dB)",
     hint="dB re 1 m/s²; empty: level of the design",
     of=NumberSpec(label="Level", minimum=LOWEST_DB, maximum=HIGHEST_DB),
-    most=1,
+    most=MOST_CONDITIONS,
 )
 #: Title, specification and value of numbers, by their names.
 Numbers = dict[str, tuple[str, NumberSpec, float]]
@@ -579,7 +579,7 @@ class SetPart(StimulusPart):
             order.rate_hz,
             options=order.options,
             match_output=int(self.output.value or 0) or None,
-            level_db=next(iter(self.level.value), None) if self.output.value else None,
+            level_db=(self.level.value or None) if self.output.value else None,
             **self._made_for(order),
         )
 

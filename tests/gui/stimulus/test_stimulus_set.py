@@ -51,8 +51,10 @@ def test_the_window_writes_what_the_command_writes(
     vary(part, qtbot, 0, "2.frequency_hz", "50, 120")
     vary(part, qtbot, 1, "2.duration_s", "100, 200")
     part.output.choose("29")
-    vary(part, qtbot, 2, "amplitude", "0, 0.5")
-    assert "silent at output 29" in part.table.item(0, 0).text()
+    part.form.field("scale").choose("own")
+    type_in(part, part.level, "20, -20")
+    assert levels_of(part, qtbot)[::2] == [20] * 4
+    assert "beyond full scale" in part.table.item(0, 0).text()
     part.table.setCurrentCell(1, 0)
     qtbot.waitUntil(lambda: len(part.channels.channels) == 2, timeout=WAIT_MS)
     out = save_as("window")
@@ -60,7 +62,8 @@ def test_the_window_writes_what_the_command_writes(
     ss.save_design(tmp_path / "a.skinsource", design)
     call = ["export", str(tmp_path / "a.skinsource"), "--out", str(tmp_path / "command")]
     call += ["--vary", "2.frequency_hz=[50, 120]", "--vary", "2.duration_s=[0.1, 0.2]"]
-    assert main([*call, "--vary", "amplitude=[0, 0.5]", "--match-output", "29"]) == 1
+    call += ["--match-output", "29", "--level-db", "20", "--level-db", "-20"]
+    assert main([*call, "--full-scale", "1"]) == 1
     assert content_of(out) == content_of(tmp_path / "command")
     assert desk.document.design == design
     capsys.readouterr()
@@ -106,3 +109,12 @@ def test_values_that_are_refused_are_marked_with_the_reason_and_not_exported(par
     qtbot.waitUntil(lambda: part.ready, timeout=WAIT_MS)
     assert not part._problem.isVisible()
     assert len(part.planned.conditions) == 2
+
+
+def test_a_variable_that_matching_cancels_is_refused(part, qtbot):
+    part.output.choose("29")
+    part.variables[0].choose("amplitude")
+    qtbot.waitUntil(lambda: "Remove the amplitude" in part._problem.text(), timeout=WAIT_MS)
+    assert not part.ready
+    part.output.choose("")
+    qtbot.waitUntil(lambda: part.ready, timeout=WAIT_MS)
