@@ -9,6 +9,7 @@ import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import partial
+from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -290,7 +291,10 @@ class ExportActions(QObject):
         """Ask for a file, close the dialog, and write what it shows; cancelled, it stays open."""
         page = self.page
         name, kinds, endings, ending = page.part.suggestion()
-        start = self._preferences.folder / name
+        start, numbers = self._preferences.folder / name, count(2)
+        # The dialog would open inside a folder.
+        while start.is_dir():
+            start = start.with_name(f"{name}-{next(numbers)}")
         path = self._files.ask_where(page.windowTitle(), start, kinds, endings, ending=ending)
         if path is None or not self._may_write(path, page.part.files(path)):
             return

@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QPushButton
+from PySide6.QtWidgets import QFileDialog, QPushButton
 
 import skinsource as ss
 from skinsource.cli.command_line import main
@@ -118,3 +118,18 @@ def test_a_variable_that_matching_cancels_is_refused(part, qtbot):
     assert not part.ready
     part.output.choose("")
     qtbot.waitUntil(lambda: part.ready, timeout=WAIT_MS)
+
+
+def test_the_next_set_begins_beside_the_last_one_with_a_name_of_its_own(
+    part, desk, qtbot, save_as, monkeypatch
+):
+    first = save_as(part.suggestion()[0])
+    qtbot.waitUntil(lambda: part.ready, timeout=WAIT_MS)
+    export(desk, part, qtbot)
+    asked = []
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *all: asked.append(all) or ("", ""))
+    desk.exports.show("stimulus_set")
+    part = opened(desk.exports, qtbot)
+    qtbot.waitUntil(lambda: part.ready, timeout=WAIT_MS)
+    export(desk, part, qtbot)
+    assert asked[0][2] == f"{first}-2"
