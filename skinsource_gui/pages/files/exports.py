@@ -28,7 +28,7 @@ from skinsource.export.tables import export_field, export_levels, export_traces,
 from skinsource_gui import pages
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.panels.skin.film import SIZE_PX, export_animation
-from skinsource_gui.plots.pictures import ALL_VISIBLE, PANEL_IN_USE, Picture, PictureOptions
+from skinsource_gui.plots.pictures import ALL_VISIBLE, PANEL_IN_USE, Picture
 from skinsource_gui.qt.questions import ask_to_replace, ask_yes
 from skinsource_gui.state.services import Services
 
@@ -243,7 +243,7 @@ class ExportActions(QObject):
         self._runner.done.connect(self._note_written)
         self._runner.cancelled.connect(self._note_cancelled)
         self._runner.failed.connect(self._note_failed)
-        self._picture_options: dict[str, PictureOptions] = {}
+        self._picture_options: dict[str, Any] = {}
         self._last = STIMULUS
         #: The dialog, while it is open.
         self.page: Any = None

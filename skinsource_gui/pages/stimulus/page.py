@@ -487,6 +487,27 @@ class SetPart(StimulusPart):
     #: The set that is shown, and would be written; None while it is prepared.
     planned: Any = None
 
+    def recall(self, kept: dict[str, Any]) -> None:
+        """Show the fields of the last set as far as the design has them, and keep them there."""
+        rows, output, levels_db = kept.get(self.name, ((), "", ()))
+        for variable, (name, values) in zip(self.variables, rows, strict=False):
+            if name in ("", *self._numbers):
+                self.choose(variable, name)
+            if values and name in self._numbers:
+                self.values[variable].set_value(values)
+        if self.output.findData(output) >= 0:
+            self.output.set_value(output)
+        self.level.set_value(levels_db)
+        self.form.emit_order()
+        self.changed.connect(partial(self._keep, kept))
+
+    def _keep(self, kept: dict[str, Any]) -> None:
+        typed = {name: editor.value for each, editor in self.values.items() if (name := each.value)}
+        # The present value of a design is not that of the next one.
+        typed |= {name: () for name in typed if typed[name] == self._numbers[name][2:]}
+        rows = [(each.value, typed.get(each.value, ())) for each in self.variables]
+        kept[self.name] = rows, self.output.value, self.level.value
+
     def suggestion(self) -> tuple[str, str, tuple[str, ...], str]:
         return f"{self._stem}-set", "Folder (*)", (), ""
 

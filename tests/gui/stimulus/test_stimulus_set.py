@@ -133,3 +133,15 @@ def test_the_next_set_begins_beside_the_last_one_with_a_name_of_its_own(
     qtbot.waitUntil(lambda: part.ready, timeout=WAIT_MS)
     export(desk, part, qtbot)
     assert asked[0][2] == f"{first}-2"
+
+
+def test_the_fields_of_a_set_are_kept_while_the_studio_lives(part, desk, qtbot):
+    part.variables[1].choose("2.frequency_hz")
+    type_in(part, part.values[part.variables[1]], "50, 120")
+    part.output.choose("29")
+    type_in(part, part.level, "2")
+    desk.exports.end()
+    desk.exports.show("stimulus_set")
+    part = opened(desk.exports, qtbot)
+    assert levels_of(part, qtbot) == [2.0, 2.0]
+    assert part.values[part.variables[1]].value == (50, 120)
