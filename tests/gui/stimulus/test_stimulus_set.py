@@ -120,28 +120,20 @@ def test_a_variable_that_matching_cancels_is_refused(part, qtbot):
     qtbot.waitUntil(lambda: part.ready, timeout=WAIT_MS)
 
 
-def test_the_next_set_begins_beside_the_last_one_with_a_name_of_its_own(
+def test_the_next_set_has_the_same_fields_and_begins_beside_the_last_one(
     part, desk, qtbot, save_as, monkeypatch
 ):
-    first = save_as(part.suggestion()[0])
-    qtbot.waitUntil(lambda: part.ready, timeout=WAIT_MS)
-    export(desk, part, qtbot)
-    asked = []
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *all: asked.append(all) or ("", ""))
-    desk.exports.show("stimulus_set")
-    part = opened(desk.exports, qtbot)
-    qtbot.waitUntil(lambda: part.ready, timeout=WAIT_MS)
-    export(desk, part, qtbot)
-    assert asked[0][2] == f"{first}-2"
-
-
-def test_the_fields_of_a_set_are_kept_while_the_studio_lives(part, desk, qtbot):
     part.variables[1].choose("2.frequency_hz")
     type_in(part, part.values[part.variables[1]], "50, 120")
     part.output.choose("29")
     type_in(part, part.level, "2")
-    desk.exports.end()
+    assert levels_of(part, qtbot) == [2.0, 2.0]
+    first, asked = save_as(part.suggestion()[0]), []
+    export(desk, part, qtbot)
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *all: asked.append(all) or ("", ""))
     desk.exports.show("stimulus_set")
     part = opened(desk.exports, qtbot)
     assert levels_of(part, qtbot) == [2.0, 2.0]
     assert part.values[part.variables[1]].value == (50, 120)
+    export(desk, part, qtbot)
+    assert asked[0][2] == f"{first}-2"
