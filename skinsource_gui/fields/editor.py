@@ -127,11 +127,10 @@ class TextMark:
         self._text.viewport().update()
 
     def paint_frame(self) -> None:
-        """Frame the text, while it is painted, if there is an error."""
-        if self.column is not None:
-            painter = QtGui.QPainter(self._text.viewport())
-            painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
-            painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().error), 2))
-            inside = QRectF(self._text.viewport().rect()).adjusted(1, 1, -1, -1)
-            painter.drawRoundedRect(inside, 4, 4)
-            painter.end()
+        """Frame the text, while it is painted."""
+        painter = QtGui.QPainter(self._text.viewport())
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
+        painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().error), 2))
+        inside = QRectF(self._text.viewport().rect()).adjusted(1, 1, -1, -1)
+        painter.drawRoundedRect(inside, 4, 4)
+        painter.end()

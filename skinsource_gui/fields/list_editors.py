@@ -3,6 +3,7 @@
 `SweepDialog` makes frequencies in equal steps or factors; the points of a glide are curves, too.
 """
 
+from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 from itertools import pairwise
@@ -117,6 +118,7 @@ class ListEditor(Editor, QtWidgets.QWidget):
         super().__init__(parent)
         self._spec = spec
         self.value: tuple[Any, ...] = ()
+        self._typed = ""
         read = TextSpec(
             label=spec.label, hint=hint, longest=_LONGEST, one_line=True, reader=self._read
         )
@@ -132,11 +134,10 @@ class ListEditor(Editor, QtWidgets.QWidget):
         """Show a value without a signal; a typed text with the same value stays."""
         self.value = value or ()
         shown = self._text(self.value)
-        try:
-            if self._read(self.line.text()) == self.value:
-                shown = self.line.text()
-        except InvalidInputError:
-            pass  # an incomplete text
+        for text in (self._typed, self.line.text()):
+            with suppress(InvalidInputError):  # an incomplete text
+                if self._read(text) == self.value:
+                    shown = text
         self.line.set_value(shown)
 
     def set_spec(self, spec: Any) -> None:
@@ -156,7 +157,7 @@ class ListEditor(Editor, QtWidgets.QWidget):
         self.line.cancel()
 
     def _tell(self, text: str, gesture: int | None) -> None:
-        value = self._read(text)
+        value, self._typed = self._read(text), text
         if value != self.value:
             self.value = value
             self.edited.emit(value, gesture)

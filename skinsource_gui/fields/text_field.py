@@ -137,7 +137,8 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
 
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         super().paintEvent(event)
-        self._mark.paint_frame()
+        if self.problem:
+            self._mark.paint_frame()
 
     def _read(self) -> None:
         self._fit()

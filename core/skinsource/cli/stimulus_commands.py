@@ -64,9 +64,9 @@ def add_to(subparsers: Any) -> None:
     add_set = parser.add_argument_group("set of stimuli, in the folder PATH").add_argument
     vary = "values as in a sweep: 'frequency_hz = [50, 100]'; repeated: all combinations"
     add_set("--vary", action="append", metavar="VALUES", help=vary)
-    level = "that level, in dB re 1 m/s² (default: that of the design)"
+    level = "that level, in dB re 1 m/s² (default: that of the design); repeated: each"
     add_set("--match-output", type=int, metavar="N", help="same level at this output in all files")
-    add_set("--level-db", type=float, metavar="DB", help=level)
+    add_set("--level-db", action="append", type=float, metavar="DB", help=level)
     add_time = parser.add_argument_group("time").add_argument
     add_time("--rate", type=int, metavar="HZ", help="sample rate (default: that of the format)")
     for flag, (name, description) in _TIME_OPTIONS.items():

@@ -12,7 +12,6 @@ from skinsource_gui.pages.files.export_parts import ExportPart, FilePart
 from skinsource_gui.pages.files.exports import STIMULUS, STIMULUS_SET, DrawerOf
 from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.pages.stimulus.page import SetPart, StimulusPart
-from skinsource_gui.plots.pictures import PictureOptions
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX
 
@@ -27,7 +26,7 @@ class ExportPage(ToolPage):
     drawer_of
         Returns the picture of a panel.
     picture_options
-        Options of the last pictures, by the name of their export.
+        Options of the last pictures and fields of the last set, by the name of their export.
     last_stimulus
         Settings of the last stimulus, as ``settings`` had them.
     stem
@@ -46,7 +45,7 @@ class ExportPage(ToolPage):
         parent: QtWidgets.QWidget | None = None,
         *,
         drawer_of: DrawerOf,
-        picture_options: dict[str, PictureOptions],
+        picture_options: dict[str, Any],
         last_stimulus: str = "",
         stem: str = "stimulus",
     ) -> None:
@@ -121,6 +120,8 @@ class ExportPage(ToolPage):
             last = self.settings or self._last_stimulus
             stimulus = kind(self._design, self._view, last, self._stem)
             stimulus.mended.connect(self.mended)
+            if isinstance(stimulus, SetPart):
+                stimulus.recall(self._picture_options)
             return stimulus
         pictures = self._drawer_of, self._picture_options
         part = FilePart(specs, self._design, self._view, *pictures, self._wired)

@@ -9,6 +9,7 @@ import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import partial
+from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -27,7 +28,7 @@ from skinsource.export.tables import export_field, export_levels, export_traces,
 from skinsource_gui import pages
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.panels.skin.film import SIZE_PX, export_animation
-from skinsource_gui.plots.pictures import ALL_VISIBLE, PANEL_IN_USE, Picture, PictureOptions
+from skinsource_gui.plots.pictures import ALL_VISIBLE, PANEL_IN_USE, Picture
 from skinsource_gui.qt.questions import ask_to_replace, ask_yes
 from skinsource_gui.state.services import Services
 
@@ -242,7 +243,7 @@ class ExportActions(QObject):
         self._runner.done.connect(self._note_written)
         self._runner.cancelled.connect(self._note_cancelled)
         self._runner.failed.connect(self._note_failed)
-        self._picture_options: dict[str, PictureOptions] = {}
+        self._picture_options: dict[str, Any] = {}
         self._last = STIMULUS
         #: The dialog, while it is open.
         self.page: Any = None
@@ -290,7 +291,10 @@ class ExportActions(QObject):
         """Ask for a file, close the dialog, and write what it shows; cancelled, it stays open."""
         page = self.page
         name, kinds, endings, ending = page.part.suggestion()
-        start = self._preferences.folder / name
+        start, numbers = self._preferences.folder / name, count(2)
+        # The dialog would open inside a folder.
+        while start.is_dir():
+            start = start.with_name(f"{name}-{next(numbers)}")
         path = self._files.ask_where(page.windowTitle(), start, kinds, endings, ending=ending)
         if path is None or not self._may_write(path, page.part.files(path)):
             return

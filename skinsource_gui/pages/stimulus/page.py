@@ -453,7 +453,7 @@ _LEVEL = ListSpec(
     label="Level (dB)",
     hint="dB re 1 m/s²; empty: level of the design",
     of=NumberSpec(label="Level", minimum=LOWEST_DB, maximum=HIGHEST_DB),
-    most=1,
+    most=MOST_CONDITIONS,
 )
 #: Title, specification and value of numbers, by their names.
 Numbers = dict[str, tuple[str, NumberSpec, float]]
@@ -486,6 +486,27 @@ class SetPart(StimulusPart):
     #: The set that is shown, and would be written; None while it is prepared.
     planned: Any = None
 
+    def recall(self, kept: dict[str, Any]) -> None:
+        """Show the fields of the last set as far as the design has them, and keep them there."""
+        rows, output, levels_db = kept.get(self.name, ((), "", ()))
+        for variable, (name, values) in zip(self.variables, rows, strict=False):
+            if name in ("", *self._numbers):
+                self.choose(variable, name)
+            if values and name in self._numbers:
+                self.values[variable].set_value(values)
+        if self.output.findData(output) >= 0:
+            self.output.set_value(output)
+        self.level.set_value(levels_db)
+        self.form.emit_order()
+        self.changed.connect(partial(self._keep, kept))
+
+    def _keep(self, kept: dict[str, Any]) -> None:
+        typed = {name: editor.value for each, editor in self.values.items() if (name := each.value)}
+        # The present value of a design is not that of the next one.
+        typed |= {name: () for name in typed if typed[name] == self._numbers[name][2:]}
+        rows = [(each.value, typed.get(each.value, ())) for each in self.variables]
+        kept[self.name] = rows, self.output.value, self.level.value
+
     def suggestion(self) -> tuple[str, str, tuple[str, ...], str]:
         return f"{self._stem}-set", "Folder (*)", (), ""
 
@@ -508,13 +529,14 @@ class SetPart(StimulusPart):
         matched = ChoiceSpec(label="Match levels at", options=options, hint=_MATCHED)
         self.output, self.level = ChoiceField(matched), NumbersEditor(_LEVEL, self)
         self.level.line.setPlaceholderText("that of the design")
+        self._follow(self.level)
         self._rows = QtWidgets.QFormLayout()
         for variable in self.variables:
             variable.edited.connect(partial(self.choose, variable))
             self._rows.addRow(variable.accessibleName(), variable)
-        for title, field in ((matched.label, self.output), (_LEVEL.label, self.level)):
-            field.edited.connect(self.form.emit_order)
-            self._rows.addRow(title, field)
+        self.output.edited.connect(self.form.emit_order)
+        self._rows.addRow(matched.label, self.output)
+        self._rows.addRow(_LEVEL.label, self.level)
         self.setFocusProxy(self.variables[0])
         fields = QtWidgets.QWidget()
         in_column(self._rows, self.form, None, of=fields, margins=0, gap_px=UNIT_PX)
@@ -532,9 +554,7 @@ class SetPart(StimulusPart):
             editor = self.values[variable] = NumbersEditor(of, self)
             editor.line.setAccessibleName(f"{title}, values")
             editor.set_value((value,))
-            # A sweep is chosen in a dialog.
-            editor.edited.connect(editor.set_value)
-            editor.edited.connect(self.form.emit_order)
+            self._follow(editor)
             row: Any = self._rows.getWidgetPosition(variable)
             self._rows.insertRow(row[0] + 1, "Values", editor)
             editor.setFocusProxy(None)  # type: ignore[arg-type]
@@ -542,6 +562,12 @@ class SetPart(StimulusPart):
             for before, after in pairwise(stops):
                 self.setTabOrder(before, after)
         self.form.emit_order()
+
+    def _follow(self, editor: NumbersEditor) -> None:
+        # A sweep is chosen in a dialog.
+        editor.edited.connect(editor.set_value)
+        editor.edited.connect(self.form.emit_order)
+        editor.problem_changed.connect(self.form.emit_order)
 
     def _preview(self) -> QtWidgets.QLayout:
         self._about = page_label("set_condition")
@@ -554,10 +580,14 @@ class SetPart(StimulusPart):
         self.planned = None
         self._rows.setRowVisible(self.level, bool(self.output.value))
         names = [variable.value for variable in self.values]
-        if len(set(names)) == len(names):
-            super()._order(order)
+        twice = "A variable is chosen twice. Choose another one"
+        problems = [twice] * (len(set(names)) < len(names))
+        problems += [editor.line.problem for editor in self.values.values()]
+        problems += [self.level.line.problem] * bool(self.output.value)
+        if any(problems):
+            self._show_refused(next(filter(None, problems)))
         else:
-            self._show_refused("A variable is chosen twice. Choose another one")
+            super()._order(order)
 
     def _work(self, order: Order) -> Callable[[], Any]:
         return partial(
@@ -569,7 +599,7 @@ class SetPart(StimulusPart):
             order.rate_hz,
             options=order.options,
             match_output=int(self.output.value or 0) or None,
-            level_db=next(iter(self.level.value), None) if self.output.value else None,
+            level_db=(self.level.value or None) if self.output.value else None,
             **self._made_for(order),
         )
 

@@ -2,6 +2,7 @@
 
 import csv
 import re
+from itertools import cycle
 
 import numpy as np
 import pytest
@@ -32,7 +33,7 @@ def content_of(folder):
 
 def test_each_file_is_an_export_of_its_design_and_name_and_row_say_the_values(design, tmp_path):
     folder, options = tmp_path / "set", ss.StimulusOptions(lead_in_s=0.1)
-    exported = ss.export_set(design, VARY, folder, rate_hz=8000, match_output=29, options=options)
+    exported = ss.export_set(design, VARY, folder, rate_hz=8000, options=options)
     written = content_of(folder)
     for condition in exported.written:
         path = tmp_path / condition.name
@@ -51,17 +52,25 @@ def test_each_file_is_an_export_of_its_design_and_name_and_row_say_the_values(de
     assert len(names) == 8
 
 
-@pytest.mark.parametrize("level_db", [None, -3.0])
-def test_all_files_have_the_same_level_at_the_matched_output(design, tmp_path, level_db):
+@pytest.mark.parametrize("level_db", [None, -3.0, [-6.0, 0.0]])
+def test_all_files_have_the_same_level_at_the_matched_output_or_each_of_several(
+    design, tmp_path, level_db
+):
     def level_of(design):
         return ss.evaluate(design, "output_levels_db", view=LOUDEST)["output_levels_db"][28]
 
-    exported = ss.export_set(design, VARY, tmp_path / "s", match_output=29, level_db=level_db)
-    target_db = pytest.approx(level_of(design) if level_db is None else level_db)
-    for condition, row in zip(exported.written, table_in(tmp_path / "s"), strict=True):
+    vary, several = {"1.frequency_hz": [50, 100], "location": [7, 12]}, isinstance(level_db, list)
+    exported = ss.export_set(design, vary, tmp_path / "s", match_output=29, level_db=level_db)
+    targets_db = level_db if several else [level_of(design) if level_db is None else level_db]
+    rows = table_in(tmp_path / "s")
+    assert len(rows) == 4 * len(targets_db)
+    for condition, row, target in zip(exported.written, rows, cycle(targets_db), strict=False):
+        target_db = pytest.approx(target)
         assert level_of(condition.design) == target_db == float(row["level_at_output_29_db"])
-        amplitude = condition.values["amplitude"] * 10 ** (float(row["gain_db"]) / 20)
+        assert row.get("level_db") == (f"{target:g}" if several else None)
+        amplitude = 10 ** (float(row["gain_db"]) / 20)
         assert condition.design.inputs[0].amplitude == pytest.approx(amplitude)
+    assert exported.written[0].name.endswith("_level-minus6dB.wav") == several
 
 
 def test_what_is_not_possible_is_left_out_and_the_rest_is_written(design, tmp_path):
@@ -72,7 +81,8 @@ def test_what_is_not_possible_is_left_out_and_the_rest_is_written(design, tmp_pa
     assert "beyond full scale" in exported.refused[7]
     assert "frequency_hz is 700" in exported.refused[2]
     assert [row["amplitude_m_per_s2"] for row in table_in(tmp_path / "set")] == ["0", "0.5", "1"]
-    matched = ss.export_set(design, vary, tmp_path / "matched", match_output=29)
+    muted = {"muted": [True, False]}
+    matched = ss.export_set(design, muted, tmp_path / "matched", match_output=29)
     assert "silent at output 29" in matched.refused[1]
     confirmed = ss.export_set(design, vary, tmp_path / "all", options=options, confirmed=True)
     assert 7 not in confirmed.refused
@@ -83,8 +93,12 @@ def test_what_is_not_possible_is_left_out_and_the_rest_is_written(design, tmp_pa
     [
         ({"vary": {"frequency": [1]}}, "perhaps 'frequency_hz'"),
         ({"level_db": 0.0}, "needs an output"),
-        ({"match_output": 73}, "from 1 to 72"),
+        ({"match_output": 73, "vary": {}}, "from 1 to 72"),
         ({"match_output": 1, "options": ss.StimulusOptions(to_s=0.1)}, "whole designs"),
+        ({"match_output": 1}, "Remove the amplitude, or match no levels"),
+        ({"match_output": 1, "vary": {"1.gain": [1, 2]}}, "Remove the gain"),
+        ({"match_output": 1, "vary": {}, "level_db": []}, "level_db has no values"),
+        ({"match_output": 1, "vary": {}, "level_db": range(1001)}, "1001 files"),
         ({"vary": {"amplitude": range(1001)}}, "1001 files"),
         ({"vary": {"amplitude": [-5000]}}, "all conditions are refused"),
     ],

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +15,7 @@ import numpy as np
 from skinsource.actuators.actuation import Actuation
 from skinsource.actuators.equalising import Equaliser
 from skinsource.actuators.rigs import Rig
-from skinsource.base.arguments import checking
+from skinsource.base.arguments import checking, real_number
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.base.errors import InvalidInputError, SkinSourceError, Stopped
 from skinsource.base.files import FilePath, replacing_folder
@@ -44,7 +45,7 @@ CONDITIONS = "conditions.csv"
 #: Most files of a set.
 MOST_CONDITIONS = 1000
 # Units at the end of names of fields, as file names have them.
-_ENDINGS = {"_hz_per_s": "Hzpers", "_hz": "Hz", "_rad": "rad", "_s": "s"}
+_ENDINGS = {"_hz_per_s": "Hzpers", "_hz": "Hz", "_rad": "rad", "_s": "s", "_db": "dB"}
 # Units of amplitudes and peaks, as headings have them.
 _HEADINGS = {"m/s²": "_m_per_s2", "V": "_v", FULL_SCALE_UNIT: "_of_full_scale"}
 _LONGEST_VALUE = 40
@@ -166,7 +167,7 @@ def export_set(
     rate_hz: int | None = None,
     *,
     match_output: int | None = None,
-    level_db: float | None = None,
+    level_db: float | Iterable[float] | None = None,
     options: StimulusOptions | None = None,
     confirmed: bool = False,
     actuation: Actuation | Nothing | None = None,
@@ -192,7 +193,8 @@ def export_set(
     match_output
         Output at which all levels are the same: the RMS of the loudest 100 ms over all axes.
     level_db
-        That level, dB re 1 m/s²; None: that of ``design``.
+        That level, dB re 1 m/s²; None: that of ``design``.  Of several, each is written, as the
+        variable ``level_db``.
     progress, stop
         As those of a job.
 
@@ -217,31 +219,29 @@ def export_set(
     001_frequency-50Hz_location-7.wav
     """
     plan = Plan(designs=(("", design),), variables=variables_of(vary))
-    if len(plan) > MOST_CONDITIONS:
-        raise InvalidInputError(f"{len(plan)} files are more than {MOST_CONDITIONS}. Choose fewer.")
+    evaluator, conditions = Evaluator(), []
     kind, options = format_named(format), options or StimulusOptions()
+    levels_db = _targets_db(evaluator, plan, match_output, level_db, options)
+    total = len(plan) * len(levels_db)
+    if total > MOST_CONDITIONS:
+        raise InvalidInputError(f"{total} files are more than {MOST_CONDITIONS}. Choose fewer.")
     made_for: dict[str, Any] = {"actuation": actuation, "rig": rig, "equaliser": equaliser}
     prepare = partial(prepare_stimulus, format=kind, rate_hz=rate_hz, **made_for)
     planned = StimulusSet(
         output=match_output, options=options, prepare=prepare, confirmed=confirmed
     )
-    evaluator, conditions = Evaluator(), []
-    if match_output is None and level_db is not None:
-        raise InvalidInputError("level_db needs an output. Choose match_output, too.")
-    part = options.inputs, options.clips, options.from_s, options.to_s
-    if match_output is not None and any(each is not None for each in part):
-        raise InvalidInputError("levels are those of whole designs. Export all tracks and times.")
-    if match_output is not None and level_db is None:
-        level_db = output_level_db(evaluator, design, match_output)
-    for number in range(1, len(plan) + 1):
+    every = product(range(1, len(plan) + 1), levels_db)
+    for number, (planned_number, target_db) in enumerate(every, start=1):
         stop_if(stop)
-        progress(number - 1, len(plan), f"Condition {number} of {len(plan)}")
-        values = plan.values_of(number)
-        name = f"{number:0{max(3, len(str(len(plan))))}}{_values_text(values)}{kind.suffix}"
+        progress(number - 1, total, f"Condition {number} of {total}")
+        values = plan.values_of(planned_number)
+        if len(levels_db) > 1 and target_db is not None:
+            values["level_db"] = target_db
+        name = f"{number:0{max(3, len(str(total)))}}{_values_text(values)}{kind.suffix}"
         condition = Condition(values=values, name=name, design=design)
         try:
-            condition = replace(condition, design=plan.design_of(number))
-            condition = _matched(condition, evaluator, match_output, level_db)
+            condition = replace(condition, design=plan.design_of(planned_number))
+            condition = _matched(condition, evaluator, match_output, target_db)
             condition = _sized(condition, planned, stop)
         except Stopped:
             raise
@@ -266,6 +266,37 @@ def export_set(
     if folder is not None:
         planned.write(folder, progress=progress, stop=stop)
     return planned
+
+
+def _targets_db(
+    evaluator: Evaluator,
+    plan: Plan,
+    output: int | None,
+    level_db: float | Iterable[float] | None,
+    options: StimulusOptions,
+) -> list[float | None]:
+    """Return the levels that are matched; None: nothing is.  Refuse what matching cancels."""
+    if output is None:
+        if level_db is not None:
+            raise InvalidInputError("level_db needs an output. Choose match_output, too.")
+        return [None]
+    part = options.inputs, options.clips, options.from_s, options.to_s
+    if any(each is not None for each in part):
+        raise InvalidInputError("levels are those of whole designs. Export all tracks and times.")
+    ((_, design),) = plan.designs
+    for name, _ in plan.variables:
+        of_one, _, varied = name.rpartition(".")
+        if varied in ("amplitude", "gain") and (not of_one or len(design.inputs) == 1):
+            raise InvalidInputError(
+                f"matching makes {varied}s equal. Remove the {varied}, or match no levels."
+            )
+    if level_db is None:
+        return [output_level_db(evaluator, design, output)]
+    several = level_db if isinstance(level_db, Iterable) else (level_db,)
+    levels: list[float | None] = [real_number("level_db", level) for level in several]
+    if not levels:
+        raise InvalidInputError("level_db has no values, expected at least one")
+    return levels
 
 
 def _matched(
