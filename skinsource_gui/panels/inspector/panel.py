@@ -445,6 +445,17 @@ class InspectorPanel(Panel):
         """What each clip plays, and its rate."""
         return frozenset({"clip_waveforms", "inputs", "sample_rate_hz"})
 
+    @property
+    def fields(self) -> list[FieldCell]:
+        """The fields of the selected input and its clip that are in sight or scroll there."""
+        cells = self.findChildren(FieldCell) if self._last is not None else []
+        return [cell for cell in cells if cell.isVisibleTo(self._editor)]
+
+    def go_to(self, cell: FieldCell) -> None:
+        """Give a field the keyboard."""
+        self._scroll.ensureWidgetVisible(cell)
+        cell.setFocus(Qt.FocusReason.ShortcutFocusReason)
+
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
         track = self._last = leading_input(design, view)
