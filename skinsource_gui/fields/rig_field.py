@@ -29,6 +29,8 @@ class RigField(ChoiceField):
 
     def __init__(self) -> None:
         super().__init__(_SPEC)
+        #: Where the dialog begins.
+        self.folder = Path.home()
         self._title: str | None = None
         self.edited.connect(self._choose_rig)
 
@@ -47,11 +49,12 @@ class RigField(ChoiceField):
     def _choose_rig(self, option: str) -> None:
         if option == "file":
             name, _ = QtWidgets.QFileDialog.getOpenFileName(
-                self, "Choose a rig", "", f"Rigs (*{rigs.SUFFIX});;All files (*)"
+                self, "Choose a rig", str(self.folder), f"Rigs (*{rigs.SUFFIX});;All files (*)"
             )
             # The present rig stays until the file is read.
             self.show_rig(self._title)
             if name:
+                self.folder = Path(name).parent
                 self.rig_chosen.emit(Path(name))
         elif option == "none":
             self.rig_chosen.emit(None)
