@@ -27,6 +27,8 @@ class RigField(ChoiceField):
 
     def __init__(self) -> None:
         super().__init__(_SPEC)
+        #: Where the dialog begins.
+        self.folder = Path.home()
         self._title: str | None = None
         self.edited.connect(self._choose_rig)
 
@@ -44,10 +46,12 @@ class RigField(ChoiceField):
 
     def _choose_rig(self, option: str) -> None:
         if option == "file":
-            path = ask_open(self, "Choose a rig", f"Rigs (*{rigs.SUFFIX});;All files (*)")
+            kinds = f"Rigs (*{rigs.SUFFIX});;All files (*)"
+            path = ask_open(self, "Choose a rig", kinds, self.folder)
             # The present rig stays until the file is read.
             self.show_rig(self._title)
             if path is not None:
+                self.folder = path.parent
                 self.rig_chosen.emit(path)
         elif option == "none":
             self.rig_chosen.emit(None)

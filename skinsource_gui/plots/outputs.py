@@ -111,6 +111,8 @@ class OutputPicker(QObject):
         self._pressed: QPointF | None = None
         # Whether keys were used later than the mouse.
         self._uses_keys = False
+        # The selection when something was given up; None: something else was done since.
+        self._kept: Outputs | None = None
 
     def pointed_at(self, *, focused: bool) -> int | None:
         """Return the output under the pointer; if ``focused``, else that under the cursor."""
@@ -126,7 +128,7 @@ class OutputPicker(QObject):
 
     def press(self, event: QtGui.QMouseEvent) -> None:
         """Handle a button that goes down: a click or a rubber band begins."""
-        self._uses_keys = False
+        self._uses_keys, self._kept = False, None
         if event.button() == Qt.MouseButton.LeftButton:
             self._pressed = event.position()
 
@@ -159,6 +161,7 @@ class OutputPicker(QObject):
 
     def give_up(self) -> bool:
         """End a press without selecting; return whether there was one."""
+        self._kept = self.selected
         pressed, self._pressed, self.band = self._pressed, None, None
         return pressed is not None
 
@@ -177,8 +180,10 @@ class OutputPicker(QObject):
             Middle of the map, where the cursor begins.
         """
         meaning = meaning_of("skin", event)
+        kept, self._kept = self._kept, None
         if meaning == "select_none":
-            if not self.give_up():
+            # The first press only ends what is under way.
+            if not self.give_up() and kept == self.selected:
                 self._choose(())
             return True
         if meaning == "go":

@@ -58,6 +58,8 @@ class ActionSpec:
         The key that does it where that belongs to a panel: said beside it in the menu.
     keywords
         Other words by which the palette finds it.
+    missing
+        What to do first where it cannot be done.
     command
         ``"capability.method"``: who does it, and what it is called there.
     argument
@@ -83,6 +85,7 @@ class ActionSpec:
     submenu: str = ""
     short: str = ""
     keywords: str = ""
+    missing: str = ""
     command: str = ""
     argument: str = ""
     edit: MakeEdit | None = None
@@ -283,6 +286,7 @@ def _read(menu: str, entries: Mapping[str, Mapping[str, Any]]) -> Iterator[Actio
                 submenu=row.get("submenu", ""),
                 short=row.get("short", ""),
                 keywords=row.get("words", ""),
+                missing=row.get("missing", ""),
                 command=command,
                 argument=argument,
                 edit=EDITS.get(name),

@@ -1,6 +1,8 @@
 """Clips that are dragged between panels or stretched, and waveforms from the palette."""
 
+from collections.abc import Callable
 from functools import partial
+from typing import TYPE_CHECKING, cast
 
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QPoint
@@ -15,6 +17,10 @@ from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.shell.bars import choice_action
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.panel import Panel, PanelRegistry
+
+if TYPE_CHECKING:
+    from skinsource_gui.fields.editors import FieldCell
+    from skinsource_gui.panels.inspector.panel import InspectorPanel
 
 
 class ClipDrops(QObject):
@@ -69,6 +75,20 @@ class ClipStretching(QObject):
         if sure:
             end_s = clip.onset_s + length_ms / 1e3
             self._document.apply(edits.stretch_clip(design, view, clip.id, clip.onset_s, end_s))
+
+
+def field_choices(panels: PanelRegistry, bring: Callable[[str], None]) -> list[QtGui.QAction]:
+    """Return one new action for each field of the clip panel, which gives it the keyboard."""
+    panel, hint = cast("InspectorPanel", panels["inspector"]), "Go to the field of the clip panel"
+
+    def go_to(cell: "FieldCell", _checked: bool = False) -> None:
+        bring(panel.name)
+        panel.go_to(cell)
+
+    return [
+        choice_action(f"Edit: {cell.label.text()}", hint, partial(go_to, cell), None, there=True)
+        for cell in panel.fields
+    ]
 
 
 def kind_choices(document: Document) -> list[QtGui.QAction]:

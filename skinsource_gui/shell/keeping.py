@@ -240,8 +240,8 @@ def _offers(leftover: Found) -> list[str]:
     if len(leftover.left) == 1:
         left: UnsavedWork = leftover.left[0]
         sentences.append(
-            f"The studio ended before your work on {left.name} was saved. A copy was stored "
-            f"{left.age()}."
+            f"The studio ended before your work on {left.name} was saved. Its copy is from "
+            f"{left.clock()}; later edits are lost."
         )
     elif leftover.left:
         sentences.append(

@@ -52,6 +52,7 @@ def fill_menu_bar(
                 within[path] = menu.addMenu(spec.submenu)
             menu = within[path]
         menu.addAction(actions[spec.name])
+        menu.setToolTipsVisible(menu.toolTipsVisible() or bool(spec.missing))
         if spec.name in submenus:
             menu.addMenu(submenus[spec.name])
     # It stands where snapshots are stored, too.
@@ -287,6 +288,9 @@ class ActionSet(QObject):
         for spec in self._specs:
             if spec.enabled is not None:
                 self.by_name[spec.name].setEnabled(holds[spec.enabled])
+                if spec.missing:
+                    why = "" if holds[spec.enabled] else f"\n{spec.missing}"
+                    self.by_name[spec.name].setToolTip(f"{spec.hint}{why}")
             if spec.checked is not None:
                 self.by_name[spec.name].setChecked(holds[spec.checked])
 

@@ -21,9 +21,11 @@ def place(window):
     )
 
 
-def test_escape_on_the_map_is_taken_back_by_ctrl_z_and_no_input_goes(window, settle):
+def test_escape_twice_on_the_map_is_taken_back_by_ctrl_z_and_no_input_goes(window, settle):
     place(window)
     window.panel("skin").map.setFocus()
+    QTest.keyClick(window.panel("skin").map, KEY.Key_Escape)
+    assert window.document.view.outputs == View().outputs
     QTest.keyClick(window.panel("skin").map, KEY.Key_Escape)
     assert window.document.view.outputs == ()
     QTest.keyClick(window.panel("skin").map, KEY.Key_Z, CONTROL)

@@ -85,6 +85,17 @@ def test_escape_gives_up_a_frame_before_it_selects_nothing(picker):
     assert picker.choices == [()]
 
 
+def test_only_escape_twice_in_a_row_deselects_outputs(picker):
+    picker.selected = (2,)
+    for between in (lambda: press(picker, Qt.Key.Key_Left), lambda: click(picker, 300, 300)):
+        press(picker, Qt.Key.Key_Escape)
+        between()
+    press(picker, Qt.Key.Key_Escape)
+    assert picker.choices == []
+    press(picker, Qt.Key.Key_Escape)
+    assert picker.choices == [()]
+
+
 SCALE = TimeScale(shown_s=(0.4, 0.6), left_px=10.0, width_px=200.0)
 HELD = Qt.KeyboardModifier
 

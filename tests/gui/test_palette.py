@@ -1,12 +1,14 @@
 from collections import defaultdict
+from dataclasses import replace
 from unittest.mock import Mock
 
 from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtGui import QAction, QKeySequence
-from PySide6.QtWidgets import QMenu, QTextBrowser, QWidget
+from PySide6.QtWidgets import QApplication, QMenu, QTextBrowser, QWidget
 from shiboken6 import isValid
 
 from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.qt.keys import MOUSE
 from skinsource_gui.shell.actions import ACTIONS
@@ -155,6 +157,22 @@ def run_from_palette(window, qtbot, letters):
     palette = next(palette for palette in window.findChildren(Palette) if palette.isVisible())
     qtbot.keyClicks(palette.line, letters)
     qtbot.keyClick(palette.line, Qt.Key.Key_Return)
+
+
+def test_a_frequency_is_set_by_keys_on_an_input_that_was_placed_by_keys(window, qtbot):
+    window.document.look(replace(window.document.view, selected_inputs=()))
+    assert "Edit: Frequency" not in listed_for(window, qtbot, "frequency")
+    run_from_palette(window, qtbot, "add input")
+    before = window.document.design.inputs[:-1]
+    assert listed_for(window, qtbot, "frequency")[0] == "Edit: Frequency"
+    run_from_palette(window, qtbot, "freq")
+    window.activateWindow()
+    qtbot.waitUntil(lambda: isinstance(QApplication.focusWidget(), NumberField))
+    qtbot.keyClicks(QApplication.focusWidget(), "250")
+    qtbot.keyClick(QApplication.focusWidget(), Qt.Key.Key_Return)
+    (*others, placed) = window.document.design.inputs
+    assert placed.clips[0].waveform.frequency_hz == 250.0
+    assert tuple(others) == before
 
 
 def test_hiding_is_an_entry_of_its_own_while_a_panel_is_in_the_window(window, qtbot):

@@ -162,6 +162,11 @@ class UnsavedWork:
         """Return the age of the newest copy as a text."""
         return age_text(time.time() - self.saved_s)
 
+    def clock(self) -> str:
+        """Return when the newest copy was written, with its date where that is not today."""
+        day, clock = (time.strftime(form, time.localtime(self.saved_s)) for form in ("%F", "%T"))
+        return clock if day == time.strftime("%F") else f"{day} {clock}"
+
 
 @dataclass(frozen=True, slots=True)
 class Found:

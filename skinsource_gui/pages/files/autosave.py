@@ -11,8 +11,8 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from PySide6 import QtGui
-from PySide6.QtCore import QObject, QRectF, QSize, QTimer, Signal
+from PySide6 import QtGui, QtWidgets
+from PySide6.QtCore import QDeadlineTimer, QObject, QRectF, QSize, Qt, QTimer, Signal
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.files import path_text
@@ -58,7 +58,9 @@ class WorkPicture:
         return image
 
 
-#: Delay of the first copy after the first unsaved edit: no copy holds any of the work yet.
+#: Delay of a copy after the last edit, s.
+PAUSE_S = 2.0
+#: Longest delay of the first copy, s: no copy holds any of the work yet.
 FIRST_S = 1.0
 
 
@@ -75,8 +77,9 @@ class _State:
 class Autosave(QObject):
     """Writes copies of unsaved work, in a thread of its own.
 
-    The first copy is written soon after the first unsaved edit, the next ones at most one interval
-    after an edit.  When the work is saved or undone, its copies are deleted.
+    The first copy is written soon after the first unsaved edit, the next ones when edits pause, at
+    most one interval after an edit, and never while a mouse button is down.  When the work is saved
+    or undone, its copies are deleted.
 
     Parameters
     ----------
@@ -90,6 +93,8 @@ class Autosave(QObject):
         The same for the first unsaved edits, where it is shorter.
     layout, picture
         Return the window's arrangement, and a picture of a design.
+    pause_s
+        How long edits pause before a copy is written.
     """
 
     #: Why no copy can be written, as a sentence; once, until a copy is written again.
@@ -104,9 +109,11 @@ class Autosave(QObject):
         picture: Callable[[Design], QtGui.QImage],
         parent: QObject,
         first_s: float = FIRST_S,
+        pause_s: float = PAUSE_S,
     ) -> None:
         super().__init__(parent)
         self._intervals_s = (min(first_s, interval_s), interval_s)
+        self._pause_ms, self._latest = round(1000 * pause_s), QDeadlineTimer()
         self._document, self._layout, self._picture = document, layout, picture
         self._session = Session(folder)
         self._state = self._look()
@@ -152,14 +159,17 @@ class Autosave(QObject):
         if before.modified and before.design.limb != self._state.design.limb:
             # Another limb is read and evaluated next.
             self._keep(before).result()
-        if not self._timer.isActive():
-            self._wait()
+        self._wait()
 
     def _wait(self) -> None:
-        self._timer.start(round(1000 * self._intervals_s[self._has_copy]))
+        if not self._timer.isActive():
+            self._latest.setRemainingTime(round(1000 * self._intervals_s[self._has_copy]))
+        self._timer.start(min(self._pause_ms, self._latest.remainingTime()))
 
     def _keep_soon(self) -> None:
-        if self._document.modified:
+        if QtWidgets.QApplication.mouseButtons() != Qt.MouseButton.NoButton:
+            self._timer.start(self._pause_ms)
+        elif self._document.modified:
             self._keep(self._look())
 
     def _keep(self, state: _State) -> "Future[bool]":
@@ -257,7 +267,7 @@ class Recovery(QObject):
             if bad:
                 self.failed.emit(" ".join([*bad, "An earlier copy was opened instead."]))
             else:
-                self.done.emit(f"Opened unsaved work on {left.name}, stored {left.age()}")
+                self.done.emit(f"Opened unsaved work on {left.name}, stored at {left.clock()}")
             if not self._engine.busy:
                 self._survived.start()
             return

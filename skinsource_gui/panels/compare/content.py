@@ -156,6 +156,10 @@ class Cell:
         return f"{value} at {largest + 1}", value, value.removesuffix(" dB")
 
 
+#: Height of the line above the maps, in lines of text.
+HEAD_LINES = 1.2
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class CompareContent:
     """All maps, or a message in their place.
@@ -184,7 +188,7 @@ class CompareContent:
     @property
     def head_lines(self) -> float:
         """Height of the line above the maps, which says that they are of synthetic limbs."""
-        return 1.2 if any(cell.synthetic for cell in self.cells) else 0.0
+        return HEAD_LINES if any(cell.synthetic for cell in self.cells) else 0.0
 
     @property
     def stale(self) -> bool:

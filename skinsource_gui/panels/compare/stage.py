@@ -242,6 +242,8 @@ class StagePanel(MapsPanel):
         self.maps.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         # The wave is to be seen on the arm, too.
         self.maps.least_lines = 9.0
+        # The caution stands there.
+        self.maps.captioned = True
         self.knob.edited.connect(self._turn)
         self.guessed = self.maps, self.strip
         self.setFocusProxy(self.knob)

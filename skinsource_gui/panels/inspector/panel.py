@@ -353,16 +353,25 @@ class ClipHeading(QtWidgets.QWidget):
         *,
         silent: bool,
         batch: tuple[Input, ...],
+        clips: tuple[Clip, ...],
+        by_clip: bool,
     ) -> None:
-        """Show a clip of the last input of a ``batch`` edited together; ``silent``: not heard."""
+        """Show a clip, or how many ``clips`` of a ``batch`` of inputs are edited together.
+
+        ``silent``: the last input is not heard; ``by_clip``: clips were selected, not inputs.
+        """
         place = input_name(track.location, limb)
         which, title = "", "No clip yet"
         if clip is not None:
             which = f"Clip {track.clips.index(clip) + 1} of {len(track.clips)} · "
             title = clip.waveform.title
-        if len(batch) > 1:
-            which = f"{len(batch)} inputs, last: "
-        self._title.show_phrases((f"{which}{title}", title))
+        phrases = f"{which}{title}", title
+        if len(clips) > 1 or len(batch) > 1:
+            of_clips = by_clip and len(clips) >= len(batch)
+            several = f"{len(clips)} clips" if of_clips else f"{len(batch)} inputs"
+            alike = {each.waveform.title for each in clips} == {title}
+            phrases = f"{several} selected{f' · {title}' if alike else ''}", several
+        self._title.show_phrases(phrases)
         self._swatch.show_input(track.location, track.colour, silent=silent)
         contact = f" ({place.kind})" if place.kind else ""
         show_tooltip(self._title, f"Input place {place.number}: {place.name}{contact}")
@@ -431,6 +440,17 @@ class InspectorPanel(Panel):
     def needs(self) -> frozenset[str]:
         """What each clip plays, and its rate."""
         return frozenset({"clip_waveforms", "inputs", "sample_rate_hz"})
+
+    @property
+    def fields(self) -> list[FieldCell]:
+        """The fields of the selected input and its clip that are in sight or scroll there."""
+        cells = self.findChildren(FieldCell) if self._last is not None else []
+        return [cell for cell in cells if cell.isVisibleTo(self._editor)]
+
+    def go_to(self, cell: FieldCell) -> None:
+        """Give a field the keyboard."""
+        self._scroll.ensureWidgetVisible(cell)
+        cell.setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
@@ -503,7 +523,11 @@ class InspectorPanel(Panel):
         # In the order of the design.
         batch = tuple(each for each in self._design.inputs if each.id in self._view.selected_inputs)
         clip, limb = clip_of(track, self._view), self._design.limb
-        self._heading.show_clip(track, clip, limb, silent=silent, batch=batch)
+        clips = tuple(each for other in batch for each in clips_of(other, self._view))
+        by_clip = bool(self._view.selected_clips)
+        self._heading.show_clip(
+            track, clip, limb, silent=silent, batch=batch, clips=clips, by_clip=by_clip
+        )
         self._mute.setChecked(all(each.muted for each in batch))
         self._solo.setChecked(all(each.solo for each in batch))
         self._draw.setEnabled(clip is not None)
@@ -513,8 +537,7 @@ class InspectorPanel(Panel):
             amplitude, peak = AMPLITUDE_GAIN, peak_text(self._design, track)
         self._fields.show_limb(limb)
         self._fields.show_input(track, batch, amplitude, self._view, peak)
-        ids = tuple(each.id for other in batch for each in clips_of(other, self._view))
-        self._chain.show_chain(self._design, self._view, clip, ids)
+        self._chain.show_chain(self._design, self._view, clip, tuple(each.id for each in clips))
         self._show_style(track)
 
     def _show_style(self, track: Input) -> None:

@@ -315,7 +315,7 @@ class OutputPanel(Panel):
         self.figures.show_demand(Demand(place=None, refusal=reason), None)
 
     def show_folder(self, folder: Path) -> None:
-        self.plot.exports.folder = folder
+        self.plot.exports.folder = self.fields.rig.folder = folder
 
     def show_played(self, played: Played) -> None:
         """Take over what is played and how loud; called while the panel is visible."""

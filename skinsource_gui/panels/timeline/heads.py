@@ -564,9 +564,13 @@ class Heads(QtWidgets.QListView):
         self.edited.emit(edit(self._design, self._view, *more), None)
 
     def _affected(self, id: int) -> tuple[int, ...]:
-        """Return the tracks that a control changes: all selected ones, if its own is among them."""
+        """Return the tracks that a control changes: all selected ones, if its own is among them.
+
+        Tracks that are selected only by clips on them do not count.
+        """
         selected = self._view.selected_inputs
-        return selected if id in selected else (id,)
+        by_clips = {self._design.track_of(clip).id for clip in self._view.selected_clips}
+        return selected if id in selected and not by_clips.issuperset(selected) else (id,)
 
     def _show_selection(self) -> None:
         rows = {id: row for row, id in enumerate(self._design.ids)}

@@ -2,6 +2,8 @@
 
 import os
 import sys
+import time
+from dataclasses import replace
 
 import pytest
 
@@ -23,6 +25,8 @@ def test_the_newest_copy_comes_first_with_its_picture_name_and_file(
     assert left_over.picture() == b"picture 3"
     assert (left_over.name, left_over.file) == ("tap", file)
     assert left_over.age() == "less than a minute ago"
+    older = replace(left_over, saved_s=left_over.saved_s - 200_000.0)
+    assert older.clock().endswith(f" {time.strftime('%T', time.localtime(older.saved_s))}")
 
 
 def test_work_of_a_studio_that_runs_or_is_elsewhere_is_not_offered(

@@ -1,5 +1,7 @@
 """Several inputs in the inspector: shown is the last, edited are all."""
 
+from dataclasses import replace
+
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
@@ -20,7 +22,7 @@ def two(qtbot):
 
 def test_the_heading_says_how_many_and_fields_say_where_they_differ(qtbot):
     bench = two(qtbot)
-    assert bench.label("inspector_heading").text().startswith("2 inputs, last: ")
+    assert bench.label("inspector_heading").text() == "2 inputs selected · Tone"
     field = bench.number("frequency_hz")
     assert (field.text(), field.placeholderText(), field.unit_text) == ("", "mixed", "")
     assert bench.number("amplitude").text() == "1"
@@ -28,6 +30,24 @@ def test_the_heading_says_how_many_and_fields_say_where_they_differ(qtbot):
     bench.show(selected_inputs=(1,))
     assert (field.text(), field.unit_text) == ("100", "Hz")
     assert bench.choice("location").shown_text.startswith("7 ")
+
+
+def test_several_selected_clips_are_counted_in_the_heading_and_in_the_history(qtbot):
+    bench = two(qtbot)
+    heading = bench.label("inspector_heading")
+    tone, noise, _ = bench.design.clips
+    (last,) = bench.design.adding(bench.design.inputs[2]).inputs[3:]
+    several = replace(bench.design.inputs[2], clips=(*bench.design.inputs[2].clips, *last.clips))
+    design = replace(bench.design, inputs=(*bench.design.inputs[:2], several))
+    ids = tuple(clip.id for clip in several.clips)
+    bench.show(design, selected_inputs=(3,), selected_clips=ids)
+    assert heading.text() == "2 clips selected · Tone"
+    bench.type("frequency_hz", "80")
+    assert bench.labels == ["Change frequency of 2 clips"]
+    bench.show(selected_inputs=(1, 2), selected_clips=(tone.id, noise.id))
+    assert heading.text() == "2 clips selected"
+    bench.show(selected_clips=(tone.id,), selected_inputs=(1,))
+    assert heading.text() == "Clip 1 of 1 · Tone"
 
 
 def test_a_mixed_list_is_an_empty_line_and_what_is_typed_sets_all(qtbot):

@@ -5,8 +5,9 @@ from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
-from PySide6.QtWidgets import QMessageBox
+from PySide6.QtWidgets import QApplication, QMessageBox
 
 from skinsource.base.job import Job
 from skinsource.base.lock import Lock
@@ -29,10 +30,10 @@ def make_work(qapp, user_data):
     """A document whose work is kept, without a window."""
     kept = []
 
-    def make(design=None, interval_s=0.05, first_s=0.05):
+    def make(design=None, interval_s=0.05, first_s=0.05, pause_s=60.0):
         document = Document(design or start_design("synthetic-1"))
         parts = lambda: b"", lambda _: QImage()
-        autosave = Autosave(document, user_data, interval_s, *parts, document, first_s)
+        autosave = Autosave(document, user_data, interval_s, *parts, document, first_s, pause_s)
         kept.append(autosave)
         return SimpleNamespace(document=document, autosave=autosave)
 
@@ -130,6 +131,23 @@ def test_the_first_copy_is_kept_soon_and_the_next_ones_by_the_interval(make_work
     qtbot.waitUntil(lambda: copies(user_data) == [], **WAIT)
     edit(work, 4.5)
     qtbot.waitUntil(lambda: saved_amplitudes(user_data) == [4.5], **WAIT)
+
+
+def test_a_copy_is_kept_when_edits_pause_but_not_while_the_mouse_is_down(
+    make_work, qtbot, user_data, monkeypatch
+):
+    work = make_work(interval_s=60.0, first_s=60.0, pause_s=0.05)
+    edit(work, 2.5)
+    qtbot.waitUntil(lambda: saved_amplitudes(user_data) == [2.5], **WAIT)
+    edit(work, 3.5)
+    qtbot.waitUntil(lambda: saved_amplitudes(user_data) == [2.5, 3.5], **WAIT)
+    asked, down = [], Qt.MouseButton.LeftButton
+    monkeypatch.setattr(QApplication, "mouseButtons", lambda: asked.append(True) or down)
+    edit(work, 4.5)
+    qtbot.waitUntil(lambda: len(asked) > 1, **WAIT)
+    assert saved_amplitudes(user_data) == [2.5, 3.5]
+    monkeypatch.setattr(QApplication, "mouseButtons", lambda: Qt.MouseButton.NoButton)
+    qtbot.waitUntil(lambda: saved_amplitudes(user_data) == [2.5, 3.5, 4.5], **WAIT)
 
 
 def test_copies_of_a_design_that_was_emptied_by_hand_stay(make_work, qtbot, user_data):

@@ -45,7 +45,7 @@ def test_left_over_work_is_offered_with_its_age_and_picture_and_opened_as_not_sa
     window.docks["spectra"].hide()
     window.keeping.offer(window.notice)
     assert "before your work on untitled was saved" in window.notice.text
-    assert "A copy was stored less than a minute ago" in window.notice.text
+    assert f"from {window.keeping.recovery.look().left[0].clock()};" in window.notice.text
     picture = window.notice._picture
     assert picture.isVisible()
     assert picture.pixmap().height() == 90
@@ -146,7 +146,7 @@ def test_a_file_that_could_not_be_opened_at_the_start_is_said_with_the_offer(
     assert "gone.skinsource" in complaint
     window.keeping.offer(window.notice)
     assert window.notice.text.startswith(complaint)
-    assert "A copy was stored" in window.notice.text
+    assert "Its copy is from" in window.notice.text
     choose(window, "Open it")
     assert window.document.design.inputs[0].amplitude == 2.5
 

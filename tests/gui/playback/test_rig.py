@@ -1,13 +1,16 @@
 """The rig of this machine: chosen once, kept, and said."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
+from PySide6.QtWidgets import QFileDialog
 
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.prediction import Limits
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
 from skinsource.design import edits
+from skinsource_gui.fields.rig_field import RigField
 from skinsource_gui.panels.output.panel import OutputPanel
 
 WAIT = {"timeout": 20_000}
@@ -35,6 +38,22 @@ def panel(sound, studio, qtbot):
     qtbot.waitUntil(panel.isVisible)
     qtbot.waitUntil(lambda: studio.playback.player.settings.searched, **WAIT)
     return panel
+
+
+def test_a_rig_is_asked_for_where_the_last_file_was(panel, path, monkeypatch):
+    began = []
+
+    def ask(parent, title, folder, kinds):
+        began.append(folder)
+        return str(path), ""
+
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", ask)
+    rig = panel.fields.rig
+    assert RigField().folder == Path.home()
+    panel.show_folder(path.parent.parent)
+    for _ in range(2):
+        rig.edited.emit("file", None)
+    assert began == [str(path.parent.parent), str(path.parent)]
 
 
 def test_a_rig_wires_the_places_and_says_how_calibrated_it_is(panel, studio, player, path):

@@ -233,7 +233,7 @@ def test_maps_of_other_frequencies_stay_in_phase_while_the_knob_turns(stage, qtb
     assert stage.moving.ran_s == pytest.approx(ran_s)
 
 
-def test_what_leaves_the_conditions_is_said_on_the_stage(stage, qtbot):
+def test_what_leaves_the_conditions_is_said_on_the_stage(stage, qtbot, monkeypatch):
     window = stage.window()
     complete(stage, qtbot, 1)
     qtbot.waitUntil(lambda: bool(window.conditions.chip.findings), timeout=10_000)
@@ -242,6 +242,13 @@ def test_what_leaves_the_conditions_is_said_on_the_stage(stage, qtbot):
     qtbot.waitUntil(stage.caution.isVisible, timeout=10_000)
     assert stage.caution.text() == window.conditions.chip.text()
     assert stage.maps.rect().contains(stage.caution.geometry())
+    # On a measured limb, too, where no line says SYNTHETIC.
+    (cell,) = stage.maps.content.cells
+    measured = replace(stage.maps.content, cells=(replace(cell, synthetic=False),))
+    monkeypatch.setattr(stage.maps, "content", measured)
+    monkeypatch.setattr(stage.maps, "_places", None)
+    (place,) = stage.maps.places.cells
+    assert stage.caution.geometry().bottom() <= place.heading.top()
 
 
 def test_time_windows_are_levels_whatever_moves(stage, qtbot):

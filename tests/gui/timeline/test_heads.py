@@ -176,6 +176,16 @@ def test_mute_and_solo_are_pressed_on_the_head_for_all_that_are_selected(bench):
     assert [track.solo for track in bench.design.inputs] == [True, False, True]
 
 
+def test_clips_that_are_selected_on_two_tracks_leave_mute_to_the_track_of_the_head(bench):
+    first, second, _ = (track.clips[0].id for track in bench.design.inputs)
+    bench.look(View(selected_inputs=(1, 2), selected_clips=(first, second)))
+    bench.press(1, "mute")
+    assert [track.muted for track in bench.design.inputs] == [False, True, False]
+    bench.look(View(selected_inputs=(1, 2), selected_clips=(first,)))
+    bench.press(0, "mute")
+    assert [track.muted for track in bench.design.inputs] == [True, True, False]
+
+
 @pytest.mark.parametrize(
     ("selected", "presses", "expected"),
     [

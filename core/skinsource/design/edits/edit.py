@@ -134,7 +134,9 @@ def change_inputs(
         for track in design.inputs
     )
     after = replace(design, inputs=inputs)
-    return Edit(label=f"{verb} {tracks_text(chosen, design.limb)}", design=after, view=view)
+    n_clips = len(clip_changes or {}) if view.selected_clips else 0
+    what = f"{n_clips} clips" if n_clips > 1 else tracks_text(chosen, design.limb)
+    return Edit(label=f"{verb} {what}", design=after, view=view)
 
 
 @refusing

@@ -39,6 +39,7 @@ from skinsource.design.effects import effect_kinds
 from skinsource.design.effects.effect import Effect
 from skinsource.design.effects.level import BandLimit, Envelope, Fade
 from skinsource.design.effects.time import Trim
+from skinsource.design.labels import span_label
 from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms import kinds as waveform_kinds
@@ -639,7 +640,10 @@ def match_tracks(design: Design, view: View, levels_db: Mapping[int, float]) -> 
         }
         for track in chosen
     }
-    return change_inputs(design, view, "Match levels of", changes)
+    outcome = change_inputs(design, view, "Match levels of", changes)
+    whom = location_text(design.input(last[-1]).location, design.limb) if last else "the strongest"
+    said = f"Matched {len(chosen)} tracks to {whom}, by the {span_label('loudest')} of any output"
+    return replace(outcome, said=said) if isinstance(outcome, Edit) else outcome
 
 
 _NO_BAND = Refusal(sentence="The measured band of this limb is unknown; import it with its band.")
