@@ -1,5 +1,7 @@
 """The field of a rig: none, the present one, or another file."""
 
+from pathlib import Path
+
 from PySide6.QtCore import Signal
 
 from skinsource.actuators import rigs
