@@ -36,9 +36,10 @@ from skinsource.design.edits.edit import (
     refusing,
 )
 from skinsource.design.effects import effect_kinds
-from skinsource.design.effects.effect import Effect
+from skinsource.design.effects.effect import Effect, KeepsTime
 from skinsource.design.effects.level import BandLimit, Envelope, Fade
-from skinsource.design.effects.time import Trim
+from skinsource.design.effects.playing import played
+from skinsource.design.effects.time import Reverse, Trim
 from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms import kinds as waveform_kinds
@@ -664,6 +665,29 @@ def draw_clip(
     after = design.with_clip(clip_id, waveform=waveform)
     place = location_text(design.track_of(clip_id).location, design.limb)
     return Edit(label=f"Draw at {place}", design=after, view=view)
+
+
+def time_effects_end(clip: Clip) -> int:
+    """Return how many effects of a clip lie up to the last one that changes its time."""
+    ends = (
+        number
+        for number, effect in enumerate(clip.effects, 1)
+        if effect.on and (isinstance(effect, Reverse) or not isinstance(effect, KeepsTime))
+    )
+    return max(ends, default=0)
+
+
+@refusing
+def bake_clip(design: Design, view: View, clip_id: int, sample_rate_hz: float) -> Edit | Refusal:
+    """Replace the waveform of a clip, with all `time_effects_end`, by the samples it plays."""
+    clip = design.clip(clip_id)
+    end = time_effects_end(clip)
+    samples = played(clip.waveform, clip.effects[:end], sample_rate_hz)
+    outcome = draw_clip(design, view, clip_id, samples, sample_rate_hz)
+    if isinstance(outcome, Refusal):
+        return outcome
+    after = outcome.design.with_clip(clip_id, effects=clip.effects[end:])
+    return replace(outcome, design=after, label=outcome.label.replace("Draw", "Convert", 1))
 
 
 @refusing
