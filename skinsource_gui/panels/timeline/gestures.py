@@ -90,9 +90,10 @@ class GestureContext:
         """Show an edit of the design that there was before, unless that has become another."""
         if self.disturbed:
             return
-        if isinstance(outcome, Edit):
-            self.applied = outcome.design
         self.lanes.edited.emit(outcome, self.number)
+        if isinstance(outcome, Edit):
+            # A motion that was edited by hand has become single clips.
+            self.applied = self.now.design
 
     def rest(self, edges_s: Sequence[float], by_s: float, neighbours_s: Sequence[float]) -> Snap:
         """Return how far edges move that are dragged ``by_s``: they snap, if that is on."""
