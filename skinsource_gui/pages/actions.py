@@ -111,20 +111,18 @@ def placed(
     of the last clip of a track that plays something then.
     """
     outcome = _placed_first(design, view, option, onset_s, recordings[0])
+    clips: tuple[int, ...] = ()
     for recording in recordings[1:]:
-        if isinstance(outcome, Refusal):
+        last = None if isinstance(outcome, Refusal) else leading_clip(outcome.design, outcome.view)
+        if isinstance(outcome, Refusal) or last is None:
             return outcome
-        after, chosen = outcome.design, outcome.view.selected_inputs
-        first = leading_clip(after, outcome.view)
-        start_s = 0.0 if first is None else first.onset_s
-        location = free_location(after, after.input(chosen[-1]).location)
-        outcome = edits.place_waveform(after, outcome.view, location, recording, start_s)
+        after, clips = outcome.design, (*clips, last.id)
+        location = free_location(after, after.track_of(last.id).location)
+        outcome = edits.place_waveform(after, outcome.view, location, recording, last.onset_s)
         if isinstance(outcome, Edit):
-            selected = (*chosen, *outcome.view.selected_inputs)
-            label = f"Import {len(recordings)} signals"
-            outcome = replace(
-                outcome, label=label, view=replace(outcome.view, selected_inputs=selected)
-            )
+            ids = (*clips, outcome.design.clips[-1].id)
+            shown = edits.select_clips(outcome.design, outcome.view, ids).view
+            outcome = replace(outcome, label=f"Import {len(recordings)} signals", view=shown)
     return outcome
 
 

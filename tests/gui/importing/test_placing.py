@@ -142,3 +142,4 @@ def test_each_channel_gets_a_clip_on_a_place_of_its_own_and_keeps_its_share(
     assert [clip.onset_s for clip in clips] == [1.0, 1.0]
     assert [clip.waveform.samples.peak for clip in clips] == pytest.approx([1.0, 0.5], rel=1e-3)
     assert document.view.selected_inputs == document.design.ids
+    assert document.view.selected_clips == tuple(clip.id for clip in clips)
