@@ -47,6 +47,7 @@ from skinsource_gui.fields.inputs import (
     DURATION_FIELD,
     FieldChanges,
     fixed_length_text,
+    played_hz_text,
     played_length_text,
     waveforms_of,
 )
@@ -186,6 +187,9 @@ class InputFields(QObject):
         self._played_length = TextCell("Played", "")
         self._played_length.text_label.setObjectName("played_length")
         self._played_length.text_label.setToolTip("Duration after effects")
+        self._played_hz = TextCell("Played", "")
+        self._played_hz.text_label.setObjectName("played_hz")
+        self._played_hz.text_label.setToolTip("Frequency after effects")
 
     def show_input(
         self,
@@ -209,6 +213,7 @@ class InputFields(QObject):
         lasts = "" if clip is None else played_length_text(clip)
         self._several, self._curve_of = several, curved
         self._played_length.text_label.setText(lasts)
+        self._played_hz.text_label.setText("" if clip is None else played_hz_text(clip))
         self._peak.text_label.setText(peak)
         self.meaning.setHidden(bool(peak))
         if kind is not self._built_for:
@@ -275,9 +280,14 @@ class InputFields(QObject):
             (self._curve, self._curve_of is not None),
         )
         gain = (self._gain,) if self._several else ()
+        own = list(self._own)
+        if self._played_hz.text_label.text():
+            fields = enumerate(own, 1)
+            after = (k for k, cell in fields if isinstance(cell, FieldCell) and "hz" in cell.name)
+            own.insert(max(after, default=0), self._played_hz)
         return (
             tuple(cell for cell, shown in head if shown and cell is not None),
-            (self.kind, *self._own, *gain),
+            (self.kind, *own, *gain),
             tuple(cell for cell, shown in track if shown),
         )
 

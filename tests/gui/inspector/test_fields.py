@@ -98,11 +98,14 @@ def test_how_long_a_clip_lasts_with_its_effects_is_said_where_it_differs(bench):
     lasts = bench.label("played_length")
     assert lasts.isVisible()
     assert lasts.text() == "100 ms after effects"
+    assert not bench.label("played_hz")
     # The waveform's own length can still be changed, and typing it is not ended by the row.
     bench.type("duration_s", "0.05 s")
     assert not lasts.isVisible()
     bench.show(design.with_clip(clip.id, effects=(Stretch(factor=2.0),)))
     assert lasts.text() == "400 ms after effects"
+    assert bench.label("played_hz").isVisible()
+    assert bench.label("played_hz").text() == "50 Hz after effects"
     bench.show(design)
     assert not lasts.isVisible()
 
