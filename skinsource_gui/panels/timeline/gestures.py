@@ -87,8 +87,9 @@ class GestureContext:
         return now is not expected and now != expected
 
     def edit(self, outcome: Edit | Refusal) -> None:
-        """Show an edit of the design that there was before, unless that has become another."""
+        """Show an edit of the design that there was before; the drag ends if another came since."""
         if self.disturbed:
+            self.lanes.mouse.cancel()
             return
         self.lanes.edited.emit(outcome, self.number)
         if isinstance(outcome, Edit):
