@@ -51,6 +51,7 @@ from skinsource_gui.fields.inputs import (
     played_length_text,
     waveforms_of,
 )
+from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.inspector.effects import EffectChain
 from skinsource_gui.plots.preview import WaveformPreview
 from skinsource_gui.qt.buttons import (
@@ -260,6 +261,12 @@ class InputFields(QObject):
         cell = next(cell for cell in self._fields() if cell.name == name)
         cell.refuse(_values(track, clip_of(track, self._view)).get(name), reason)
 
+    def forget_problems(self, name: str) -> None:
+        """Forget why other numbers than ``name`` were refused, whose values stand there again."""
+        for cell in self._fields():
+            if cell.name != name and isinstance(cell.field, NumberField):
+                cell.forget_typing()
+
     def forget_typing(self) -> None:
         """Close an open editor without committing."""
         for cell in self._fields():
@@ -280,14 +287,12 @@ class InputFields(QObject):
             (self._curve, self._curve_of is not None),
         )
         gain = (self._gain,) if self._several else ()
-        own = list(self._own)
-        if self._played_hz.text_label.text():
-            fields = enumerate(own, 1)
-            after = (k for k, cell in fields if isinstance(cell, FieldCell) and "hz" in cell.name)
-            own.insert(max(after, default=0), self._played_hz)
+        played = (self._played_hz,) if self._played_hz.text_label.text() else ()
+        # Fields of frequencies come first.
+        n_hz = sum("hz" in getattr(cell, "name", "") for cell in self._own)
         return (
             tuple(cell for cell, shown in head if shown and cell is not None),
-            (self.kind, *own, *gain),
+            (self.kind, *self._own[:n_hz], *played, *self._own[n_hz:], *gain),
             tuple(cell for cell, shown in track if shown),
         )
 
@@ -549,6 +554,7 @@ class InspectorPanel(Panel):
         track, ids = self._last, self._view.selected_inputs
         if track is None:
             return
+        self._fields.forget_problems(name)
         outcome = self._changes.change(
             self._design, self._view, ids, name, value, lead=ids[-1], gesture=gesture
         )

@@ -153,6 +153,9 @@ def test_frequencies_end_at_half_the_rate_of_the_limb(bench):
     bench.type("frequency_hz", "2000")
     assert "to 1999 Hz" in bench.label("frequency_hz_note").text()
     assert bench.track.clips[0].waveform.frequency_hz == 1500.0
+    # It is said until another field is used.
+    bench.type("amplitude", "0.5")
+    assert "to 1999 Hz" not in bench.label("frequency_hz_note").text()
     # What this limb cannot play is shown as it is.
     bench.show(bench.design.with_clip(1, waveform=Tone(frequency_hz=5000.0)))
     assert bench.number("frequency_hz").value_si == 5000.0

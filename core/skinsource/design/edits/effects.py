@@ -682,12 +682,10 @@ def bake_clip(design: Design, view: View, clip_id: int, sample_rate_hz: float) -
     """Replace the waveform of a clip, with all `time_effects_end`, by the samples it plays."""
     clip = design.clip(clip_id)
     end = time_effects_end(clip)
-    samples = played(clip.waveform, clip.effects[:end], sample_rate_hz)
-    outcome = draw_clip(design, view, clip_id, samples, sample_rate_hz)
-    if isinstance(outcome, Refusal):
-        return outcome
-    after = outcome.design.with_clip(clip_id, effects=clip.effects[end:])
-    return replace(outcome, design=after, label=outcome.label.replace("Draw", "Convert", 1))
+    values = played(clip.waveform, clip.effects[:end], sample_rate_hz)
+    waveform = Drawn(Samples(values=values, sample_rate_hz=sample_rate_hz))
+    after = design.with_clip(clip_id, waveform=waveform, effects=clip.effects[end:])
+    return Edit(label=f"Convert {clips_text(design, (clip,))}", design=after, view=view)
 
 
 @refusing

@@ -5,7 +5,6 @@ another time, and otherwise edited by hand it is dissolved.
 """
 
 from dataclasses import replace
-from typing import Any
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.quoting import quoted
@@ -138,11 +137,9 @@ def _as_moved(
         return None
     if present == [known.get(id) for id in group.clips]:
         return group
-    motion: Any = group.motion
     try:
-        first_s = motion.tracks()[0].clips[0].onset_s
-        onset_s = round(motion.onset_s + present[0][0].onset_s - first_s, _DECIMALS)
-        motion = with_motion_field(motion, "onset_s", onset_s)
+        onset_s = round(present[0][0].onset_s, _DECIMALS)
+        motion = with_motion_field(group.motion, "onset_s", onset_s)
         tracks = motion.tracks()
     except InvalidInputError:
         return None
