@@ -33,6 +33,7 @@ from skinsource.design.waveforms.samples import Recording
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.studies import scenes
 from skinsource_gui import pages
+from skinsource_gui.fields.units import value_text
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.plots.small_map import with_colours_of
 from skinsource_gui.qt.frames import DropPlace
@@ -123,7 +124,12 @@ def placed(
             ids = (*clips, outcome.design.clips[-1].id)
             shown = edits.select_clips(outcome.design, outcome.view, ids).view
             outcome = replace(outcome, label=f"Import {len(recordings)} signals", view=shown)
-    return outcome
+    if isinstance(outcome, Refusal) or (clip := leading_clip(outcome.design, outcome.view)) is None:
+        return outcome
+    tracks = map(outcome.design.input, outcome.view.selected_inputs)
+    where = ", ".join(location_text(track.location, design.limb) for track in tracks)
+    said = f"Imported at {where}; starts at {value_text(clip.onset_s, 's', digits=5)}"
+    return replace(outcome, said=said)
 
 
 def _placed_first(

@@ -132,9 +132,11 @@ def test_each_channel_gets_a_clip_on_a_place_of_its_own_and_keeps_its_share(
     QTest.keyClick(field, Qt.Key.Key_Down)
     qtbot.waitUntil(lambda: page.ready, timeout=60_000)
     assert page.preview.text.startswith("1 of 2")
-    before = document.undo_stack.count()
+    before, said = document.undo_stack.count(), []
+    document.message.connect(said.append)
     page.accept()
     assert document.undo_stack.count() == before + 1
+    assert said == ["Imported at 7 (II pad), 8 (III pad); starts at 1000 ms"]
     tracks = document.design.inputs
     assert [track.location for track in tracks] == [7, 8]
     clips = [track.clips[-1] for track in tracks]
