@@ -145,6 +145,21 @@ def played_length_text(clip: Clip) -> str:
     return f"{duration_text(clip.duration_s)} after effects"
 
 
+def played_hz_text(clip: Clip) -> str:
+    """Return the text of the frequencies of a clip whose effects change them; else ""."""
+    waveform, factor = clip.waveform, stretched_by(clip.effects, clip.waveform.duration_s)
+    path = _path_hz(waveform)
+    for name, spec in specs_of(waveform).items():
+        of = spec.of if isinstance(spec, ListSpec) else spec
+        if not path and isinstance(of, NumberSpec) and of.unit == "Hz":
+            value = getattr(waveform, name)
+            path = (value,) if of is spec else value[:: max(len(value) - 1, 1)]
+    if factor == 1.0 or not path:
+        return ""
+    ends = (number_text(hz / factor, "Hz", digits=4) for hz in path)
+    return f"{'–'.join(ends)} Hz after effects"
+
+
 def fixed_length_text(waveform: Waveform) -> str:
     """Return the text of the duration of a waveform without a field for it; else ""."""
     if DURATION_FIELD in specs_of(waveform):

@@ -33,6 +33,7 @@ from skinsource.design.waveforms.samples import Recording
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.studies import scenes
 from skinsource_gui import pages
+from skinsource_gui.fields.units import value_text
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.plots.small_map import with_colours_of
 from skinsource_gui.qt.frames import DropPlace
@@ -112,21 +113,24 @@ def placed(
     of the last clip of a track that plays something then.
     """
     outcome = _placed_first(design, view, option, onset_s, recordings[0])
+    clips: tuple[int, ...] = ()
     for recording in recordings[1:]:
-        if isinstance(outcome, Refusal):
+        last = None if isinstance(outcome, Refusal) else leading_clip(outcome.design, outcome.view)
+        if isinstance(outcome, Refusal) or last is None:
             return outcome
-        after, chosen = outcome.design, outcome.view.selected_inputs
-        first = leading_clip(after, outcome.view)
-        start_s = 0.0 if first is None else first.onset_s
-        location = free_location(after, after.input(chosen[-1]).location)
-        outcome = edits.place_waveform(after, outcome.view, location, recording, start_s)
+        after, clips = outcome.design, (*clips, last.id)
+        location = free_location(after, after.track_of(last.id).location)
+        outcome = edits.place_waveform(after, outcome.view, location, recording, last.onset_s)
         if isinstance(outcome, Edit):
-            selected = (*chosen, *outcome.view.selected_inputs)
-            label = f"Import {len(recordings)} signals"
-            outcome = replace(
-                outcome, label=label, view=replace(outcome.view, selected_inputs=selected)
-            )
-    return outcome
+            ids = (*clips, outcome.design.clips[-1].id)
+            shown = edits.select_clips(outcome.design, outcome.view, ids).view
+            outcome = replace(outcome, label=f"Import {len(recordings)} signals", view=shown)
+    if isinstance(outcome, Refusal) or (clip := leading_clip(outcome.design, outcome.view)) is None:
+        return outcome
+    tracks = map(outcome.design.input, outcome.view.selected_inputs)
+    where = ", ".join(location_text(track.location, design.limb) for track in tracks)
+    said = f"Imported at {where}; starts at {value_text(clip.onset_s, 's', digits=5)}"
+    return replace(outcome, said=said)
 
 
 def _placed_first(

@@ -121,3 +121,18 @@ def test_edits_of_other_things_and_the_way_back_keep_it():
     assert with_whole_motions(moved, back).design.motions == design.motions
     empty = Design(limb="synthetic-1", inputs=(Input(location=7),))
     assert with_motion(design=empty).motions != ()
+
+
+@pytest.mark.parametrize("kind", MOTIONS)
+def test_a_motion_that_is_moved_whole_begins_later_and_one_moved_to_other_places_is_none(kind):
+    design = with_motion(kind())
+    group = design.motions[0]
+    outcome = after_edit(design, edits.move_clips, group.clips, 0.3)
+    assert outcome.design.motions == (replace(group, motion=kind(onset_s=0.3)),)
+    assert outcome.said == ""
+    # A drag goes on from the design as it was when the button went down.
+    back = with_whole_motions(outcome.design, edits.move_clips(design, View(), group.clips, 0.1))
+    assert back.design.motions == (replace(group, motion=kind(onset_s=0.1)),)
+    up = with_whole_motions(outcome.design, edits.move_clips(design, View(), group.clips, 0.1, -1))
+    assert up.design.motions == ()
+    assert "single clips" in up.said

@@ -13,6 +13,7 @@ from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design
 from skinsource.design.edits.edit import Edit, Refusal, leading_clip
+from skinsource.design.edits.effects import bake_clip, time_effects_end
 from skinsource.design.effects.breakpoints import Points, with_point_after
 from skinsource.design.effects.level import UNCHANGED, Envelope
 from skinsource.design.signal_path import UnplayableInput
@@ -114,22 +115,30 @@ class PenEdits(ToolEdits):
 
     def may_draw(self, clip: Clip) -> bool:
         """Return whether a clip can be drawn on without a question."""
-        return isinstance(clip.waveform, Drawn) or self._allowed is clip.waveform
+        known = isinstance(clip.waveform, Drawn) or self._allowed is clip.waveform
+        return known and not time_effects_end(clip)
 
     def is_allowed(self, clip: Clip) -> bool:
         """Return whether a clip may become samples; ask, unless it is drawn or was asked before."""
         if self.may_draw(clip):
             return True
+        baked = clip.effects[: time_effects_end(clip)]
+        lost = f" and effects ({', '.join(effect.title.lower() for effect in baked)})"
         answer = QtWidgets.QMessageBox.question(
             self._panel,
             "Draw over the waveform?",
             f"The clip plays {figure_text(clip.waveform)}. Drawing converts it into samples; its "
-            "parameters can then no longer be edited. Undo brings them back.",
+            f"parameters{lost if baked else ''} can then no longer be edited. "
+            "Undo brings them back.",
             QtWidgets.QMessageBox.StandardButton.Ok | QtWidgets.QMessageBox.StandardButton.Cancel,
         )
-        if answer == QtWidgets.QMessageBox.StandardButton.Ok:
-            self._allowed = clip.waveform
-        return self._allowed is clip.waveform
+        if answer != QtWidgets.QMessageBox.StandardButton.Ok:
+            return False
+        self._allowed = clip.waveform
+        if baked:
+            # The pen draws what plays, so that it has to be what the clip holds.
+            self._edit(None, bake_clip, self._panel.rate_hz)
+        return True
 
     def _may_begin(self) -> bool:
         """Return whether a stroke begins; one that had to be asked about is drawn anew."""

@@ -47,9 +47,11 @@ from skinsource_gui.fields.inputs import (
     DURATION_FIELD,
     FieldChanges,
     fixed_length_text,
+    played_hz_text,
     played_length_text,
     waveforms_of,
 )
+from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.inspector.effects import EffectChain
 from skinsource_gui.plots.preview import WaveformPreview
 from skinsource_gui.qt.buttons import (
@@ -186,6 +188,9 @@ class InputFields(QObject):
         self._played_length = TextCell("Played", "")
         self._played_length.text_label.setObjectName("played_length")
         self._played_length.text_label.setToolTip("Duration after effects")
+        self._played_hz = TextCell("Played", "")
+        self._played_hz.text_label.setObjectName("played_hz")
+        self._played_hz.text_label.setToolTip("Frequency after effects")
 
     def show_input(
         self,
@@ -209,6 +214,7 @@ class InputFields(QObject):
         lasts = "" if clip is None else played_length_text(clip)
         self._several, self._curve_of = several, curved
         self._played_length.text_label.setText(lasts)
+        self._played_hz.text_label.setText("" if clip is None else played_hz_text(clip))
         self._peak.text_label.setText(peak)
         self.meaning.setHidden(bool(peak))
         if kind is not self._built_for:
@@ -255,6 +261,12 @@ class InputFields(QObject):
         cell = next(cell for cell in self._fields() if cell.name == name)
         cell.refuse(_values(track, clip_of(track, self._view)).get(name), reason)
 
+    def forget_problems(self, name: str) -> None:
+        """Forget why other numbers than ``name`` were refused, whose values stand there again."""
+        for cell in self._fields():
+            if cell.name != name and isinstance(cell.field, NumberField):
+                cell.forget_typing()
+
     def forget_typing(self) -> None:
         """Close an open editor without committing."""
         for cell in self._fields():
@@ -275,9 +287,12 @@ class InputFields(QObject):
             (self._curve, self._curve_of is not None),
         )
         gain = (self._gain,) if self._several else ()
+        played = (self._played_hz,) if self._played_hz.text_label.text() else ()
+        # Fields of frequencies come first.
+        n_hz = sum("hz" in getattr(cell, "name", "") for cell in self._own)
         return (
             tuple(cell for cell, shown in head if shown and cell is not None),
-            (self.kind, *self._own, *gain),
+            (self.kind, *self._own[:n_hz], *played, *self._own[n_hz:], *gain),
             tuple(cell for cell, shown in track if shown),
         )
 
@@ -558,6 +573,7 @@ class InspectorPanel(Panel):
         track, ids = self._last, self._view.selected_inputs
         if track is None:
             return
+        self._fields.forget_problems(name)
         outcome = self._changes.change(
             self._design, self._view, ids, name, value, lead=ids[-1], gesture=gesture
         )

@@ -107,7 +107,7 @@ class DeviceFields(QObject):
         rig = _cell("Rig", self.rig, self.edit_rig)
         self.main.show_cells([rig, _cell("Device", self.device), _cell("Gain", self.gain)])
         self.details = QtWidgets.QWidget()
-        in_column(in_row(self.rescan, None), grid, of=self.details, margins=0)
+        in_column(grid, of=self.details, margins=0)
 
     def show_played(self, played: Played, rig_title: str | None) -> None:
         """Take over the chosen output, what can be chosen, and the rig of the design."""

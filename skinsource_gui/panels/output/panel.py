@@ -355,9 +355,9 @@ class OutputPanel(Panel):
             self.rows,
             in_row(self.arm, self.play, self.stop, None),
             self.peak,
-            self.problem,
             self.text,
-            in_row(self.more, None),
+            self.problem,
+            in_row(self.fields.rescan, self.more, None),
             self._details,
             None,
         )

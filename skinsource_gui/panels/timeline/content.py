@@ -14,7 +14,7 @@ from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ
 from skinsource.design.clips import Clip, Marker
 from skinsource.design.design import MAX_INPUTS, Design, Input
 from skinsource.design.edits.cutting import last_fade
-from skinsource.design.edits.edit import Edit, leading_clip
+from skinsource.design.edits.edit import Edit, clips_of, leading_clip
 from skinsource.design.effects.breakpoints import Points, curve_at
 from skinsource.design.effects.level import Fade
 from skinsource.design.panel_settings import settings_of, with_settings
@@ -426,9 +426,9 @@ class TimelineContent:
 
     @cached_property
     def chosen(self) -> tuple[int, ...]:
-        """Clips that edits change: the selected ones, or else the one that the inspector shows.
+        """Clips that edits change: of each selected track the selected ones, or else its first.
 
-        The inspector shows the first clip of the track that was selected last.
+        The last is the one that the inspector shows.
         """
         return chosen_clips(self.design, self.view)
 
@@ -504,10 +504,11 @@ class TimelineContent:
 
 def chosen_clips(design: Design, view: View) -> tuple[int, ...]:
     """Return the clips that edits change, see `TimelineContent.chosen`."""
-    if view.selected_clips:
-        return view.selected_clips
-    clip = leading_clip(design, view)
-    return () if clip is None else (clip.id,)
+    tracks = (track for track in design.inputs if track.id in view.selected_inputs)
+    clips = (clip.id for track in tracks for clip in clips_of(track, view))
+    last = leading_clip(design, view)
+    chosen = dict.fromkeys((*view.selected_clips, *clips))
+    return tuple(sorted(chosen, key=lambda id: last is not None and id == last.id))
 
 
 def ruler_px(line_px: float) -> float:

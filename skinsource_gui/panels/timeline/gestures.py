@@ -87,13 +87,15 @@ class GestureContext:
         return now is not expected and now != expected
 
     def edit(self, edit: Callable[..., Edit | Refusal], *more: object) -> None:
-        """Edit the design that there was before, unless that has become another."""
+        """Edit the design that there was before; the drag ends if another came since."""
         if self.disturbed:
+            self.lanes.mouse.cancel()
             return
         outcome = edit(self.before.design, self.view, *more)
-        if isinstance(outcome, Edit):
-            self.applied = outcome.design
         self.lanes.edited.emit(outcome, self.number)
+        if isinstance(outcome, Edit):
+            # A motion that was edited by hand has become single clips.
+            self.applied = self.now.design
 
     def rest(self, edges_s: Sequence[float], by_s: float, neighbours_s: Sequence[float]) -> Snap:
         """Return how far edges move that are dragged ``by_s``: they snap, if that is on."""

@@ -48,6 +48,7 @@ from skinsource_gui.fields.inputs import (
     fill_inputs_menu,
 )
 from skinsource_gui.fields.number_field import FINISHERS, NumberField
+from skinsource_gui.fields.units import minus, value_text
 from skinsource_gui.panels.timeline.content import shown_gain_curves, toggle_gain_curves
 from skinsource_gui.qt.buttons import paint_swatch, passing_menu, text_colour_on
 from skinsource_gui.qt.frames import drop_line
@@ -501,6 +502,7 @@ class Heads(QtWidgets.QListView):
             by_db = (at.x() - press.at.x()) / room * (MOST_DB - LEAST_DB)
             fine = _FINE if event.modifiers() & _Held.ControlModifier else 1.0
             self._move_faders(press.start, press.ids, fine * by_db, press.gesture)
+            self._show_level(press.row, event.globalPosition().toPoint())
             return
         far = (at - press.at).manhattanLength() >= QtWidgets.QApplication.startDragDistance()
         if press.gap is not None or far:
@@ -611,6 +613,14 @@ class Heads(QtWidgets.QListView):
         }
         outcome = change_inputs(self._design, self._view, "Change amplitude of", changes)
         self.edited.emit(outcome, gesture)
+
+    def _show_level(self, row: int, at: QPoint) -> None:
+        """Say beside the pointer where a fader stands."""
+        amplitude = abs(self._design.inputs[row].amplitude)
+        level = (
+            minus(value_text(20.0 * log10(amplitude), "dB", digits=3)) if amplitude else "silent"
+        )
+        QtWidgets.QToolTip.showText(at, level, self)
 
     def _cancel(self) -> bool:
         """Give up a drag; return whether there was one."""

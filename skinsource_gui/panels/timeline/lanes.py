@@ -9,7 +9,7 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt, Signal
 
 from skinsource.design import edits
-from skinsource.design.clips import Clip
+from skinsource.design.clips import NAME, Clip
 from skinsource.design.design import Design
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.edits.motions import motion_of
@@ -201,12 +201,16 @@ class LanesMenu:
         menu.addAction(shown).triggered.connect(lambda _=False: act())
 
     def _rename(self, index: int) -> None:
-        before = self._lanes.content.design.markers[index].name
-        name, sure = QtWidgets.QInputDialog.getText(
-            self._lanes, "Rename marker", "Name", text=before
-        )
-        if sure:
-            self._lanes.edit(edits.rename_marker, index, name)
+        name, label = self._lanes.content.design.markers[index].name, "Name"
+        sure = True
+        while sure:
+            name, sure = QtWidgets.QInputDialog.getText(
+                self._lanes, "Rename marker", label, text=name
+            )
+            if sure and len(name) <= NAME.longest:
+                self._lanes.edit(edits.rename_marker, index, name)
+                return
+            label = f"Use at most {NAME.longest} letters; these are {len(name)}."
 
 
 def _ends_of_chosen(content: TimelineContent) -> tuple[float, float] | None:
@@ -396,7 +400,9 @@ class LaneMouse:
         self._moving = self._moving or max(abs(away.x()), abs(away.y())) >= _DRAG_PX
         if self._moving:
             self._click = None
-            self._lanes.overlay.show_preview(self._gesture.move(at, held), at)
+            preview = self._gesture.move(at, held)
+            if self.busy:
+                self._lanes.overlay.show_preview(preview, at)
 
     def release(self) -> None:
         """End what the button did."""

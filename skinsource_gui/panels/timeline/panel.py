@@ -14,6 +14,7 @@ from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, audible_inputs
 from skinsource.design.edits.edit import leading_clip
+from skinsource.design.edits.inputs import add_track
 from skinsource.design.signal_path import UnplayableInput
 from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
@@ -83,7 +84,7 @@ class TimelineToolbar(QtWidgets.QWidget):
     Attributes
     ----------
     add
-        Adds a clip of the kind that was added last; its menu names others.
+        Opens a menu of what can be added.
     snap, everything
         The buttons that let edges snap, and fit the content.
     """
@@ -93,22 +94,23 @@ class TimelineToolbar(QtWidgets.QWidget):
     #: A clip is to be drawn: a new one, or the selected one.
     draw_requested = Signal(bool)
     file_requested = Signal()
+    track_requested = Signal()
     zoom_requested = Signal(float)
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setStyleSheet("QToolButton { padding: 1px 6px; }")
         self._row, keys = in_row(of=self, margins=(4, 1, 4, 1), gap_px=2), KEYS["timeline"].gestures
-        self._kind: type[Waveform] = Tone
-        self.add = self._button("add", "+ Add", "Add a clip at the playhead; the arrow: others")
-        self.add.setPopupMode(self.add.ToolButtonPopupMode.MenuButtonPopup)
+        self.add = self._button("add", "+ Add", "Add a clip at the playhead, or a track")
+        self.add.setPopupMode(self.add.ToolButtonPopupMode.InstantPopup)
         menu = QtWidgets.QMenu(self.add)
         for text, kind in ADDED:
-            menu.addAction(text).triggered.connect(partial(self._add, kind))
+            menu.addAction(text).triggered.connect(partial(self.add_requested.emit, kind))
         menu.addAction("Draw").triggered.connect(lambda: self.draw_requested.emit(True))
         menu.addAction("File…").triggered.connect(self.file_requested)
+        menu.addSeparator()
+        menu.addAction("Track").triggered.connect(self.track_requested)
         self.add.setMenu(menu)
-        self.add.clicked.connect(lambda: self.add_requested.emit(self._kind))
         draw = self._button("draw", "Draw", "Draw the selected clip, or a new one")
         draw.clicked.connect(lambda: self.draw_requested.emit(False))
         self._row.addStretch(1)
@@ -122,10 +124,6 @@ class TimelineToolbar(QtWidgets.QWidget):
         closer = self._button("zoom_in", "+", keys["zoom_in"].hint)
         closer.clicked.connect(lambda: self.zoom_requested.emit(ZOOM))
         self.everything = self._button("fit", "Fit", keys["whole"].hint)
-
-    def _add(self, kind: type[Waveform]) -> None:
-        self._kind = kind
-        self.add_requested.emit(kind)
 
     def _button(self, name: str, text: str, hint: str) -> QtWidgets.QToolButton:
         button = tool_button(self, f"timeline_{name}", text, hint, takes_keyboard=False)
@@ -327,6 +325,7 @@ class TimelinePanel(Panel):
         tools.add_requested.connect(lambda kind: self._add(kind()))
         tools.draw_requested.connect(self._draw)
         tools.file_requested.connect(lambda: self.action_requested.emit("import_recording"))
+        tools.track_requested.connect(self._add_track)
         tools.snap.clicked.connect(lanes.set_snaps)
         tools.zoom_requested.connect(lanes.zoom)
         tools.everything.clicked.connect(lanes.show_everything)
@@ -339,6 +338,9 @@ class TimelinePanel(Panel):
 
     def _add(self, waveform: Waveform) -> None:
         self.edited.emit(edits.add_waveform(self._design, self._view, waveform), None)
+
+    def _add_track(self) -> None:
+        self.edited.emit(add_track(self._design, self._view), None)
 
     def _draw(self, new: bool) -> None:
         """Take the pen to the selected clip, or to a new one, which is silent yet."""

@@ -1,5 +1,7 @@
 """The pen of the clip editor can be reached from anywhere, and what is drawn is what plays."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
@@ -8,11 +10,16 @@ from PySide6.QtWidgets import QApplication, QMessageBox, QToolButton
 
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, track
+from skinsource.design.effects.level import Fade
+from skinsource.design.effects.playing import played
+from skinsource.design.effects.time import Reverse, Stretch, Trim
 from skinsource.design.waveforms.samples import Drawn, Recording
 from skinsource.design.waveforms.tones import Tone
 from skinsource.specs.samples import Samples
 from skinsource_gui.panels.clip_editor.tools import Pen
 from tests.gui.clip_editor.bench import RATE_HZ, RIGHT, SHIFT, Bench
+
+SILENCE, FADE = Samples(values=np.zeros(260), sample_rate_hz=RATE_HZ), Fade(0.0, 0.01)
 
 
 def test_a_stroke_becomes_samples_in_one_step(flat):
@@ -142,3 +149,24 @@ def test_the_clip_panel_leads_to_the_pen_and_so_does_the_action(studio, qtbot):
     editor.use("look")
     window.do("draw_clip")
     assert pen_is_taken(window)
+
+
+@pytest.mark.parametrize("waveform", [Tone(100.0), Drawn(SILENCE)], ids=["tone", "drawn"])
+@pytest.mark.parametrize("effect", [Trim(0.1, 0.05), Stretch(2.0), Reverse()], ids=type)
+def test_the_pen_draws_what_plays_of_a_trimmed_or_stretched_clip(
+    qtbot, questions, waveform, effect
+):
+    bench = Bench(qtbot, waveform)
+    before = replace(bench.clip, effects=(effect, FADE))
+    bench.design = bench.design.with_clip(before.id, effects=before.effects)
+    bench.show()
+    plays = played(waveform, (effect,), RATE_HZ)
+    bench.panel.use("pen")
+    assert effect.title.lower() in questions[0]
+    assert bench.clip.effects == (FADE,)
+    np.testing.assert_array_equal(bench.drawn, plays)
+    bench.drag((0.02, 0.6), (0.03, 0.6), held=SHIFT)
+    assert bench.drawn[30] == pytest.approx(0.6, abs=0.02)
+    np.testing.assert_array_equal(bench.drawn[50:], plays[50:])
+    assert bench.clip.duration_s == pytest.approx(before.duration_s, abs=1 / RATE_HZ)
+    assert len(questions) == 1

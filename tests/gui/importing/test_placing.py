@@ -132,9 +132,11 @@ def test_each_channel_gets_a_clip_on_a_place_of_its_own_and_keeps_its_share(
     QTest.keyClick(field, Qt.Key.Key_Down)
     qtbot.waitUntil(lambda: page.ready, timeout=60_000)
     assert page.preview.text.startswith("1 of 2")
-    before = document.undo_stack.count()
+    before, said = document.undo_stack.count(), []
+    document.message.connect(said.append)
     page.accept()
     assert document.undo_stack.count() == before + 1
+    assert said == ["Imported at 7 (II pad), 8 (III pad); starts at 1000 ms"]
     tracks = document.design.inputs
     assert [track.location for track in tracks] == [7, 8]
     clips = [track.clips[-1] for track in tracks]
@@ -142,3 +144,4 @@ def test_each_channel_gets_a_clip_on_a_place_of_its_own_and_keeps_its_share(
     assert [clip.onset_s for clip in clips] == [1.0, 1.0]
     assert [clip.waveform.samples.peak for clip in clips] == pytest.approx([1.0, 0.5], rel=1e-3)
     assert document.view.selected_inputs == document.design.ids
+    assert document.view.selected_clips == tuple(clip.id for clip in clips)

@@ -98,11 +98,14 @@ def test_how_long_a_clip_lasts_with_its_effects_is_said_where_it_differs(bench):
     lasts = bench.label("played_length")
     assert lasts.isVisible()
     assert lasts.text() == "100 ms after effects"
+    assert not bench.label("played_hz")
     # The waveform's own length can still be changed, and typing it is not ended by the row.
     bench.type("duration_s", "0.05 s")
     assert not lasts.isVisible()
     bench.show(design.with_clip(clip.id, effects=(Stretch(factor=2.0),)))
     assert lasts.text() == "400 ms after effects"
+    assert bench.label("played_hz").isVisible()
+    assert bench.label("played_hz").text() == "50 Hz after effects"
     bench.show(design)
     assert not lasts.isVisible()
 
@@ -150,6 +153,9 @@ def test_frequencies_end_at_half_the_rate_of_the_limb(bench):
     bench.type("frequency_hz", "2000")
     assert "to 1999 Hz" in bench.label("frequency_hz_note").text()
     assert bench.track.clips[0].waveform.frequency_hz == 1500.0
+    # It is said until another field is used.
+    bench.type("amplitude", "0.5")
+    assert "to 1999 Hz" not in bench.label("frequency_hz_note").text()
     # What this limb cannot play is shown as it is.
     bench.show(bench.design.with_clip(1, waveform=Tone(frequency_hz=5000.0)))
     assert bench.number("frequency_hz").value_si == 5000.0

@@ -85,6 +85,9 @@ def test_a_device_that_is_connected_later_is_found(no_sound, player, panel, qtbo
     assert text_of(panel, "output_problem")
     no_sound.outputs = {"New": 4}
     no_sound.default.device["output"] = 0
+    # In sight also while the rest of the panel is folded.
+    assert not panel.fields.details.isAncestorOf(panel.fields.rescan)
+    assert panel.fields.rescan.isVisible()
     panel.fields.rescan.click()
     qtbot.waitUntil(lambda: not text_of(panel, "output_problem"), **WAIT)
 

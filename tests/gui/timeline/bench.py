@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QApplication
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, track
 from skinsource.design.edits.edit import Refusal
+from skinsource.design.edits.motions import with_whole_motions
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Tap
 from skinsource.design.waveforms.tones import Tone
@@ -91,6 +92,7 @@ class Bench:
         if isinstance(outcome, Refusal):
             self.refusals.append(outcome.sentence)
             return
+        outcome = with_whole_motions(self.design, outcome)
         if outcome.design is self.design:
             self.look(outcome.view)
             return

@@ -29,33 +29,30 @@ def button(window, name):
 
 
 def press(window, name):
-    QTest.mouseClick(button(window, name), Qt.MouseButton.LeftButton, pos=point(window))
-
-
-def point(window):
-    # Left of the arrow, which opens the menu.
-    return button(window, "add").rect().center() / 2
+    QTest.mouseClick(button(window, name), Qt.MouseButton.LeftButton)
 
 
 def played(window):
     return [type(clip.waveform) for clip in window.document.design.clips]
 
 
-def test_a_first_tone_takes_one_click_and_a_wavelet_train_two(empty):
-    press(empty, "add")
+def test_the_menu_of_the_button_adds_clips_and_tracks(empty):
+    popup = button(empty, "add").popupMode()
+    assert popup == QToolButton.ToolButtonPopupMode.InstantPopup
+    entries = {entry.text(): entry for entry in button(empty, "add").menu().actions()}
+    names = ["Tone", "Wavelet train", "Pulse", "Sweep", "Noise", "Draw", "File…", "", "Track"]
+    assert list(entries) == names
+    entries["Tone"].trigger()
     assert played(empty) == [Tone]
     assert empty.document.design.inputs[0].location == 7
-    # The arrow, and the entry.
-    entries = {entry.text(): entry for entry in button(empty, "add").menu().actions()}
-    names = ["Tone", "Wavelet train", "Pulse", "Sweep", "Noise", "Draw", "File…"]
-    assert list(entries) == names
     entries["Wavelet train"].trigger()
     assert played(empty) == [Tone, WaveletTrain]
     tone, train = empty.document.design.inputs[0].clips
     assert train.onset_s == tone.end_s
-    # The button goes on with what was added last.
-    press(empty, "add")
-    assert played(empty)[2] is WaveletTrain
+    entries["Track"].trigger()
+    assert played(empty) == [Tone, WaveletTrain]
+    assert [track.location for track in empty.document.design.inputs] == [7, 8]
+    assert empty.document.view.selected_inputs == (2,)
 
 
 def test_a_first_drawn_waveform_takes_one_click_and_the_pen_lies_ready(empty):

@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel, QToolButton
+from PySide6.QtWidgets import QApplication, QLabel, QToolButton, QToolTip
 
 from skinsource.design.design import Design
 from skinsource.design.view import View
@@ -141,6 +141,7 @@ def test_a_fader_moves_the_selected_tracks_by_as_many_decibels_in_one_step(bench
     assert third == 0.0
     assert set(bench.labels) == {"Change amplitude of 2 inputs"}
     assert len({gesture for _, _, gesture in bench.edits} - {None}) == 1
+    assert QToolTip.text() == f"\u2212{-20 * np.log10(first):.3g} dB"
     # Far to the left it is silent; Escape brings it back.
     drag_fader(bench, 2, round(width), release=False)
     assert amplitudes(bench)[2] > 1.0

@@ -4,10 +4,13 @@ import pytest
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtWidgets import QInputDialog, QMenu, QToolButton
 
+from skinsource.design import edits
 from skinsource.design.clips import Clip
+from skinsource.design.motions import Sweep
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.panels.timeline.content import overlapping, overlaps_of
-from tests.gui.timeline.bench import SHIFT
+from skinsource_gui.panels.timeline.gestures import GesturePreview
+from tests.gui.timeline.bench import NONE, SHIFT
 
 _Key = Qt.Key
 
@@ -63,8 +66,16 @@ def test_markers_are_added_renamed_and_removed_on_the_ruler(lanes, monkeypatch):
     place = QPointF(lanes.content.scale.x(0.5), 5)
     lanes.menu_at(place)["Add marker here"].trigger()
     assert lanes.design.markers[0].time_s == pytest.approx(0.5)
-    monkeypatch.setattr(QInputDialog, "getText", lambda *args, **kwargs: ("touch", True))
+    asked, answers = [], iter(["x" * 101, "touch"])
+
+    def ask(*args, text):
+        asked.append((args[2], text))
+        return next(answers), True
+
+    monkeypatch.setattr(QInputDialog, "getText", ask)
     lanes.menu_at(place)["Rename marker…"].trigger()
+    assert asked[1][1] == "x" * 101
+    assert "100 letters" in asked[1][0]
     assert lanes.design.markers[0].name == "touch"
     lanes.menu_at(place)["Remove marker"].trigger()
     assert lanes.design.markers == ()
@@ -136,3 +147,37 @@ def test_a_key_and_the_menu_reach_clips_that_overlap(over):
     assert [line.text() for line in lines] == ["Tone · 0 ms", "Tone · 200 ms"]
     lines[0].trigger()
     assert over.view.selected_clips == (ids[0],)
+
+
+def test_a_clip_of_a_motion_follows_the_mouse_and_all_of_them_stay_a_motion(lanes):
+    lanes.show(edits.add_motion(lanes.design, lanes.view, Sweep(path=(16, 18, 20))).design)
+    ids = lanes.design.motions[0].clips
+    lanes.lanes.select(*ids)
+    first_s, last_s = lanes.onset(ids[0]), lanes.onset(ids[2])
+    lanes.drag(lanes.middle(ids[2]), lanes.middle(ids[2]) + lanes.px(0.3), SHIFT)
+    assert lanes.onset(ids[0]) - first_s == pytest.approx(0.3, abs=0.004)
+    assert lanes.design.motions[0].motion.onset_s == pytest.approx(0.3, abs=0.004)
+    lanes.lanes.select(ids[2])
+    lanes.drag(lanes.middle(ids[2]), lanes.middle(ids[2]) - lanes.px(0.2), SHIFT)
+    assert lanes.onset(ids[2]) - last_s == pytest.approx(0.1, abs=0.006)
+    assert lanes.design.motions == ()
+
+
+def test_what_the_clip_panel_edits_is_outlined_on_every_selected_track(lanes):
+    lanes.click(lanes.middle(2))
+    lanes.press(1, held=SHIFT)
+    assert lanes.view.selected_inputs == (1, 2)
+    assert lanes.content.chosen == (2, 4)
+    edited = edits.change_field(lanes.design, lanes.view, (1, 2), "onset_s", 1.2).design
+    moved = [clip.id for clip in edited.clips if clip != lanes.design.clip(clip.id)]
+    assert moved == [2, 4]
+
+
+def test_a_drag_whose_edit_is_undone_meanwhile_ends_with_its_label(lanes):
+    start, before = lanes.middle(3), lanes.design
+    lanes.drag(start, start + lanes.px(0.1), release=False)
+    lanes.show(before)
+    lanes.lanes.mouse.move(start + lanes.px(0.2), NONE)
+    assert not lanes.lanes.mouse.busy
+    assert lanes.lanes.overlay.preview == GesturePreview()
+    assert lanes.design is before

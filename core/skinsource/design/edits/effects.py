@@ -36,9 +36,10 @@ from skinsource.design.edits.edit import (
     refusing,
 )
 from skinsource.design.effects import effect_kinds
-from skinsource.design.effects.effect import Effect
+from skinsource.design.effects.effect import Effect, KeepsTime
 from skinsource.design.effects.level import BandLimit, Envelope, Fade
-from skinsource.design.effects.time import Trim
+from skinsource.design.effects.playing import played
+from skinsource.design.effects.time import Reverse, Trim
 from skinsource.design.labels import span_label
 from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
@@ -668,6 +669,27 @@ def draw_clip(
     after = design.with_clip(clip_id, waveform=waveform)
     place = location_text(design.track_of(clip_id).location, design.limb)
     return Edit(label=f"Draw at {place}", design=after, view=view)
+
+
+def time_effects_end(clip: Clip) -> int:
+    """Return how many effects of a clip lie up to the last one that changes its time."""
+    ends = (
+        number
+        for number, effect in enumerate(clip.effects, 1)
+        if effect.on and (isinstance(effect, Reverse) or not isinstance(effect, KeepsTime))
+    )
+    return max(ends, default=0)
+
+
+@refusing
+def bake_clip(design: Design, view: View, clip_id: int, sample_rate_hz: float) -> Edit | Refusal:
+    """Replace the waveform of a clip, with all `time_effects_end`, by the samples it plays."""
+    clip = design.clip(clip_id)
+    end = time_effects_end(clip)
+    values = played(clip.waveform, clip.effects[:end], sample_rate_hz)
+    waveform = Drawn(Samples(values=values, sample_rate_hz=sample_rate_hz))
+    after = design.with_clip(clip_id, waveform=waveform, effects=clip.effects[end:])
+    return Edit(label=f"Convert {clips_text(design, (clip,))}", design=after, view=view)
 
 
 @refusing

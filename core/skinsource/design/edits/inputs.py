@@ -97,6 +97,15 @@ def add_input(design: Design, view: View) -> Edit | Refusal:
     return place_input(design, view, free_location(design))
 
 
+@refusing
+def add_track(design: Design, view: View) -> Edit | Refusal:
+    """Add an input without clips at the next free place, and select it."""
+    selected = leading_input(design, view)
+    location = free_location(design, 0 if selected is None else selected.location)
+    label = f"Add track at {location_text(location, design.limb)}"
+    return _added(design, view, label, [Input(location=location)])
+
+
 def free_location(design: Design, after: int = 0) -> int:
     """Return a free place: the usual one if possible, or the next one ``after`` another."""
     used, usual_place = {track.location for track in design.inputs}, usual_location(design.limb)

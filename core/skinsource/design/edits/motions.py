@@ -1,6 +1,7 @@
 """Add motions, and change those that stand in a design as a group of clips.
 
-A group stays while its clips are those that its motion writes; edited by hand, it is dissolved.
+A group stays while its clips are those that its motion writes; moved whole in time it begins at
+another time, and otherwise edited by hand it is dissolved.
 """
 
 from dataclasses import replace
@@ -11,7 +12,7 @@ from skinsource.base.work import counted
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, MotionGroup
 from skinsource.design.edits.edit import Edit, Refusal, refusing, with_inputs_added
-from skinsource.design.motions import Motion
+from skinsource.design.motions import Motion, with_motion_field
 from skinsource.design.view import View
 
 
@@ -101,12 +102,12 @@ def with_whole_motions(before: Design, edit: Edit) -> Edit:
     if not design.motions:
         return edit
     known, now = _places(before), _places(design)
-    whole = tuple(
-        group
-        for group in design.motions
-        if _is_whole(group, known if group in before.motions else {}, now)
-    )
-    lost = [group for group in before.motions if group in design.motions and group not in whole]
+    groups = [
+        _as_moved(group, known if group in before.motions else {}, now) for group in design.motions
+    ]
+    whole = tuple(filter(None, groups))
+    gone = {group.clips for group in design.motions} - {group.clips for group in whole}
+    lost = [group for group in before.motions if group.clips in gone]
     said = edit.said
     if lost:
         title = lost[0].motion.title
@@ -115,6 +116,8 @@ def with_whole_motions(before: Design, edit: Edit) -> Edit:
 
 
 _Place = tuple[Clip, int, float]
+# Of onsets that are compared.
+_DECIMALS = 9
 
 
 def _places(design: Design) -> dict[int, _Place]:
@@ -125,19 +128,27 @@ def _places(design: Design) -> dict[int, _Place]:
     }
 
 
-def _is_whole(group: MotionGroup, known: dict[int, _Place], now: dict[int, _Place]) -> bool:
-    """Return whether the clips of a group are those that its motion writes."""
-    present = [now.get(id) for id in group.clips]
-    if None in present:
-        return False
+def _as_moved(
+    group: MotionGroup, known: dict[int, _Place], now: dict[int, _Place]
+) -> MotionGroup | None:
+    """Return a group whose clips are those that its motion writes, maybe at another time."""
+    present = list(filter(None, map(now.get, group.clips)))
+    if len(present) < len(group.clips):
+        return None
     if present == [known.get(id) for id in group.clips]:
-        return True
+        return group
     try:
-        tracks = group.motion.tracks()
+        onset_s = round(present[0][0].onset_s, _DECIMALS)
+        motion = with_motion_field(group.motion, "onset_s", onset_s)
+        tracks = motion.tracks()
     except InvalidInputError:
-        return False
+        return None
     written = [(clip, track.location, track.amplitude) for track in tracks for clip in track.clips]
-    return written == [
-        (replace(clip, id=0), location, amplitude)
-        for clip, location, amplitude in filter(None, present)
-    ]
+    same = list(map(_rounded, written)) == list(map(_rounded, present))
+    return replace(group, motion=motion) if same else None
+
+
+def _rounded(place: _Place) -> _Place:
+    """Return a clip without its number, and its onset without what sums of times leave behind."""
+    clip, location, amplitude = place
+    return replace(clip, id=0, onset_s=round(clip.onset_s, _DECIMALS)), location, amplitude
