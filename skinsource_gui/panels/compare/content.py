@@ -461,6 +461,7 @@ class Kind:
     needs: ClassVar[frozenset[str]] = LEVELS
     own: ClassVar[bool] = False
     moves: ClassVar[bool] = True
+    along: ClassVar[str] = "normal to the skin"
 
     def moving(self, limb: str) -> str:
         """Return the quantity that moves."""
@@ -538,6 +539,7 @@ class OfAxes(Kind):
 
     needs: ClassVar[frozenset[str]] = _COMMON | frozenset(_PER_AXIS)
     own: ClassVar[bool] = True
+    along: ClassVar[str] = "along the axis of each map"
 
     def sides(self, design: Design, results: Mapping[str, Any]) -> Sequence[Compared]:
         common = {name: results[name] for name in _COMMON}

@@ -234,6 +234,7 @@ class StagePanel(MapsPanel):
         self.caution.setObjectName("stage_caution")
         set_tone(self.caution, "warning")
         self._held_ends: tuple[Range, Range] | None = None
+        self._passes = False
         self._shown: tuple[Any, ...] = ()
         self._track: Input | None = None
         self._turned = ""
@@ -276,7 +277,7 @@ class StagePanel(MapsPanel):
         self._lay_out(several=len(self.maps.content.cells) > 1)
         if not self.moves and self.compared:
             names = self.kind.names(self.compared, self.view, difference=False)
-            self.moving.update(self.compared, names)
+            self.moving.update(self.compared, names, along=self.kind.along)
         self._show_traces()
 
     def reset_range(self) -> None:
@@ -390,8 +391,11 @@ class StagePanel(MapsPanel):
         end_s = max(
             _PERIODS[loop.phasors is None] * self.moving.length_s(loop) for _, loop, _ in known
         )
-        if self._held_ends is not None:
+        # What passes is shown to its end, whatever scales stay.
+        passes = any(loop.phasors is None for _, loop, _ in known)
+        if self._held_ends is not None and not (passes or self._passes):
             end_s = self._held_ends[0][1]
+        self._passes = passes
         curves = []
         for k, loop, gain in known:
             kept = tuple(number for number in outputs if number <= loop.moving.signals.shape[0])
@@ -408,7 +412,8 @@ class StagePanel(MapsPanel):
             words = (where, f"{low_hz:g} Hz, {_SPECTRUM_DB:g} dB high", f"{high_hz:g} Hz")
         else:
             unit, factor = axis_unit(end_s)
-            ends = self._held_ends or ((0.0, end_s), (-top, top))
+            ends = (0.0, end_s), self._held_ends[1] if self._held_ends else (-top, top)
+            self._held_ends = self._held_ends and ends
             words = (where, f"±{rounded(ends[1][1])} m/s²", f"{end_s * factor:.3g} {unit}")
         self.strip.show_curves(tuple(curves), ends, words)
         self._show_cursor()

@@ -274,3 +274,26 @@ def test_all_of_it_is_in_sight_with_large_words(stage, qtbot, screen, compared):
 
 def _cut(label):
     return label.heightForWidth(label.width()) > label.height()
+
+
+def test_the_time_axis_shows_all_of_a_motion_that_no_longer_loops(stage, qtbot):
+    window = stage.window()
+    tone = ss.waveforms.Tone(frequency_hz=100.0)
+    two = replace(window.document.design, inputs=(ss.track(7, tone), ss.track(12, tone)))
+    window.document.edit("Two", two)
+    complete(stage, qtbot, 1)
+    qtbot.waitUntil(lambda: not window.engine.busy and not stage.is_stale)
+    assert stage.strip.ends[0][1] == pytest.approx(0.03)
+    stage.knob.dial.setValue(900)
+    qtbot.waitUntil(lambda: not window.engine.busy and not stage.is_stale)
+    loop = stage.moving.loops[0][0]
+    assert loop.phasors is None
+    assert stage.strip.ends[0][1] == pytest.approx(loop.duration_s)
+    tick(stage)
+    assert stage.strip.marked is not None
+
+
+def test_the_caption_of_axes_that_move_names_none_of_them(stage, qtbot):
+    show(stage.window(), StageSettings(compared=True), of="axes")
+    complete(stage, qtbot, 3)
+    assert "normal" not in stage.maps.content.common_scale.text_below
