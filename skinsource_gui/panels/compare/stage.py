@@ -1,5 +1,6 @@
 """The stage: title and sentence, maps in motion, traces and one knob, for people further off."""
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import log
@@ -17,6 +18,7 @@ from skinsource.design.design import AMPLITUDE_GAIN, Design, Input
 from skinsource.design.edits.edit import clip_of, leading_input
 from skinsource.design.panel_settings import (
     AMPLITUDE,
+    COMPARED,
     ONSET,
     STAGE,
     StageSettings,
@@ -41,7 +43,7 @@ from skinsource_gui.plots.curves import output_names
 from skinsource_gui.plots.small_map import Range
 from skinsource_gui.qt.frames import CachedPicture, Same
 from skinsource_gui.qt.labels import how_to_add
-from skinsource_gui.qt.layouts import in_column
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, letter_scale, set_tone, tabular
 
 _ALONE = OfWindow()
@@ -176,17 +178,18 @@ class Knob(QtWidgets.QWidget):
         self.field.edited.connect(self.edited)
         self.field.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.label.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.label.setWordWrap(True)
         set_tone(self.label, "dim")
         in_column(self.label, (self.dial, 1), self.field, of=self, margins=0, gap_px=UNIT_PX // 2)
         self.setFocusProxy(self.dial)
 
-    def show_number(self, name: str, spec: NumberSpec, value: float) -> None:
-        """Show a number of this name."""
+    def show_number(self, name: str, spec: NumberSpec, value: float, of: str = "") -> None:
+        """Show a number of this name; ``of``: whose it is."""
         low, high = _ENDS.get(name) or spec.measured_band_hz or (spec.minimum, spec.maximum)
         self._ends, self._logarithmic = (low, high), low > 0.0
-        self.label.setText(spec.label)
+        self.label.setText(f"{spec.label}{of}")
         for part in (self.dial, self.field):
-            part.setAccessibleName(spec.label)
+            part.setAccessibleName(self.label.text())
         self.field.set_spec(spec)
         self.field.set_value(value)
         with QSignalBlocker(self.dial):
@@ -230,9 +233,14 @@ class StagePanel(MapsPanel):
         super().__init__(parent)
         self.heading, self.sentence = QtWidgets.QLabel(), QtWidgets.QLabel()
         self.strip, self.knob = Strip(), Knob()
-        self.caution = QtWidgets.QLabel(self.maps)
+        self.caution, self.switch = QtWidgets.QLabel(), QtWidgets.QCheckBox("Compare")
         self.caution.setObjectName("stage_caution")
+        self.caution.setWordWrap(True)
         set_tone(self.caution, "warning")
+        self.switch.setObjectName("stage_compare")
+        self.switch.setToolTip(COMPARED.hint)
+        self.switch.clicked.connect(self.compare)
+        self._line = in_row((self.caution, 1), self.switch)
         self._held_ends: tuple[Range, Range] | None = None
         self._passes = False
         self._shown: tuple[Any, ...] = ()
@@ -264,6 +272,7 @@ class StagePanel(MapsPanel):
     def show_state(self, design: Design, view: View) -> None:
         stage, compare = stage_settings(view), settings_of(view, "compare", CompareSettings)
         kind = KINDS[compare.of] if stage.compared else _ALONE
+        self.switch.setChecked(stage.compared)
         self._show_knob(design, view, stage.control)
         self._show_words(design)
         shown = kind, compare, stage, view.outputs, view.axes, design.limb
@@ -286,8 +295,6 @@ class StagePanel(MapsPanel):
 
     def show_caution(self, text: str) -> None:
         self.caution.setText(text)
-        self.caution.setVisible(bool(text))
-        self.caution.adjustSize()
 
     def fit(self) -> None:
         """Fit the scales to what is shown now: they stay as they are while the knob turns."""
@@ -303,9 +310,15 @@ class StagePanel(MapsPanel):
 
     def show_levels(self) -> None:
         """Show RMS levels in place of motion, or motion again."""
-        stage = settings_of(self.view, STAGE, StageSettings)
-        changed = replace(stage, moves=not stage.moves)
-        self.view_changed.emit(with_settings(self.view, STAGE, changed))
+        self._change(moves=not stage_settings(self.view).moves)
+
+    def compare(self) -> None:
+        """Show what the Compare panel compares, or the design alone again."""
+        self._change(compared=not stage_settings(self.view).compared)
+
+    def _change(self, **changes: Any) -> None:
+        stage = replace(settings_of(self.view, STAGE, StageSettings), **changes)
+        self.view_changed.emit(with_settings(self.view, STAGE, stage))
 
     def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -321,14 +334,16 @@ class StagePanel(MapsPanel):
             return
         self._several, grid = several, self._grid
         places = (
-            ((0, 0, 1, 2), (1, 0, 1, 2), (2, 0, 1, 2), (3, 0, 1, 1), (3, 1, 1, 1))
+            ((0, 0, 1, 2), (1, 0, 1, 2), (3, 0, 1, 2), (4, 0, 1, 1), (4, 1, 1, 1))
             if several
-            else ((0, 1, 1, 1), (1, 1, 1, 1), (0, 0, 4, 1), (2, 1, 1, 1), (3, 1, 1, 1))
+            else ((0, 1, 1, 1), (1, 1, 1, 1), (0, 0, 5, 1), (3, 1, 1, 1), (4, 1, 1, 1))
         )
         parts = (self.heading, self.sentence, self.maps, self.strip, self.knob)
         for part, place in zip(parts, places, strict=True):
             grid.addWidget(part, *place)
-        for row, share in enumerate((0, 0, 75, 25) if several else (0, 0, 60, 40)):
+        grid.removeItem(self._line)
+        grid.addLayout(self._line, 2, 0 if several else 1, 1, 2 if several else 1)
+        for row, share in enumerate((0, 0, 0, 75, 25) if several else (0, 0, 0, 60, 40)):
             grid.setRowStretch(row, share)
         for column, share in enumerate((85, 15) if several else (45, 55)):
             grid.setColumnStretch(column, share)
@@ -338,7 +353,7 @@ class StagePanel(MapsPanel):
         self._grid.setContentsMargins(margin, margin, margin, margin)
         self._grid.setSpacing(margin)
         size_px = self.height() * letter_scale(self.font())
-        small = self.maps, self.strip, self.knob.label, self.caution
+        small = self.maps, self.strip, self.knob.label, self.caution, self.switch
         rooms = ((self.heading,), (self.sentence,), small)
         for share, parts in zip(_LETTERS, rooms, strict=True):
             for part in parts:
@@ -347,15 +362,24 @@ class StagePanel(MapsPanel):
                 font.setBold(share == _LETTERS[0])
                 part.setFont(font)
         self.knob.field.setFont(tabular(self.sentence.font()))
-        self.caution.move(UNIT_PX, 0)
-        self.caution.adjustSize()
 
     def _show_words(self, design: Design) -> None:
         track = self._track
         plain = how_to_add() if track is None else f"Place {track.location}"
-        self.heading.setText(scenes.title_of(design) if design.title else plain)
-        self.sentence.setText(design.notes.partition("\n")[0])
-        self.sentence.setVisible(bool(self.sentence.text()))
+        title, words = design.title or plain, design.notes.partition("\n")[0]
+        now = scenes.title_of(design) if design.title else plain
+        said = words
+        if now != title:
+            now, _, _ = now.rpartition(" · ")
+            # What was computed of the scene as it was opened is no longer true.
+            parts = re.split(r"(?<=\.) (?=[A-Z])", words)
+            said = " ".join(p for p in parts if p.startswith("Try") or not re.search(r"\d", p))
+        for label, whole, text in ((self.heading, title, now), (self.sentence, words, said)):
+            label.setVisible(bool(whole))
+            label.setText(whole)
+            # Nothing moves where less is said than before.
+            label.setMinimumHeight(0 if whole == text else label.heightForWidth(label.width()))
+            label.setText(text)
 
     def _show_knob(self, design: Design, view: View, control: str) -> None:
         self._track = track = leading_input(design, view) or next(iter(design.inputs), None)
@@ -374,7 +398,10 @@ class StagePanel(MapsPanel):
         else:
             spec = AMPLITUDE_GAIN if is_gain(design, track) else amplitude_spec(design)
             self._turned, value = "amplitude", track.amplitude
-        self.knob.show_number(self._turned, spec, value)
+        n_turned, of = len(view.selected_inputs), ""
+        if len(design.inputs) > 1:
+            of = f" of {n_turned} inputs" if n_turned > 1 else f" of place {track.location}"
+        self.knob.show_number(self._turned, spec, value, of)
 
     def _show_traces(self) -> None:
         """Draw the outputs of one map, or the first one of several."""
