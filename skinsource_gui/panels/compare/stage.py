@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QPointF, QRectF, QSignalBlocker, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSignalBlocker, QSize, Qt, QTimer, Signal
 
 from skinsource.base.arrays import Floats
 from skinsource.design import edits
@@ -324,6 +324,12 @@ class StagePanel(MapsPanel):
         super().resizeEvent(event)
         self._fit_letters()
 
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.StyleChange:
+            # Each label gets the letters of the window after its panel.
+            QTimer.singleShot(0, self, self._fit_letters)
+
     def move_on(self, seconds: float) -> None:
         super().move_on(seconds)
         self._show_cursor()
@@ -400,7 +406,11 @@ class StagePanel(MapsPanel):
             self._turned, value = "amplitude", track.amplitude
         n_turned, of = len(view.selected_inputs), ""
         if len(design.inputs) > 1:
-            of = f" of {n_turned} inputs" if n_turned > 1 else f" of place {track.location}"
+            of = (
+                f" of {n_turned} inputs"
+                if n_turned > 1
+                else f" of place\N{NO-BREAK SPACE}{track.location}"
+            )
         self.knob.show_number(self._turned, spec, value, of)
 
     def _show_traces(self) -> None:

@@ -333,7 +333,7 @@ def test_the_knob_says_whose_number_it_turns(stage):
     assert stage.knob.label.text() == "Frequency"
     two = replace(document.design, inputs=(ss.track(7, tone), ss.track(12, tone)))
     document.edit("Two", two)
-    assert stage.knob.label.text() == "Frequency of place 7"
+    assert stage.knob.label.text() == "Frequency of place\N{NO-BREAK SPACE}7"
 
 
 def test_numbers_of_a_scene_are_not_said_of_another_design(stage, qtbot):
@@ -348,3 +348,10 @@ def test_numbers_of_a_scene_are_not_said_of_another_design(stage, qtbot):
     assert stage.heading.text() in opened.design.title
     stage.layout().activate()
     assert stage.heading.height() == height
+
+
+def test_letters_stay_large_when_the_theme_changes(stage, qtbot):
+    large = stage.heading.font().pixelSize()
+    for theme in ("use_contrast_theme", "use_light_theme"):
+        stage.window().do(theme)
+        qtbot.waitUntil(lambda: stage.heading.font().pixelSize() == large)
