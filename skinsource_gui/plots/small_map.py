@@ -25,6 +25,7 @@ from skinsource.specs.numbers import RangeSpec
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.units import minus
 from skinsource_gui.plots.colour_maps import VIRIDIS, colour_indices, colour_table, level_colours
+from skinsource_gui.plots.curves import fitting
 from skinsource_gui.plots.outputs import is_placed
 from skinsource_gui.qt.frames import Frame, fitted
 from skinsource_gui.qt.theme import Theme, is_on_paper, scaled, translucent
@@ -599,6 +600,8 @@ class ColourScale:
         None: all lie within.
     unit
         Unit of values beside which none is written.
+    shorter
+        Texts in place of ``text_below`` where it has no room, the longest first.
     """
 
     range_db: Range
@@ -607,6 +610,7 @@ class ColourScale:
     signed: bool = False
     reached_db: Range | None = None
     unit: str = "dB"
+    shorter: tuple[str, ...] = ()
 
     def text(self, value_db: float) -> str:
         """Return ``"−12.3 dB"``; differences have a sign."""
@@ -656,7 +660,9 @@ def paint_scale_row(
     line = painter.fontMetrics().height()
     width = max(min(area.width() - 4.0 * line, 20.0 * line), 4.0 * line)
     low = area.height() < scale_row_px(line) - line / 2.0
-    text_px = painter.fontMetrics().horizontalAdvance(scale.text_below) if low else 0.0
+    texts, metrics = (scale.text_below, *scale.shorter), QtGui.QFontMetricsF(painter.font())
+    text = fitting(texts, metrics, area.width() - (10.0 * line if low else 0.0)) or texts[-1]
+    text_px = metrics.horizontalAdvance(text) if low else 0.0
     width = max(min(width, area.width() - text_px - 6.0 * line), 4.0 * line)
     left = area.center().x() - (width + text_px) / 2.0
     ramp = QRectF(left, area.top() + _ABOVE_PX, width, _RAMP_PX)
@@ -665,7 +671,7 @@ def paint_scale_row(
     below = QRectF(area.left(), ramp.bottom() + line, area.width(), line)
     beside = QRectF(ramp.right() + 3.0 * line, area.top(), area.width(), area.height())
     centred = Qt.AlignmentFlag.AlignVCenter if low else _CENTRE
-    painter.drawText(beside if low else below, centred, scale.text_below)
+    painter.drawText(beside if low else below, centred, text)
 
 
 def paint_ramp(painter: QtGui.QPainter, ramp: QRectF, scale: ColourScale, theme: Theme) -> None:

@@ -104,6 +104,10 @@ class Cover(Overlay):
         # A widget that is too low for a text stands beside one that has it.
         if self.height() >= _LEAST_LINES * self.fontMetrics().height():
             painter.setPen(palette.color(QtGui.QPalette.ColorRole.WindowText))
+            font = painter.font()
+            least_px, room_px = self.fontMetrics().height(), min(self.width() / 2, self.height())
+            font.setPixelSize(round(max(room_px / 8, least_px)))
+            painter.setFont(font)
             painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, COVERED)
         painter.end()
 

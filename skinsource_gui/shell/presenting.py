@@ -14,7 +14,7 @@ from shiboken6 import isValid
 from skinsource.base.errors import DesignFileError, SkinSourceError
 from skinsource.design.design import Design
 from skinsource.design.design_file import SUFFIX, open_design
-from skinsource.design.panel_settings import STAGE
+from skinsource.design.panel_settings import STAGE, stage_settings
 from skinsource.design.show_file import ShowEntry, UnreadEntry, open_show
 from skinsource.design.view import View
 from skinsource.studies import scenes
@@ -26,10 +26,12 @@ from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import UNIT_PX, scaled
 from skinsource_gui.shell.focus import KeyboardFilter
 from skinsource_gui.shell.workspaces import Workspaces
+from skinsource_gui.state.panel import Panel
 from skinsource_gui.state.services import Services
 
 if TYPE_CHECKING:
     from skinsource_gui.pages.show import ShowPage
+    from skinsource_gui.panels.compare.maps import MapsPanel
     from skinsource_gui.panels.compare.stage import StagePanel
 
 _LARGE = 1.6
@@ -85,7 +87,7 @@ _TEXTS = (QtWidgets.QLineEdit, QtWidgets.QPlainTextEdit, QtWidgets.QTextEdit)
 
 
 class PresentingKeys(KeyboardFilter):
-    """Takes keys from the widget that has the keyboard, until its end.
+    """Takes keys from the widget that has the keyboard.
 
     Clickers send Page Down and Page Up, with which a dial takes large steps; and Space and Esc mean
     something to lists, buttons and maps.  What is typed or dragged has Esc and Space first.
@@ -93,20 +95,17 @@ class PresentingKeys(KeyboardFilter):
     Parameters
     ----------
     handlers
-        What is done by the keys of their meanings.
+        Returns what is done by keys of their meanings, for the widget that has the keyboard.
     parent
         Its owner.
     """
 
-    def __init__(self, handlers: Mapping[str, Callable[[], None]], parent: QObject) -> None:
+    def __init__(
+        self, handlers: Callable[[QObject], Mapping[str, Callable[[], None]]], parent: QObject
+    ) -> None:
         super().__init__(parent)
         self._handlers = handlers
         self.follow(True)
-
-    def end(self) -> None:
-        """Leave the keys to the widget that has the keyboard."""
-        self.follow(False)
-        self.deleteLater()
 
     def wanted(self, focused: QtWidgets.QWidget | None) -> QtWidgets.QWidget | None:
         return focused or QtWidgets.QApplication.activeWindow()
@@ -115,7 +114,7 @@ class PresentingKeys(KeyboardFilter):
         if event.type() not in (_OVERRIDE, _PRESSED) or not isinstance(event, QtGui.QKeyEvent):
             return super().eventFilter(watched, event)
         meaning = meaning_of("presenting", event)
-        do = self._handlers.get(meaning)
+        do = self._handlers(watched).get(meaning)
         elsewhere = (
             QtWidgets.QApplication.activeModalWidget() or QtWidgets.QApplication.activePopupWidget()
         )
@@ -238,7 +237,7 @@ class Presenter(QObject):
         self._show_path: Path | None = None
         self.presenting = self.covered = False
         self._made = panels
-        panels.each(lambda panel: panel.show_covered(self.covered))
+        panels.each(self._meet)
         self._focused: QtWidgets.QWidget | None = None
         self._steps: tuple[Step, ...] = ()
         self._entries: tuple[ShowEntry | UnreadEntry, ...] = ()
@@ -248,7 +247,6 @@ class Presenter(QObject):
         self._begun, self._asks = 0, True
         self._opening = False
         self._notes: NotesWindow | None = None
-        self._presenting_keys: PresentingKeys | None = None
         document.jumped.connect(self._look)
 
     def toggle(self) -> None:
@@ -263,6 +261,7 @@ class Presenter(QObject):
         self._asks = not is_scene or self._document.modified
         self._begun = self._document.undo_stack.index()
         self._focused = window.focusWidget()
+        compares = self._compares()
         self.presenting_changed.emit(True)
         self._workspaces.begin_show()
         for bar in self._bars():
@@ -270,8 +269,10 @@ class Presenter(QObject):
         # Keys of menus that are away would be dead; here Space moves no actuator.
         window.addActions([each for name, each in self._actions().items() if name != "play"])
         window.setWindowState(window.windowState() | Qt.WindowState.WindowFullScreen)
-        self._presenting_keys = PresentingKeys(self._handlers(), self)
-        self._made[STAGE].setFocus()
+        stage = cast("StagePanel", self._made[STAGE])
+        stage.setFocus()
+        if compares and not stage_settings(self._document.view).compared:
+            stage.compare()
         following = KEYS["presenting"].gestures["next"].shown
         cover = key_text("presenting", "cover")
         leave = f"{shortcut_text('present')} or {key_text('presenting', 'leave')}"
@@ -284,9 +285,6 @@ class Presenter(QObject):
         turned = self._take_back()
         for action in self._actions().values():
             window.removeAction(action)
-        if self._presenting_keys is not None:
-            self._presenting_keys.end()
-            self._presenting_keys = None
         window.setWindowState(window.windowState() & ~Qt.WindowState.WindowFullScreen)
         # What was told meanwhile would lie over what the line says.
         window.statusBar().clearMessage()
@@ -338,10 +336,19 @@ class Presenter(QObject):
         """Open the page on which the show that is open, or a new one, is changed."""
         path, entries = self._show_path if self._entries else None, self._entries
         page = pages.ShowPage(self._document, self._preferences, self._window, path, entries)
-        page.presented.connect(self.open_show)
+        page.presented.connect(self._present)
+        # It comes back with what is not saved.
+        self.presenting_changed.connect(page.setHidden)
         page.saved.connect(self._note_saved)
         page.show()
         return page
+
+    def _present(self, entries: Sequence[ShowEntry | UnreadEntry], at: int) -> None:
+        if entries and self._may_leave():
+            if not self.presenting:
+                self.begin()
+            self._asks = False
+            self.open_show(entries, at)
 
     def next_scene(self) -> None:
         """Go to the next scene."""
@@ -355,6 +362,7 @@ class Presenter(QObject):
         """A scene of the paper was opened elsewhere: the next one comes after it."""
         self._steps, self._entries = self._steps_of_paper(), ()
         self._at = [scene.name for scene in scenes.all_scenes()].index(name)
+        self._made[STAGE].setFocus()
 
     def show_notes(self) -> None:
         """Show what the speaker reads, on another screen where there is one."""
@@ -364,6 +372,11 @@ class Presenter(QObject):
         self._show_notes()
         self._notes.show_beside(self._window)
 
+    def _compares(self) -> bool:
+        """Return whether the Compare panel is in sight, and shows several maps."""
+        shown = [panel for panel in self._made if panel.name == "compare" and panel.isVisible()]
+        return any(len(cast("MapsPanel", panel).maps.content.cells) > 1 for panel in shown)
+
     def _bars(self) -> list[QtWidgets.QWidget]:
         return [self._window.menuWidget(), self._window.statusBar()]
 
@@ -371,16 +384,28 @@ class Presenter(QObject):
         self._show_path = path
         self._files.note_used(path)
 
-    def _handlers(self) -> dict[str, Callable[[], None]]:
+    def _meet(self, panel: Panel) -> None:
+        panel.show_covered(self.covered)
+        if panel.name == STAGE:
+            PresentingKeys(self._handlers, self)
+
+    def _handlers(self, watched: QObject) -> dict[str, Callable[[], None]]:
         stage = cast("StagePanel", self._made[STAGE])
-        return {
-            "next": self.next_scene,
-            "previous": self.previous_scene,
+        on_stage = {
             "cover": self.cover,
-            "leave": self.end,
             "hold": stage.hold,
             "levels": stage.show_levels,
             "fit": stage.fit,
+            "compare": stage.compare,
+        }
+        if not self.presenting:
+            here = watched is self._window or stage.isAncestorOf(cast(QtWidgets.QWidget, watched))
+            return on_stage if here and stage.isVisible() else {}
+        return {
+            "next": self.next_scene,
+            "previous": self.previous_scene,
+            "leave": self.end,
+            **on_stage,
         }
 
     def _go(self, by: int) -> None:

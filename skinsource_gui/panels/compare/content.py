@@ -156,10 +156,6 @@ class Cell:
         return f"{value} at {largest + 1}", value, value.removesuffix(" dB")
 
 
-#: Height of the line above the maps, in lines of text.
-HEAD_LINES = 1.2
-
-
 @dataclass(frozen=True, kw_only=True, eq=False)
 class CompareContent:
     """All maps, or a message in their place.
@@ -188,7 +184,7 @@ class CompareContent:
     @property
     def head_lines(self) -> float:
         """Height of the line above the maps, which says that they are of synthetic limbs."""
-        return HEAD_LINES if any(cell.synthetic for cell in self.cells) else 0.0
+        return 1.2 if any(cell.synthetic for cell in self.cells) else 0.0
 
     @property
     def stale(self) -> bool:
@@ -461,6 +457,7 @@ class Kind:
     needs: ClassVar[frozenset[str]] = LEVELS
     own: ClassVar[bool] = False
     moves: ClassVar[bool] = True
+    along: ClassVar[str] = "normal to the skin"
 
     def moving(self, limb: str) -> str:
         """Return the quantity that moves."""
@@ -538,6 +535,7 @@ class OfAxes(Kind):
 
     needs: ClassVar[frozenset[str]] = _COMMON | frozenset(_PER_AXIS)
     own: ClassVar[bool] = True
+    along: ClassVar[str] = "along the axis of each map"
 
     def sides(self, design: Design, results: Mapping[str, Any]) -> Sequence[Compared]:
         common = {name: results[name] for name in _COMMON}

@@ -125,7 +125,7 @@ class MapsPanel(Panel):
         if compared and design is not None and not message:
             if self.moves:
                 names = kind.names(compared, view, difference=False)
-                self.moving.update(compared, names, self.held)
+                self.moving.update(compared, names, self.held, kind.along)
                 cells = self.moving.cells()
             else:
                 drawn = kind.drawn(compared, design, view, self.settings)

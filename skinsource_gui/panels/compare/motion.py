@@ -61,9 +61,16 @@ class MovingMaps:
         self._range.reset()
 
     def update(
-        self, compared: Sequence[Compared], names: Sequence[Names], held: Range | None = None
+        self,
+        compared: Sequence[Compared],
+        names: Sequence[Names],
+        held: Range | None = None,
+        along: str = "",
     ) -> None:
-        """Take over designs and how they are called; ``held``: ends of the scale that stays."""
+        """Take over designs and how they are called.
+
+        ``held``: ends of the scale that stays; ``along``: the direction of signed values.
+        """
         self._compared = compared
         self.loops = [_loop(side) for side in compared]
         loops = [known for known in self.loops if known is not None]
@@ -71,10 +78,12 @@ class MovingMaps:
         largest = max((loop.largest * gain for loop, gain in loops), default=0.0)
         end = _SHARE_OF_LARGEST * largest
         signed = all(loop.signed for loop, _ in loops)
-        what = "m/s² normal to the skin" if signed else "m/s²"
+        slow = f"slow motion 1/{rounded(self.slow_motion)}"
+        what = f"m/s² {along}" if signed else "m/s²"
         scale = ColourScale(
             range_db=held or self._range.follow(-end if signed else 0.0, end, "amplitude"),
-            text_below=f"{what}, in slow motion 1/{self.slow_motion:.3g}",
+            text_below=f"{what}, {slow}",
+            shorter=(f"m/s², {slow}",),
             colours=DIVERGING if signed else VIRIDIS,
             signed=signed,
             reached_db=(-largest if signed else 0.0, largest),

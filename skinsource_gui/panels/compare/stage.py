@@ -1,5 +1,6 @@
 """The stage: title and sentence, maps in motion, traces and one knob, for people further off."""
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import log
@@ -7,7 +8,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QPointF, QRectF, QSignalBlocker, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSignalBlocker, QSize, Qt, QTimer, Signal
 
 from skinsource.base.arrays import Floats
 from skinsource.design import edits
@@ -17,6 +18,7 @@ from skinsource.design.design import AMPLITUDE_GAIN, Design, Input
 from skinsource.design.edits.edit import clip_of, leading_input
 from skinsource.design.panel_settings import (
     AMPLITUDE,
+    COMPARED,
     ONSET,
     STAGE,
     StageSettings,
@@ -40,10 +42,10 @@ from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.curves import output_names
 from skinsource_gui.plots.figure import Figure
 from skinsource_gui.plots.small_map import Range
-from skinsource_gui.qt.buttons import page_label, show_or_hide
+from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.frames import CachedPicture, Same
 from skinsource_gui.qt.labels import how_to_add
-from skinsource_gui.qt.layouts import in_column
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, letter_scale, set_tone, tabular
 
 _ALONE = OfWindow()
@@ -176,17 +178,18 @@ class Knob(QtWidgets.QWidget):
         self.field.edited.connect(self.edited)
         self.field.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.label.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.label.setWordWrap(True)
         set_tone(self.label, "dim")
         in_column(self.label, (self.dial, 1), self.field, of=self, margins=0, gap_px=UNIT_PX // 2)
         self.setFocusProxy(self.dial)
 
-    def show_number(self, name: str, spec: NumberSpec, value: float) -> None:
-        """Show a number of this name."""
+    def show_number(self, name: str, spec: NumberSpec, value: float, of: str = "") -> None:
+        """Show a number of this name; ``of``: whose it is."""
         low, high = _ENDS.get(name) or spec.measured_band_hz or (spec.minimum, spec.maximum)
         self._ends, self._logarithmic = (low, high), low > 0.0
-        self.label.setText(spec.label)
+        self.label.setText(f"{spec.label}{of}")
         for part in (self.dial, self.field):
-            part.setAccessibleName(spec.label)
+            part.setAccessibleName(self.label.text())
         self.field.set_spec(spec)
         self.field.set_value(value)
         with QSignalBlocker(self.dial):
@@ -230,10 +233,16 @@ class StagePanel(MapsPanel):
         super().__init__(parent)
         self.heading, self.sentence = page_label("stage_title"), page_label("stage_sentence")
         self.strip, self.knob = Strip(), Knob()
-        self.caution = QtWidgets.QLabel(self.maps)
+        self.caution, self.switch = QtWidgets.QLabel(), QtWidgets.QCheckBox("Compare")
         self.caution.setObjectName("stage_caution")
+        self.caution.setWordWrap(True)
         set_tone(self.caution, "warning")
+        self.switch.setObjectName("stage_compare")
+        self.switch.setToolTip(COMPARED.hint)
+        self.switch.clicked.connect(self.compare)
+        self._line = in_row((self.caution, 1), self.switch)
         self._held_ends: tuple[Range, Range] | None = None
+        self._passes = False
         self._shown: tuple[Any, ...] = ()
         self._track: Input | None = None
         self._turned = ""
@@ -242,8 +251,6 @@ class StagePanel(MapsPanel):
         self.maps.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         # The wave is to be seen on the arm, too.
         self.maps.least_lines = 9.0
-        # The caution stands there.
-        self.maps.captioned = True
         self.knob.edited.connect(self._turn)
         self.guessed = self.maps, self.strip
         self.setFocusProxy(self.knob)
@@ -263,6 +270,7 @@ class StagePanel(MapsPanel):
     def show_state(self, design: Design, view: View) -> None:
         stage, compare = stage_settings(view), settings_of(view, "compare", CompareSettings)
         kind = KINDS[compare.of] if stage.compared else _ALONE
+        self.switch.setChecked(stage.compared)
         self._show_knob(design, view, stage.control)
         self._show_words(design)
         shown = kind, compare, stage, view.outputs, view.axes, design.limb
@@ -276,7 +284,7 @@ class StagePanel(MapsPanel):
         self._lay_out(several=len(self.maps.content.cells) > 1)
         if not self.moves and self.compared:
             names = self.kind.names(self.compared, self.view, difference=False)
-            self.moving.update(self.compared, names)
+            self.moving.update(self.compared, names, along=self.kind.along)
         self._show_traces()
 
     def reset_range(self) -> None:
@@ -284,8 +292,7 @@ class StagePanel(MapsPanel):
         self._release()
 
     def show_caution(self, text: str) -> None:
-        show_or_hide(self.caution, text)
-        self.caution.adjustSize()
+        self.caution.setText(text)
 
     def fit(self) -> None:
         """Fit the scales to what is shown now: they stay as they are while the knob turns."""
@@ -301,13 +308,25 @@ class StagePanel(MapsPanel):
 
     def show_levels(self) -> None:
         """Show RMS levels in place of motion, or motion again."""
-        stage = settings_of(self.view, STAGE, StageSettings)
-        changed = replace(stage, moves=not stage.moves)
-        self.view_changed.emit(with_settings(self.view, STAGE, changed))
+        self._change(moves=not stage_settings(self.view).moves)
+
+    def compare(self) -> None:
+        """Show what the Compare panel compares, or the design alone again."""
+        self._change(compared=not stage_settings(self.view).compared)
+
+    def _change(self, **changes: Any) -> None:
+        stage = replace(settings_of(self.view, STAGE, StageSettings), **changes)
+        self.view_changed.emit(with_settings(self.view, STAGE, stage))
 
     def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         self._fit_letters()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.StyleChange:
+            # Each label gets the letters of the window after its panel.
+            QTimer.singleShot(0, self, self._fit_letters)
 
     def move_on(self, seconds: float) -> None:
         super().move_on(seconds)
@@ -319,14 +338,16 @@ class StagePanel(MapsPanel):
             return
         self._several, grid = several, self._grid
         places = (
-            ((0, 0, 1, 2), (1, 0, 1, 2), (2, 0, 1, 2), (3, 0, 1, 1), (3, 1, 1, 1))
+            ((0, 0, 1, 2), (1, 0, 1, 2), (3, 0, 1, 2), (4, 0, 1, 1), (4, 1, 1, 1))
             if several
-            else ((0, 1, 1, 1), (1, 1, 1, 1), (0, 0, 4, 1), (2, 1, 1, 1), (3, 1, 1, 1))
+            else ((0, 1, 1, 1), (1, 1, 1, 1), (0, 0, 5, 1), (3, 1, 1, 1), (4, 1, 1, 1))
         )
         parts = (self.heading, self.sentence, self.maps, self.strip, self.knob)
         for part, place in zip(parts, places, strict=True):
             grid.addWidget(part, *place)
-        for row, share in enumerate((0, 0, 75, 25) if several else (0, 0, 60, 40)):
+        grid.removeItem(self._line)
+        grid.addLayout(self._line, 2, 0 if several else 1, 1, 2 if several else 1)
+        for row, share in enumerate((0, 0, 0, 75, 25) if several else (0, 0, 0, 60, 40)):
             grid.setRowStretch(row, share)
         for column, share in enumerate((85, 15) if several else (45, 55)):
             grid.setColumnStretch(column, share)
@@ -336,7 +357,7 @@ class StagePanel(MapsPanel):
         self._grid.setContentsMargins(margin, margin, margin, margin)
         self._grid.setSpacing(margin)
         size_px = self.height() * letter_scale(self.font())
-        small = self.maps, self.strip, self.knob.label, self.caution
+        small = self.maps, self.strip, self.knob.label, self.caution, self.switch
         rooms = ((self.heading,), (self.sentence,), small)
         for share, parts in zip(_LETTERS, rooms, strict=True):
             for part in parts:
@@ -345,14 +366,24 @@ class StagePanel(MapsPanel):
                 font.setBold(share == _LETTERS[0])
                 part.setFont(font)
         self.knob.field.setFont(tabular(self.sentence.font()))
-        self.caution.move(UNIT_PX, 0)
-        self.caution.adjustSize()
 
     def _show_words(self, design: Design) -> None:
         track = self._track
         plain = how_to_add() if track is None else f"Place {track.location}"
-        self.heading.setText(scenes.title_of(design) if design.title else plain)
-        show_or_hide(self.sentence, design.notes.partition("\n")[0])
+        title, words = design.title or plain, design.notes.partition("\n")[0]
+        now = scenes.title_of(design) if design.title else plain
+        said = words
+        if now != title:
+            now, _, _ = now.rpartition(" · ")
+            # What was computed of the scene as it was opened is no longer true.
+            parts = re.split(r"(?<=\.) (?=[A-Z])", words)
+            said = " ".join(p for p in parts if p.startswith("Try") or not re.search(r"\d", p))
+        for label, whole, text in ((self.heading, title, now), (self.sentence, words, said)):
+            label.setVisible(bool(whole))
+            label.setText(whole)
+            # Nothing moves where less is said than before.
+            label.setMinimumHeight(0 if whole == text else label.heightForWidth(label.width()))
+            label.setText(text)
 
     def _show_knob(self, design: Design, view: View, control: str) -> None:
         self._track = track = leading_input(design, view) or next(iter(design.inputs), None)
@@ -371,7 +402,14 @@ class StagePanel(MapsPanel):
         else:
             spec = AMPLITUDE_GAIN if is_gain(design, track) else amplitude_spec(design)
             self._turned, value = "amplitude", track.amplitude
-        self.knob.show_number(self._turned, spec, value)
+        n_turned, of = len(view.selected_inputs), ""
+        if len(design.inputs) > 1:
+            of = (
+                f" of {n_turned} inputs"
+                if n_turned > 1
+                else f" of place\N{NO-BREAK SPACE}{track.location}"
+            )
+        self.knob.show_number(self._turned, spec, value, of)
 
     def _show_traces(self) -> None:
         """Draw the outputs of one map, or the first one of several."""
@@ -388,8 +426,11 @@ class StagePanel(MapsPanel):
         end_s = max(
             _PERIODS[loop.phasors is None] * self.moving.length_s(loop) for _, loop, _ in known
         )
-        if self._held_ends is not None:
+        # What passes is shown to its end, whatever scales stay.
+        passes = any(loop.phasors is None for _, loop, _ in known)
+        if self._held_ends is not None and not (passes or self._passes):
             end_s = self._held_ends[0][1]
+        self._passes = passes
         curves = []
         for k, loop, gain in known:
             kept = tuple(number for number in outputs if number <= loop.moving.signals.shape[0])
@@ -406,7 +447,8 @@ class StagePanel(MapsPanel):
             words = (where, f"{low_hz:g} Hz, {_SPECTRUM_DB:g} dB high", f"{high_hz:g} Hz")
         else:
             unit, factor = axis_unit(end_s)
-            ends = self._held_ends or ((0.0, end_s), (-top, top))
+            ends = (0.0, end_s), self._held_ends[1] if self._held_ends else (-top, top)
+            self._held_ends = self._held_ends and ends
             words = (where, f"±{rounded(ends[1][1])} m/s²", f"{end_s * factor:.3g} {unit}")
         self.strip.show_curves(tuple(curves), ends, words)
         self._show_cursor()

@@ -10,7 +10,7 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 
 from skinsource.base.arrays import Floats
-from skinsource_gui.panels.compare.content import HEAD_LINES, Cell, CompareContent
+from skinsource_gui.panels.compare.content import Cell, CompareContent
 from skinsource_gui.plots.colour_maps import colour_table
 from skinsource_gui.plots.curves import fitting
 from skinsource_gui.plots.figure import shrunk
@@ -276,8 +276,6 @@ class MapsView(QtWidgets.QWidget):
         Chooses outputs by mouse and keys.
     least_lines
         Maps that would be lower than so many lines of text show hands alone.
-    captioned
-        Whether the line above the maps stays free where they need none.
     """
 
     #: The outputs to select, a tuple of numbers.
@@ -290,7 +288,7 @@ class MapsView(QtWidgets.QWidget):
         self._places: Places | None = None
         # Of which map the mouse was last.
         self._at = 0
-        self.content, self.least_lines, self.captioned = CompareContent(), 16.0, False
+        self.content, self.least_lines = CompareContent(), 16.0
         self.picker = OutputPicker(self)
         self.picker.chosen.connect(self.outputs_chosen)
         self.picker.moved.connect(self._emit_pointed_at)
@@ -312,8 +310,6 @@ class MapsView(QtWidgets.QWidget):
         """Where the maps are."""
         if self._places is None:
             room, font = QRectF(self.rect()), tabular(self.font())
-            if self.captioned and not self.content.head_lines:
-                room.setTop(HEAD_LINES * QtGui.QFontMetricsF(font).height())
             self._places = places_for(room, self.content, font, self.least_lines)
         return self._places
 

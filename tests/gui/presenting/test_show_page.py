@@ -1,7 +1,7 @@
 """A show is made in the window: designs, files and scenes in an order, with words and a knob."""
 
 import pytest
-from PySide6.QtWidgets import QFileDialog, QMessageBox
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QPushButton
 
 import skinsource as ss
 from skinsource.design.show_file import ShowEntry
@@ -111,3 +111,16 @@ def test_an_entry_that_cannot_be_read_is_named_passed_by_and_kept(studio, made, 
         True,
         True,
     ]
+
+
+def test_presenting_a_show_takes_the_page_away_until_its_end(studio, made):
+    made.list.setCurrentRow(1)
+    made.findChild(QPushButton, "show_present").click()
+    assert studio.presenter.presenting
+    assert studio.document.design.title == "1 tap"
+    assert not made.isVisible()
+    studio.do("next_scene")
+    assert studio.document.design.title == "3 both"
+    studio.do("present")
+    assert made.isVisible()
+    made.done(0)

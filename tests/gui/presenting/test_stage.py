@@ -233,22 +233,15 @@ def test_maps_of_other_frequencies_stay_in_phase_while_the_knob_turns(stage, qtb
     assert stage.moving.ran_s == pytest.approx(ran_s)
 
 
-def test_what_leaves_the_conditions_is_said_on_the_stage(stage, qtbot, monkeypatch):
+def test_what_leaves_the_conditions_is_said_on_the_stage(stage, qtbot):
     window = stage.window()
     complete(stage, qtbot, 1)
     qtbot.waitUntil(lambda: bool(window.conditions.chip.findings), timeout=10_000)
     assert not stage.caution.text()
     window.document.edit("Loud", window.document.design.with_input(0, amplitude=1000.0))
-    qtbot.waitUntil(stage.caution.isVisible, timeout=10_000)
+    qtbot.waitUntil(lambda: bool(stage.caution.text()), timeout=10_000)
     assert stage.caution.text() == window.conditions.chip.text()
-    assert stage.maps.rect().contains(stage.caution.geometry())
-    # On a measured limb, too, where no line says SYNTHETIC.
-    (cell,) = stage.maps.content.cells
-    measured = replace(stage.maps.content, cells=(replace(cell, synthetic=False),))
-    monkeypatch.setattr(stage.maps, "content", measured)
-    monkeypatch.setattr(stage.maps, "_places", None)
-    (place,) = stage.maps.places.cells
-    assert stage.caution.geometry().bottom() <= place.heading.top()
+    assert not stage.caution.geometry().intersects(stage.maps.geometry())
 
 
 def test_time_windows_are_levels_whatever_moves(stage, qtbot):
@@ -281,3 +274,84 @@ def test_all_of_it_is_in_sight_with_large_words(stage, qtbot, screen, compared):
 
 def _cut(label):
     return label.heightForWidth(label.width()) > label.height()
+
+
+def test_the_time_axis_shows_all_of_a_motion_that_no_longer_loops(stage, qtbot):
+    window = stage.window()
+    tone = ss.waveforms.Tone(frequency_hz=100.0)
+    two = replace(window.document.design, inputs=(ss.track(7, tone), ss.track(12, tone)))
+    window.document.edit("Two", two)
+    complete(stage, qtbot, 1)
+    qtbot.waitUntil(lambda: not window.engine.busy and not stage.is_stale)
+    assert stage.strip.ends[0][1] == pytest.approx(0.03)
+    stage.knob.dial.setValue(900)
+    qtbot.waitUntil(lambda: not window.engine.busy and not stage.is_stale)
+    loop = stage.moving.loops[0][0]
+    assert loop.phasors is None
+    assert stage.strip.ends[0][1] == pytest.approx(loop.duration_s)
+    tick(stage)
+    assert stage.strip.marked is not None
+
+
+def test_the_caption_of_axes_that_move_names_none_of_them(stage, qtbot):
+    show(stage.window(), StageSettings(compared=True), of="axes")
+    complete(stage, qtbot, 3)
+    assert "normal" not in stage.maps.content.common_scale.text_below
+
+
+def test_keys_of_the_stage_work_in_the_window_too(stage, qtbot):
+    window = stage.window()
+    show(window, of="frequencies")
+    window.do("present")
+    window.do("arrange_presentation")
+    stage.setFocus()
+    QTest.keyClick(stage.knob.dial, Qt.Key.Key_Space)
+    assert stage.clock.held
+    QTest.keyClick(stage.knob.dial, Qt.Key.Key_L)
+    assert not stage.moves
+    QTest.keyClick(stage.knob.dial, Qt.Key.Key_C)
+    complete(stage, qtbot, 4)
+    assert stage.switch.isChecked()
+    title = window.document.design.title
+    QTest.keyClick(stage.knob.dial, Qt.Key.Key_PageDown)
+    assert window.document.design.title == title
+
+
+def test_what_the_compare_panel_shows_is_presented(stage, qtbot):
+    window = stage.window()
+    show(window, of="frequencies")
+    window.do("present")
+    window.workspaces.bring("compare")
+    qtbot.waitUntil(lambda: len(window.panel("compare").maps.content.cells) == 4, timeout=15_000)
+    window.do("present")
+    complete(stage, qtbot, 4)
+
+
+def test_the_knob_says_whose_number_it_turns(stage):
+    document = stage.window().document
+    tone = ss.waveforms.Tone(frequency_hz=100.0)
+    assert stage.knob.label.text() == "Frequency"
+    two = replace(document.design, inputs=(ss.track(7, tone), ss.track(12, tone)))
+    document.edit("Two", two)
+    assert stage.knob.label.text() == "Frequency of place\N{NO-BREAK SPACE}7"
+
+
+def test_numbers_of_a_scene_are_not_said_of_another_design(stage, qtbot):
+    document = stage.window().document
+    opened = ss.scenes.open_scene("2B", available=("synthetic-1",))
+    document.edit("Scene", opened.design)
+    complete(stage, qtbot, 1)
+    stage.layout().activate()
+    height = stage.heading.height()
+    document.edit("Turned", opened.design.with_input(0, amplitude=2.0))
+    assert not any(letter.isdigit() for letter in stage.sentence.text().partition("Try")[0])
+    assert stage.heading.text() in opened.design.title
+    stage.layout().activate()
+    assert stage.heading.height() == height
+
+
+def test_letters_stay_large_when_the_theme_changes(stage, qtbot):
+    large = stage.heading.font().pixelSize()
+    for theme in ("use_contrast_theme", "use_light_theme"):
+        stage.window().do(theme)
+        qtbot.waitUntil(lambda: stage.heading.font().pixelSize() == large)
