@@ -435,9 +435,18 @@ LEVELS = frozenset(
 )
 
 
-def moving_name(limb: str) -> str:
-    """Return the quantity that moves on a limb: along z, or all axes where z was not measured."""
-    return "moving_z" if "z" in facts_of(limb).axes else _ALL_AXES
+def moving_axis(limb: str, axes: str) -> str:
+    """Return along which axis a limb moves in a view of ``axes``; all where z was not measured.
+
+    It is the one axis of the view, and of several z, which alone means the same everywhere.
+    """
+    measured = facts_of(limb).axes
+    return next((axis for axis in (axes, "z") if axis in tuple(measured)), measured)
+
+
+def moving_name(limb: str, axes: str) -> str:
+    """Return the quantity that moves on a limb in a view of ``axes``."""
+    return "moving_z" if moving_axis(limb, axes) == "z" else _ALL_AXES
 
 
 _ALL_AXES = "moving_vector"
@@ -462,9 +471,9 @@ class Kind:
     own: ClassVar[bool] = False
     moves: ClassVar[bool] = True
 
-    def moving(self, limb: str) -> str:
+    def moving(self, limb: str, axes: str) -> str:
         """Return the quantity that moves."""
-        return moving_name(limb)
+        return moving_name(limb, axes)
 
     def beside(self, settings: CompareSettings, design: Design) -> tuple[Beside, ...]:
         """Return the limbs or frequencies at which the design is predicted."""
@@ -547,7 +556,7 @@ class OfAxes(Kind):
             own = {name: results[quantity][k] for quantity, name in _PER_AXIS.items()}
             if moving is not None:
                 along = replace(moving, signals=moving.signals[:, [k]])
-                own[moving_name(design.limb)] = along
+                own[moving_name(design.limb, axes[k])] = along
             return {**common, **own}
 
         axes = results["limb_data"].axes
@@ -556,7 +565,7 @@ class OfAxes(Kind):
             Compared(snapshot=snapshot, values=values(k), axes=axis) for k, axis in enumerate(axes)
         ]
 
-    def moving(self, limb: str) -> str:
+    def moving(self, limb: str, axes: str) -> str:
         return _ALL_AXES
 
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:

@@ -7,7 +7,8 @@ from PySide6.QtCore import QElapsedTimer, QObject, Qt, QTimer, Signal
 
 from skinsource.base.arrays import Floats
 from skinsource.engine.loops import PICTURES_PER_PERIOD, SHOWN_HZ, Loop, loop_of
-from skinsource_gui.panels.compare.content import Cell, Names, moving_name
+from skinsource.limbs.own_limbs import facts_of
+from skinsource_gui.panels.compare.content import Cell, Names, moving_axis, moving_name
 from skinsource_gui.plots.colour_maps import DIVERGING, VIRIDIS
 from skinsource_gui.plots.ranges import SteadyRange
 from skinsource_gui.plots.small_map import ColourScale, Range, small_map_of
@@ -34,6 +35,8 @@ class MovingMaps:
         How often the longest loop was gone through, with the part of it that is shown.
     slow_motion
         How many times slower than it happens all of them are shown.
+    axes, unit
+        Axes of the view; unit of what moves, and along which axis it does.
     made
         Number of maps that were interpolated.
     """
@@ -42,6 +45,7 @@ class MovingMaps:
         self.loops: list[tuple[Loop, float] | None] = []
         self.turns = 0.0
         self.slow_motion, self.made = 1.0, 0
+        self.axes, self.unit = "z", "m/s²"
         self._cells: tuple[Cell, ...] = ()
         self._compared: Sequence[Compared] = ()
         self._range = SteadyRange()
@@ -65,16 +69,21 @@ class MovingMaps:
     ) -> None:
         """Take over designs and how they are called; ``held``: ends of the scale that stays."""
         self._compared = compared
-        self.loops = [_loop(side) for side in compared]
+        self.loops = [_loop(side, self.axes) for side in compared]
         loops = [known for known in self.loops if known is not None]
         self.slow_motion = max((loop.slow_motion for loop, _ in loops), default=1.0)
         largest = max((loop.largest * gain for loop, gain in loops), default=0.0)
         end = _SHARE_OF_LARGEST * largest
         signed = all(loop.signed for loop, _ in loops)
-        what = "m/s² normal to the skin" if signed else "m/s²"
+        shown = {
+            moving_axis(side.snapshot.design.limb, side.axes or self.axes) for side in compared
+        }
+        along = shown.pop() if signed and len(shown) == 1 else ""
+        self.unit = f"m/s² {'normal to the skin' if along == 'z' else f'along {along}'}"
+        self.unit = self.unit if along else "m/s²"
         scale = ColourScale(
             range_db=held or self._range.follow(-end if signed else 0.0, end, "amplitude"),
-            text_below=f"{what}, in slow motion 1/{self.slow_motion:.3g}",
+            text_below=f"{self.unit}, in slow motion 1/{self.slow_motion:.3g}",
             colours=DIVERGING if signed else VIRIDIS,
             signed=signed,
             reached_db=(-largest if signed else 0.0, largest),
@@ -136,11 +145,16 @@ class MovingMaps:
         return replace(cell, small=small)
 
 
-def _loop(side: Compared) -> tuple[Loop, float] | None:
-    name = moving_name(side.snapshot.design.limb)
+def _loop(side: Compared, axes: str) -> tuple[Loop, float] | None:
+    design, axes = side.snapshot.design, side.axes or axes
+    name = moving_name(design.limb, axes)
     if side.values is None or name not in side.values:
         return None
-    return loop_of(side.snapshot.design, side.values[name]), side.gain
+    moving = side.values[name]
+    if moving.signals.shape[1] > 1 and len(axis := moving_axis(design.limb, axes)) == 1:
+        k = facts_of(design.limb).axes.index(axis)
+        moving = replace(moving, signals=moving.signals[:, [k]])
+    return loop_of(design, moving), side.gain
 
 
 class Clock(QObject):

@@ -254,8 +254,7 @@ class StagePanel(MapsPanel):
     @property
     def needs(self) -> frozenset[str]:
         # The strip shows motion beside levels too.
-        moving = frozenset() if self.design is None else {self.kind.moving(self.design.limb)}
-        return super().needs | moving
+        return super().needs | self.needs_of_motion
 
     def sizeHint(self) -> QSize:
         return QSize(1200, 700)
@@ -409,7 +408,8 @@ class StagePanel(MapsPanel):
         else:
             unit, factor = axis_unit(end_s)
             ends = self._held_ends or ((0.0, end_s), (-top, top))
-            words = (where, f"±{rounded(ends[1][1])} m/s²", f"{end_s * factor:.3g} {unit}")
+            high = f"±{rounded(ends[1][1])} {self.moving.unit}"
+            words = (where, high, f"{end_s * factor:.3g} {unit}")
         self.strip.show_curves(tuple(curves), ends, words)
         self._show_cursor()
 
