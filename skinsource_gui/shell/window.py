@@ -21,7 +21,13 @@ from skinsource_gui.shell.appearance import Appearance, WindowFrame
 from skinsource_gui.shell.bars import HeadLine, SetupBar, StepsMenu
 from skinsource_gui.shell.carrying import PanelPictures
 from skinsource_gui.shell.conditions import Conditions
-from skinsource_gui.shell.drops import ClipDrops, ClipStretching, kind_choices, scaling_choices
+from skinsource_gui.shell.drops import (
+    ClipDrops,
+    ClipStretching,
+    analysis_choices,
+    kind_choices,
+    scaling_choices,
+)
 from skinsource_gui.shell.focus import PanelFocus, ShortcutsInFields, move_focus
 from skinsource_gui.shell.keeping import AutosaveAndRecovery
 from skinsource_gui.shell.menus import ActionSet, RecentMenu, fill_menu_bar
@@ -257,7 +263,8 @@ class MainWindow(QtWidgets.QMainWindow):
         others = [action for name, action in self.actions_by_name.items() if name != "find_action"]
         panels = docks.toggles(self.docks.values())
         choices = *self.setup_bar.choices(None), *scaling_choices(self.document)
-        return [*others, *panels, *choices, *kind_choices(self.document)]
+        views = analysis_choices(self.document, self.workspaces.bring)
+        return [*others, *panels, *views, *choices, *kind_choices(self.document)]
 
     def _show_state(self) -> None:
         design, view = self.document.design, self.document.view
