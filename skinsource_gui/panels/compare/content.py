@@ -452,6 +452,12 @@ def moving_name(limb: str, axes: str) -> str:
 _ALL_AXES = "moving_vector"
 
 
+def along(moving: Moving, k: int) -> Moving:
+    """Return the motion along one of its axes."""
+    signals = moving.signals[:, [k]]
+    return replace(moving, signals=signals, largest=float(np.abs(signals).max(initial=0.0)))
+
+
 class Kind:
     """One choice of "Of": where the sides come from, and what they are called. It has no state.
 
@@ -555,8 +561,7 @@ class OfAxes(Kind):
         def values(k: int) -> dict[str, Any]:
             own = {name: results[quantity][k] for quantity, name in _PER_AXIS.items()}
             if moving is not None:
-                along = replace(moving, signals=moving.signals[:, [k]])
-                own[moving_name(design.limb, axes[k])] = along
+                own[moving_name(design.limb, axes[k])] = along(moving, k)
             return {**common, **own}
 
         axes = results["limb_data"].axes

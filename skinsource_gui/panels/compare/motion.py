@@ -8,7 +8,7 @@ from PySide6.QtCore import QElapsedTimer, QObject, Qt, QTimer, Signal
 from skinsource.base.arrays import Floats
 from skinsource.engine.loops import PICTURES_PER_PERIOD, SHOWN_HZ, Loop, loop_of
 from skinsource.limbs.own_limbs import facts_of
-from skinsource_gui.panels.compare.content import Cell, Names, moving_axis, moving_name
+from skinsource_gui.panels.compare.content import Cell, Names, along, moving_axis, moving_name
 from skinsource_gui.plots.colour_maps import DIVERGING, VIRIDIS
 from skinsource_gui.plots.ranges import SteadyRange
 from skinsource_gui.plots.small_map import ColourScale, Range, small_map_of
@@ -78,9 +78,9 @@ class MovingMaps:
         shown = {
             moving_axis(side.snapshot.design.limb, side.axes or self.axes) for side in compared
         }
-        along = shown.pop() if signed and len(shown) == 1 else ""
-        self.unit = f"m/s² {'normal to the skin' if along == 'z' else f'along {along}'}"
-        self.unit = self.unit if along else "m/s²"
+        axis = shown.pop() if signed and len(shown) == 1 else ""
+        self.unit = f"m/s² {'normal to the skin' if axis == 'z' else f'along {axis}'}"
+        self.unit = self.unit if axis else "m/s²"
         scale = ColourScale(
             range_db=held or self._range.follow(-end if signed else 0.0, end, "amplitude"),
             text_below=f"{self.unit}, in slow motion 1/{self.slow_motion:.3g}",
@@ -153,7 +153,7 @@ def _loop(side: Compared, axes: str) -> tuple[Loop, float] | None:
     moving = side.values[name]
     if moving.signals.shape[1] > 1 and len(axis := moving_axis(design.limb, axes)) == 1:
         k = facts_of(design.limb).axes.index(axis)
-        moving = replace(moving, signals=moving.signals[:, [k]])
+        moving = along(moving, k)
     return loop_of(design, moving), side.gain
 
 

@@ -83,6 +83,7 @@ def test_maps_and_traces_move_along_the_axis_of_the_view_and_say_it(stage, qtbot
     response = ss.evaluate(window.document.design, "moving_vector")["moving_vector"]
     ((loop, _),) = stage.moving.loops
     np.testing.assert_allclose(loop.moving.signals[:, 0], response.signals[:, 0], atol=1e-9)
+    assert loop.moving.largest == pytest.approx(np.abs(response.signals[:, 0]).max())
 
 
 def test_three_snapshots_move_and_a_louder_one_is_shown_larger(stage, qtbot):
