@@ -155,6 +155,15 @@ def test_a_sentence_on_travel_tells_the_group_delay_and_not_where_a_tone_is_larg
     assert "later" not in _later_and_weaker(traces, 1e4, 3, 5)
 
 
+def test_people_are_told_apart_by_how_far_each_carries_the_pulse():
+    opened = ss.scenes.open_scene("1G", available=())
+    found = opened.scene.sentence.removeprefix(ss.scenes.scene("1G").sentence)
+    for condition in opened.conditions:
+        levels_db = ss.evaluate(condition.design, "output_levels_db", view=opened.view)
+        own_db = levels_db["output_levels_db"]
+        assert f"{condition.label.lower()} {own_db.max() - own_db[51]:.0f} dB" in found
+
+
 @pytest.mark.parametrize("name", ["1D", "2A", "2C"])
 def test_sentences_name_outputs_of_the_view_that_are_above_the_noise(name):
     opened = ss.scenes.open_scene(name, available=("synthetic-1",))

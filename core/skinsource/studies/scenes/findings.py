@@ -113,9 +113,21 @@ def _interference(opened: OpenedScene) -> str:
     )
 
 
+def _carried(opened: OpenedScene) -> str:
+    """Return a text on the level at the last shown output, on each limb."""
+    number = opened.view.outputs[-1]
+    parts = []
+    for condition in opened.conditions:
+        levels_db = evaluate(condition.design, "output_levels_db", view=opened.view)
+        own_db = levels_db["output_levels_db"]
+        parts.append(f"{condition.label.lower()} {own_db.max() - own_db[number - 1]:.0f} dB")
+    return f"At output {number} it is below its maximum by: {', '.join(parts)}."
+
+
 #: What is computed, by the name of the scene.
 FINDINGS: dict[str, Callable[[OpenedScene], str]] = {
     "1D": partial(_at_the_ends, text=_high_frequencies),
+    "1G": _carried,
     "2A": partial(_at_the_ends, text=_later_and_weaker),
     "2C": partial(_at_the_ends, text=_mean_frequencies),
     "2F": _interference,
