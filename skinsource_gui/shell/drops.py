@@ -1,6 +1,6 @@
 """Clips that are dragged between panels or stretched, and waveforms from the palette."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import partial
 from typing import TYPE_CHECKING, cast
 
@@ -10,11 +10,14 @@ from PySide6.QtCore import QObject, QPoint
 from skinsource.design import edits
 from skinsource.design.edits.edit import leading_clip
 from skinsource.design.labels import scalings_on
+from skinsource.design.panel_settings import with_settings
 from skinsource.design.waveforms import kinds
 from skinsource.limbs.own_limbs import drive_unit_known
+from skinsource_gui.panels.analysis.settings import VIEWS, AnalysisSettings
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.shell.bars import choice_action
+from skinsource_gui.shell.menus import KEYWORDS
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.panel import Panel, PanelRegistry
 
@@ -91,6 +94,15 @@ def field_choices(panels: PanelRegistry, bring: Callable[[str], None]) -> list[Q
     ]
 
 
+def analysis_choices(document: Document, bring: Callable[[str], None]) -> Iterator[QtGui.QAction]:
+    """Yield a new action for each view of Analysis, which brings the panel and shows it there."""
+    for spec in VIEWS:
+        analyse = partial(_analyse, document, bring, spec.name)
+        action = choice_action(f"Analysis: {spec.title}", spec.answer, analyse, None, there=True)
+        action.setProperty(KEYWORDS, spec.answer.lower())
+        yield action
+
+
 def kind_choices(document: Document) -> list[QtGui.QAction]:
     """Return one new action for each kind of waveform, which lets the selected inputs play it."""
     actions = []
@@ -111,6 +123,13 @@ def scaling_choices(document: Document) -> list[QtGui.QAction]:
         hint = tooltip(word.sentence)
         actions.append(choice_action(f"Scaling: {word.title}", hint, scale, None, there=True))
     return actions
+
+
+def _analyse(
+    document: Document, bring: Callable[[str], None], name: str, _checked: bool = False
+) -> None:
+    bring("analysis")
+    document.look(with_settings(document.view, "analysis", AnalysisSettings(shown=name)))
 
 
 def _scale(document: Document, scaling: str, _checked: bool = False) -> None:

@@ -233,7 +233,7 @@ def _nearness(action: QtGui.QAction, typed: str) -> tuple[int, int]:
 
 
 def _is_keyword(action: QtGui.QAction, typed: str) -> bool:
-    return any(word.startswith(typed) for word in str(action.property(KEYWORDS) or "").split())
+    return f" {typed}" in f" {action.property(KEYWORDS) or ''}"
 
 
 Capabilities = Mapping[str, QObject]

@@ -24,6 +24,7 @@ from skinsource_gui.shell.conditions import Conditions
 from skinsource_gui.shell.drops import (
     ClipDrops,
     ClipStretching,
+    analysis_choices,
     field_choices,
     kind_choices,
     scaling_choices,
@@ -264,7 +265,9 @@ class MainWindow(QtWidgets.QMainWindow):
         panels = docks.toggles(self.docks.values())
         choices = *self.setup_bar.choices(None), *scaling_choices(self.document)
         fields = field_choices(self.panels, self.workspaces.bring)
-        return [*fields, *others, *panels, *choices, *kind_choices(self.document)]
+        views = analysis_choices(self.document, self.workspaces.bring)
+        kinds = kind_choices(self.document)
+        return [*fields, *others, *panels, *views, *choices, *kinds]
 
     def _show_state(self) -> None:
         design, view = self.document.design, self.document.view

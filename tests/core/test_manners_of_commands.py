@@ -1,6 +1,8 @@
 """Help pages, lists of limbs, folders, and what is missing: the same in all commands."""
 
+import os
 import re
+import sys
 
 import numpy as np
 import pytest
@@ -33,6 +35,15 @@ def test_commands_stand_in_groups(capsys):
     assert re.search(r"\n  limbs:\n    limbs .*\n    limb .*\n    dataset ", text)
     listed = set(re.findall(r"^    (\w+) ", text, re.MULTILINE))
     assert listed == {name.split()[1] for name in commands() if name.count(" ") == 1}
+
+
+def test_a_command_whose_output_nobody_reads_ends_quietly(monkeypatch, capfd):
+    reading, writing = os.pipe()
+    os.close(reading)
+    with os.fdopen(writing, "w") as unread:
+        monkeypatch.setattr(sys, "stdout", unread)
+        assert main(["limbs"]) == 141
+    assert capfd.readouterr() == ("", "")
 
 
 def test_there_is_one_list_of_limbs(run):

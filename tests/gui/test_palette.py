@@ -108,6 +108,8 @@ def test_other_words_for_an_action_find_it(window, qtbot):
         "delete": "Remove input",
         "excel": "Export table: RMS levels…",
         "noise": "Waveform: Noise",
+        "wave speed": "Analysis: Wave speed",
+        "sensation level": "Analysis: Perception",
     }.items():
         assert expected in listed_for(window, qtbot, letters), letters
 
@@ -125,6 +127,16 @@ def test_a_gesture_of_the_mouse_is_found_and_leads_to_where_the_keys_page_says_i
     qtbot.waitUntil(
         lambda: text.toPlainText().startswith(MOUSE["clips"].heading) or pan.value() > 0
     )
+
+
+def test_a_view_of_analysis_is_found_and_opened(window, qtbot):
+    for letters, name in (("time windows", "windowed"), ("wave speed", "wave")):
+        window.do("find_action")
+        palette = next(palette for palette in window.findChildren(Palette) if palette.isVisible())
+        qtbot.keyClicks(palette.line, letters)
+        qtbot.keyClick(palette.line, Qt.Key.Key_Return)
+        qtbot.waitUntil(window.panel("analysis").isVisible)
+        assert window.panel("analysis").view.name == name
 
 
 def test_where_nothing_is_found_the_palette_says_so_and_enter_does_nothing(window, qtbot):

@@ -1,6 +1,7 @@
 """The command ``skinsource``."""
 
 import argparse
+import os
 import sys
 from collections.abc import Sequence
 
@@ -27,7 +28,7 @@ _COMMAND_MODULES = {
     "this program": (bench_command,),
 }
 
-_FAILED, _STOPPED = 1, 130
+_FAILED, _STOPPED, _UNREAD = 1, 130, 141
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -37,13 +38,21 @@ def main(argv: Sequence[str] | None = None) -> int:
     -------
     int
         0: done.  1: failed, the reason is one line on stderr.  130: stopped by the user.
+        141: who reads the output has closed it.
         (A wrong call ends in `SystemExit` 2, as usual with argparse.)
     """
     if serve_if_asked(sys.argv[1:] if argv is None else argv):
         return 0
-    arguments = _parser().parse_args(argv)
     try:
-        return int(arguments.run(arguments))
+        try:
+            arguments = _parser().parse_args(argv)
+            return int(arguments.run(arguments))
+        finally:
+            sys.stdout.flush()
+    except BrokenPipeError:
+        # What is left of the output goes nowhere: Python writes it at the end.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return _UNREAD
     except KeyboardInterrupt:
         return _explain("stopped.", _STOPPED)
     except Stopped as reason:

@@ -146,9 +146,18 @@ def animation_of(design: Design, view: View) -> tuple[float, float, float]:
     return begin_s, passing.begin_s + passing.duration_s - removed_s, slow_motion
 
 
-def moving_name(limb: str) -> str:
-    """Return the quantity that moves on a limb: along z, or all axes where z was not measured."""
-    return "moving_z" if "z" in facts_of(limb).axes else "moving_vector"
+def moving_axis(limb: str, axes: str = "") -> str:
+    """Return along which axis a limb moves in a view of ``axes``; all where z was not measured.
+
+    It is the one axis of the view, and of several z, which alone means the same everywhere.
+    """
+    measured = facts_of(limb).axes
+    return next((axis for axis in (axes, "z") if axis in tuple(measured)), measured)
+
+
+def moving_name(limb: str, axes: str = "") -> str:
+    """Return the quantity that moves on a limb in a view of ``axes``."""
+    return "moving_z" if moving_axis(limb, axes) == "z" else "moving_vector"
 
 
 def _passing(design: Design, moving: Moving) -> Loop:

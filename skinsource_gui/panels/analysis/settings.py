@@ -55,7 +55,7 @@ VIEWS: tuple[ViewSpec, ...] = (
     ViewSpec(
         name="perception",
         title="Perception",
-        answer="How far above the detection threshold is each selected output?",
+        answer="At what sensation level, above the detection threshold, is each selected output?",
     ),
     ViewSpec(
         name="spectrogram",

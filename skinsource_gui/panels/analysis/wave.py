@@ -192,7 +192,8 @@ def wave_text(wave: TravellingWave) -> str:
     # Through two points there is always a line.
     alone = 2 in (wave.timed.sum(), wave.counted.sum())
     unsure = ". Choose three outputs or more to estimate the uncertainty" if alone else ""
-    return f"{speed} · attenuation {loss} dB/cm, spreading included{unsure}".replace("-", "−")
+    text = f"{speed} · attenuation {loss} dB/cm, spreading included{unsure}".replace("-", "−")
+    return f"{text} · ±: standard deviation of the fit" if "±" in text else text
 
 
 def _has_several_places(voices: Sequence[Voice]) -> bool:

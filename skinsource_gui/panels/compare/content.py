@@ -439,6 +439,12 @@ LEVELS = frozenset(
 _ALL_AXES = "moving_vector"
 
 
+def along(moving: Moving, k: int) -> Moving:
+    """Return the motion along one of its axes."""
+    signals = moving.signals[:, [k]]
+    return replace(moving, signals=signals, largest=float(np.abs(signals).max(initial=0.0)))
+
+
 class Kind:
     """One choice of "Of": where the sides come from, and what they are called. It has no state.
 
@@ -457,11 +463,10 @@ class Kind:
     needs: ClassVar[frozenset[str]] = LEVELS
     own: ClassVar[bool] = False
     moves: ClassVar[bool] = True
-    along: ClassVar[str] = "normal to the skin"
 
-    def moving(self, limb: str) -> str:
+    def moving(self, limb: str, axes: str) -> str:
         """Return the quantity that moves."""
-        return moving_name(limb)
+        return moving_name(limb, axes)
 
     def beside(self, settings: CompareSettings, design: Design) -> tuple[Beside, ...]:
         """Return the limbs or frequencies at which the design is predicted."""
@@ -535,7 +540,6 @@ class OfAxes(Kind):
 
     needs: ClassVar[frozenset[str]] = _COMMON | frozenset(_PER_AXIS)
     own: ClassVar[bool] = True
-    along: ClassVar[str] = "along the axis of each map"
 
     def sides(self, design: Design, results: Mapping[str, Any]) -> Sequence[Compared]:
         common = {name: results[name] for name in _COMMON}
@@ -544,8 +548,7 @@ class OfAxes(Kind):
         def values(k: int) -> dict[str, Any]:
             own = {name: results[quantity][k] for quantity, name in _PER_AXIS.items()}
             if moving is not None:
-                along = replace(moving, signals=moving.signals[:, [k]])
-                own[moving_name(design.limb)] = along
+                own[moving_name(design.limb, axes[k])] = along(moving, k)
             return {**common, **own}
 
         axes = results["limb_data"].axes
@@ -554,7 +557,7 @@ class OfAxes(Kind):
             Compared(snapshot=snapshot, values=values(k), axes=axis) for k, axis in enumerate(axes)
         ]
 
-    def moving(self, limb: str) -> str:
+    def moving(self, limb: str, axes: str) -> str:
         return _ALL_AXES
 
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:

@@ -64,9 +64,14 @@ class MapsPanel(Panel):
 
     @property
     def needs(self) -> frozenset[str]:
-        if not self.moves or self.design is None:
-            return self.kind.needs
-        return self.kind.needs | {self.kind.moving(self.design.limb)}
+        return self.kind.needs | self.needs_of_motion if self.moves else self.kind.needs
+
+    @property
+    def needs_of_motion(self) -> frozenset[str]:
+        """What moving maps and their traces need beside it."""
+        if self.design is None:
+            return frozenset()
+        return frozenset({self.kind.moving(self.design.limb, self.view.axes)})
 
     @property
     def needs_of_snapshots(self) -> frozenset[str]:
@@ -84,6 +89,7 @@ class MapsPanel(Panel):
         """Take over what is compared, and whether it moves."""
         self.design, self.view, self.settings = design, view, settings
         before, self.kind, self.moves = self.kind, kind, moves and kind.moves
+        self.moving.axes = view.axes
         if kind is not before:
             # The engine sends the results for the new kind.
             self.compared = ()
@@ -125,7 +131,7 @@ class MapsPanel(Panel):
         if compared and design is not None and not message:
             if self.moves:
                 names = kind.names(compared, view, difference=False)
-                self.moving.update(compared, names, self.held, kind.along)
+                self.moving.update(compared, names, self.held)
                 cells = self.moving.cells()
             else:
                 drawn = kind.drawn(compared, design, view, self.settings)

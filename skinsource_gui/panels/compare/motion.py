@@ -6,8 +6,16 @@ from dataclasses import replace
 from PySide6.QtCore import QElapsedTimer, QObject, Qt, QTimer, Signal
 
 from skinsource.base.arrays import Floats
-from skinsource.engine.loops import PICTURES_PER_PERIOD, SHOWN_HZ, Loop, loop_of, moving_name
-from skinsource_gui.panels.compare.content import Cell, Names
+from skinsource.engine.loops import (
+    PICTURES_PER_PERIOD,
+    SHOWN_HZ,
+    Loop,
+    loop_of,
+    moving_axis,
+    moving_name,
+)
+from skinsource.limbs.own_limbs import facts_of
+from skinsource_gui.panels.compare.content import Cell, Names, along
 from skinsource_gui.plots.colour_maps import DIVERGING, VIRIDIS
 from skinsource_gui.plots.ranges import SteadyRange
 from skinsource_gui.plots.small_map import ColourScale, Range, small_map_of
@@ -34,6 +42,8 @@ class MovingMaps:
         How often the longest loop was gone through, with the part of it that is shown.
     slow_motion
         How many times slower than it happens all of them are shown.
+    axes, unit
+        Axes of the view; unit of what moves, and along which axis it does.
     made
         Number of maps that were interpolated.
     """
@@ -42,6 +52,7 @@ class MovingMaps:
         self.loops: list[tuple[Loop, float] | None] = []
         self.turns = 0.0
         self.slow_motion, self.made = 1.0, 0
+        self.axes, self.unit = "z", "m/s²"
         self._cells: tuple[Cell, ...] = ()
         self._compared: Sequence[Compared] = ()
         self._range = SteadyRange()
@@ -61,28 +72,28 @@ class MovingMaps:
         self._range.reset()
 
     def update(
-        self,
-        compared: Sequence[Compared],
-        names: Sequence[Names],
-        held: Range | None = None,
-        along: str = "",
+        self, compared: Sequence[Compared], names: Sequence[Names], held: Range | None = None
     ) -> None:
-        """Take over designs and how they are called.
-
-        ``held``: ends of the scale that stays; ``along``: the direction of signed values.
-        """
+        """Take over designs and how they are called; ``held``: ends of the scale that stays."""
         self._compared = compared
-        self.loops = [_loop(side) for side in compared]
+        self.loops = [_loop(side, self.axes) for side in compared]
         loops = [known for known in self.loops if known is not None]
         self.slow_motion = max((loop.slow_motion for loop, _ in loops), default=1.0)
         largest = max((loop.largest * gain for loop, gain in loops), default=0.0)
         end = _SHARE_OF_LARGEST * largest
         signed = all(loop.signed for loop, _ in loops)
+        shown = {
+            moving_axis(side.snapshot.design.limb, side.axes or self.axes) for side in compared
+        }
+        axis = shown.pop() if signed and len(shown) == 1 else ""
+        direction = "along the axis of each map" if signed else ""
+        if axis:
+            direction = "normal to the skin" if axis == "z" else f"along {axis}"
+        self.unit = f"m/s² {direction}" if axis else "m/s²"
         slow = f"slow motion 1/{rounded(self.slow_motion)}"
-        what = f"m/s² {along}" if signed else "m/s²"
         scale = ColourScale(
             range_db=held or self._range.follow(-end if signed else 0.0, end, "amplitude"),
-            text_below=f"{what}, {slow}",
+            text_below=f"m/s² {direction}, {slow}" if direction else f"m/s², {slow}",
             shorter=(f"m/s², {slow}",),
             colours=DIVERGING if signed else VIRIDIS,
             signed=signed,
@@ -145,11 +156,16 @@ class MovingMaps:
         return replace(cell, small=small)
 
 
-def _loop(side: Compared) -> tuple[Loop, float] | None:
-    name = moving_name(side.snapshot.design.limb)
+def _loop(side: Compared, axes: str) -> tuple[Loop, float] | None:
+    design, axes = side.snapshot.design, side.axes or axes
+    name = moving_name(design.limb, axes)
     if side.values is None or name not in side.values:
         return None
-    return loop_of(side.snapshot.design, side.values[name]), side.gain
+    moving = side.values[name]
+    if moving.signals.shape[1] > 1 and len(axis := moving_axis(design.limb, axes)) == 1:
+        k = facts_of(design.limb).axes.index(axis)
+        moving = along(moving, k)
+    return loop_of(design, moving), side.gain
 
 
 class Clock(QObject):

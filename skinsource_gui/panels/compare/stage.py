@@ -261,8 +261,7 @@ class StagePanel(MapsPanel):
     @property
     def needs(self) -> frozenset[str]:
         # The strip shows motion beside levels too.
-        moving = frozenset() if self.design is None else {self.kind.moving(self.design.limb)}
-        return super().needs | moving
+        return super().needs | self.needs_of_motion
 
     def sizeHint(self) -> QSize:
         return QSize(1200, 700)
@@ -284,7 +283,7 @@ class StagePanel(MapsPanel):
         self._lay_out(several=len(self.maps.content.cells) > 1)
         if not self.moves and self.compared:
             names = self.kind.names(self.compared, self.view, difference=False)
-            self.moving.update(self.compared, names, along=self.kind.along)
+            self.moving.update(self.compared, names)
         self._show_traces()
 
     def reset_range(self) -> None:
@@ -449,7 +448,8 @@ class StagePanel(MapsPanel):
             unit, factor = axis_unit(end_s)
             ends = (0.0, end_s), self._held_ends[1] if self._held_ends else (-top, top)
             self._held_ends = self._held_ends and ends
-            words = (where, f"±{rounded(ends[1][1])} m/s²", f"{end_s * factor:.3g} {unit}")
+            high = f"±{rounded(ends[1][1])} {self.moving.unit}"
+            words = (where, high, f"{end_s * factor:.3g} {unit}")
         self.strip.show_curves(tuple(curves), ends, words)
         self._show_cursor()
 

@@ -8,13 +8,15 @@ from numpy.typing import NDArray
 from PySide6 import QtGui
 from PySide6.QtCore import QSizeF
 
-from skinsource.base.errors import InvalidInputError
+from skinsource.base.errors import InvalidInputError, SkinSourceError
 from skinsource.base.job import Progress, Stop, never, silent
 from skinsource.base.measurement_conditions import axes_text
 from skinsource.design.design import Design, audible_inputs
 from skinsource.design.labels import limb_label
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
+from skinsource.engine.evaluation import evaluate
+from skinsource.engine.loops import PICTURES_PER_PERIOD, SHOWN_HZ, loop_of
 from skinsource.engine.time_rules import block_of
 from skinsource.export.exported_design import ExportedDesign
 from skinsource.export.video import frames_per_s, video_file
@@ -203,13 +205,19 @@ def film_options(design: Design, view: View, sizes: PictureOptions) -> FilmOptio
     """Return options for what the screen shows, in the given size and the last chosen format.
 
     Where the screen shows levels, the film shows the motion along z, or its magnitude on a limb
-    that was not measured along z. It runs slowly enough that its waves can be followed.
+    that was not measured along z. It runs as slowly as the stage shows these waves, or as slowly as
+    the screen where that is slower, unless it would be too long.
     """
     limb = facts_of(design.limb)
     settings = settings_of(view, SKIN, SkinSettings)
     settings = in_motion(settings, limb.axes)
     last = sizes if isinstance(sizes, FilmOptions) else FilmOptions()
-    pace = slow_down_factor(view, settings, last.frames_per_s, limb)
+    least = slow_down_factor(view, settings, last.frames_per_s, limb)
+    slow = max(least, _followed_at(design, view, settings.quantity))
+    begin_s, end_s = view.time_range_s or (0.0, _end_s(design, view))
+    most = MOST_FRAMES / last.frames_per_s / max(end_s - begin_s, 1e-3)
+    pace = next((choice for choice in PACES if choice >= slow), PACES[-1])
+    pace = max((choice for choice in PACES if least <= choice <= min(pace, most)), default=pace)
     return replace(
         last,
         layout=sizes.layout,
@@ -220,8 +228,19 @@ def film_options(design: Design, view: View, sizes: PictureOptions) -> FilmOptio
         quantity=settings.quantity,
         rms_window_s=settings.rms_window_s,
         part=ON_SCREEN,
-        pace=next((f"{choice}" for choice in PACES if choice >= pace), f"{PACES[-1]}"),
+        pace=f"{pace}",
     )
+
+
+def _followed_at(design: Design, view: View, quantity: str) -> float:
+    """Return the slow motion in which the stage shows what is filmed; 1 where nothing moves."""
+    name = {Z: "moving_z", MAGNITUDE: "moving_vector"}.get(quantity, "")
+    try:
+        moving = evaluate(design, name, view=view)[name] if name else None
+    except SkinSourceError:
+        # The export says why it cannot be played.
+        moving = None
+    return loop_of(design, moving).slow_motion if moving and moving.largest else 1.0
 
 
 # In names of files.
@@ -258,6 +277,14 @@ def film_remark(design: Design, view: View, options: FilmOptions) -> Remark:
         sentences.append(
             f"It runs at 1/{film.slow_motion:g}: at 1/{options.pace} it would have fewer than two "
             "frames in a period of its fastest waves, and show false waves."
+        )
+    followed = _followed_at(design, view, options.quantity)
+    frames = options.frames_per_s * film.slow_motion / (SHOWN_HZ * followed)
+    if followed > 1.0 and frames < PICTURES_PER_PERIOD:
+        slower = next((pace for pace in PACES if pace >= followed), PACES[-1])
+        sentences.append(
+            f"It has {frames:.0f} frames in a period of its fastest strong waves, and flickers: "
+            f"1/{slower} shows them travel."
         )
     if view.time_range_s is None:
         sentences.append("Zoom the traces to film a part.")

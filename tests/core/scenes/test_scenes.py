@@ -2,6 +2,7 @@
 
 import re
 
+import numpy as np
 import pytest
 
 import skinsource as ss
@@ -12,6 +13,7 @@ from skinsource.design.comparing import shown_snapshot
 from skinsource.design.design_file import open_design
 from skinsource.design.panel_settings import stage_settings
 from skinsource.studies.scenes.catalog import path_of
+from skinsource.studies.scenes.findings import _later_and_weaker
 
 MEASURED = tuple(name for name in LIMB_NAMES if name.startswith("measured"))
 NAMES = ss.scenes.names()
@@ -139,6 +141,27 @@ def test_the_numbers_of_a_sentence_are_those_of_the_limb_that_is_open():
     assert opened.design in [each.design for each in opened.conditions]
     other = ss.scenes.open_scene("2F", limb="synthetic-1")
     assert other.scene.sentence != opened.scene.sentence
+
+
+def test_a_sentence_on_travel_tells_the_group_delay_and_not_where_a_tone_is_largest():
+    times_s = np.arange(2000) / 1e4
+    tone = np.sin(2 * np.pi * 200.0 * times_s) * (times_s < 0.1)
+    # The later one comes after 8 ms, and goes on growing.
+    traces = np.stack([tone, np.roll(tone * (0.5 + 0.1 * times_s), 80)])
+    text = _later_and_weaker(traces, 1e4, 3, 5)
+    assert "8 ms later (group delay)" in text
+    # Of another shape there is no delay.
+    traces[1] = np.random.default_rng(1).standard_normal(2000)
+    assert "later" not in _later_and_weaker(traces, 1e4, 3, 5)
+
+
+def test_people_are_told_apart_by_how_far_each_carries_the_pulse():
+    opened = ss.scenes.open_scene("1G", available=())
+    found = opened.scene.sentence.removeprefix(ss.scenes.scene("1G").sentence)
+    for condition in opened.conditions:
+        levels_db = ss.evaluate(condition.design, "output_levels_db", view=opened.view)
+        own_db = levels_db["output_levels_db"]
+        assert f"{condition.label.lower()} {own_db.max() - own_db[51]:.0f} dB" in found
 
 
 @pytest.mark.parametrize("name", ["1D", "2A", "2C"])

@@ -74,6 +74,18 @@ def test_maps_side_by_side_move_together_in_one_scale(stage, qtbot, of):
         assert not np.array_equal(one.values_db, other.values_db)
 
 
+def test_maps_and_traces_move_along_the_axis_of_the_view_and_say_it(stage, qtbot):
+    window = stage.window()
+    window.document.look(replace(window.document.view, axes="x", outputs=(20,)))
+    (cell,) = complete(stage, qtbot, 1)
+    assert "along x" in cell.scale.text_below
+    assert "along x" in stage.strip._words[1]
+    response = ss.evaluate(window.document.design, "moving_vector")["moving_vector"]
+    ((loop, _),) = stage.moving.loops
+    np.testing.assert_allclose(loop.moving.signals[:, 0], response.signals[:, 0], atol=1e-9)
+    assert loop.moving.largest == pytest.approx(np.abs(response.signals[:, 0]).max())
+
+
 def test_three_snapshots_move_and_a_louder_one_is_shown_larger(stage, qtbot):
     window = stage.window()
     for number in (1, 2, 3):

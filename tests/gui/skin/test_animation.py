@@ -102,11 +102,11 @@ def test_frames_are_taken_at_their_instants_and_told_as_progress(tmp_path, small
     path = tmp_path / "a.mp4"
     export_animation(path, DESIGN, VIEW, progress=lambda *now: reports.append(now))
     times = np.array([time_s for time_s, _ in looks])
-    # 1/20 at 60 frames in a second: 1200 instants of a second, twice what the band holds.
-    assert times == pytest.approx(0.06 + np.arange(8) / 1200)
+    # 1/50, at which the stage shows it, at 60 frames in a second: 3000 instants of a second.
+    assert times == pytest.approx(0.06 + np.arange(19) / 3000)
     assert {name for _, name in looks} == {Z}
-    assert reports[-1][:2] == (8, 8)
-    assert frames_of(path, 180 * 240).size == 8
+    assert reports[-1][:2] == (19, 19)
+    assert frames_of(path, 180 * 240).size == 19
 
 
 def test_it_is_as_slow_as_its_waves_need_and_never_faster_than_wanted():

@@ -62,10 +62,11 @@ def test_it_begins_with_what_the_screen_shows_and_how_slowly(quantity, filmed):
 
 
 def test_it_begins_as_fast_as_waves_can_be_followed_and_keeps_the_format_of_the_last_time():
-    assert film_options(DESIGN, shown("z"), SIZES).pace == "20"
-    assert film_options(DESIGN, shown("magnitude"), SIZES).pace == "50"
+    assert film_options(DESIGN, shown("rms"), SIZES).pace == "2"
+    assert film_options(DESIGN, shown("z"), SIZES).pace == "50"
+    assert film_options(DESIGN, shown("magnitude"), SIZES).pace == "100"
     # Of a speed that no list offers, the next one that is slower.
-    assert film_options(DESIGN, shown("z", slow_motion=30.0), SIZES).pace == "50"
+    assert film_options(DESIGN, shown("z", slow_motion=60.0), SIZES).pace == "100"
     last = FilmOptions(kind=".gif", quantity="rms", part="hand")
     options = film_options(DESIGN, shown("z"), last)
     # A GIF has fewer frames per second.
@@ -87,6 +88,22 @@ def test_length_and_frames_follow_what_is_chosen(form):
     assert remark(form).startswith(f"{begin}5.02 s of film, 251 frames. It runs at 1/50")
     choose(form, "quantity", "rms")
     assert remark(form) == f"{begin}2.02 s of film, 101 frames."
+
+
+@pytest.mark.parametrize(("frequency_hz", "pace"), [(400.0, "200"), (100.0, "50")])
+def test_the_waves_of_a_tone_are_filmed_as_slowly_as_on_the_stage(frequency_hz, pace):
+    tone = ss.waveforms.Tone(frequency_hz=frequency_hz)
+    design, view = replace(DESIGN, inputs=(ss.track(7, tone),)), shown("z")
+    options = film_options(design, view, SIZES)
+    assert options.pace == pace
+    assert "flickers" not in film_remark(design, view, options).text
+    faster = film_remark(design, view, replace(options, pace="20")).text
+    assert ("It has 3 frames in a period" in faster) == (frequency_hz == 400.0)
+    # What would be too long runs faster.
+    chirp = ss.waveforms.Chirp(duration_s=5.0)
+    design = replace(DESIGN, inputs=(ss.track(7, chirp),))
+    options = film_options(design, shown("z", View()), SIZES)
+    assert not film_remark(design, View(), options).refuses
 
 
 def test_what_cannot_be_written_says_why_and_cannot_be_saved(qtbot):

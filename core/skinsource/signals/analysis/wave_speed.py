@@ -110,7 +110,7 @@ def travelling_wave(
     """
     distance = distance_mm * 1e-3
     level_db = decibels(np.sqrt(np.mean(np.square(signals), axis=-1)))
-    delay_s, alike = _delays(signals, sample_rate_hz, stop)
+    delay_s, alike = group_delays(signals, sample_rate_hz, stop)
     counted = np.isfinite(delay_s)
     if trusted is not None:
         counted &= trusted
@@ -155,8 +155,8 @@ def straightness(places: Floats) -> float:
     return float(np.hypot(*(places[-1] - places[0]))) / length if length else 1.0
 
 
-def _delays(data: Floats, rate: float, stop: Stop) -> tuple[Floats, Floats]:
-    """Return delays to the first signal in s, and the similarity of the shapes."""
+def group_delays(data: Floats, rate: float, stop: Stop = never) -> tuple[Floats, Floats]:
+    """Return group delays to the first signal in s, and the similarity of the shapes."""
     n_times = data.shape[-1]
     n_fft = scipy.fft.next_fast_len(2 * n_times, real=False)
     first = scipy.fft.rfft(data[0], n_fft)

@@ -13,6 +13,7 @@ from skinsource.base.errors import SkinSourceError
 from skinsource.design.design import Design
 from skinsource.engine.evaluation import evaluate
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
+from skinsource.signals.analysis.wave_speed import LEAST_ALIKE, group_delays
 from skinsource.studies.scenes.opened_scene import OpenedScene, with_designs
 
 _HIGH_HZ = 200.0
@@ -69,13 +70,19 @@ def _high_frequencies(traces: Floats, rate_hz: float, near: int, far: int) -> st
 
 
 def _later_and_weaker(traces: Floats, rate_hz: float, near: int, far: int) -> str:
-    peaks = np.abs(scipy.signal.hilbert(traces))
-    weaker_db = float(-np.diff(decibels(peaks.max(axis=1)))[0])
-    later_ms = float(np.diff(peaks.argmax(axis=1))[0]) / rate_hz * 1e3
+    peaks = np.abs(scipy.signal.hilbert(traces)).max(axis=1)
+    weaker_db = float(-np.diff(decibels(peaks))[0])
+    delays_s, alike = group_delays(traces, rate_hz)
+    # Where the largest sample of a long tone lies is no time of travel.
+    later_ms = 1e3 * float(delays_s[1])
+    delay = (
+        f", and it comes {abs(later_ms):.0f} ms {'later' if later_ms > 0.0 else 'earlier'} (group "
+        "delay)"
+    )
     return (
         f"At output {far} its peak is {abs(weaker_db):.0f} dB "
-        f"{'weaker' if weaker_db > 0.0 else 'stronger'} than at output {near}, and comes "
-        f"{abs(later_ms):.0f} ms {'later' if later_ms > 0.0 else 'earlier'}."
+        f"{'weaker' if weaker_db > 0.0 else 'stronger'} than at output {near}"
+        f"{delay if alike[1] >= LEAST_ALIKE else ''}."
     )
 
 
@@ -101,12 +108,26 @@ def _interference(opened: OpenedScene) -> str:
         for number in opened.view.outputs[:2]
         for gain_db in [gains_db[number - 1]]
     )
-    return f"Both are, beside the louder one alone, {' and '.join(parts)}."
+    return (
+        f"Along {opened.view.axes}, both are, beside the louder one alone, {' and '.join(parts)}."
+    )
+
+
+def _carried(opened: OpenedScene) -> str:
+    """Return a text on the level at the last shown output, on each limb."""
+    number = opened.view.outputs[-1]
+    parts = []
+    for condition in opened.conditions:
+        levels_db = evaluate(condition.design, "output_levels_db", view=opened.view)
+        own_db = levels_db["output_levels_db"]
+        parts.append(f"{condition.label.lower()} {own_db.max() - own_db[number - 1]:.0f} dB")
+    return f"At output {number} it is below its maximum by: {', '.join(parts)}."
 
 
 #: What is computed, by the name of the scene.
 FINDINGS: dict[str, Callable[[OpenedScene], str]] = {
     "1D": partial(_at_the_ends, text=_high_frequencies),
+    "1G": _carried,
     "2A": partial(_at_the_ends, text=_later_and_weaker),
     "2C": partial(_at_the_ends, text=_mean_frequencies),
     "2F": _interference,
