@@ -337,7 +337,7 @@ class StagePanel(MapsPanel):
             return
         self._several, grid = several, self._grid
         places = (
-            ((0, 0, 1, 2), (1, 0, 1, 2), (3, 0, 1, 2), (4, 0, 1, 1), (4, 1, 1, 1))
+            ((0, 0, 1, 1), (1, 0, 1, 2), (3, 0, 1, 2), (4, 0, 1, 1), (4, 1, 1, 1))
             if several
             else ((0, 1, 1, 1), (1, 1, 1, 1), (0, 0, 5, 1), (3, 1, 1, 1), (4, 1, 1, 1))
         )
@@ -345,7 +345,7 @@ class StagePanel(MapsPanel):
         for part, place in zip(parts, places, strict=True):
             grid.addWidget(part, *place)
         grid.removeItem(self._line)
-        grid.addLayout(self._line, 2, 0 if several else 1, 1, 2 if several else 1)
+        grid.addLayout(self._line, 0 if several else 2, 1)
         for row, share in enumerate((0, 0, 0, 75, 25) if several else (0, 0, 0, 60, 40)):
             grid.setRowStretch(row, share)
         for column, share in enumerate((85, 15) if several else (45, 55)):
