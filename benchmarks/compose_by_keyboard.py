@@ -20,7 +20,7 @@ def train(you: Composer, _: Path) -> None:
     you.tab_to("Sweep…")
     you.key("Space")
     you.page()
-    for name, text in (("low_hz_sweep", "50"), ("high_hz_sweep", "400"), ("count_sweep", "5")):
+    for name, text in (("from_sweep", "50"), ("to_sweep", "400"), ("count_sweep", "5")):
         you.tab_to(name)
         you.type(text)
     you.tab_to("spacing_sweep")

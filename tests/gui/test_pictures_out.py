@@ -134,7 +134,7 @@ def test_a_film_asks_for_its_size_and_begins_with_it_the_next_time(
     window.panel("skin").map.stage.pan_zoom.show("hand")
     window.document.look(replace(window.document.view, slow_motion=20.0))
     write_with("animation", lambda *_, options, seen, **more: given.append((options, seen.fit)))
-    chosen = FilmOptions(width_px=640, height_px=480, colours="dark", kind=".webm")
+    chosen = FilmOptions(width_px=640, height_px=480, colours="dark", kind=".webm", pace="50")
 
     answers["save"] = str(tmp_path / "film.mp4")
     part = shown(window, "animation")
@@ -146,7 +146,7 @@ def test_a_film_asks_for_its_size_and_begins_with_it_the_next_time(
     press(part)
     wait()
     assert suggested == [
-        ("skin-map-along-z-1-20.webm", "WebM (*.webm);;MP4 (*.mp4);;GIF (*.gif)"),
+        ("skin-map-along-z-1-50.webm", "WebM (*.webm);;MP4 (*.mp4);;GIF (*.gif)"),
     ]
     assert given == [(chosen, "hand")]
     # The next time it begins with these; cancelled, nothing is asked or written any more.
