@@ -39,8 +39,8 @@ _TIDIED_EVERY = 20
 #: Larger designs are taken back: what is tried is what can be done, not how long it may take.
 _LONGEST_S, _MOST_INPUTS, _MOST_CLIPS = 8.0, 8, 60
 _TOLERANCE_DB = 1e-6
-#: What may be made late and kept, in objects: pages, menus, rows of a list, and two large panels, as
-#: Output, which has 210, and Library; from 800 to 1600 deeds, with all of them made, nothing is added.
+#: What may be made late and kept, in objects: pages, menus, rows of a list, and two large panels,
+#: as Output, which has 210, and Library; once all are made, more deeds add nothing.
 KEPT_LATE = 400
 #: Threads that may be made late and kept: what plays has one, and what reads responses of a rig.
 THREADS_LATE = 2
