@@ -141,6 +141,11 @@ class EditedCell(LabelledCell):
         self.field.cancel()
         self._forget_reason()
 
+    def forget_problem(self) -> None:
+        """Forget what was refused, if anything was."""
+        if self._problem or self._reason:
+            self.forget_typing()
+
     def refuse(self, value: object, reason: str) -> None:
         """Show the value again, and why it was not changed."""
         self.set_value(value)

@@ -95,12 +95,14 @@ class PlotToolbar(QtWidgets.QWidget):
     def show_passing(self, button: QtWidgets.QToolButton, on: bool) -> None:
         """Show a switch only while it is on."""
         button.setChecked(on)
-        self._show(button, on)
+        if button.isHidden() == on:
+            self._show(button, on)
 
     def show_state(self, *, layout: str, zoomed: bool) -> None:
         """Show the present layout, and whether the plot is zoomed."""
         self._layout_buttons[layout].setChecked(True)
-        self._show(self._everything, zoomed)
+        if self._everything.isHidden() == zoomed:
+            self._show(self._everything, zoomed)
 
     def _show(self, button: QtWidgets.QToolButton, shown: bool) -> None:
         """Show or hide a button; the focus stays in the toolbar."""

@@ -199,16 +199,16 @@ class _Places:
 
     def add(self, taps: dict[int, Floats]) -> dict[int, ResponseSpectrum]:
         """Transform responses by location; they are remembered as far as there is room."""
-        n_kept = min(len(taps), self._most - len(self.known))
-        rooms = list(untouched_array((n_kept, *self._shape)))
-        rooms += [np.empty(self._shape, np.complex128) for _ in range(len(taps) - n_kept)]
+        n_cached = min(len(taps), self._most - len(self.known))
+        rooms = list(untouched_array((n_cached, *self._shape)))
+        rooms += [np.empty(self._shape, np.complex128) for _ in range(len(taps) - n_cached)]
         added = {
             location: ResponseSpectrum(samples, self._n_fft, values)
             for (location, samples), values in zip(taps.items(), rooms, strict=True)
         }
         run_on_two_threads(partial(_transform, response) for response in added.values())
         tally(forward_transforms=len(taps) * prod(self._shape[:2]))
-        self.known |= dict(list(added.items())[:n_kept])
+        self.known |= dict(list(added.items())[:n_cached])
         return added
 
 

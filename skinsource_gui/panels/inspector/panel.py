@@ -265,7 +265,7 @@ class InputFields(QObject):
         """Forget why other numbers than ``name`` were refused, whose values stand there again."""
         for cell in self._fields():
             if cell.name != name and isinstance(cell.field, NumberField):
-                cell.forget_typing()
+                cell.forget_problem()
 
     def forget_typing(self) -> None:
         """Close an open editor without committing."""

@@ -506,9 +506,12 @@ def chosen_clips(design: Design, view: View) -> tuple[int, ...]:
     """Return the clips that edits change, see `TimelineContent.chosen`."""
     tracks = (track for track in design.inputs if track.id in view.selected_inputs)
     clips = (clip.id for track in tracks for clip in clips_of(track, view))
-    last = leading_clip(design, view)
-    chosen = dict.fromkeys((*view.selected_clips, *clips))
-    return tuple(sorted(chosen, key=lambda id: last is not None and id == last.id))
+    chosen = list(dict.fromkeys((*view.selected_clips, *clips)))
+    last = leading_clip(design, view) if len(chosen) > 1 else None
+    if last is not None and last.id in chosen:
+        chosen.remove(last.id)
+        chosen.append(last.id)
+    return tuple(chosen)
 
 
 def ruler_px(line_px: float) -> float:
