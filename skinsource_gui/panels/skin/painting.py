@@ -371,7 +371,6 @@ class MapPainter:
                 layout, content.px_per_mm, self._screen_outline, painter.fontMetrics()
             )
         self._paint_marks(painter, content, layout, theme, pointed_at)
-        paint_length_bar(painter, layout, content.px_per_mm, self._bar_card, theme)
 
     def _paint_ground(
         self, painter: QtGui.QPainter, content: MapContent, layout: MapLayout, theme: Theme
@@ -415,7 +414,7 @@ class MapPainter:
         theme: Theme,
         pointed_at: int | None,
     ) -> None:
-        """Paint hatching, inputs, and rings and numbers of outputs in the colours of the curves."""
+        """Paint hatching, inputs, rings and numbers of outputs, and the bar of length."""
 
         def paint(on_image: QtGui.QPainter) -> None:
             paint_hatch(on_image, content.hatched, layout, self._screen_outline)
@@ -423,6 +422,7 @@ class MapPainter:
             _paint_rings(on_image, content, layout, theme)
             radius = ring_radius(0, content, layout)
             paint_labels(on_image, content.outputs, layout, radius, theme, self._bar_card)
+            paint_length_bar(on_image, layout, content.px_per_mm, self._bar_card, theme)
 
         shown = content.hatched, content.inputs, pointed_at, content.outputs
         key = (theme.name, *shown, content.shown_field is None, self._bar_card.getRect())

@@ -111,6 +111,18 @@ class Head:
             return None
         return abs(self.track.amplitude) * float(np.abs(self.played).max(initial=0.0))
 
+    def looks_like(self, other: "Head") -> bool:
+        """Return whether another head is painted the same; a meter shows no more than a percent."""
+        first, second = (
+            (
+                *(head.track.location, head.track.colour, head.track.amplitude),
+                *(head.track.muted, head.track.solo, head.silent),
+                None if head.peak is None else round(head.peak, 2),
+            )
+            for head in (self, other)
+        )
+        return first == second
+
 
 def text_of(head: Head, design: Design, view: View) -> str:
     """Return what the track plays, how loud, for the tooltip."""
@@ -149,7 +161,8 @@ class HeadsModel(QAbstractListModel):
             self.endResetModel()
             return
         for row, (old, new) in enumerate(zip(before, self.heads, strict=True)):
-            if new.played is not old.played or (new.track, new.silent) != (old.track, old.silent):
+            known = new.track is old.track and new.played is old.played
+            if not (known and new.silent == old.silent) and not new.looks_like(old):
                 index = self.createIndex(row, 0)
                 self.dataChanged.emit(index, index)
 
