@@ -418,8 +418,8 @@ def drag_field(
     """Set a number of the input ``lead`` or its clip, and move those of the others as far.
 
     The others move by the same step, or by the same factor where the number is logarithmic, an
-    amplitude or a gain, and stay within what is allowed.  ``start`` is the design when the drag began: all values are
-    computed from it, so that dragging back restores it.
+    amplitude or a gain, and stay within what is allowed.  ``start`` is the design when the drag
+    began: all values are computed from it, so that dragging back restores it.
 
     Examples
     --------
