@@ -98,7 +98,7 @@ DRAGGED = THREE.with_clip(2, waveform=Tone(frequency_hz=30.0))
 @pytest.mark.parametrize(
     ("ids", "name", "value", "expected"),
     [
-        ((1, 2, 3), "amplitude", 1.3, [1.3, 0.8, -1.7]),
+        ((1, 2, 3), "amplitude", 1.3, [1.3, 0.65, -2.6]),
         ((1, 2), "frequency_hz", 110.0, [110.0, 33.0]),
         ((1, 2), "onset_s", 599.95, [599.95, 600.0, 0.0]),
         ((1, 2), "window", "none", ["none", "none"]),
@@ -107,7 +107,7 @@ DRAGGED = THREE.with_clip(2, waveform=Tone(frequency_hz=30.0))
 def test_a_dragged_value_moves_all_alike_within_what_is_allowed_and_back(
     ids, name, value, expected
 ):
-    """By the same step, frequencies by the same factor; a choice sets all."""
+    """By the same step, frequencies and amplitudes by the same factor; a choice sets all."""
 
     def values(design):
         tracks = design.inputs[: len(expected)]

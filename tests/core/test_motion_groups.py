@@ -7,7 +7,7 @@ import pytest
 from skinsource.design import edits
 from skinsource.design.design import Design, Input, track
 from skinsource.design.design_file import open_design, save_design
-from skinsource.design.edits.edit import Refusal
+from skinsource.design.edits.edit import Refusal, change_inputs
 from skinsource.design.edits.motions import motion_of, with_whole_motions
 from skinsource.design.motions import MOTIONS, ApparentMotion, Sweep
 from skinsource.design.view import View
@@ -121,6 +121,27 @@ def test_edits_of_other_things_and_the_way_back_keep_it():
     assert with_whole_motions(moved, back).design.motions == design.motions
     empty = Design(limb="synthetic-1", inputs=(Input(location=7),))
     assert with_motion(design=empty).motions != ()
+
+
+@pytest.mark.parametrize("kind", MOTIONS)
+def test_a_motion_that_is_made_louder_as_a_whole_stays_one(kind):
+    design = with_motion(kind())
+    group = design.motions[0]
+    tracks = design.inputs[len(PLAIN.inputs) :]
+    changes = {track.id: {"amplitude": 0.3 * track.amplitude} for track in tracks}
+    outcome = after_edit(design, change_inputs, "Change", changes)
+    assert outcome.design.motions == (replace(group, motion=kind(amplitude=0.3)),)
+    assert outcome.said == ""
+
+
+def test_a_motion_whose_clips_all_play_something_else_is_that_motion():
+    design = with_motion()
+    group = design.motions[0]
+    waveform = replace(group.motion.waveform, frequency_hz=77.0)
+    changes = {clip: {"waveform": waveform} for clip in group.clips}
+    ids = {track.id: {} for track in design.inputs}
+    outcome = after_edit(design, change_inputs, "Change", ids, changes)
+    assert [each.motion.waveform for each in outcome.design.motions] == [waveform]
 
 
 @pytest.mark.parametrize("kind", MOTIONS)

@@ -176,9 +176,9 @@ EXPORTS: tuple[ExportSpec, ...] = (
     ExportSpec(
         name="map",
         group="Table",
-        title="Level map",
+        title="RMS map",
         file_name="map.csv",
-        hint="Save the map as numbers in dB: rows y, columns x",
+        hint="Save the RMS map in dB: rows y, columns x",
         write=export_map,
         keywords="excel matlab decibels skin heatmap surface csv",
     ),

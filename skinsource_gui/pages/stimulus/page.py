@@ -476,7 +476,9 @@ def numbers_in(design: Design) -> Numbers:
                 value = getattr(part, name)
                 of_all.setdefault(name, (title, spec, value))
                 of_one.setdefault(f"{number}.{name}", (f"{title}, track {number}", spec, value))
-    return of_all | of_one if len(design.inputs) > 1 else of_all
+    if len(design.inputs) == 1:
+        return of_all
+    return {name: (f"{each[0]}, all tracks", *each[1:]) for name, each in of_all.items()} | of_one
 
 
 class SetPart(StimulusPart):

@@ -218,7 +218,7 @@ def content_of(
     problem
         Why there are no levels; "" where there are.
     steady
-        Keeps the automatic range of the colours while the loudest output changes a little.
+        Keeps the automatic range of a moving wave while its peak changes a little.
     """
     limb_map, limb, px_per_mm = _limb_of(results, design, problem)
     facts = facts_of(limb)
@@ -340,7 +340,8 @@ def _automatic_range(
     if loudest_db <= FLOOR_DB:
         return (-1.0, 1.0) if settings.quantity == Z else SILENT_RANGE
     if settings.quantity != Z:
-        return map_range_db(steady.follow(loudest_db, loudest_db, "level")[1])
+        # By the design alone: the same design has the same colours, whatever was shown before.
+        return map_range_db(loudest_db)
     largest = 10.0 ** (loudest_db / 20.0) * _SHARE_OF_LARGEST
     return steady.follow(-largest, largest, "amplitude")
 

@@ -123,11 +123,19 @@ def map_tooltip(content: MapContent, layout: MapLayout | None, at: QPointF) -> s
     return "\n".join(filter(None, [*lines, inputs_text(content, layout, at)]))
 
 
-def selection_readout(outputs: tuple[int, ...]) -> str:
+def selection_hint(outputs: tuple[int, ...]) -> str:
     """Return how many outputs are selected, and how to select others."""
     if not outputs:
         return "No output selected · click one, or drag around several"
     return f"{counted(len(outputs), 'output')} selected · Shift+click adds or removes one"
+
+
+def strongest_readout(content: MapContent) -> str:
+    """Return the strongest output and its value; empty for a wave that moves."""
+    values = content.coloured_values
+    if values is None or content.quantity.moves or not np.isfinite(values).any():
+        return ""
+    return f"Strongest: {output_readout(content, int(np.nanargmax(values)) + 1)}"
 
 
 SYNTHETIC_MARK = "SYNTHETIC"

@@ -27,7 +27,7 @@ from skinsource_gui.panels.skin.content import (
     signals_name,
 )
 from skinsource_gui.panels.skin.layout import HAND
-from skinsource_gui.panels.skin.map import SkinMap, selection_readout
+from skinsource_gui.panels.skin.map import SkinMap, selection_hint, strongest_readout
 from skinsource_gui.panels.skin.measure import MeasureLine
 from skinsource_gui.panels.skin.picture import heading_of, paint_picture
 from skinsource_gui.panels.skin.scale import ColourBar
@@ -277,10 +277,12 @@ class SkinPanel(Panel):
             self._staleness.set_stale(True)
 
     def _show_readout(self, text: str) -> None:
-        text = text or selection_readout(self.content.outputs)
+        hint, strongest = selection_hint(self.content.outputs), strongest_readout(self.content)
+        whole = text or "\n".join(filter(None, (strongest, hint)))
+        text = whole.partition("\n")[0]
         value, _, place = text.rpartition(" · ")
         self.readout.show_phrases((text, f"{value} · {place.partition(',')[0]}" if value else text))
-        self.readout.setToolTip(text)
+        self.readout.setToolTip(whole)
         self.readout.setAccessibleDescription(text)
 
     def _connect(self) -> None:

@@ -157,7 +157,11 @@ def test_the_readout_follows_the_mouse(window):
     QTest.mouseMove(view, (place(window, 60) + place(window, 69)) / 2)
     assert window.panel.readout.toolTip().endswith(" mm/s² RMS, whole record)")
     QTest.mouseMove(view, QPoint(5, 5))
-    assert window.panel.readout.toolTip().startswith("No output selected")
+    strongest, hint = window.panel.readout.toolTip().split("\n")
+    loudest = window.results["output_levels_db"].argmax() + 1
+    assert strongest.startswith("Strongest: ")
+    assert f"Output {loudest}," in strongest
+    assert hint.startswith("No output selected")
 
 
 def test_everything_that_can_be_used_is_reached_by_tab_and_named(window):

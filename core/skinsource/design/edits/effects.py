@@ -417,9 +417,9 @@ def drag_field(
 ) -> Edit | Refusal:
     """Set a number of the input ``lead`` or its clip, and move those of the others as far.
 
-    The others move by the same step, or by the same factor where the number is logarithmic, and
-    stay within what is allowed.  ``start`` is the design when the drag began: all values are
-    computed from it, so that dragging back restores it.
+    The others move by the same step, or by the same factor where the number is logarithmic, an
+    amplitude or a gain, and stay within what is allowed.  ``start`` is the design when the drag
+    began: all values are computed from it, so that dragging back restores it.
 
     Examples
     --------
@@ -554,6 +554,9 @@ def _with_waveforms(
 def _moved_value(own_value: float, origin: float, value: float, spec: NumberSpec) -> float:
     """Return ``own_value`` moved by the step or factor from ``origin`` to ``value``."""
     by_factor = spec.logarithmic and min(own_value, origin, value) > 0
+    if spec in (AMPLITUDE, GAIN):
+        # An inverted one stays inverted.
+        by_factor = origin * value > 0
     moved = own_value * (value / origin) if by_factor else own_value + (value - origin)
     # Sums of decimal steps must stay short to read.
     return nearest(float(f"{moved:.12g}"), spec)

@@ -1,7 +1,7 @@
 """Add motions, and change those that stand in a design as a group of clips.
 
-A group stays while its clips are those that its motion writes; moved whole in time it begins at
-another time, and otherwise edited by hand it is dissolved.
+A group stays while its clips are those that its motion writes: moved in time, made louder, or given
+another waveform as a whole, it is that motion.  Otherwise edited by hand it is dissolved.
 """
 
 from dataclasses import replace
@@ -131,24 +131,34 @@ def _places(design: Design) -> dict[int, _Place]:
 def _as_moved(
     group: MotionGroup, known: dict[int, _Place], now: dict[int, _Place]
 ) -> MotionGroup | None:
-    """Return a group whose clips are those that its motion writes, maybe at another time."""
+    """Return a group whose clips are those that its motion writes, maybe later or louder."""
     present = list(filter(None, map(now.get, group.clips)))
     if len(present) < len(group.clips):
         return None
     if present == [known.get(id) for id in group.clips]:
         return group
+    first, loudness = present[0][0], sum(amplitude for _, _, amplitude in present)
     try:
-        onset_s = round(present[0][0].onset_s, _DECIMALS)
-        motion = with_motion_field(group.motion, "onset_s", onset_s)
-        tracks = motion.tracks()
+        motion = with_motion_field(group.motion, "waveform", first.waveform)
+        motion = with_motion_field(motion, "onset_s", round(first.onset_s, _DECIMALS))
+        motion = with_motion_field(motion, "amplitude", 1.0)
+        amplitude = loudness / sum(amplitude for _, _, amplitude in _written_by(motion))
+        motion = with_motion_field(motion, "amplitude", round(amplitude, _DECIMALS))
+        written = _written_by(motion)
     except InvalidInputError:
         return None
-    written = [(clip, track.location, track.amplitude) for track in tracks for clip in track.clips]
     same = list(map(_rounded, written)) == list(map(_rounded, present))
     return replace(group, motion=motion) if same else None
 
 
+def _written_by(motion: Motion) -> list[_Place]:
+    return [
+        (clip, track.location, track.amplitude) for track in motion.tracks() for clip in track.clips
+    ]
+
+
 def _rounded(place: _Place) -> _Place:
-    """Return a clip without its number, and its onset without what sums of times leave behind."""
+    """Return a clip without its number, and without what sums and products leave behind."""
     clip, location, amplitude = place
-    return replace(clip, id=0, onset_s=round(clip.onset_s, _DECIMALS)), location, amplitude
+    onset_s = round(clip.onset_s, _DECIMALS)
+    return replace(clip, id=0, onset_s=onset_s), location, round(amplitude, _DECIMALS)
