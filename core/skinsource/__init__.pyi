@@ -27,10 +27,10 @@ from .design.show_file import open_show as open_show
 from .design.show_file import save_show as save_show
 from .design.signal_path import actuation_of_rig as actuation_of_rig
 from .design.view import View as View
+from .engine.evaluation import Quantity as Quantity
 from .engine.evaluation import evaluate as evaluate
+from .engine.evaluation import quantities as quantities
 from .engine.prediction import predict as predict
-from .engine.quantity_list import Quantity as Quantity
-from .engine.quantity_list import quantities as quantities
 from .engine.stimulus import Stimulus as Stimulus
 from .engine.stimulus import stimulus_of as stimulus_of
 from .export import plot as plot

@@ -11,7 +11,7 @@ from PySide6.QtCore import QEvent, QObject, QPoint, QRect, Qt, QTimer, Signal
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.job import Job
 from skinsource.design.design import Design
-from skinsource.design.edits.mending import mends
+from skinsource.design.edits.setup import mends
 from skinsource.design.labels import LIMBS
 from skinsource.design.signal_path import unplayable_text
 from skinsource.design.view import View

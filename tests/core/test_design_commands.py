@@ -8,7 +8,7 @@ import pytest
 
 import skinsource as ss
 from skinsource.cli.command_line import main
-from skinsource.export.map_files import picture_of, write_png
+from skinsource.export.tables import picture_of, write_png
 
 
 @pytest.fixture

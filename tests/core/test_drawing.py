@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from skinsource.signals.drawing import Stroke, drawn_over, zeroed
+from skinsource.signals.synthesis import Stroke, drawn_over, zeroed
 
 RATE_HZ = 1300.0
 PLACES = st.tuples(st.floats(0, 2), st.floats(-1, 1))

@@ -10,7 +10,7 @@ import scipy
 import skinsource as ss
 from skinsource.base.errors import FormulaError
 from skinsource.design.waveforms.samples import Formula
-from skinsource.signals.formula import functions, playing, reading
+from skinsource.signals.formula import functions, reading
 from skinsource.signals.formula.values import Grid, band_noise
 
 REFERENCES = Path(__file__).parents[1] / "references" / "formulas.json"
@@ -18,7 +18,7 @@ ROWS = json.loads(REFERENCES.read_text(encoding="utf-8"))
 
 
 def played(text, count=1, duration_s=1.0, rate_hz=1300.0):
-    return playing.played(reading.read(text), count, rate_hz, 0.0, duration_s)
+    return reading.played(reading.read(text), count, rate_hz, 0.0, duration_s)
 
 
 def value_of(text):
@@ -34,7 +34,7 @@ def test_formulas_are_what_40_digits_say_up_to_an_hour(row):
     program, numbers = reading.read(row["text"]), row["numbers"]
     expected = np.array([float.fromhex(digits) for digits in row["values"]])
     at = (row["sample_rate_hz"], row["shift_s"], row["duration_s"])
-    samples = playing.played(program, numbers[-1] + 1, *at)[numbers]
+    samples = reading.played(program, numbers[-1] + 1, *at)[numbers]
     assert np.abs(samples - expected).max() <= 1e-12 * max(1.0, np.abs(expected).max())
     assert len(numbers) >= 60
     assert np.ptp(expected) > 0.1

@@ -7,7 +7,7 @@ import pytest
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.waveforms.samples import Formula
-from skinsource.signals.formula import playing, reading
+from skinsource.signals.formula import reading
 from skinsource.signals.formula.functions import FUNCTIONS
 
 COUNT, SEED = 10_000, 20261122
@@ -90,7 +90,7 @@ def test_ten_thousand_texts_are_played_or_refused_with_a_column(capsys):
     for text in texts(rng):
         try:
             # A hundred samples say as much as a second.
-            samples = playing.played(reading.read(text), 100, 1300.0, 0.0002, 0.1)
+            samples = reading.played(reading.read(text), 100, 1300.0, 0.0002, 0.1)
         except InvalidInputError as error:
             n_refused += 1
             column = getattr(error, "column", None)

@@ -13,7 +13,14 @@ from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.evaluation import evaluate
 from skinsource.engine.quantities import new_graph, sources
-from skinsource.engine.time_rules import BLOCK_S, Moving, SlidingEnergy, block_of, window_of, z_axis
+from skinsource.engine.time_rules import (
+    BLOCK_S,
+    Moving,
+    SlidingEnergy,
+    _window_of,
+    _z_axis,
+    block_of,
+)
 from skinsource.signals.resampling import EXTREMES_ERROR, FINER, extremes_between, finer
 from skinsource.signals.sampling import values_at
 
@@ -108,11 +115,11 @@ def test_of_a_long_design_two_blocks_are_kept_which_are_its_traces():
 
 def test_windows_overlap_by_a_block():
     for block in range(4):
-        first, end = window_of(block, 10**6, RATE)
-        following, _ = window_of(block + 1, 10**6, RATE)
+        first, end = _window_of(block, 10**6, RATE)
+        following, _ = _window_of(block + 1, 10**6, RATE)
         assert end - following >= BLOCK_S * RATE
         assert first <= max(block * BLOCK_S - 0.9, 0.0) * RATE
-    assert window_of(9, 1000, RATE) == (1000, 1000)
+    assert _window_of(9, 1000, RATE) == (1000, 1000)
     assert [block_of(time_s) for time_s in (-1.0, 0.0, BLOCK_S, 2.5 * BLOCK_S)] == [0, 0, 1, 2]
 
 
@@ -123,7 +130,7 @@ def test_a_limb_without_z_says_what_can_be_seen_of_it():
     with pytest.raises(
         InvalidInputError, match=r"flat was measured along x and y, not along z.*magnitude"
     ):
-        z_axis(Flat())
+        _z_axis(Flat())
 
 
 RATE_HZ = 1300.0

@@ -3,7 +3,7 @@
 import pytest
 
 import skinsource as ss
-from skinsource.design.edits.mending import mends
+from skinsource.design.edits.setup import mends
 from skinsource.design.presets.presets import read_preset, shipped_folder
 from skinsource.design.view import View
 

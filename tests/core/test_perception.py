@@ -5,12 +5,12 @@ import pytest
 
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError
-from skinsource.perception.sensation import (
+from skinsource.perception.thresholds import (
     sensation_levels_db,
     sensation_magnitude,
     site_offsets_db,
+    threshold_rms,
 )
-from skinsource.perception.thresholds import threshold_rms
 
 NONE = {"P": np.zeros(1), "NP I": np.zeros(1)}
 

@@ -185,10 +185,15 @@ def transfers_of(
         An actuator does not move in the band, or rings for longer than half a second.
     """
     band = followed_band(band_hz, sample_rate_hz)
-    full_responses = {
-        actuator.place: _full_response(actuator, actuation.equaliser, sample_rate_hz, band)
-        for actuator in actuation.actuators
-    }
+    full_responses = {}
+    for actuator in actuation.actuators:
+        try:
+            full_responses[actuator.place] = _impulse_response(
+                actuator.model, actuation.equaliser, sample_rate_hz, band
+            )
+        except InvalidInputError as error:
+            where = "" if actuator.place is None else f"place {actuator.place}: "
+            raise InvalidInputError(f"{where}{error}") from error
     length = _length_at(sample_rate_hz)
     lead = max(_reach(row[: -length // 2 : -1], row) for row in full_responses.values())
     tail = max(_reach(row[: length // 2], row) for row in full_responses.values())
@@ -207,16 +212,6 @@ def transfers_of(
 def _length_at(sample_rate_hz: float) -> int:
     """Return the length of responses before they are trimmed, a power of 2."""
     return max(_LENGTH, 2 ** ceil(log2(_OF_LONGEST * LONGEST_S * sample_rate_hz)))
-
-
-def _full_response(
-    actuator: ActuatorAt, equaliser: Equaliser | None, sample_rate_hz: float, band_hz: Band
-) -> Floats:
-    try:
-        return _impulse_response(actuator.model, equaliser, sample_rate_hz, band_hz)
-    except InvalidInputError as error:
-        where = "" if actuator.place is None else f"place {actuator.place}: "
-        raise InvalidInputError(f"{where}{error}") from error
 
 
 @lru_cache(maxsize=64)

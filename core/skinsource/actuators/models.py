@@ -67,16 +67,11 @@ class VoiceCoil(fields.CheckedModel, LinearActuator):
 
     def current_at(self, s: Complexes) -> Complexes:
         """Return Z / (Z (R + s L) + Bl²)."""
-        return self._mechanical(s) / self._divisor(s)
-
-    def _mechanical(self, s: Complexes) -> Complexes:
-        damping = self.damping_n_s_per_m + self.skin_damping_n_s_per_m
-        stiffness = self.stiffness_n_per_m + self.skin_stiffness_n_per_m
-        return self.moving_mass_kg * s + damping + stiffness / s
+        return _impedance(self, s) / self._divisor(s)
 
     def _divisor(self, s: Complexes) -> Complexes:
         electrical = self.resistance_ohm + s * self.inductance_h
-        return self._mechanical(s) * electrical + np.square(self.force_factor_n_per_a)
+        return _impedance(self, s) * electrical + np.square(self.force_factor_n_per_a)
 
 
 CASING_MASS = actuator.positive("Casing mass", "kg", "Mass that touches the skin and recoils")
@@ -226,15 +221,16 @@ class Piezo(fields.CheckedModel, LinearActuator):
 
     def current_at(self, s: Complexes) -> Complexes:
         """Return (s C Z + alpha²) / (Z (1 + s R C) + R alpha²)."""
-        flowing = s * self.capacitance_f * self._mechanical(s) + np.square(self.coupling_n_per_v)
+        flowing = s * self.capacitance_f * _impedance(self, s) + np.square(self.coupling_n_per_v)
         return flowing / self._divisor(s)
-
-    def _mechanical(self, s: Complexes) -> Complexes:
-        damping = self.damping_n_s_per_m + self.skin_damping_n_s_per_m
-        stiffness = self.stiffness_n_per_m + self.skin_stiffness_n_per_m
-        return self.moving_mass_kg * s + damping + stiffness / s
 
     def _divisor(self, s: Complexes) -> Complexes:
         charged = 1.0 + s * self.series_resistance_ohm * self.capacitance_f
         moved = self.series_resistance_ohm * np.square(self.coupling_n_per_v)
-        return self._mechanical(s) * charged + moved
+        return _impedance(self, s) * charged + moved
+
+
+def _impedance(moved: VoiceCoil | Piezo, s: Complexes) -> Complexes:
+    damping = moved.damping_n_s_per_m + moved.skin_damping_n_s_per_m
+    stiffness = moved.stiffness_n_per_m + moved.skin_stiffness_n_per_m
+    return moved.moving_mass_kg * s + damping + stiffness / s

@@ -214,10 +214,31 @@ def predicted(
         raise InvalidInputError(
             f"{len(models)} actuators for {len(rows)} channels, expected one each"
         )
-    return tuple(
-        _predict_channel(row, rate_hz, max(rate_hz, least_hz), model, thermal)
-        for row, model in zip(rows, models, strict=True)
-    )
+    dense_rate_hz = max(rate_hz, least_hz)
+    predictions = []
+    for row, model in zip(rows, models, strict=True):
+        dense = resample(row, rate_hz, dense_rate_hz)
+        motion = model.simulate(dense, dense_rate_hz, "first")
+        power = dense * motion.current
+        velocity = _peak(motion.velocity)
+        prediction = Prediction(
+            peak_voltage_v=_peak(dense),
+            rms_voltage_v=_loudest_rms(dense, dense_rate_hz),
+            slew_v_per_s=_peak(np.diff(dense, prepend=0.0)) * dense_rate_hz,
+            duration_s=row.size / rate_hz,
+            duty=duty_of(dense, dense_rate_hz),
+            peak_current_a=_peak(motion.current),
+            rms_current_a=_loudest_rms(motion.current, dense_rate_hz),
+            mean_power_w=float(power.mean()),
+            peak_power_w=float(power.max()),
+            peak_acceleration_m_per_s2=_peak(motion.acceleration),
+            peak_velocity_m_per_s=velocity,
+            peak_displacement_m=_peak(motion.displacement),
+            linear_share=velocity / LARGEST_VELOCITY_M_PER_S,
+            temperature_rise_k=_temperature_rise(motion, model, dense_rate_hz, thermal),
+        )
+        predictions.append(prediction)
+    return tuple(predictions)
 
 
 def duty_of(drive: Floats, sample_rate_hz: float) -> float:
@@ -281,35 +302,6 @@ def breaches(prediction: Prediction, limits: Limits) -> tuple[Breach, ...]:
         Breach(name, value, limit)
         for name, value in values.items()
         if (limit := getattr(limits, name)) is not None and value > limit
-    )
-
-
-def _predict_channel(
-    voltage: Floats,
-    sample_rate_hz: int,
-    rate_hz: int,
-    actuator: Actuator,
-    thermal: Thermal | None,
-) -> Prediction:
-    dense = resample(voltage, sample_rate_hz, rate_hz)
-    motion = actuator.simulate(dense, rate_hz, "first")
-    power = dense * motion.current
-    velocity = _peak(motion.velocity)
-    return Prediction(
-        peak_voltage_v=_peak(dense),
-        rms_voltage_v=_loudest_rms(dense, rate_hz),
-        slew_v_per_s=_peak(np.diff(dense, prepend=0.0)) * rate_hz,
-        duration_s=voltage.size / sample_rate_hz,
-        duty=duty_of(dense, rate_hz),
-        peak_current_a=_peak(motion.current),
-        rms_current_a=_loudest_rms(motion.current, rate_hz),
-        mean_power_w=float(power.mean()),
-        peak_power_w=float(power.max()),
-        peak_acceleration_m_per_s2=_peak(motion.acceleration),
-        peak_velocity_m_per_s=velocity,
-        peak_displacement_m=_peak(motion.displacement),
-        linear_share=velocity / LARGEST_VELOCITY_M_PER_S,
-        temperature_rise_k=_temperature_rise(motion, actuator, rate_hz, thermal),
     )
 
 

@@ -256,16 +256,30 @@ def make_folder(path: Path) -> None:
         path.mkdir(parents=True, exist_ok=True)
 
 
+def check_free_space(path: Path, n_bytes: int, what: str, advice: str) -> None:
+    """Raise `StorageError` where ``n_bytes`` are not free in the folder of ``path``."""
+    free_bytes = shutil.disk_usage(path.resolve().parent).free
+    if free_bytes < n_bytes:
+        raise StorageError(
+            f"{path_text(path)}: {what} takes {n_bytes / 1e9:.2f} GB, and {free_bytes / 1e9:.2f} "
+            f"GB are free there. {advice}"
+        )
+
+
 @contextmanager
-def storage_errors_of(path: Path) -> Iterator[None]:
-    """Turn errors of the system into a `StorageError` that names ``path``."""
+def storage_errors_of(path: Path, *, reading: str = "") -> Iterator[None]:
+    """Turn errors of the system into a `StorageError` that names ``path``.
+
+    ``reading`` is the advice where the file is read; empty: it is written.
+    """
     try:
         if "\0" in str(path):
             raise _BadPath("its name holds a character of value zero")
         yield
     except (OSError, _BadPath) as error:
+        what, advice = "read" if reading else "written", reading or advice_on_writing(error)
         raise StorageError(
-            f"{path_text(path)}: cannot be written ({reason_of(error)}). {advice_on_writing(error)}"
+            f"{path_text(path)}: cannot be {what} ({reason_of(error)}). {advice}"
         ) from error
 
 
@@ -310,11 +324,8 @@ def _discard(temporary: Path) -> None:
 
 def _flush_file(path: Path) -> None:
     """Send the content of a file to the disk."""
-    handle = os.open(path, os.O_RDWR)
-    try:
-        os.fsync(handle)
-    finally:
-        os.close(handle)
+    with path.open("r+b") as file:
+        os.fsync(file.fileno())
 
 
 def _flush_folder(path: Path) -> None:

@@ -20,9 +20,8 @@ from skinsource.design.view import View, view_on
 from skinsource.engine.evaluation import evaluate
 from skinsource.export import plot
 from skinsource.export.exported_design import ExportedDesign
-from skinsource.export.map_files import write_map, write_map_picture
 from skinsource.export.packing import pack
-from skinsource.export.tables import write_levels, write_traces
+from skinsource.export.tables import write_levels, write_map, write_map_picture, write_traces
 from skinsource.limbs.dataset.commands import ProgressBar, WithTimeLeft
 from skinsource.limbs.locations import input_name, output_name
 from skinsource.limbs.own_limbs import facts_of

@@ -1,7 +1,9 @@
-"""How help pages look."""
+"""How help pages look, and what was given on the command line."""
 
 import argparse
+from dataclasses import fields
 from textwrap import fill
+from typing import Any
 
 #: Where the explanation of a term begins in a list of terms.
 EXPLANATION = 13
@@ -26,3 +28,9 @@ class CommandsFormatter(HelpFormatter):
         text = super()._format_action(action)
         title = self.titles.get(action.dest)
         return text if title is None else f"\n  {title}:\n{text}"
+
+
+def given(arguments: argparse.Namespace, kind: Any) -> dict[str, Any]:
+    """Return the flags that are given and called as a field of a class."""
+    values = {field.name: getattr(arguments, field.name, None) for field in fields(kind)}
+    return {name: value for name, value in values.items() if value is not None}

@@ -7,12 +7,14 @@ from typing import Any
 
 from skinsource.base.files import make_folder
 from skinsource.base.measurement_conditions import AXES
+from skinsource.cli.help_format import given
 from skinsource.limbs.catalog import available_limbs, load_limb
 from skinsource.limbs.dataset.commands import ProgressBar
 from skinsource.limbs.limb_import import LimbSource, import_limb
 from skinsource.limbs.limb_layout import export_limb
 from skinsource.limbs.own_limbs import (
     NAME_RULE,
+    OwnLimb,
     facts_of,
     mirror_limb,
     own_limb_names,
@@ -70,18 +72,21 @@ def _add_import(actions: Any) -> None:
 
 
 def _add_responses(add: Any) -> None:
-    add("--array", default="", metavar="NAME", help="which array (default: largest)")
+    add("--array", metavar="NAME", help="which array (default: largest)")
     add(
         "--order",
-        default="",
         metavar="LETTERS",
         help="order of its dimensions: i input, o output, a axis, t tap (default: ioat, or iot)",
     )
     add("--axes", choices=AXES, help="axes of each output; z: normal to the skin")
-    add("--rate", type=float, metavar="HZ", help="sample rate, Hz")
-    add("--delay", type=float, metavar="S", help="delay of the responses, s")
+    _add_numbers(
+        add,
+        ("--rate", "sample_rate_hz", "HZ", "sample rate, Hz"),
+        ("--delay", "pre_trigger_delay_s", "S", "delay of the responses, s"),
+    )
     add(
         "--band",
+        dest="band_hz",
         type=float,
         nargs=2,
         metavar=("LOWEST", "HIGHEST"),
@@ -89,7 +94,9 @@ def _add_responses(add: Any) -> None:
     )
     add(
         "--pulse",
-        action="store_true",
+        dest="per_unit_drive",
+        action="store_false",
+        default=None,
         help="the responses are to the published pulse, not to one sample of the drive",
     )
     add(
@@ -101,12 +108,11 @@ def _add_responses(add: Any) -> None:
 
 
 def _add_hand(add: Any) -> None:
-    add("--hand-length", type=float, metavar="MM", help="middle fingertip to wrist, mm")
-    add(
-        "--hand-length-units",
-        type=float,
-        metavar="N",
-        help="hand length in the unit of the coordinates (default: mm)",
+    in_units = "hand length in the unit of the coordinates (default: mm)"
+    _add_numbers(
+        add,
+        ("--hand-length", "hand_length_mm", "MM", "middle fingertip to wrist, mm"),
+        ("--hand-length-units", "hand_length_px", "N", in_units),
     )
     add("--outline", type=Path, metavar="FILE", help="SVG, or CSV of x, y")
     add("--inputs", type=Path, metavar="CSV", help="places of inputs: x, y, name")
@@ -116,31 +122,14 @@ def _add_hand(add: Any) -> None:
     add("--mirrored", action="store_true", default=None, help="show it as a right hand")
 
 
+def _add_numbers(add: Any, *numbers: tuple[str, str, str, str]) -> None:
+    for flag, name, metavar, about in numbers:
+        add(flag, dest=name, type=float, metavar=metavar, help=about)
+
+
 def _import(arguments: argparse.Namespace) -> int:
-    source = LimbSource(
-        responses=arguments.file,
-        array=arguments.array,
-        order=arguments.order,
-        outline=arguments.outline,
-        inputs=arguments.inputs,
-        outputs=arguments.outputs,
-        y_down=arguments.y_down,
-        values={
-            "name": arguments.name,
-            "title": arguments.title,
-            "note": arguments.note,
-            "axes": arguments.axes,
-            "sample_rate_hz": arguments.rate,
-            "pre_trigger_delay_s": arguments.delay,
-            "band_hz": arguments.band,
-            "hand_length_mm": arguments.hand_length,
-            "hand_length_px": arguments.hand_length_units,
-            "left": arguments.left,
-            "mirrored": arguments.mirrored,
-            "synthetic": arguments.synthetic,
-            "per_unit_drive": False if arguments.pulse else None,
-        },
-    )
+    parts, values = given(arguments, LimbSource), given(arguments, OwnLimb)
+    source = LimbSource(responses=arguments.file, **parts, values=values)
     with ProgressBar(sys.stderr) as bar:
         facts = import_limb(source, replace=arguments.replace, progress=bar)
     sys.stdout.write(f"Imported {_limb_line(facts.name)}\n")

@@ -2,14 +2,13 @@
 
 import argparse
 import sys
-from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
 from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.actuators.rigs import Rig, open_rig, save_rig
 from skinsource.base.files import make_folder
-from skinsource.cli.help_format import HelpFormatter
+from skinsource.cli.help_format import HelpFormatter, given
 from skinsource.design.design_file import open_design
 from skinsource.export.formats import FORMATS, export_formats
 from skinsource.export.stimulus_export.export import export_stimulus
@@ -19,10 +18,10 @@ from skinsource.lab.playing.devices import Output, devices
 from skinsource.lab.rig_measuring.duplex import input_devices
 from skinsource.lab.rig_measuring.measurement import MeasuringSetup, kept, measure
 from skinsource.limbs.dataset.commands import ProgressBar, WithTimeLeft
-from skinsource.studies.sweeps.cluster import Cluster
 from skinsource.studies.sweeps.running import read_sweep, read_variables, run
 from skinsource.studies.sweeps.stimulus_set import CONDITIONS, export_set
 from skinsource.studies.sweeps.table import TABLE
+from skinsource.studies.sweeps.workers import Cluster
 
 _TIME_OPTIONS = {
     "--from": ("from_s", "start of the exported part of the design"),
@@ -161,10 +160,8 @@ def _choices() -> dict[str, tuple[list[str], list[str]]]:
 
 def _options(arguments: argparse.Namespace) -> StimulusOptions:
     choices = {name: getattr(arguments, f"choice_{name}", None) for name in _choices()}
-    # Flags that are given are fields of the options.
-    given = {field.name: getattr(arguments, field.name, None) for field in fields(StimulusOptions)}
-    given["choices"] = {name: value for name, value in choices.items() if value is not None}
-    return StimulusOptions(**{name: value for name, value in given.items() if value is not None})
+    chosen = {name: value for name, value in choices.items() if value is not None}
+    return StimulusOptions(**given(arguments, StimulusOptions), choices=chosen)
 
 
 def _rig(arguments: argparse.Namespace) -> Rig | Nothing | None:
@@ -325,6 +322,7 @@ def _add_measure(actions: Any) -> None:
     add("--place", type=int, required=True, metavar="N", help="place of the channel")
     add(
         "--sensitivity",
+        dest="sensitivity_v_per_m_per_s2",
         type=float,
         required=True,
         metavar="V",
@@ -332,29 +330,30 @@ def _add_measure(actions: Any) -> None:
     )
     add(
         "--input-volts",
+        dest="input_full_scale_v",
         type=float,
         required=True,
         metavar="V",
         help="volts at the input for a recorded sample of 1",
     )
-    add("--input", type=int, default=default.input_number, metavar="N", help="with the sensor")
+    add("--input", dest="input_number", type=int, metavar="N", help="with the sensor")
     add(
         "--loopback",
+        dest="loopback_input",
         type=int,
-        default=default.loopback_input,
         metavar="N",
         help="input that is wired to the output, to measure the delay (default: none)",
     )
     add = parser.add_argument_group("sweeps").add_argument
     add(
         "--level",
+        dest="level_db",
         type=float,
-        default=default.level_db,
         metavar="DB",
         help=f"of the sweeps, dB re full scale (default: {default.level_db:g})",
     )
-    add("--seconds", type=float, default=default.sweep_s, metavar="S", help="of each sweep")
-    add("--repeats", type=int, default=default.repeats, metavar="N")
+    add("--seconds", dest="sweep_s", type=float, metavar="S", help="of each sweep")
+    add("--repeats", type=int, metavar="N")
     add(
         "--band",
         type=float,
@@ -366,24 +365,15 @@ def _add_measure(actions: Any) -> None:
     add = parser.add_argument_group("audio devices").add_argument
     add("--rate", type=int, default=output.sample_rate_hz, metavar="HZ")
     add("--device", default="", metavar="NAME", help="default: that of the rig, or the system")
-    add("--input-device", default="", metavar="NAME", help="default: the playback device")
+    add("--input-device", metavar="NAME", help="default: the playback device")
     parser.set_defaults(run=_measure)
 
 
 def _measure(arguments: argparse.Namespace) -> int:
     rig = open_rig(arguments.rig)
-    setup = MeasuringSetup(
-        sensitivity_v_per_m_per_s2=arguments.sensitivity,
-        input_full_scale_v=arguments.input_volts,
-        input_number=arguments.input,
-        loopback_input=arguments.loopback,
-        input_device=arguments.input_device,
-        level_db=arguments.level,
-        sweep_s=arguments.seconds,
-        repeats=arguments.repeats,
-        lowest_hz=arguments.band[0],
-        highest_hz=arguments.band[1],
-    )
+    lowest_hz, highest_hz = arguments.band
+    options = given(arguments, MeasuringSetup)
+    setup = MeasuringSetup(**options, lowest_hz=lowest_hz, highest_hz=highest_hz)
     output = Output(device=arguments.device, sample_rate_hz=arguments.rate)
     with ProgressBar(sys.stderr) as bar:
         measurement = measure(rig, arguments.place, setup, output=output, progress=bar)

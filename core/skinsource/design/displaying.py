@@ -1,6 +1,5 @@
 """Show a design in a notebook: HTML with a drawing of its tracks (SVG) and a table of its clips."""
 
-from collections.abc import Sequence
 from html import escape
 
 import numpy as np
@@ -21,31 +20,6 @@ _COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 _INK, _DIM, _QUIET = "#222222", "#888888", "#BBBBBB"
 _TICKS_S = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 300.0, 3600.0)
 _MOST_TICKS = 8
-
-
-def _tracks_svg(
-    tracks: Sequence[Input],
-    audible: Sequence[bool],
-    labels: Sequence[str],
-    end_s: float,
-    sample_rate_hz: float,
-) -> str:
-    """Draw a lane for each track up to ``end_s``; inaudible tracks are pale.
-
-    Drives are drawn at the sample rate of the limb.
-    """
-    width = _LABEL_PX + _LANE_PX + 2 * _EDGE_PX
-    height = _LANES_PX * len(tracks) + _AXIS_PX + _EDGE_PX
-    parts = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
-        f'viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="11" role="img">',
-        f'<rect width="{width}" height="{height}" fill="white"/>',
-    ]
-    for row, (track, is_audible, label) in enumerate(zip(tracks, audible, labels, strict=True)):
-        colour = _COLOURS[row % len(_COLOURS)] if is_audible else _QUIET
-        parts += _lane(track, label, _LANES_PX * (row + 0.5), colour, end_s, sample_rate_hz)
-    parts += _axis(_LANES_PX * len(tracks), end_s)
-    return "".join([*parts, "</svg>"])
 
 
 def _lane(
@@ -114,12 +88,22 @@ def html_of(design: Design) -> str:
     if not inputs:
         return "".join([*parts, "<p>No inputs.</p>"])
     end_s = max((clip.onset_s + clip.waveform.duration_s for clip in design.clips), default=0.0)
+    end_s = max(end_s, 0.02)
+    # Drives are drawn at the sample rate of the limb.
     rate_hz = facts_of(design.limb).sample_rate_hz
-    labels = [_place(track.location, design.limb) for track in inputs]
     audible = audible_indices(design.inputs)
-    shown = [index in audible for index in range(len(inputs))]
-    parts.append(_tracks_svg(inputs, shown, labels, max(end_s, 0.02), rate_hz))
-    parts.append(_table(design))
+    width = _LABEL_PX + _LANE_PX + 2 * _EDGE_PX
+    height = _LANES_PX * len(inputs) + _AXIS_PX + _EDGE_PX
+    parts += [
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
+        f'viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="11" role="img">',
+        f'<rect width="{width}" height="{height}" fill="white"/>',
+    ]
+    for row, track in enumerate(inputs):
+        colour = _COLOURS[row % len(_COLOURS)] if row in audible else _QUIET
+        label = _place(track.location, design.limb)
+        parts += _lane(track, label, _LANES_PX * (row + 0.5), colour, end_s, rate_hz)
+    parts += [*_axis(_LANES_PX * len(inputs), end_s), "</svg>", _table(design)]
     return "".join(parts)
 
 

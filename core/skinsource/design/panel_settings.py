@@ -4,6 +4,7 @@ A panel's settings are a frozen dataclass whose fields are made with `skinsource
 that files can hold the settings of panels that this library does not know.
 """
 
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from dataclasses import fields as dataclass_fields
 from typing import Any, TypeVar, cast
@@ -34,7 +35,9 @@ def settings_of(view: View, panel: str, kind: type[Settings]) -> Settings:
     settings = kind()
     for field in dataclass_fields(settings):  # type: ignore[arg-type]
         if field.name in stored:
-            settings = _with_field(settings, field.name, stored[field.name])
+            with suppress(InvalidInputError):
+                changed = {field.name: stored[field.name]}
+                settings = replace(settings, **changed)  # type: ignore[type-var]
     _cache[panel, kind] = view.panels, settings
     return settings
 
@@ -54,13 +57,6 @@ def with_settings(view: View, panel: str, settings: Any) -> View:
     if stored:
         panels[panel] = tuple(stored.items())
     return replace(view, panels=tuple(panels.items()))
-
-
-def _with_field(settings: Settings, name: str, value: Plain) -> Settings:
-    try:
-        return replace(settings, **{name: value})  # type: ignore[type-var]
-    except InvalidInputError:
-        return settings
 
 
 #: Name of the panel that is presented, and what it was called in files before.

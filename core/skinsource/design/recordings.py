@@ -254,7 +254,12 @@ def taken(
     offset = _offset(signal, choice, notes)
     ratio = Fraction(to_hz).limit_denominator(10_000) / rate
     resampled = by_ratio(signal, ratio, min(float(rate), to_hz), offset=offset)
-    _note_loss(_energy(signal, offset), resampled, ratio, to_hz, notes)
+    before = _energy(signal, offset)
+    if ratio < 1 and before > 0.0:
+        lost = 1.0 - float(np.vdot(resampled, resampled)) / float(ratio) / before
+        if lost >= _LEAST_NOTED_LOSS:
+            share = f"{100.0 * lost:.0f} % of its energy"
+            notes.append(f"{share} was above {to_hz / 2:g} Hz and was removed.")
     resampled, unit = _in_drive_units(resampled, choice, to_hz, notes)
     return Taken(
         samples=Samples(values=resampled, sample_rate_hz=to_hz, unit=unit),
@@ -329,17 +334,6 @@ def _energy(signal: NDArray[Any], offset: float) -> float:
     """Return the sum of squares without a copy of all numbers."""
     parts = (signal[k : k + _BLOCK].astype(np.float64) for k in range(0, signal.size, _BLOCK))
     return float(sum(np.sum((part - offset) ** 2) for part in parts))
-
-
-def _note_loss(
-    before: float, after: Floats, ratio: Fraction, to_hz: float, notes: list[str]
-) -> None:
-    """Note how much of the energy ``before`` lay above half the new rate."""
-    if ratio < 1 and before > 0.0:
-        lost = 1.0 - float(np.vdot(after, after)) / float(ratio) / before
-        if lost >= _LEAST_NOTED_LOSS:
-            share = f"{100.0 * lost:.0f} % of its energy"
-            notes.append(f"{share} was above {to_hz / 2:g} Hz and was removed.")
 
 
 def _in_drive_units(

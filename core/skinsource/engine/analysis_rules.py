@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any
 from weakref import WeakKeyDictionary
 
@@ -16,9 +16,8 @@ from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Stop, stop_if
 from skinsource.base.measurement_conditions import Band
-from skinsource.design.panel_settings import SpectrogramSettings, settings_of
+from skinsource.design.panel_settings import SpectrogramSettings
 from skinsource.design.signal_path import Drive, UnplayableInput, Voice, unplayable_text
-from skinsource.design.view import View
 from skinsource.engine import level_rules
 from skinsource.engine.actuator_demand import Demand, demand_of, profile_of
 from skinsource.engine.gains import Placed, Responses
@@ -30,10 +29,11 @@ from skinsource.limbs.limb import PUBLISHED, Limb
 from skinsource.limbs.scaling import Scaling, per_probe_acceleration
 from skinsource.limbs.surface.operator import SurfaceOperator
 from skinsource.perception.hand_arm import weighted_rms
-from skinsource.perception.sensation import sensation_magnitude, site_offsets_db
 from skinsource.perception.thresholds import (
     CHANNELS,
     PerceptionSettings,
+    sensation_magnitude,
+    site_offsets_db,
     table_threshold,
     threshold_rms,
 )
@@ -127,11 +127,11 @@ def noise_energy(
 
     None in silence, and where the noise of a response is not known, see `place_noise`.
     """
-    noise = noise_of_places(place_drives, limb_data)
+    noise = _noise_of_places(place_drives, limb_data)
     if noise is None:
         return None
     energies = {
-        location: _energy_after(played, noise_path(limb_data, scaling, actuation, location))
+        location: _energy_after(played, _noise_path(limb_data, scaling, actuation, location))
         for location, played in place_drives
     }
     return match_gain**2 * predicted_noise_energy(energies, noise, limb_data.n_taps)
@@ -150,7 +150,7 @@ def output_noise_rms(
     """RMS of the noise in each projected signal over the whole record, (n_outputs,)."""
     if noise_energy is None:
         return None
-    return projected_rms(noise_energy, projection, record_samples)
+    return _projected_rms(noise_energy, projection, record_samples)
 
 
 def above_noise_db(record_rms: Floats, output_noise_rms: Floats | None) -> Floats | None:
@@ -192,7 +192,7 @@ def _inverse_pulse(n_taps: int, sample_rate_hz: float) -> Floats:
     return inverse_pulse
 
 
-def noise_of_places(
+def _noise_of_places(
     place_drives: tuple[tuple[int, Floats], ...], limb: Limb
 ) -> dict[int, Floats] | None:
     """Return the noise by location that plays; None where none plays, or a noise is not known."""
@@ -201,7 +201,7 @@ def noise_of_places(
     return noise if noise and len(noise) == len(noise_by_place) else None
 
 
-def projected_rms(energy: Floats, projection: Projection, n_times: int) -> Floats:
+def _projected_rms(energy: Floats, projection: Projection, n_times: int) -> Floats:
     """Return the RMS over ``n_times`` along a projection, from energies of axes, (..., n_axes)."""
     chosen = energy[..., list(projection.axis_numbers)]
     if projection.directions is not None:
@@ -209,12 +209,12 @@ def projected_rms(energy: Floats, projection: Projection, n_times: int) -> Float
     return np.sqrt(chosen.sum(axis=-1) / n_times)
 
 
-def divided_by_pulse(limb: Limb, scaling: Scaling) -> bool:
+def _divided_by_pulse(limb: Limb, scaling: Scaling) -> bool:
     """Return whether responses, and their noise, are divided by the measuring pulse."""
     return scaling == "probe" and not limb.per_unit_drive
 
 
-def noise_path(limb: Limb, scaling: Scaling, actuation: Actuation | None, location: int) -> Floats:
+def _noise_path(limb: Limb, scaling: Scaling, actuation: Actuation | None, location: int) -> Floats:
     """Return the impulse response of the path of the noise in responses to a location, (n,).
 
     In probe scaling that is the inverse pulse, with its middle at half of its length.  Through an
@@ -222,7 +222,7 @@ def noise_path(limb: Limb, scaling: Scaling, actuation: Actuation | None, locati
     """
     rate = limb.sample_rate_hz
     path = np.ones(1)
-    if divided_by_pulse(limb, scaling):
+    if _divided_by_pulse(limb, scaling):
         path = _inverse_pulse(limb.n_taps, rate)
     if actuation is None:
         return path
@@ -230,15 +230,15 @@ def noise_path(limb: Limb, scaling: Scaling, actuation: Actuation | None, locati
     return scipy.signal.oaconvolve(path, transfers[actuation.at(location).place].samples)
 
 
-def shaped_drives(
+def _shaped_drives(
     place_drives: tuple[tuple[int, Floats], ...],
     limb: Limb,
     scaling: Scaling,
     actuation: Actuation | None,
 ) -> dict[int, Floats]:
-    """Return the drives that noise is convolved with, by location, after its path `noise_path`."""
+    """Return the drives that noise is convolved with, by location, after its path `_noise_path`."""
     return {
-        location: scipy.signal.oaconvolve(played, noise_path(limb, scaling, actuation, location))
+        location: scipy.signal.oaconvolve(played, _noise_path(limb, scaling, actuation, location))
         for location, played in place_drives
     }
 
@@ -446,12 +446,15 @@ def sensation(
     band_hz = limb_data.band_hz or (table[0][0], table[-1][0])
     offsets: dict[Any, Floats] = {} if table else {**site_offsets_db(limb_data.name)}
     levels_db: dict[Any, Floats] = {}
+    every = Projection(tuple(range(limb_data.n_axes)), None)
     for channel in (_OWN,) if table else CHANNELS:
-
-        def weights(frequency_hz: Floats, channel: str = channel) -> Floats:
-            return _weights(frequency_hz, channel, perception_settings, band_hz)
-
-        energy = _loudest_weighted(total_spectrum, streamed_vibration, limb_data, weights, stop)
+        weights = partial(_weights, channel=channel, settings=perception_settings, band_hz=band_hz)
+        total, streamed = total_spectrum, streamed_vibration
+        if streamed is not None:
+            streamed = streamed.played_through(partial(_filtered, weights=weights, rate=rate))
+        elif total is not None:
+            total = total.times(weights(_bins_hz(total.n_fft, rate)))
+        energy = loudest_energies(total, streamed, every, limb_data, stop)
         with np.errstate(divide="ignore"):
             level = 10.0 * np.log10(energy / window_samples(rate))
         levels_db[channel] = np.maximum(level - offsets.get(channel, 0.0), SILENT_DB)
@@ -516,22 +519,6 @@ def _weights(
     else:
         threshold = threshold_rms(at, "NP I")
     return np.where(inside, 1.0 / threshold, 0.0)
-
-
-def _loudest_weighted(
-    total: TotalSpectrum | None,
-    streamed: StreamedVibration | None,
-    limb: Limb,
-    weights: Callable[[Floats], Floats],
-    stop: Stop,
-) -> Floats:
-    """Return the energy of the loudest window of the weighted vibration, (n_outputs,)."""
-    every, rate = Projection(tuple(range(limb.n_axes)), None), limb.sample_rate_hz
-    if streamed is not None:
-        streamed = streamed.played_through(lambda played: _filtered(played, weights, rate))
-    elif total is not None:
-        total = total.times(weights(_bins_hz(total.n_fft, rate)))
-    return loudest_energies(total, streamed, every, limb, stop)
 
 
 def _filtered(played: Played, weights: Callable[[Floats], Floats], rate: float) -> Played:
@@ -646,11 +633,11 @@ def transfer(
     rows = [output - 1 for output in shown_outputs]
     rate, n_taps = driven_limb.sample_rate_hz, driven_limb.n_taps
     response = driven_limb.response_to(transfer_place)[rows][:, list(axis_numbers)]
-    if divided_by_pulse(driven_limb, scaling):
+    if _divided_by_pulse(driven_limb, scaling):
         response = per_probe_acceleration(response, rate)
     noise = place_noise(limb_data, transfer_place)
     sigma = np.zeros(response.shape[:2]) if noise is None else noise[rows][:, list(axis_numbers)]
-    path = noise_path(limb_data, scaling, actuation, transfer_place)
+    path = _noise_path(limb_data, scaling, actuation, transfer_place)
     # Behind an actuator responses are longer than the measured, noisy part.
     share = limb_data.n_taps / n_taps
     gain = np.sqrt(share) * np.abs(scipy.fft.rfft(path, n_taps))
@@ -703,15 +690,15 @@ def noise_rms_of_windows(
 
     None where the noise is not known, as for `noise_energy`.
     """
-    noise = noise_of_places(place_drives, limb_data)
+    noise = _noise_of_places(place_drives, limb_data)
     if noise is None:
         return None
     n_taps = limb_data.n_taps
-    delay = n_taps // 2 if divided_by_pulse(limb_data, scaling) else 0
+    delay = n_taps // 2 if _divided_by_pulse(limb_data, scaling) else 0
     later = replace(windows, first_sample=windows.first_sample + delay)
-    drives = shaped_drives(place_drives, limb_data, scaling, actuation)
+    drives = _shaped_drives(place_drives, limb_data, scaling, actuation)
     energy = windowed_noise_energy(drives, noise, n_taps, later)
-    return match_gain * projected_rms(energy, projection, windows.window_samples)
+    return match_gain * _projected_rms(energy, projection, windows.window_samples)
 
 
 def noisy_outputs_of_windows(
@@ -739,45 +726,3 @@ def windows_in_noise(
         for rms in (rms_of_windows, noise_rms_of_windows)
     )
     return tuple(bool(below) for below in signal < _LEAST_RATIO * noise)
-
-
-RULES = (
-    place_drives,
-    noise_energy,
-    output_noise_rms,
-    above_noise_db,
-    noise_rms_of_windows,
-    noisy_outputs_of_windows,
-    windows_in_noise,
-    stimulus_start_s,
-    output_statistics,
-    spectrogram_output,
-    spectrogram_window_s,
-    output_spectrogram,
-    output_band_rms,
-    output_main_axes,
-    single_axes,
-    axis_record_rms,
-    axis_levels_db,
-    axis_surface_levels_db,
-    axis_above_noise_db,
-    transfer_place,
-    transfer,
-    line_wave,
-    validity,
-    fastest_probe_m_per_s,
-    sensation,
-    sensation_db,
-    surface_sensation_db,
-    contact_weighted_rms,
-    actuator_looked_at,
-    actuator_demand,
-)
-
-
-def choices_of(view: View) -> dict[str, Any]:
-    """Return the settings in a view that only these rules need, by name."""
-    return {
-        "spectrogram_settings": settings_of(view, "spectrogram", SpectrogramSettings),
-        "perception_settings": settings_of(view, "perception", PerceptionSettings),
-    }

@@ -193,24 +193,6 @@ def output_levels_db(output_rms: Floats) -> Floats:
     return decibels(output_rms)
 
 
-RULES = (
-    axis_numbers,
-    products_needed,
-    others_moments,
-    own_matrix,
-    cross_matrix,
-    edited_moments,
-    cross_moments,
-    summed_moments,
-    moments,
-    projection,
-    record_rms,
-    loudest_rms,
-    output_rms,
-    output_levels_db,
-)
-
-
 def _silence(limb: Limb) -> Moments:
     shape = limb.n_outputs, limb.n_axes
     return Moments(np.zeros((*shape, limb.n_axes)), np.zeros(shape))

@@ -123,7 +123,11 @@ def predict(
     samples = _checked_drives(drives)
     checked_locations = _checked_locations(locations, len(samples), limb.n_inputs)
     if actuation is not None:
-        return _predict_through(actuation, limb, samples, checked_locations, amplitudes, scaling)
+        actuated = actuated_limb(limb, actuation, scaling)
+        for drive, location in zip(samples, checked_locations, strict=True):
+            check_drive(actuation, drive_of(drive), limb.sample_rate_hz, limb.band_hz, location)
+        vibration = predict(actuated, samples, checked_locations, amplitudes, scaling)
+        return vibration[..., actuated.lead_samples :]
     factors = _checked_amplitudes(amplitudes, len(samples))
     response_samples = samples.shape[-1] + limb.n_taps - 1
     played = [
@@ -147,22 +151,6 @@ def _shorter_length(n_fft: int, n_times: int) -> int:
     """Return 27 times a power of two instead of 30 times, which is as quick, if it is enough."""
     shorter = n_fft * 9 // 10
     return shorter if n_fft % 10 == 0 and shorter >= n_times else n_fft
-
-
-def _predict_through(
-    actuation: Actuation,
-    limb: Limb,
-    samples: Floats,
-    locations: list[int],
-    amplitudes: ArrayLike | None,
-    scaling: Scaling,
-) -> Floats:
-    """Return the prediction through actuators, from time 0 on."""
-    actuated = actuated_limb(limb, actuation, scaling)
-    for drive, location in zip(samples, locations, strict=True):
-        check_drive(actuation, drive_of(drive), limb.sample_rate_hz, limb.band_hz, location)
-    vibration = predict(actuated, samples, locations, amplitudes, scaling)
-    return vibration[..., actuated.lead_samples :]
 
 
 # Far more than anybody has drives for.

@@ -1,4 +1,4 @@
-"""Every quantity that the studio can show.  To add one, write one function here.
+"""Every quantity that the studio can show.  To add one, write one function in a file of rules.
 
 The name of a function is the quantity that it computes; its parameters are the quantities that it
 needs.  `sources` gives the fields of design and view that numbers depend on.
@@ -6,6 +6,8 @@ needs.  `sources` gives the fields of design and view that numbers depend on.
 
 from collections.abc import Callable
 from functools import partial
+from inspect import isfunction
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -14,11 +16,19 @@ from skinsource.base.arrays import Floats
 from skinsource.base.job import Stop
 from skinsource.base.measurement_conditions import Band
 from skinsource.design.design import Design, Input, audible_indices
+from skinsource.design.panel_settings import SpectrogramSettings, settings_of
 from skinsource.design.signal_path import Voice
 from skinsource.design.view import View
-from skinsource.engine import analysis_rules, level_rules, trace_rules, vibration_rules, voice_rules
-from skinsource.engine import time_rules as in_time_rules
-from skinsource.engine import window_rules as in_windows_rules
+from skinsource.engine import (
+    analysis_rules,
+    level_rules,
+    time_rules,
+    trace_rules,
+    vibration_rules,
+    voice_rules,
+    window_rules,
+)
+from skinsource.engine.analysis_rules import place_noise
 from skinsource.engine.gains import EngineMemory
 from skinsource.engine.graph import Graph
 from skinsource.engine.shared import Shared
@@ -26,6 +36,7 @@ from skinsource.engine.time_rules import block_of
 from skinsource.limbs.limb import Limb, LimbMap
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.limbs.surface.operator import SurfaceOperator
+from skinsource.perception.thresholds import PerceptionSettings
 
 
 def voices(
@@ -89,6 +100,16 @@ def response_time_s(response_samples: int, driven_limb: Limb, delay_removed: boo
     return np.arange(-first, response_samples - first) / driven_limb.sample_rate_hz - shift_s
 
 
+def _rules_of(module: ModuleType, *helpers: object) -> list[Callable[..., Any]]:
+    """Return the functions that a module defines for others, but for its ``helpers``."""
+    return [
+        rule
+        for name, rule in vars(module).items()
+        if isfunction(rule) and rule.__module__ == module.__name__
+        if not name.startswith("_") and rule not in helpers
+    ]
+
+
 #: All rules but those of `skinsource.engine.shared.Shared`.
 RULES: tuple[Callable[..., Any], ...] = (
     voices,
@@ -98,13 +119,13 @@ RULES: tuple[Callable[..., Any], ...] = (
     band_hz,
     surface_levels_db,
     response_time_s,
-    *voice_rules.RULES,
-    *vibration_rules.RULES,
-    *level_rules.RULES,
-    *trace_rules.RULES,
-    *in_time_rules.RULES,
-    *analysis_rules.RULES,
-    *in_windows_rules.RULES,
+    *_rules_of(voice_rules),
+    *_rules_of(vibration_rules),
+    *_rules_of(level_rules),
+    *_rules_of(trace_rules),
+    *_rules_of(time_rules, block_of),
+    *_rules_of(analysis_rules, place_noise),
+    *_rules_of(window_rules),
 )
 
 
@@ -141,7 +162,8 @@ def sources(
         "selected_input": view.selected_input,
         "delay_removed": view.delay_removed,
         "moving_block": block_of(view.playhead_s),
-        **analysis_rules.choices_of(view),
+        "spectrogram_settings": settings_of(view, "spectrogram", SpectrogramSettings),
+        "perception_settings": settings_of(view, "perception", PerceptionSettings),
         "windows_cut": view.windows_cut,
         "window_count": view.window_count,
         "window_s": view.window_s,

@@ -33,7 +33,7 @@ from skinsource.engine.transforms import (
     parts_of,
     run_on_two_threads,
 )
-from skinsource.limbs.limb import Limb
+from skinsource.limbs.limb import Limb, limb_like
 from skinsource.limbs.scaling import Scaling, per_probe_acceleration
 
 #: Taps at which responses are cut for bounds by energy: short sections where most energy is.
@@ -498,18 +498,11 @@ def actuated_limb(limb: Limb, actuation: Actuation, scaling: Scaling) -> Limb:
         responses: Floats = scipy.fft.irfft(spectra, n_fft)
         return responses[..., :n_taps].copy()
 
-    return Limb(
-        name=limb.name,
-        hand_length_mm=limb.hand_length_mm,
-        synthetic=limb.synthetic,
+    return limb_like(
+        limb,
         map=limb.map,
         read_response=read,
-        sample_rate_hz=limb.sample_rate_hz,
-        axes=limb.axes,
-        pre_trigger_delay_s=limb.pre_trigger_delay_s,
-        band_hz=limb.band_hz,
         per_unit_drive=True,
-        note=limb.note,
         shape=(limb.n_inputs, limb.n_outputs, limb.n_axes, n_taps),
         lead_samples=first.lead,
     )

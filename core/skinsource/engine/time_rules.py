@@ -137,7 +137,7 @@ def block_of(time_s: float) -> int:
     return max(floor(time_s / BLOCK_S), 0)
 
 
-def window_of(block: int, n_times: int, sample_rate_hz: float) -> Window:
+def _window_of(block: int, n_times: int, sample_rate_hz: float) -> Window:
     """Return the samples that are kept for a block: it, the next block, and a second around."""
     first = floor((block * BLOCK_S - _BEYOND_S) * sample_rate_hz)
     end = floor(((block + 2) * BLOCK_S + _BEYOND_S) * sample_rate_hz)
@@ -151,7 +151,7 @@ def moving_window(
     """First sample that is kept, and the sample after the last; all of a short response."""
     if n_fft is not None:
         return 0, response_samples
-    return window_of(moving_block, response_samples, sample_rate_hz)
+    return _window_of(moving_block, response_samples, sample_rate_hz)
 
 
 def moving_z(
@@ -164,7 +164,7 @@ def moving_z(
     stop: Stop,
 ) -> Moving:
     """Acceleration of all outputs along z, the axis that is normal to the skin everywhere."""
-    axes = z_axis(limb_data)
+    axes = _z_axis(limb_data)
     signals = _signals(total_spectrum, streamed_vibration, moving_window, axes, limb_data, stop)
     return _moving(signals, moving_window, response_samples, limb_data, moving_z_largest)
 
@@ -210,7 +210,7 @@ def moving_z_largest(
     streamed_vibration: StreamedVibration | None, limb_data: Limb, stop: Stop
 ) -> float | None:
     """Largest acceleration along z of a long response, m/s²; None: it follows from the signals."""
-    return _largest(streamed_vibration, z_axis(limb_data), limb_data, stop)
+    return _largest(streamed_vibration, _z_axis(limb_data), limb_data, stop)
 
 
 def moving_vector_largest(
@@ -220,7 +220,7 @@ def moving_vector_largest(
     return _largest(streamed_vibration, _all_axes(limb_data), limb_data, stop)
 
 
-def z_axis(limb: Limb) -> tuple[int, ...]:
+def _z_axis(limb: Limb) -> tuple[int, ...]:
     """Return the number of z among the axes of a limb.
 
     Raises
@@ -292,13 +292,3 @@ def _largest(
     every = range(1, limb.n_outputs + 1)
     blocks = (block for _, block in streamed.blocks_of(every, axes, stop))
     return max((float(magnitude(block).max(initial=0.0)) for block in blocks), default=0.0)
-
-
-RULES = (
-    moving_window,
-    moving_z,
-    moving_vector,
-    moving_energy,
-    moving_z_largest,
-    moving_vector_largest,
-)

@@ -167,19 +167,3 @@ def trace_error(
         for player, response, factor in zip(moving, to_places, factors, strict=True)
     ]
     return trace_error_of(axis_traces, shown_outputs, axis_numbers, exact_voices)
-
-
-RULES = (
-    shown_outputs,
-    axis_traces,
-    selected_projection,
-    selected_without_main_axis,
-    selected_traces,
-    selected_extremes,
-    axis_spectra,
-    selected_spectra,
-    selected_peak_spectra,
-    selected_axis_spectra,
-    selected_axis_peak_spectra,
-    trace_error,
-)

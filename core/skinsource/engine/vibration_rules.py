@@ -185,20 +185,3 @@ def vibration(
         delay_samples=edited_delay,
         streamed=streamed_vibration,
     )
-
-
-RULES = (
-    responses,
-    others_spectrum,
-    edited_sounding,
-    edited_response,
-    edited_spectrum,
-    edited_delayed_spectrum,
-    edited_gain,
-    edited_weight,
-    total_spectrum,
-    others_channels,
-    edited_channels,
-    streamed_vibration,
-    vibration,
-)

@@ -247,30 +247,3 @@ def edited_active(
     if edited_drive is not None and played.size:
         played[: edited_drive.samples.size] = edited_drive.samples != 0.0
     return active_samples(played, driven_limb.n_taps)
-
-
-RULES = (
-    edited_voice,
-    other_voices,
-    unit_voices,
-    edited_unit,
-    edited_delay,
-    heard_voices,
-    unit_drives,
-    input_waveforms,
-    edited_checked,
-    others_checked,
-    checked_voices,
-    edited_drive,
-    others_placed,
-    unplayable_inputs,
-    sampled_voices,
-    placed,
-    stimulus_samples,
-    response_samples,
-    record_samples,
-    n_fft,
-    streamed,
-    others_active,
-    edited_active,
-)

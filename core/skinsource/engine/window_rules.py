@@ -17,7 +17,7 @@ from skinsource.limbs.surface.operator import SurfaceOperator
 from skinsource.signals.analysis.windows import Windows, windows_over
 
 
-def rms_within(windows: Windows, pieces: Iterable[Piece], n_outputs: int) -> Floats:
+def _rms_within(windows: Windows, pieces: Iterable[Piece], n_outputs: int) -> Floats:
     """Return the RMS in each window of signals in pieces, (n_windows, n_outputs)."""
     energy = np.zeros((windows.count, n_outputs))
     begin, length = windows.first_sample, windows.window_samples
@@ -71,7 +71,7 @@ def rms_of_windows(
     pieces = projected_pieces(total_spectrum, streamed_vibration, projection, n_outputs, stop)
     # Transforms may be longer than the response.
     within = ((outputs, at, signals[:, : response_samples - at]) for outputs, at, signals in pieces)
-    rms = rms_within(windows, within, n_outputs)
+    rms = _rms_within(windows, within, n_outputs)
     rms[rms < _ROUNDING * rms.max(initial=0.0)] = 0.0
     return rms
 
@@ -101,12 +101,3 @@ def extents_of_windows(
         extent(rms, limb_data, places) if places and rms[placed].any() else None
         for rms in rms_of_windows
     )
-
-
-RULES = (
-    windows,
-    rms_of_windows,
-    levels_of_windows_db,
-    surface_of_windows_db,
-    extents_of_windows,
-)

@@ -21,8 +21,7 @@ from skinsource.design.design_file import save_design
 from skinsource.design.labels import limb_label
 from skinsource.design.view import View
 from skinsource.export.exported_design import ExportedDesign, versions
-from skinsource.export.map_files import write_map, write_map_picture
-from skinsource.export.tables import write_levels, write_traces
+from skinsource.export.tables import write_levels, write_map, write_map_picture, write_traces
 from skinsource.limbs.dataset.store import describe
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.version import __version__

@@ -16,8 +16,7 @@ from skinsource.base.quoting import quoted
 from skinsource.design.design import Design
 from skinsource.design.labels import limb_label, signal_label
 from skinsource.design.view import View
-from skinsource.engine.evaluation import evaluate
-from skinsource.engine.quantity_list import Quantity, quantities
+from skinsource.engine.evaluation import Quantity, evaluate, quantities
 from skinsource.export import plot
 
 

@@ -1,15 +1,16 @@
-"""Traces, levels and windows as CSV, and the whole field as an archive of arrays.
+"""Traces, levels, windows and the map as CSV, the map as PNG, the whole field as an archive.
 
 A table has comment lines, one header line, then numbers that read back exactly.  The archive is
 written piece by piece: the field of a long design does not fit into memory.
 """
 
 import math
-import shutil
+import struct
+import zlib
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import zip_longest
 from pathlib import Path
-from typing import IO, BinaryIO
+from typing import IO, Any, BinaryIO
 from zipfile import ZIP_STORED, ZipFile, ZipInfo
 
 import numpy as np
@@ -18,7 +19,7 @@ from numpy.typing import NDArray
 
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import levels_for_tables
-from skinsource.base.errors import StorageError
+from skinsource.base.files import check_free_space
 from skinsource.base.job import Stop, stop_if
 from skinsource.base.measurement_conditions import ALL_AXES
 from skinsource.base.work import counted
@@ -34,6 +35,7 @@ from skinsource.export.exported_design import (
 from skinsource.limbs.extent import Extent
 from skinsource.limbs.locations import output_name
 from skinsource.perception.validity import number_ranges as judging_listed
+from skinsource.signals.map_range import MAP_RANGE_DB
 
 # Writing so many cells takes a few milliseconds.
 _CELLS_PER_PIECE = 8192
@@ -312,7 +314,9 @@ def write_field(path: Path, exported: ExportedDesign) -> None:
             yield block
 
     with output_file(path, exported.stop) as file:
-        _check_free_space(path, math.prod(shape) * np.dtype(np.float64).itemsize)
+        n_bytes = math.prod(shape) * np.dtype(np.float64).itemsize + _HEADER_BYTES
+        advice = "Free some space, choose another disk, or shorten the design."
+        check_free_space(path, n_bytes, "the whole field", advice)
         with NpzArchive(file) as archive:
             archive.put("sample_rate_hz", np.array(exported.sample_rate_hz))
             archive.put_blocks("acceleration_m_per_s2", shape, blocks())
@@ -342,18 +346,112 @@ def _first_sample_text(exported: ExportedDesign) -> str:
     return f"{first_s:.9g} s + " if first_s else ""
 
 
-def _check_free_space(path: Path, n_bytes: int) -> None:
-    free_bytes = shutil.disk_usage(path.resolve().parent).free
-    if free_bytes < n_bytes + _HEADER_BYTES:
-        raise StorageError(
-            f"{path}: the whole field takes {n_bytes / 1e9:.2f} GB, and {free_bytes / 1e9:.2f} GB "
-            "are free there. Free some space, choose another disk, or shorten the design."
-        )
-
-
 def _listed(outputs: tuple[int, ...]) -> str:
     return f"outputs {', '.join(map(str, outputs))}"
 
 
 export_traces, export_levels = Export(write_traces), Export(write_levels)
 export_windows, export_field = Export(write_windows), Export(write_field)
+
+
+_SIGNATURE = b"\x89PNG\r\n\x1a\n"
+# Bits per channel; red, green, blue; then the only compression and filtering there are, no lacing.
+_HEADER = struct.Struct(">IIBBBBB")
+_DEPTH, _RGB = 8, 2
+
+
+def write_png(file: BinaryIO, pixels: NDArray[np.uint8], texts: dict[str, str]) -> None:
+    """Write a picture.
+
+    Parameters
+    ----------
+    pixels : (rows, columns, 3)
+        Red, green and blue; the first row is the highest.
+    texts
+        Texts within the file, by keyword.
+    """
+    rows, columns, _ = pixels.shape
+    # Each row begins with how it is filtered: not at all.
+    lines = np.zeros((rows, 1 + 3 * columns), np.uint8)
+    lines[:, 1:] = pixels.reshape(rows, -1)
+    file.write(_SIGNATURE)
+    _write_chunk(file, b"IHDR", _HEADER.pack(columns, rows, _DEPTH, _RGB, 0, 0, 0))
+    for keyword, text in texts.items():
+        # Keyword, no compression, no language, text.
+        _write_chunk(file, b"iTXt", keyword.encode("latin-1") + b"\0\0\0\0\0" + text.encode())
+    _write_chunk(file, b"IDAT", zlib.compress(lines.tobytes(), 9))
+    _write_chunk(file, b"IEND", b"")
+
+
+def _write_chunk(file: BinaryIO, kind: bytes, content: bytes) -> None:
+    file.write(struct.pack(">I", len(content)))
+    file.write(kind + content)
+    file.write(struct.pack(">I", zlib.crc32(kind + content)))
+
+
+# Colours from the lowest level to the highest; lightness rises evenly, so that a print in grey is
+# readable too.
+_ANCHORS = np.array(
+    [[13, 8, 35], [72, 20, 92], [142, 38, 88], [208, 73, 58], [243, 139, 44], [252, 236, 160]]
+)
+_OUTSIDE_VALUE = 255
+# Pixels of the picture, in each direction, for one pixel of the map.
+_MAGNIFICATION = 3
+
+
+def write_map(path: Path, exported: ExportedDesign) -> None:
+    """Write the map as a table: a row for each y, from the lowest, in mm; dB re 1 m/s².
+
+    Values outside the outline of the limb, and those of silence, are ``nan``.
+    """
+    results, lines = _map_content(exported)
+    surface = results["surface"]
+    header = ["y_mm", *(f"x_{x:g}_mm" for x in surface.x_mm)]
+    levels_db = levels_for_tables(results["surface_levels_db"])
+    write_table(path, exported, lines, header, np.column_stack((surface.y_mm, levels_db)))
+
+
+def write_map_picture(path: Path, exported: ExportedDesign) -> None:
+    """Write the map as a picture (PNG), with the meaning of its colours as a text.
+
+    Colours go from the loudest output to `MAP_RANGE_DB` below it.
+    """
+    results, lines = _map_content(exported)
+    levels_db = results["surface_levels_db"]
+    top_db = float(np.nanmax(levels_db))
+    colours = (
+        f"colours: {top_db - MAP_RANGE_DB:.1f} (darkest) to {top_db:.1f} (lightest) dB re 1 m/s²"
+    )
+    pixels = picture_of(levels_db, top_db)
+    with output_file(path, exported.stop) as file:
+        write_png(file, pixels, {"Description": "\n".join([*lines, colours])})
+        exported.progress(1, 1, "Writing")
+
+
+def _map_content(exported: ExportedDesign) -> tuple[dict[str, Any], list[str]]:
+    """Return the quantities of the map, and the lines about them."""
+    results = exported.values({"surface", "surface_levels_db", "output_rms"})
+    error_line = exported.loudest_error_line(results["output_rms"])
+    levels = f"{describe_levels(exported.view.span)}, in dB re 1 m/s²"
+    return results, [*about(exported, about_axes(exported), levels), error_line]
+
+
+def picture_of(levels_db: Floats, top_db: float) -> NDArray[np.uint8]:
+    """Return the colours of a map, (magnified rows, magnified columns, 3), its highest row first.
+
+    Parameters
+    ----------
+    levels_db : (rows, columns)
+        NaN outside the outline, which is white.
+    top_db
+        Level of the lightest colour.
+    """
+    inside = np.isfinite(levels_db)
+    share = np.clip((np.where(inside, levels_db, top_db) - top_db) / MAP_RANGE_DB + 1.0, 0.0, 1.0)
+    at = np.linspace(0.0, 1.0, len(_ANCHORS))
+    colours = np.stack([np.interp(share, at, channel) for channel in _ANCHORS.T], axis=-1)
+    pixels = np.where(inside[..., None], np.rint(colours), _OUTSIDE_VALUE).astype(np.uint8)
+    return pixels[::-1].repeat(_MAGNIFICATION, axis=0).repeat(_MAGNIFICATION, axis=1)
+
+
+export_map, export_map_picture = Export(write_map), Export(write_map_picture)

@@ -2,9 +2,8 @@
 
 from collections.abc import Callable, Generator, Iterator
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,42 +18,26 @@ from skinsource.base.quoting import printable, quoted
 AddFrame = Callable[[NDArray[np.uint8]], None]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class _Kind:
+class _Kind(NamedTuple):
     """How frames are encoded."""
 
     frames_per_s: int
-    format: str
     codec: str
     options: tuple[str, ...]
 
 
+_H264 = ("-crf", "18", "-preset", "medium", "-movflags", "+faststart")
+_VP9 = ("-crf", "24", "-b:v", "0", "-row-mt", "1", "-cpu-used", "4")
+_PALETTE = (
+    "split[a][b];[a]trim=end_frame=50,palettegen=stats_mode=full[p];[b][p]paletteuse=dither=none"
+)
 _KINDS = {
     # Plays everywhere; the index is at the beginning of the file, so that it starts at once.
-    ".mp4": _Kind(
-        frames_per_s=60,
-        format="mp4",
-        codec="libx264",
-        options=("-crf", "18", "-preset", "medium", "-movflags", "+faststart"),
-    ),
-    ".webm": _Kind(
-        frames_per_s=60,
-        format="webm",
-        codec="libvpx-vp9",
-        options=("-crf", "24", "-b:v", "0", "-row-mt", "1", "-cpu-used", "4"),
-    ),
+    ".mp4": _Kind(60, "libx264", (*_H264, "-pix_fmt", "yuv420p")),
+    ".webm": _Kind(60, "libvpx-vp9", (*_VP9, "-pix_fmt", "yuv420p")),
     # A GIF counts in hundredths of a second.  Its colours are those of its first second, which
     # shows the colour bar: for colours of all frames the encoder would hold all until the end.
-    ".gif": _Kind(
-        frames_per_s=50,
-        format="gif",
-        codec="gif",
-        options=(
-            "-filter_complex",
-            "split[a][b];[a]trim=end_frame=50,palettegen=stats_mode=full[p];"
-            "[b][p]paletteuse=dither=none",
-        ),
-    ),
+    ".gif": _Kind(50, "gif", ("-filter_complex", _PALETTE)),
 }
 #: Endings of file names.
 ENDINGS = tuple(_KINDS)
@@ -101,7 +84,7 @@ def video_file(path: Path, size: tuple[int, int], about: str, stop: Stop) -> Ite
     if any(side < 2 or side % 2 for side in size):
         raise InvalidInputError(f"the frames have the size {size}, expected even numbers of pixels")
     with replacing(path) as temporary:
-        writer = _writer(temporary, size, kind, about)
+        writer = _writer(temporary, size, kind, path.suffix.lower()[1:], about)
         try:
             writer.send(None)
 
@@ -122,28 +105,20 @@ def video_file(path: Path, size: tuple[int, int], about: str, stop: Stop) -> Ite
 
 
 def _writer(
-    path: Path, size: tuple[int, int], kind: _Kind, about: str
+    path: Path, size: tuple[int, int], kind: _Kind, file_format: str, about: str
 ) -> Generator[None, Any, None]:
     encoder = package_of_extra("imageio_ffmpeg", "video")
-    pixels = () if kind.format == "gif" else ("-pix_fmt", "yuv420p")
-    comment = printable(about)[:500]
+    described = ("-metadata", f"comment={printable(about)[:500]}", "-f", file_format)
     writer: Generator[None, Any, None] = encoder.write_frames(
         str(path),
         size,
         fps=kind.frames_per_s,
         codec=kind.codec,
-        pix_fmt_out="pal8" if kind.format == "gif" else "yuv420p",
+        pix_fmt_out="pal8" if kind.codec == "gif" else "yuv420p",
         macro_block_size=1,
         quality=None,
         ffmpeg_log_level="error",
-        output_params=[
-            *kind.options,
-            *pixels,
-            "-metadata",
-            f"comment={comment}",
-            "-f",
-            kind.format,
-        ],
+        output_params=[*kind.options, *described],
     )
     return writer
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from inspect import signature
+from typing import Any
 
 import numpy as np
 
@@ -219,6 +221,12 @@ class Limb:
 #: Places and outputs of a limb whose results can follow each edit; of larger ones they are
 #: computed as jobs: exports, sweeps and scripts.
 LIVE_INPUTS, LIVE_OUTPUTS = 64, 128
+
+
+def limb_like(about: Any, **others: Any) -> Limb:
+    """Return a limb of the names and conditions of another one, but for those in ``others``."""
+    names = [name for name in signature(Limb).parameters if hasattr(about, name)]
+    return Limb(**({name: getattr(about, name) for name in names} | others))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

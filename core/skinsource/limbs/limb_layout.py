@@ -15,7 +15,6 @@ What reads them runs in a process of its own, see `skinsource.base.run_limited`.
 
 import csv
 import io
-import shutil
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -25,7 +24,7 @@ import scipy
 
 from skinsource.base import files
 from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError, RecordingError, StorageError
+from skinsource.base.errors import InvalidInputError, RecordingError
 from skinsource.base.files import path_text, read_bytes, replacing
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.base.quoting import quoted
@@ -147,13 +146,10 @@ def export_limb(name: str, path: Path, *, progress: Progress = silent, stop: Sto
     limb_file = LimbFile(existing_path(name))
     limb = limb_file.limb
     n_bytes = 8 * int(np.prod(limb.shape)) + _HEADER_BYTES
-    free_bytes = shutil.disk_usage(path.resolve().parent).free if path.parent.is_dir() else n_bytes
-    if free_bytes < n_bytes:
+    if path.parent.is_dir():
         # Where the disk is full, HDF5 ends the process.
-        raise StorageError(
-            f"{path_text(path)}: the limb takes {n_bytes / 1e9:.2f} GB, and {free_bytes / 1e9:.2f} "
-            "GB are free there. Free some space, or choose another disk."
-        )
+        advice = "Free some space, or choose another disk."
+        files.check_free_space(path, n_bytes, "the limb", advice)
     with replacing(path) as temporary, files.File(temporary, "w") as file:
         _put_header(file, limb)
         responses = file.create_dataset("responses", limb.shape, "<f8", track_times=False)

@@ -11,7 +11,7 @@ import json
 import os
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import lru_cache
 from pathlib import Path
 from typing import IO, Any
@@ -33,7 +33,7 @@ from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.base.measurement_conditions import AXES, BAND_HZ, Axes, Band, axes_of, axes_text
 from skinsource.base.quoting import printable, quoted
 from skinsource.base.work import counted
-from skinsource.limbs.limb import PUBLISHED, Limb, LimbFacts, LimbMap
+from skinsource.limbs.limb import PUBLISHED, Limb, LimbFacts, LimbMap, limb_like
 
 MOST_INPUTS, MOST_OUTPUTS, MOST_TAPS = 256, 512, 2**20
 #: Most bytes of all responses: 256 x 512 x 3 of half a second at 4 kHz take 6.3 GB.
@@ -245,6 +245,7 @@ def _checked_points(
 
 _MAGIC, _BLOCK = b"skinsource limb 1\n", 512
 _MOST_TEXT_BYTES = 16 * 2**20
+_ADVICE = "Check that it is there, and whose it is."
 #: Largest magnitude of a response, as of `skinsource.design.signal_path`.
 _LARGEST = 1e30
 #: Fields that the digest of a limb is made of: all that a result can depend on.
@@ -288,12 +289,9 @@ class LimbFile:
 
     def __init__(self, path: Path) -> None:
         self.path = path
-        try:
-            with path.open("rb") as file:
-                text, self._text_checksum = _read_text(file, path)
-                size = path.stat().st_size
-        except OSError as error:
-            raise _unreadable(path, error) from error
+        with storage_errors_of(path, reading=_ADVICE), path.open("rb") as file:
+            text, self._text_checksum = _read_text(file, path)
+            size = path.stat().st_size
         try:
             tree = json.loads(text)
             self._checksums = tuple(str(checksum) for checksum in tree.pop("sha256"))
@@ -314,17 +312,14 @@ class LimbFile:
 
     def response(self, location: int) -> Floats:
         """Return the responses to one input place, (n_outputs, n_axes, n_taps), m/s²."""
-        try:
-            with self.path.open("rb") as file:
-                if _read_text(file, self.path)[1] != self._text_checksum:
-                    raise FileFormatError(
-                        f"{path_text(self.path)}: was replaced by other data since the limb was "
-                        "opened. Open the limb again."
-                    )
-                file.seek(self._first_response_byte + (location - 1) * self._response_bytes)
-                content = file.read(self._response_bytes)
-        except OSError as error:
-            raise _unreadable(self.path, error) from error
+        with storage_errors_of(self.path, reading=_ADVICE), self.path.open("rb") as file:
+            if _read_text(file, self.path)[1] != self._text_checksum:
+                raise FileFormatError(
+                    f"{path_text(self.path)}: was replaced by other data since the limb was "
+                    "opened. Open the limb again."
+                )
+            file.seek(self._first_response_byte + (location - 1) * self._response_bytes)
+            content = file.read(self._response_bytes)
         if hashlib.sha256(content).hexdigest() != self._checksums[location - 1]:
             raise _damaged(self.path, f"the responses to input {location} have another checksum")
         return np.frombuffer(content, "<f8").astype(np.float64).reshape(self.limb.shape[1:])
@@ -446,13 +441,6 @@ def _digest(limb: OwnLimb, checksums: tuple[str, ...]) -> str:
     return hashlib.sha256(_json({name: tree[name] for name in (*_DIGESTED, *optional)})).hexdigest()
 
 
-def _unreadable(path: Path, error: OSError) -> StorageError:
-    return StorageError(
-        f"{path_text(path)}: cannot be read ({error.strerror or error}). Check that it is there, "
-        "and whose it is."
-    )
-
-
 def _damaged(path: Path, reason: str) -> FileFormatError:
     return FileFormatError(
         f"{path_text(path)}: the limb cannot be used: {reason.rstrip('.')}. Import the limb again."
@@ -505,21 +493,8 @@ def load_own_limb(name: str) -> Limb:
         Its file is damaged, or cannot be read; raised by ``response_to`` too.
     """
     file = LimbFile(existing_path(name))
-    limb = file.limb
-    return Limb(
-        name=name,
-        hand_length_mm=limb.hand_length_mm,
-        synthetic=limb.synthetic,
-        map=limb.map(),
-        read_response=file.response,
-        sample_rate_hz=limb.sample_rate_hz,
-        axes=limb.axes,
-        pre_trigger_delay_s=limb.pre_trigger_delay_s,
-        band_hz=limb.band_hz,
-        per_unit_drive=limb.per_unit_drive,
-        note=limb.note,
-        shape=limb.shape,
-    )
+    limb, read = file.limb, file.response
+    return limb_like(limb, name=name, map=limb.map(), read_response=read, shape=limb.shape)
 
 
 def mirror_limb(
@@ -658,27 +633,15 @@ def _read_facts(name: str, path: Path, _state: tuple[int, ...]) -> tuple[LimbFac
     file = LimbFile(path)
     limb = file.limb
     hand = f"{'Left' if limb.left else 'Right'} hand{', shown mirrored' if limb.mirrored else ''}"
-    facts = LimbFacts(
-        name=name,
-        title=limb.title or name,
-        sentence=f"{hand}, imported: {counted(limb.n_inputs, 'place')}, "
+    own: dict[str, Any] = {
+        field.name: getattr(limb, field.name)
+        for field in fields(LimbFacts)
+        if hasattr(limb, field.name)
+    }
+    own["name"], own["title"] = name, limb.title or name
+    sentence = (
+        f"{hand}, imported: {counted(limb.n_inputs, 'place')}, "
         f"{counted(limb.n_outputs, 'output')} along "
-        f"{axes_text(limb.axes)}, {limb.sample_rate_hz:g} Hz{_band_text(limb.band_hz)}.",
-        n_inputs=limb.n_inputs,
-        n_outputs=limb.n_outputs,
-        n_taps=limb.n_taps,
-        axes=limb.axes,
-        sample_rate_hz=limb.sample_rate_hz,
-        pre_trigger_delay_s=limb.pre_trigger_delay_s,
-        band_hz=limb.band_hz,
-        hand_length_mm=limb.hand_length_mm,
-        per_unit_drive=limb.per_unit_drive,
-        synthetic=limb.synthetic,
-        own=True,
-        input_names=limb.input_names,
-        output_names=limb.output_names,
-        digest=file.digest,
-        left=limb.left,
-        mirrored=limb.mirrored,
+        f"{axes_text(limb.axes)}, {limb.sample_rate_hz:g} Hz{_band_text(limb.band_hz)}."
     )
-    return facts, limb.map()
+    return LimbFacts(**own, sentence=sentence, own=True, digest=file.digest), limb.map()

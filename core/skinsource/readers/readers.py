@@ -8,7 +8,7 @@ from typing import Any
 
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import StorageError
-from skinsource.base.files import is_file, path_text
+from skinsource.base.files import is_file, path_text, storage_errors_of
 from skinsource.readers import arrays, audio, text
 from skinsource.readers.reader import Block, Found, Overview, Reader
 
@@ -89,14 +89,9 @@ def reader_of(path: Path) -> Reader:
     """
     if not is_file(path):
         raise StorageError(f"{path_text(path)}: cannot be read (it is not a file). Choose a file.")
-    try:
-        with path.open("rb") as file:
-            beginning = file.read(_BEGINNING_BYTES)
-    except OSError as error:
-        raise StorageError(
-            f"{path_text(path)}: cannot be read ({error.strerror or error}). Ask its owner for "
-            "permission to read it."
-        ) from error
+    advice = "Ask its owner for permission to read it."
+    with storage_errors_of(path, reading=advice), path.open("rb") as file:
+        beginning = file.read(_BEGINNING_BYTES)
     return next(reader for reader in _READERS if reader.recognises(beginning))
 
 

@@ -1,7 +1,8 @@
 """Recordings are read by a process of their own, so that no file can crash this one."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -13,7 +14,6 @@ from skinsource.base.run_limited import LimitedProcess, run_limited
 from skinsource.readers import limits
 from skinsource.readers.reader import Block, Found, from_tree
 
-_READERS = "skinsource.readers.readers"
 _EXPECTED = "WAV, FLAC, AIFF, OGG, a table of numbers, NPY, NPZ, MATLAB or HDF5"
 _ADVICE = "The file may be damaged; record or export it again."
 
@@ -33,9 +33,7 @@ class ReadingProcess(LimitedProcess):
         Stopped
             ``stop`` returned True.
         """
-        (tree,) = run_limited(
-            f"{_READERS}:look_tree", path, expected=_EXPECTED, process=self, stop=stop
-        )
+        (tree,) = self._run("look_tree", path, stop=stop)
         return from_tree(tree)
 
     def read(
@@ -58,17 +56,9 @@ class ReadingProcess(LimitedProcess):
                 f"{path_text(Path(path.name))}: {n} samples are too many, expected at most "
                 f"{limits.MOST_BYTES // 8}. Take a shorter part."
             )
-        parts = run_limited(
-            f"{_READERS}:blocks",
-            path,
-            expected=_EXPECTED,
-            process=self,
-            most_bytes=n * len(keys) * 8,
-            stop=stop,
-            keys=list(keys),
-            start=start,
-            end=end,
-        )
+        most = n * len(keys) * 8
+        asked = {"keys": list(keys), "start": start, "end": end}
+        parts = self._run("blocks", path, most_bytes=most, stop=stop, **asked)
         samples: Block = np.empty((len(keys), 0), np.float32)
         done = 0
         for part in parts:
@@ -92,14 +82,10 @@ class ReadingProcess(LimitedProcess):
         Stretches without a number are NaN.  Raises what `look` does.
         """
         # It comes again with each block, which tells that the process is at work.
-        *_, extremes = run_limited(
-            f"{_READERS}:overview",
-            path,
-            expected=_EXPECTED,
-            process=self,
-            stop=stop,
-            key=key,
-            n_samples=n_samples,
-            columns=columns,
-        )
+        asked = {"key": key, "n_samples": n_samples, "columns": columns}
+        *_, extremes = self._run("overview", path, stop=stop, **asked)
         return np.asarray(extremes)
+
+    def _run(self, function: str, path: Path, **options: Any) -> Iterator[Any]:
+        function = f"skinsource.readers.readers:{function}"
+        return run_limited(function, path, expected=_EXPECTED, process=self, **options)

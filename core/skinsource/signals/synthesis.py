@@ -1,4 +1,4 @@
-"""Parts of waveforms: phases of sweeps, windows of bursts, curves of glides, harmonic series.
+"""Parts of waveforms: phases of sweeps, windows, curves, harmonic series, strokes of a pen.
 
 Phases are computed with 60 digits at the start of each block of samples, so that their error does
 not grow with time.  A glide has frequency and amplitude at the same times; a curve of one of them
@@ -8,20 +8,21 @@ on a grid over one turn, by transforms, and a sample is the Taylor series about 
 """
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
 from decimal import Decimal, localcontext
 from fractions import Fraction
 from itertools import pairwise
-from math import ceil, factorial, pi
+from math import ceil, factorial, floor, pi
 from typing import Literal
 
 import numpy as np
 import scipy
 
-from skinsource.base.arguments import positive_number
+from skinsource.base.arguments import positive_number, real_number
 from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.signals.generators import WindowName, window_between
+from skinsource.signals.generators import MAX_SAMPLES, WindowName, window_between
 from skinsource.signals.sampling import turns
 
 #: Digits of the phase at the start of each block; an hour has some ten of whole turns.
@@ -353,3 +354,117 @@ def logarithmic_sweep_turns(
     phases = steps * within + starts
     phases -= np.rint(phases)
     return phases.ravel()[:n]
+
+
+# A stroke that ends this near to a sample, as a share of one, covers it.
+_ON_SAMPLE = 1e-6
+# Points of a stroke are at least this far apart.
+_APART_S = 1e-9
+_LEAST = 1e-12
+
+
+@dataclass(frozen=True, slots=True)
+class Stroke:
+    """The points of a stroke of a pen, rising in time.
+
+    Where the pen moves back, it replaces what it drew before: a signal has one value at a time.
+
+    Attributes
+    ----------
+    points
+        (time in s, value), times rising.
+    """
+
+    points: tuple[tuple[float, float], ...] = ()
+
+    def __post_init__(self) -> None:
+        times = [time for time, _ in self.points]
+        if any(after <= before for before, after in pairwise(times)):
+            raise InvalidInputError(f"times of a stroke are {times[:10]}, expected rising ones")
+
+    @classmethod
+    def through(cls, pen: Iterable[tuple[float, float]]) -> "Stroke":
+        """Return the stroke of a pen through these points, (time in s, value), in this order."""
+        stroke, last = cls(), None
+        for time_s, value in pen:
+            stroke = stroke.to(time_s, value, last)
+            last = time_s
+        return stroke
+
+    def to(self, time_s: float, value: float, came_from_s: float | None = None) -> "Stroke":
+        """Return the stroke after a move of the pen to another point.
+
+        Parameters
+        ----------
+        time_s, value
+            The point; negative times become 0.
+        came_from_s
+            Previous time of the pen: points between both times are replaced.
+        """
+        time_s = max(real_number("time_s", time_s), 0.0)
+        value = real_number("value", value)
+        # Smaller values are invisible, and their slopes would overflow.
+        value = value if abs(value) > _LEAST else 0.0
+        came_from_s = time_s if came_from_s is None else max(came_from_s, 0.0)
+        times = [time for time, _ in self.points]
+        # The previous point stays, and so does everything outside.
+        if time_s >= came_from_s:
+            low = min(bisect_right(times, came_from_s), bisect_left(times, time_s - _APART_S))
+            high = bisect_right(times, time_s + _APART_S)
+        else:
+            low = bisect_left(times, time_s - _APART_S)
+            high = max(bisect_left(times, came_from_s), bisect_right(times, time_s + _APART_S))
+        return Stroke((*self.points[:low], (time_s, value), *self.points[high:]))
+
+    @property
+    def span_s(self) -> tuple[float, float]:
+        """Times of the first and the last point."""
+        if not self.points:
+            raise InvalidInputError("the stroke has no points; draw one first")
+        return (self.points[0][0], self.points[-1][0])
+
+    def samples(self, sample_rate_hz: float) -> tuple[int, Floats]:
+        """Return the number of the first sample that it covers, and its samples, (n_times,).
+
+        They follow a smooth curve through the points without overshoot (piecewise cubic, Fritsch
+        and Carlson 1980).
+        """
+        rate_hz = positive_number("sample_rate_hz", sample_rate_hz)
+        start_s, end_s = self.span_s
+        first = ceil(start_s * rate_hz - _ON_SAMPLE)
+        last = floor(end_s * rate_hz + _ON_SAMPLE)
+        if last > MAX_SAMPLES:
+            raise InvalidInputError(
+                f"the stroke ends at {end_s:g} s: {last} samples, expected at most {MAX_SAMPLES}"
+            )
+        times, values = (np.array(column) for column in zip(*self.points, strict=True))
+        if last < first or times.size == 1:
+            # A stroke between two samples moves the nearer one.
+            nearest = round((start_s + end_s) / 2 * rate_hz)
+            return nearest, np.array([values[-1]])
+        instants = np.clip(np.arange(first, last + 1) / rate_hz, start_s, end_s)
+        curve = np.asarray(scipy.interpolate.PchipInterpolator(times, values)(instants), np.float64)
+        # Rounding may exceed the points in the last digit.
+        return first, np.clip(curve, values.min(), values.max())
+
+
+def drawn_over(samples: Floats, stroke: Stroke, sample_rate_hz: float) -> Floats:
+    """Return ``samples``, (n_times,), with the samples that a stroke covers replaced.
+
+    A stroke after the last sample extends them, with silence between both.
+    """
+    first, values = stroke.samples(sample_rate_hz)
+    drawn = np.zeros(max(samples.size, first + values.size))
+    drawn[: samples.size] = samples
+    drawn[first : first + values.size] = values
+    return drawn
+
+
+def zeroed(samples: Floats, start_s: float, end_s: float, sample_rate_hz: float) -> Floats:
+    """Return ``samples``, (n_times,), with 0 from ``start_s`` to ``end_s``."""
+    low, high = sorted((real_number("start_s", start_s), real_number("end_s", end_s)))
+    rate_hz = positive_number("sample_rate_hz", sample_rate_hz)
+    zeroed_samples = samples.copy()
+    first = max(ceil(low * rate_hz - _ON_SAMPLE), 0)
+    zeroed_samples[first : max(floor(high * rate_hz + _ON_SAMPLE) + 1, first)] = 0.0
+    return zeroed_samples

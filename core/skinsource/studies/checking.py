@@ -33,7 +33,7 @@ from skinsource.engine.quantities import new_graph, sources
 from skinsource.export.exported_design import describe_played, output_file
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.own_limbs import facts_of
-from skinsource.perception.validity import Findings, findings_lines
+from skinsource.perception.validity import findings_lines
 from skinsource.readers.reading_process import ReadingProcess
 from skinsource.signals.analysis.noise import QUIET_SHARE, quiet_rms
 from skinsource.signals.analysis.statistics import band_rms, dominant_frequency
@@ -411,12 +411,19 @@ def condition_of(
     field = predicted["axis_traces"]
     progress(1, 3, f"Checking {name}")
     linear, superposed = _linearity_checks(design, view, field, limb.sample_rate_hz, stop)
+    played = describe_played(design.limb, limb.note, design.scaling, design.inputs, design.actuated)
+    source = "none" if recorded is None else printable(recorded.path.name)
     condition = Condition(
         name=name,
         frequency_hz=_played_frequency(design) or _main_frequency(field, limb.sample_rate_hz),
         linear=linear,
         superposed=superposed,
-        details=_condition_details(design, limb, chosen, recorded, predicted["validity"]),
+        details=(
+            f"recording: {source}",
+            *played,
+            f"axes: {label_of(AXES, chosen).both}",
+            *findings_lines(predicted["validity"]),
+        ),
     )
     if recorded is None:
         return condition
@@ -425,43 +432,11 @@ def condition_of(
             f"{name}: its prediction is silent throughout, so there is nothing to compare. Add an "
             "active input, or check it without a recording."
         )
-    measured = _read_recording(recorded, limb, len(chosen), process, progress, stop)
-    shifted, shift = aligned(measured, field, round(_MOST_SHIFT_S * limb.sample_rate_hz))
-    quiet = _before_response(measured, shift, basis["stimulus_start_s"], limb)
-    noise, noise_of = _noise_rms(quiet, design, limb, chosen)
-    return replace(
-        condition,
-        agreement=agreement(field, shifted, noise),
-        shift_samples=shift,
-        noise_of=noise_of,
-    )
-
-
-def _condition_details(
-    design: Design, limb: Limb, axes: str, recorded: Recorded | None, findings: Findings
-) -> tuple[str, ...]:
-    """Return lines on the recording and the design."""
-    return (
-        f"recording: {'none' if recorded is None else printable(recorded.path.name)}",
-        *describe_played(design.limb, limb.note, design.scaling, design.inputs, design.actuated),
-        f"axes: {label_of(AXES, axes).both}",
-        *findings_lines(findings),
-    )
-
-
-def _read_recording(
-    recorded: Recorded,
-    limb: Limb,
-    n_axes: int,
-    process: ReadingProcess | None,
-    progress: Progress,
-    stop: Stop,
-) -> Floats:
     progress(2, 3, f"Reading {recorded.path.name}")
     measured = open_recorded(
         recorded.path,
         limb.n_outputs,
-        n_axes,
+        len(chosen),
         limb.sample_rate_hz,
         rate_hz=recorded.rate_hz,
         process=process,
@@ -473,13 +448,16 @@ def _read_recording(
             f"{path_text(Path(recorded.path.name))}: it is silent throughout, so there is nothing "
             "to compare. Choose another recording."
         )
-    return measured
-
-
-def _before_response(measured: Floats, shift: int, start_s: float, limb: Limb) -> Floats:
-    """Return the samples of a recording before its response; ``shift`` aligns it."""
-    until_s = start_s + QUIET_SHARE * limb.pre_trigger_delay_s
-    return measured[..., : max(round(until_s * limb.sample_rate_hz) - shift, 0)]
+    shifted, shift = aligned(measured, field, round(_MOST_SHIFT_S * limb.sample_rate_hz))
+    until_s = basis["stimulus_start_s"] + QUIET_SHARE * limb.pre_trigger_delay_s
+    quiet = measured[..., : max(round(until_s * limb.sample_rate_hz) - shift, 0)]
+    noise, noise_of = _noise_rms(quiet, design, limb, chosen)
+    return replace(
+        condition,
+        agreement=agreement(field, shifted, noise),
+        shift_samples=shift,
+        noise_of=noise_of,
+    )
 
 
 def _noise_rms(

@@ -312,9 +312,13 @@ def _from_columns(
 ) -> tuple[Floats, float | None]:
     signals = [series for series in contents.series if not series.is_time]
     expected = n_outputs * n_axes
-    if _are_instants(signals, expected):
-        return _from_instants(reader, file, contents, signals, n_outputs, n_axes, stop)
-    if len(signals) != expected or len({signal.n_samples for signal in signals}) != 1:
+    # Each signal may be an instant, which holds a value of every channel.
+    by_instant = len(signals) != expected and {signal.shape for signal in signals} in (
+        {(len(signals), expected)},
+        {(expected, len(signals))},
+    )
+    one_length = len({signal.n_samples for signal in signals}) == 1
+    if not by_instant and not (len(signals) == expected and one_length):
         one_axis = f", or choose one axis (x, y or z), which takes {counted(n_outputs, 'signal')}"
         advice = one_axis if n_axes > 1 else ""
         raise _recording_error(
@@ -323,41 +327,17 @@ def _from_columns(
             f"{counted(n_outputs, 'output')} along {counted(n_axes, 'axis', 'axes')}, output "
             f"by output. Save the responses as an array of times by outputs by axes{advice}",
         )
-    keys, n_times = [signal.key for signal in signals], signals[0].n_samples
-    values = reader.read(file, keys, 0, n_times, stop=stop).astype(np.float64)
+    keys, n_values = [signal.key for signal in signals], signals[0].n_samples
+    values = reader.read(file, keys, 0, n_values, stop=stop).astype(np.float64)
+    time = contents.time_of(signals[0])
+    if by_instant:
+        values = values.T
+        times = (series for series in contents.series if series.is_time)
+        time = next((series for series in times if series.n_samples == len(signals)), None)
     rate_hz = contents.rate_of(signals[0])
     if rate_hz is None:
-        rate_hz = _rate_of_times(reader, file, contents.time_of(signals[0]), stop)
+        rate_hz = _rate_of_times(reader, file, time, stop)
     return values.reshape(n_outputs, n_axes, -1), rate_hz
-
-
-def _are_instants(signals: Sequence[Series], expected: int) -> bool:
-    """Return whether the signals are instants: each holds a value of every channel."""
-    shapes = {signal.shape for signal in signals}
-    return len(signals) != expected and shapes in (
-        {(len(signals), expected)},
-        {(expected, len(signals))},
-    )
-
-
-def _from_instants(
-    reader: ReadingProcess,
-    file: Path,
-    contents: Found,
-    instants: Sequence[Series],
-    n_outputs: int,
-    n_axes: int,
-    stop: Stop,
-) -> tuple[Floats, float | None]:
-    keys = [instant.key for instant in instants]
-    rows = reader.read(file, keys, 0, n_outputs * n_axes, stop=stop).astype(np.float64)
-    rate_hz = contents.rate_of(instants[0])
-    candidates = (
-        series for series in contents.series if series.is_time and series.n_samples == len(instants)
-    )
-    if rate_hz is None:
-        rate_hz = _rate_of_times(reader, file, next(candidates, None), stop)
-    return rows.T.reshape(n_outputs, n_axes, -1), rate_hz
 
 
 def _rate_of_times(

@@ -23,8 +23,13 @@ from skinsource.design.design import Design
 from skinsource.design.edits.edit import Edit
 from skinsource.design.view import View
 from skinsource.export import packing
-from skinsource.export.map_files import export_map
-from skinsource.export.tables import export_field, export_levels, export_traces, export_windows
+from skinsource.export.tables import (
+    export_field,
+    export_levels,
+    export_map,
+    export_traces,
+    export_windows,
+)
 from skinsource_gui import pages
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.panels.skin.film import SIZE_PX, export_animation

@@ -25,7 +25,7 @@ from skinsource.base.work import counted
 from skinsource.design.amplitudes import amplitude_unit
 from skinsource.design.design import Design, audible_inputs
 from skinsource.design.edits.edit import Edit
-from skinsource.design.edits.mending import mend_through
+from skinsource.design.edits.setup import mend_through
 from skinsource.design.view import View
 from skinsource.export.formats.format import ChannelOverview
 from skinsource.export.methods import methods_of

@@ -16,9 +16,9 @@ from skinsource.design.panel_settings import settings_of
 from skinsource.design.view import View
 from skinsource.engine.analysis_rules import SILENT_DB, Sensation
 from skinsource.limbs.locations import output_name
-from skinsource.perception.sensation import LIMITS
 from skinsource.perception.thresholds import (
     AREA,
+    LIMITS,
     PerceptionSettings,
     read_threshold_table,
     settings_table,

@@ -15,8 +15,7 @@ from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.effects import breakpoints as algebra
 from skinsource.design.effects.breakpoints import Points
-from skinsource.signals.drawing import Stroke, drawn_over, zeroed
-from skinsource.signals.synthesis import Column
+from skinsource.signals.synthesis import Column, Stroke, drawn_over, zeroed
 from skinsource.specs.breakpoints import SEGMENTS, Breakpoint, Segment
 from skinsource_gui.fields.curve_field import fill_ground_menu, fill_point_menu
 from skinsource_gui.fields.editor import new_gesture

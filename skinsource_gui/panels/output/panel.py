@@ -27,7 +27,7 @@ from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_unit, equaliser_of
 from skinsource.design.design import Design
 from skinsource.design.edits.edit import Edit
-from skinsource.design.edits.mending import mend_through
+from skinsource.design.edits.setup import mend_through
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
 from skinsource.engine.actuator_demand import Demand, listed_name, profile_of

@@ -16,7 +16,7 @@ from skinsource.engine.time_rules import Moving, SlidingEnergy
 from skinsource.limbs.limb import Limb, LimbMap
 from skinsource.limbs.own_limbs import facts_of, own_map
 from skinsource.limbs.surface.operator import SurfaceOperator
-from skinsource.perception.sensation import LIMITS
+from skinsource.perception.thresholds import LIMITS
 from skinsource.signals.map_range import map_range_db
 from skinsource_gui.panels.skin.settings import (
     LEVELS,

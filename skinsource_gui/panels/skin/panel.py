@@ -16,7 +16,7 @@ from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
 from skinsource.engine.time_rules import block_of
 from skinsource.limbs.own_limbs import facts_of
-from skinsource.perception.sensation import LIMITS, LIMITS_IN_SHORT
+from skinsource.perception.thresholds import LIMITS, LIMITS_IN_SHORT
 from skinsource_gui.panels.skin.content import (
     MapContent,
     content_of,

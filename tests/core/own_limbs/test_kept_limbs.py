@@ -17,9 +17,8 @@ from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Impulse
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.evaluation import evaluate
-from skinsource.export.map_files import export_map
 from skinsource.export.stimulus_export.export import export_stimulus
-from skinsource.export.tables import export_field, export_levels, export_traces
+from skinsource.export.tables import export_field, export_levels, export_map, export_traces
 from skinsource.limbs.catalog import available_limbs, load_limb
 from skinsource.limbs.locations import input_name, output_name
 from skinsource.limbs.own_limbs import (

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.engine.window_rules import rms_within
+from skinsource.engine.window_rules import _rms_within
 from skinsource.signals.analysis.windows import MOST_WINDOWS, Windows, windows_over
 
 RATE_HZ = 1300.0
@@ -72,7 +72,7 @@ def test_pieces_of_any_length_give_the_windows_of_the_whole(step):
         (np.arange(3), first, signals[:, first : first + step]) for first in range(0, 333, step)
     ]
     expected = ss.windowed_rms(signals, 40, first_sample=11)[:7]
-    np.testing.assert_allclose(rms_within(windows, pieces, 3), expected, rtol=1e-12)
+    np.testing.assert_allclose(_rms_within(windows, pieces, 3), expected, rtol=1e-12)
 
 
 def test_extents_are_those_from_the_inputs_that_are_heard():

@@ -13,7 +13,7 @@ from skinsource.design.comparing import shown_snapshot
 from skinsource.design.design_file import open_design
 from skinsource.design.panel_settings import stage_settings
 from skinsource.studies.scenes.catalog import path_of
-from skinsource.studies.scenes.findings import _later_and_weaker
+from skinsource.studies.scenes.opened_scene import _later_and_weaker
 
 MEASURED = tuple(name for name in LIMB_NAMES if name.startswith("measured"))
 NAMES = ss.scenes.names()

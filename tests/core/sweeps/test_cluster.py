@@ -12,7 +12,7 @@ from skinsource.studies.sweeps.plan import Plan
 from skinsource.studies.sweeps.running import Sweep, run
 
 distributed = pytest.importorskip("distributed", reason="the extra cluster is not installed")
-cluster = pytest.importorskip("skinsource.studies.sweeps.cluster")
+cluster = pytest.importorskip("skinsource.studies.sweeps.workers")
 
 pytestmark = pytest.mark.filterwarnings("ignore")
 

@@ -12,9 +12,8 @@ from skinsource.actuators.equalising import RegularisedInverse, equalised
 from skinsource.actuators.prediction import Limits
 from skinsource.base.errors import InvalidInputError
 from skinsource.lab.matching import MatchingRun, Procedure
-from skinsource.perception.sensation import sensation_levels_db
-from skinsource.studies.sweeps.measuring import Measurer
-from skinsource.studies.sweeps.metrics import ACTUATOR_METRICS
+from skinsource.perception.thresholds import sensation_levels_db
+from skinsource.studies.sweeps.measuring import ACTUATOR_METRICS, Measurer
 from skinsource.studies.sweeps.plan import Plan
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.3)

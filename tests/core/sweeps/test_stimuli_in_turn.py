@@ -7,8 +7,7 @@ import pytest
 
 import skinsource as ss
 from skinsource.base.measurement_conditions import BAND_HZ
-from skinsource.studies.sweeps.measuring import Measurer
-from skinsource.studies.sweeps.metrics import METRICS
+from skinsource.studies.sweeps.measuring import METRICS, Measurer
 from skinsource.studies.sweeps.plan import Plan
 from tests.core.own_limbs.lab_bench import installed
 

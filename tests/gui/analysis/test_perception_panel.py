@@ -8,8 +8,7 @@ import pytest
 from skinsource.design.edits.edit import Edit
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.engine.analysis_rules import Sensation
-from skinsource.perception.sensation import LIMITS
-from skinsource.perception.thresholds import PerceptionSettings
+from skinsource.perception.thresholds import LIMITS, PerceptionSettings
 from skinsource.signals.analysis.wave_speed import travelling_wave
 from skinsource_gui.panels.analysis.perception import (
     contact_list,

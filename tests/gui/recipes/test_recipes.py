@@ -239,7 +239,7 @@ def test_each_recipe_leads_to_what_it_says(copy, tmp_path):
     # A quantity: a function, and its name among the rules.
     quantities = library / "engine" / "quantities.py"
     insert(quantities, "def response_time_s(", RULE)
-    insert(quantities, "    *voice_rules.RULES,\n", "    loudest_level_db,\n")
+    insert(quantities, "    *_rules_of(voice_rules),\n", "    loudest_level_db,\n")
     # A panel: a folder, and a line (and the imports that it needs).
     folder = studio / "panels" / "loudest"
     write(folder / "__init__.py", '"""The loudest output."""\n')

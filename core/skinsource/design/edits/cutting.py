@@ -4,7 +4,7 @@ A part of a clip is the same waveform through a `Trim`, so that it plays the sam
 an end of a clip puts the `Trim` before the fades, which stay at the ends.
 """
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from itertools import groupby
 from typing import Any
@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.clips import LATEST_S, MAX_EFFECTS, ONSET, Clip, Marker, numbered
+from skinsource.design.clips import LATEST_S, MAX_EFFECTS, ONSET, Clip, numbered
 from skinsource.design.design import Design, Input
 from skinsource.design.edits.clips import (
     NO_TIME,
@@ -392,10 +392,15 @@ def _shifted(
         ]
 
     shifted = with_clips(cut, clips_of)
+    markers = tuple(
+        replace(marker, time_s=min(time_s, LATEST_S))
+        for marker in design.markers
+        if (time_s := shift(marker.time_s)) is not None
+    )
     after = replace(
         shifted,
         inputs=tuple(_with_shifted_curve(track, start_s, end_s, by_s) for track in shifted.inputs),
-        markers=_shifted_markers(design.markers, shift),
+        markers=markers,
         loop_s=_shifted_loop(design.loop_s, start_s, end_s, by_s),
     )
     return Edit(label=label, design=after, view=kept_selection(view, design, after))
@@ -409,17 +414,6 @@ def _cut(design: Design, at_s: float) -> Design:
 def _with_shifted_curve(track: Input, start_s: float, end_s: float, by_s: float) -> Input:
     curve = _shifted_curve(track.gain_curve, start_s, end_s, by_s)
     return track if curve == track.gain_curve else replace(track, gain_curve=curve)
-
-
-def _shifted_markers(
-    markers: tuple[Marker, ...], shift: Callable[[float], float | None]
-) -> tuple[Marker, ...]:
-    times_s = [shift(marker.time_s) for marker in markers]
-    return tuple(
-        replace(marker, time_s=min(time_s, LATEST_S))
-        for marker, time_s in zip(markers, times_s, strict=True)
-        if time_s is not None
-    )
 
 
 def _shifted_loop(

@@ -8,9 +8,9 @@ set with `change_field`, as any other value of a field.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import isfinite
-from typing import Any, TypeVar
+from typing import Any, TypeAlias, TypeVar
 
 from skinsource.base.arguments import checking, one_of
 from skinsource.base.arrays import Floats
@@ -433,18 +433,28 @@ def drag_field(
     """
     ids = listed(ids)
     targets = _targets(design, view, ids, name)
-    dragged = next((target for target in targets if target.is_leading(lead, view)), None)
-    if dragged is None or not isinstance(dragged.spec(name), NumberSpec):
+    leading = (
+        (track, clip)
+        for track, clip in targets
+        if track.id == lead and (clip is None or clip is clip_of(track, view))
+    )
+    dragged = next(leading, None)
+    spec = dragged and fields_of(*dragged)[name]
+    if dragged is None or not isinstance(spec, NumberSpec):
         return change_field(design, view, ids, name, value)
-    at_start = {target.key: target for target in _targets(start, view, start.ids, name)}
-    origin = at_start.get(dragged.key, dragged).value(name)
-    dragged.spec(name).checked(value)
+    at_start = {_ids_of(target): target for target in _targets(start, view, start.ids, name)}
+
+    def value_at_start(target: _Target) -> float:
+        track, clip = at_start.get(_ids_of(target), target)
+        return float(value_of(track, name, clip))
+
+    origin = value_at_start(dragged)
+    spec.checked(value)
     values = [(dragged, value)]
     for target in targets:
-        spec = target.spec(name)
+        spec = fields_of(*target)[name]
         if target is not dragged and isinstance(spec, NumberSpec):
-            own_value = at_start.get(target.key, target).value(name)
-            values.append((target, _moved_value(own_value, origin, value, spec)))
+            values.append((target, _moved_value(value_at_start(target), origin, value, spec)))
     return _with_values(design, view, name, values)
 
 
@@ -484,42 +494,21 @@ def value_of(one: Input, name: str, clip: Clip | None = None) -> Any:
     return getattr(holder if name in _OF_TRACK | _OF_CLIP else holder.waveform, name)
 
 
-@dataclass(frozen=True, slots=True)
-class _Target:
-    """An input, or one of its clips, whose field is set."""
+# An input, or one of its clips, whose field is set.
+_Target: TypeAlias = tuple[Input, Clip | None]
 
-    track: Input
-    clip: Clip | None
 
-    @property
-    def key(self) -> tuple[int, int]:
-        return self.track.id, 0 if self.clip is None else self.clip.id
-
-    def is_leading(self, lead: int | None, view: View) -> bool:
-        if self.track.id != lead:
-            return False
-        return self.clip is None or self.clip is clip_of(self.track, view)
-
-    def spec(self, name: str) -> Spec:
-        return fields_of(self.track, self.clip)[name]
-
-    def value(self, name: str) -> Any:
-        return value_of(self.track, name, self.clip)
-
-    def changes(self, name: str, value: Any) -> dict[str, Any]:
-        """Return the changes of the input, or of the clip, that give the field a value."""
-        if self.clip is None or name in _OF_CLIP:
-            return {name: value}
-        waveform: Any = self.clip.waveform
-        return {"waveform": replace(waveform, **{name: value})}
+def _ids_of(target: _Target) -> tuple[int, int | None]:
+    track, clip = target
+    return track.id, None if clip is None else clip.id
 
 
 def _targets(design: Design, view: View, ids: Iterable[int], name: str) -> list[_Target]:
     chosen = present_inputs(design, ids)
     if name in _OF_TRACK:
-        return [_Target(track, None) for track in chosen]
-    pairs = [_Target(track, clip) for track in chosen for clip in clips_of(track, view)]
-    return [target for target in pairs if name in fields_of(target.track, target.clip)]
+        return [(track, None) for track in chosen]
+    pairs = [(track, clip) for track in chosen for clip in clips_of(track, view)]
+    return [(track, clip) for track, clip in pairs if name in fields_of(track, clip)]
 
 
 def _with_values(
@@ -527,14 +516,15 @@ def _with_values(
 ) -> Edit | Refusal:
     changes: dict[int, dict[str, Any]] = {}
     clip_changes: dict[int, dict[str, Any]] = {}
-    for target, value in values:
-        changes[target.track.id] = {}
-        if target.clip is None:
-            changes[target.track.id] = target.changes(name, value)
-        else:
-            clip_changes[target.clip.id] = target.changes(name, value)
-    target, value = values[0]
-    verb = change_text(target.spec(name), target.value(name), value)
+    for (track, clip), value in values:
+        changes[track.id] = {} if clip else {name: value}
+        if clip and name in _OF_CLIP:
+            clip_changes[clip.id] = {name: value}
+        elif clip:
+            waveform: Any = clip.waveform
+            clip_changes[clip.id] = {"waveform": replace(waveform, **{name: value})}
+    (track, clip), value = values[0]
+    verb = change_text(fields_of(track, clip)[name], value_of(track, name, clip), value)
     return change_inputs(design, view, verb, changes, clip_changes)
 
 

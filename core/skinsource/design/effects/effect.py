@@ -6,6 +6,7 @@ the one before best.
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from typing import ClassVar, Protocol, runtime_checkable
 
 import numpy as np
@@ -69,6 +70,40 @@ class Effect(Protocol):
         duration_s
             Duration of the signal before the effect; None: that of the samples.
         """
+
+
+class TimedEffect(CheckedModel, ABC):
+    """Base of effects, which get samples with their duration, and none without samples."""
+
+    __slots__ = ()
+
+    @abstractmethod
+    def shift_before(self, shift_s: float, duration_s: float, sample_rate_hz: float) -> float:
+        """Return the shift before the effect, see `Effect`."""
+
+    def applied(
+        self,
+        samples: Floats,
+        sample_rate_hz: float,
+        shift_s: float = 0.0,
+        duration_s: float | None = None,
+    ) -> Floats:
+        """Return the changed samples, (n_after,); ``samples`` stay as they are.
+
+        Raises
+        ------
+        InvalidInputError
+            They would take more than an hour.
+        """
+        if not samples.size:
+            return samples
+        before_s = self.shift_before(shift_s, 0.0, sample_rate_hz)
+        own_s = own_duration_s(samples, sample_rate_hz, before_s, duration_s)
+        return self._changed(samples, sample_rate_hz, shift_s, own_s)
+
+    @abstractmethod
+    def _changed(self, samples: Floats, rate_hz: float, shift_s: float, own_s: float) -> Floats:
+        """Return the changed samples of a signal of ``own_s``."""
 
 
 class KeepsTime(CheckedModel):

@@ -10,7 +10,7 @@ from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.design.effects.breakpoints import curve_at
-from skinsource.design.effects.effect import ON, KeepsTime, own_duration_s
+from skinsource.design.effects.effect import ON, KeepsTime, TimedEffect
 from skinsource.design.effects.playing import own_times, silent_outside
 from skinsource.specs import fields
 from skinsource.specs.breakpoints import Breakpoint, BreakpointsSpec
@@ -27,7 +27,7 @@ UNCHANGED: tuple[Breakpoint, ...] = ((0.0, 1.0, "straight"),)
 
 
 @dataclass(frozen=True, slots=True)
-class Envelope(KeepsTime):
+class Envelope(KeepsTime, TimedEffect):
     """The level over the time: straight, smooth or held between breakpoints.
 
     Before the first point the level is that of the first, after the last point that of the last;
@@ -58,15 +58,8 @@ class Envelope(KeepsTime):
         """Return the levels at own times, of the same shape."""
         return curve_at(self.points, times_s)
 
-    def applied(
-        self,
-        samples: Floats,
-        sample_rate_hz: float,
-        shift_s: float = 0.0,
-        duration_s: float | None = None,
-    ) -> Floats:
-        """Return the samples at their levels, (n_times,)."""
-        return samples * self.values_at(own_times(samples.size, sample_rate_hz, shift_s))
+    def _changed(self, samples: Floats, rate_hz: float, shift_s: float, own_s: float) -> Floats:
+        return samples * self.values_at(own_times(samples.size, rate_hz, shift_s))
 
 
 LENGTH = NumberSpec(
@@ -86,7 +79,7 @@ _SHORTEST_S = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
-class Fade(KeepsTime):
+class Fade(KeepsTime, TimedEffect):
     """Fades in from 0 at the start, and out to 0 at the end.
 
     The level at the share u of a fade, 0 at its silent end, is u (``"straight"``),
@@ -120,17 +113,8 @@ class Fade(KeepsTime):
                 levels = levels * self._level(np.clip(since / length, 0.0, 1.0))
         return levels
 
-    def applied(
-        self,
-        samples: Floats,
-        sample_rate_hz: float,
-        shift_s: float = 0.0,
-        duration_s: float | None = None,
-    ) -> Floats:
-        """Return the samples faded in and out, (n_times,)."""
-        length_s = own_duration_s(samples, sample_rate_hz, shift_s, duration_s)
-        times_s = own_times(samples.size, sample_rate_hz, shift_s)
-        return samples * self.values_at(times_s, length_s)
+    def _changed(self, samples: Floats, rate_hz: float, shift_s: float, own_s: float) -> Floats:
+        return samples * self.values_at(own_times(samples.size, rate_hz, shift_s), own_s)
 
     def _level(self, share: Floats) -> Floats:
         if self.shape == "straight":
@@ -148,7 +132,7 @@ WAVE = ChoiceSpec(
 
 
 @dataclass(frozen=True, slots=True)
-class Rectify(KeepsTime):
+class Rectify(KeepsTime, TimedEffect):
     r"""Turns up what is below 0 (``"full"``, \\|x\\|), or leaves it out (``"half"``, max(x, 0)).
 
     A tone gets a mean above 0 and even harmonics; a `BandLimit` after it removes what lies outside
@@ -165,14 +149,7 @@ class Rectify(KeepsTime):
     wave: str = fields.choice("full", WAVE)
     on: bool = fields.switch(True, ON)
 
-    def applied(
-        self,
-        samples: Floats,
-        sample_rate_hz: float,
-        shift_s: float = 0.0,
-        duration_s: float | None = None,
-    ) -> Floats:
-        """Return the rectified samples, (n_times,)."""
+    def _changed(self, samples: Floats, rate_hz: float, shift_s: float, own_s: float) -> Floats:
         return np.abs(samples) if self.wave == "full" else np.maximum(samples, 0.0)
 
 
@@ -195,7 +172,7 @@ LEVEL = NumberSpec(
 
 
 @dataclass(frozen=True, slots=True)
-class SoftClip(KeepsTime):
+class SoftClip(KeepsTime, TimedEffect):
     """Limits to a level without a corner: level tanh(drive x / level).
 
     Attributes
@@ -212,14 +189,7 @@ class SoftClip(KeepsTime):
     level: float = fields.number(1.0, LEVEL)
     on: bool = fields.switch(True, ON)
 
-    def applied(
-        self,
-        samples: Floats,
-        sample_rate_hz: float,
-        shift_s: float = 0.0,
-        duration_s: float | None = None,
-    ) -> Floats:
-        """Return the limited samples, (n_times,)."""
+    def _changed(self, samples: Floats, rate_hz: float, shift_s: float, own_s: float) -> Floats:
         return self.level * np.tanh(samples * (self.drive / self.level))
 
 
@@ -247,7 +217,7 @@ _TAIL_S_HZ = 6.0
 
 
 @dataclass(frozen=True, slots=True)
-class BandLimit(KeepsTime):
+class BandLimit(KeepsTime, TimedEffect):
     """Keeps what lies in a band, without moving it in time.
 
     The gain is 1 from ``low_hz`` to ``high_hz``, and falls as a raised cosine to 0 at 0.8
@@ -288,22 +258,12 @@ class BandLimit(KeepsTime):
                 gains = gains * 0.5 * (1.0 + np.cos(np.pi * share))
         return gains
 
-    def applied(
-        self,
-        samples: Floats,
-        sample_rate_hz: float,
-        shift_s: float = 0.0,
-        duration_s: float | None = None,
-    ) -> Floats:
-        """Return the samples of the band, (n_times,)."""
-        if not samples.size:
-            return samples
-        length_s = own_duration_s(samples, sample_rate_hz, shift_s, duration_s)
-        spectrum, size = self._spectrum(samples, sample_rate_hz)
-        gains = self.gains_at(scipy.fft.rfftfreq(size, 1.0 / sample_rate_hz))
+    def _changed(self, samples: Floats, rate_hz: float, shift_s: float, own_s: float) -> Floats:
+        spectrum, size = self._spectrum(samples, rate_hz)
+        gains = self.gains_at(scipy.fft.rfftfreq(size, 1.0 / rate_hz))
         limited: Floats = scipy.fft.irfft(spectrum * gains, size)[: samples.size]
-        length_s = max(length_s, (samples.size - 1) / sample_rate_hz)
-        return silent_outside(limited, sample_rate_hz, shift_s, length_s)
+        length_s = max(own_s, (samples.size - 1) / rate_hz)
+        return silent_outside(limited, rate_hz, shift_s, length_s)
 
     def share_removed(self, samples: Floats, sample_rate_hz: float) -> float:
         """Return the share of the energy of samples, (n_times,), that lies outside the band."""

@@ -13,7 +13,7 @@ from skinsource.design.effects.effect import (
     ON,
     Effect,
     KeepsTime,
-    own_duration_s,
+    TimedEffect,
     stretched_in_time,
 )
 from skinsource.design.effects.playing import (
@@ -38,7 +38,7 @@ GAP = NumberSpec(
 
 
 @dataclass(frozen=True, slots=True)
-class Repeat(fields.CheckedModel):
+class Repeat(TimedEffect):
     """Plays several times, with a rest between.
 
     Each repetition begins exactly a duration and a gap after the one before.  One that begins
@@ -66,25 +66,11 @@ class Repeat(fields.CheckedModel):
         """Return the same shift, which is that of the first repetition."""
         return shift_s
 
-    def applied(
-        self,
-        samples: Floats,
-        sample_rate_hz: float,
-        shift_s: float = 0.0,
-        duration_s: float | None = None,
-    ) -> Floats:
-        """Return all repetitions, (n_after,).
-
-        Raises
-        ------
-        InvalidInputError
-            They would take more than an hour.
-        """
-        if self.times == 1 or not samples.size:
+    def _changed(self, samples: Floats, rate_hz: float, shift_s: float, own_s: float) -> Floats:
+        if self.times == 1:
             return samples
-        single_s = own_duration_s(samples, sample_rate_hz, shift_s, duration_s)
-        check_duration(self.length(single_s))
-        period = (single_s + self.gap_s) * sample_rate_hz
+        check_duration(self.length(own_s))
+        period = (own_s + self.gap_s) * rate_hz
         delayed: dict[float, Floats] = {0.0: samples}
         repeated = np.zeros(round((self.times - 1) * period) + samples.size + 2)
         last = samples.size
@@ -99,7 +85,7 @@ class Repeat(fields.CheckedModel):
 
 
 @dataclass(frozen=True, slots=True)
-class Reverse(KeepsTime):
+class Reverse(KeepsTime, TimedEffect):
     """Plays backwards: at the time t what was at the duration less t, at any rate.
 
     Time 0 comes at the very end.  If the end lies on a sample, there is one sample more, so that
@@ -114,27 +100,15 @@ class Reverse(KeepsTime):
         """Return the shift with which the samples have ``shift_s`` when counted from the end."""
         return part_of_sample(-(duration_s + shift_s) * sample_rate_hz) / sample_rate_hz
 
-    def applied(
-        self,
-        samples: Floats,
-        sample_rate_hz: float,
-        shift_s: float = 0.0,
-        duration_s: float | None = None,
-    ) -> Floats:
-        """Return the samples from the last to the first, (n_after,)."""
-        if not samples.size:
-            return samples
-        if duration_s is None:
-            # Duration and shift depend on each other, so the duration is taken without a shift.
-            duration_s = own_duration_s(samples, sample_rate_hz, 0.0, None)
-        before_s = self.shift_before(shift_s, duration_s, sample_rate_hz)
-        last = round((duration_s + shift_s + before_s) * sample_rate_hz)
-        n = floor((duration_s + shift_s) * sample_rate_hz + NEAR) + 1
+    def _changed(self, samples: Floats, rate_hz: float, shift_s: float, own_s: float) -> Floats:
+        before_s = self.shift_before(shift_s, own_s, rate_hz)
+        last = round((own_s + shift_s + before_s) * rate_hz)
+        n = floor((own_s + shift_s) * rate_hz + NEAR) + 1
         backwards = np.zeros(n)
         sources = last - np.arange(n)
         within = (sources >= 0) & (sources < samples.size)
         backwards[within] = samples[sources[within]]
-        backwards[: samples_until(shift_s * sample_rate_hz)] = 0.0
+        backwards[: samples_until(shift_s * rate_hz)] = 0.0
         return backwards
 
 
@@ -163,7 +137,7 @@ PITCH = ChoiceSpec(
 
 
 @dataclass(frozen=True, slots=True)
-class Stretch(fields.CheckedModel):
+class Stretch(TimedEffect):
     """Makes a clip longer or shorter.
 
     ``"moves"``: time t becomes factor times t by band-limited interpolation, so that each frequency
@@ -206,34 +180,20 @@ class Stretch(fields.CheckedModel):
         """Return 0, since the result is computed at any shift; or the shift for a factor of 1."""
         return shift_s if self.factor_of(duration_s) == 1.0 else 0.0
 
-    def applied(
-        self,
-        samples: Floats,
-        sample_rate_hz: float,
-        shift_s: float = 0.0,
-        duration_s: float | None = None,
-    ) -> Floats:
-        """Return the stretched samples, (n_after,).
-
-        Raises
-        ------
-        InvalidInputError
-            They would play longer than an hour.
-        """
-        whole_s = own_duration_s(samples, sample_rate_hz, 0.0, duration_s)
-        factor = self.factor_of(whole_s)
-        if factor == 1.0 or not samples.size:
+    def _changed(self, samples: Floats, rate_hz: float, shift_s: float, own_s: float) -> Floats:
+        factor = self.factor_of(own_s)
+        if factor == 1.0:
             return samples
-        length_s = factor * whole_s
+        length_s = factor * own_s
         check_duration(length_s)
-        n = sample_count(length_s, sample_rate_hz) + (shift_s > 0.0)
-        times_s = own_times(n, sample_rate_hz, shift_s)
+        n = sample_count(length_s, rate_hz) + (shift_s > 0.0)
+        times_s = own_times(n, rate_hz, shift_s)
         if self.pitch == "stays":
-            stretched = stretched_in_time(samples, sample_rate_hz, factor, times_s)
+            stretched = stretched_in_time(samples, rate_hz, factor, times_s)
         else:
-            places = times_s * (sample_rate_hz / factor)
+            places = times_s * (rate_hz / factor)
             stretched = values_between(samples, places, min(1.0, factor))
-        return silent_outside(stretched, sample_rate_hz, shift_s, max(length_s, n / sample_rate_hz))
+        return silent_outside(stretched, rate_hz, shift_s, max(length_s, n / rate_hz))
 
 
 @checking
@@ -270,7 +230,7 @@ LENGTH = NumberSpec(
 
 
 @dataclass(frozen=True, slots=True)
-class Trim(fields.CheckedModel):
+class Trim(TimedEffect):
     """A part of what plays, as it is: samples before it and behind it are left out.
 
     The part has the samples at times t with ``start_s <= t < start_s + duration_s``, so that two
@@ -298,24 +258,15 @@ class Trim(fields.CheckedModel):
         _, shift = sample_and_rest((shift_s - self.start_s) * sample_rate_hz)
         return shift / sample_rate_hz
 
-    def applied(
-        self,
-        samples: Floats,
-        sample_rate_hz: float,
-        shift_s: float = 0.0,
-        duration_s: float | None = None,
-    ) -> Floats:
-        """Return the part, (n_after,)."""
-        shift_before_s = self.shift_before(shift_s, 0.0, sample_rate_hz)
-        before_s = own_duration_s(samples, sample_rate_hz, shift_before_s, duration_s)
-        length_s = self.length(before_s)
+    def _changed(self, samples: Floats, rate_hz: float, shift_s: float, own_s: float) -> Floats:
+        length_s = self.length(own_s)
         if length_s == 0.0:
             return samples[:0].copy()
-        left_out, _ = sample_and_rest((shift_s - self.start_s) * sample_rate_hz)
+        left_out, _ = sample_and_rest((shift_s - self.start_s) * rate_hz)
         part = samples[-left_out:].copy()
         if self.start_s > 0.0:
             # A part that starts between two samples has none at the first of them.
             part[: shift_s > 0.0] = 0.0
-        if (before_s - self.start_s - length_s) * sample_rate_hz > NEAR:
-            part = part[: ceil((length_s + shift_s) * sample_rate_hz - NEAR)]
+        if (own_s - self.start_s - length_s) * rate_hz > NEAR:
+            part = part[: ceil((length_s + shift_s) * rate_hz - NEAR)]
         return part

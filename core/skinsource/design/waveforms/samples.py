@@ -11,7 +11,7 @@ from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ
 from skinsource.design.clips import Clip
 from skinsource.design.waveform import DURATION
 from skinsource.design.waveforms.tones import count_of
-from skinsource.signals.formula import functions, playing, reading
+from skinsource.signals.formula import functions, reading
 from skinsource.signals.generators import window
 from skinsource.specs import fields, models
 from skinsource.specs.numbers import ListSpec, ModelSpec, NumberSpec, OptionalSpec, SamplesSpec
@@ -147,7 +147,7 @@ class Formula:
 
 @lru_cache(maxsize=256)
 def _try(text: str, duration_s: float) -> None:
-    """Raise what playing raises; the cache serves many clips with the same formula."""
+    """Raise what `reading.played` raises; the cache serves many clips with the same formula."""
     count = count_of(min(duration_s, _TRIED_S), SAMPLE_RATE_HZ, 0.0)
     _played(text, count, SAMPLE_RATE_HZ, 0.0, duration_s)
 
@@ -155,7 +155,7 @@ def _try(text: str, duration_s: float) -> None:
 def _played(
     text: str, count: int, sample_rate_hz: float, shift_s: float, duration_s: float
 ) -> Floats:
-    return playing.played(reading.read(text), count, sample_rate_hz, shift_s, duration_s)
+    return reading.played(reading.read(text), count, sample_rate_hz, shift_s, duration_s)
 
 
 Mode = Literal["sum", "product"]

@@ -359,24 +359,11 @@ class Glide:
                 turned = (turned + (low + high) / 2 * (end - start)) % 1
                 if until <= first:
                     continue
-                chirp = low, (high - low) / (end - start), first / rate - shift - start
-            wave[first:until] = _glide_piece(
-                turns_before, chirp, (before, after), until - first, sample_rate_hz
-            )
+                slope, since = (high - low) / (end - start), first / rate - shift - start
+            n_piece = until - first
+            part = (float(since) + np.arange(n_piece) / sample_rate_hz) / (after[0] - before[0])
+            level = before[2] + (after[2] - before[2]) * np.clip(part, 0.0, 1.0)
+            bent = bent_turns(turns_before, low, slope, since, n_piece, sample_rate_hz)
+            wave[first:until] = level * np.sin(2.0 * pi * bent)
             first = until
         return wave
-
-
-def _glide_piece(
-    turned: Decimal,
-    chirp: tuple[Decimal, Decimal, Decimal],
-    ends: tuple[Point, Point],
-    n: int,
-    rate_hz: float,
-) -> Floats:
-    """Return samples between two points, from the time ``chirp[2]`` after the first on, (n,)."""
-    low, slope, since = chirp
-    (start_s, _, low_level), (end_s, _, high_level) = ends
-    part = (float(since) + np.arange(n) / rate_hz) / (end_s - start_s)
-    level = low_level + (high_level - low_level) * np.clip(part, 0.0, 1.0)
-    return level * np.sin(2.0 * pi * bent_turns(turned, low, slope, since, n, rate_hz))

@@ -18,7 +18,7 @@ from skinsource.design.view import View
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.stimulus import Stimulus, added_delays_s, channel_of
 from skinsource.export.exported_design import versions
-from skinsource.export.formats.format import ChannelOverview, Facts
+from skinsource.export.formats.format import Facts
 from skinsource.export.stimulus_export.preparing import PreparedStimulus, actuator_at
 from skinsource.limbs.own_limbs import drive_unit_known
 from skinsource.specs.models import specs_of
@@ -78,8 +78,18 @@ def sidecar_of(
         "lead_in_s": ready.lead_in_s,
         "tail_s": ready.tail_s,
         "channels": [
-            {**_about_channel(stimulus, channel, count), **_wiring(ready, stimulus, row)}
-            for row, (channel, count) in enumerate(zip(file.channels, counts, strict=True))
+            {
+                "number": overview.channel.number,
+                "place": overview.channel.place,
+                "title": overview.channel.title,
+                "inputs": list(overview.channel.inputs),
+                "unit": stimulus.unit if overview.channel.place is not None else "full scale",
+                "peak_of_full_scale": overview.peak,
+                "rms_of_full_scale": overview.rms,
+                "clip_count": clip_count,
+                **_wiring(ready, stimulus, row),
+            }
+            for row, (overview, clip_count) in enumerate(zip(file.channels, counts, strict=True))
         ],
         "rig": None if ready.rig is None else ready.rig.title,
         "actuator": _actuators(ready, stimulus),
@@ -118,22 +128,6 @@ def about_validity(design: Design) -> dict[str, Any]:
         for finding in results["validity"]
     ]
     return {"limb_note": results["limb_data"].note or None, "validity": conditions}
-
-
-def _about_channel(
-    stimulus: Stimulus, overview: ChannelOverview, clip_count: int
-) -> dict[str, Any]:
-    channel = overview.channel
-    return {
-        "number": channel.number,
-        "place": channel.place,
-        "title": channel.title,
-        "inputs": list(channel.inputs),
-        "unit": stimulus.unit if channel.place is not None else "full scale",
-        "peak_of_full_scale": overview.peak,
-        "rms_of_full_scale": overview.rms,
-        "clip_count": clip_count,
-    }
 
 
 def _wiring(ready: PreparedStimulus, stimulus: Stimulus, row: int) -> dict[str, Any]:

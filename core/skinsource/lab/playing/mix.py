@@ -92,20 +92,12 @@ class Mix:
             loops = self.loop is not None and position < self.loop[1] <= end
             if self.loop is not None and loops:
                 end = self.loop[1]
-            self._copy(position, end, out[:, done : done + end - position])
+            _copy(self.samples, position, end, out[:, done : done + end - position])
             if self.loop is not None and position < self.loop[1]:
                 self._join(self.loop[1], position, end, out[:, done : done + end - position])
             done += end - position
             position = self.loop[0] if self.loop is not None and loops else end
         return position
-
-    def _copy(self, start: int, end: int, out: Floats) -> None:
-        """Copy samples ``start`` to ``end``, and silence where there are none."""
-        first = min(max(start, 0), end)
-        last = max(min(end, self.n_times), first)
-        out[:, : first - start] = 0.0
-        out[:, first - start : last - start] = self.samples[:, first:last]
-        out[:, last - start :] = 0.0
 
     def _join(self, loop_end: int, start: int, end: int, out: Floats) -> None:
         """Write the seam over the last samples of the loop."""
@@ -200,11 +192,18 @@ def _seam_of(samples: Frames, loop: tuple[int, int] | None, rate_hz: int) -> Fra
 
 def _part(samples: Frames, start: int, end: int) -> Floats:
     """Return samples ``start`` to ``end``, with silence where there are none."""
-    piece = np.zeros((samples.shape[0], end - start))
-    first = min(max(start, 0), samples.shape[1])
-    part = samples[:, first : max(min(end, samples.shape[1]), first)]
-    piece[:, first - start : first - start + part.shape[1]] = part
+    piece = np.empty((samples.shape[0], end - start))
+    _copy(samples, start, end, piece)
     return piece
+
+
+def _copy(samples: Frames, start: int, end: int, out: Floats) -> None:
+    """Copy samples ``start`` to ``end``, and silence where there are none."""
+    first = min(max(start, 0), end)
+    last = max(min(end, samples.shape[1]), first)
+    out[:, : first - start] = 0.0
+    out[:, first - start : last - start] = samples[:, first:last]
+    out[:, last - start :] = 0.0
 
 
 Reason = Literal["end", "stopped", "panic", "limit", "broken", "rig"]

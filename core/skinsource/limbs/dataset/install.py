@@ -84,8 +84,7 @@ def install(
         downloaded.responses, lambda done, _, text: progress(done, 2 * N_ROWS, text), stop
     )
     arrays = {
-        **{published.map_name(part): getattr(maps, part) for part in published.MAP_SHAPES},
-        **{published.mask_name(limb): maps.masks[limb - 1] for limb in published.LIMBS},
+        **maps,
         **{published.response_name(*place): response for place, response in responses.items()},
     }
     about = _about(downloaded.responses, changed)

@@ -9,17 +9,15 @@ import hashlib
 import itertools
 import math
 import zlib
-from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from skinsource.base import files
 from skinsource.base.arrays import Floats
-from skinsource.base.errors import DatasetError, StorageError
+from skinsource.base.errors import DatasetError
 from skinsource.base.extras import package_of_extra
 from skinsource.base.job import Progress, Stop, stop_if
 from skinsource.base.measurement_conditions import (
@@ -31,7 +29,15 @@ from skinsource.base.measurement_conditions import (
 )
 from skinsource.base.quoting import printable
 from skinsource.base.work import counted
-from skinsource.limbs.dataset.published import MASK_FILES, MASK_SHAPES, N_VERTICES
+from skinsource.limbs.dataset.published import (
+    ADVICE,
+    LIMBS,
+    MASK_FILES,
+    MASK_SHAPES,
+    N_VERTICES,
+    map_name,
+    mask_name,
+)
 
 if TYPE_CHECKING:
     import h5py
@@ -160,14 +166,8 @@ def read_variable(path: Path, name: str) -> Any:
         It is no MATLAB file, is cut off or damaged, or does not hold the variable.
     """
     matio = package_of_extra("matio", "dataset")
-    try:
-        with path.open("rb") as opened:
-            opened.read(1)
-    except OSError as error:
-        raise StorageError(
-            f"{path}: cannot be read ({error.strerror or error}). Give the folder that holds the "
-            "download."
-        ) from error
+    with files.storage_errors_of(path, reading=ADVICE), path.open("rb") as opened:
+        opened.read(1)
     try:
         check_contiguous(path)
         variables = matio.load_from_mat(str(path))
@@ -188,33 +188,16 @@ def read_variable(path: Path, name: str) -> Any:
     return variables[name]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class MapFiles:
-    """What the eight map files hold; coordinates are outline pixels, y up.
-
-    Attributes
-    ----------
-    outline : (1505, 2)
-        Closed polygon.
-    output_positions : (72, 2)
-        NaN for the six volar outputs.
-    input_positions : (20, 2)
-    visibility : (1505, 72)
-        Distance from outline vertex to output where the one sees the other, else NaN.
-    masks
-        One per limb, (rows, columns) of 1 mm, row and column 0 at the lowest y and x:
-        1 on the skin, 0 elsewhere.
-    """
-
-    outline: Floats
-    output_positions: Floats
-    input_positions: Floats
-    visibility: Floats
-    masks: tuple[NDArray[np.uint8], ...]
-
-
-def read_map_files(folder: Path) -> MapFiles:
+def read_map_files(folder: Path) -> dict[str, Floats]:
     """Read and check the map files.
+
+    Returns
+    -------
+    dict
+        Names of the store to arrays; coordinates are outline pixels, y up.  ``visibility``
+        (1505, 72): distance from outline vertex to output where the one sees the other, else NaN.
+        Masks: one per limb, (rows, columns) of 1 mm, row and column 0 at the lowest y and x:
+        1 on the skin, 0 elsewhere.
 
     Raises
     ------
@@ -259,18 +242,18 @@ def read_map_files(folder: Path) -> MapFiles:
         "output seen from each vertex",
     )
 
-    masks = []
-    for name, mask_shape in zip(MASK_FILES, MASK_SHAPES, strict=True):
+    masks = {}
+    for limb, name, mask_shape in zip(LIMBS, MASK_FILES, MASK_SHAPES, strict=True):
         mask = _read(folder / name, "mask", mask_shape, "rows, columns of 1 mm")
         _check(folder / name, np.isin(mask, (0.0, 1.0)).all(), "a mask of zeros and ones")
-        masks.append(mask.astype(np.uint8))
-    return MapFiles(
-        outline=outline,
-        output_positions=outputs,
-        input_positions=inputs,
-        visibility=visibility,
-        masks=tuple(masks),
-    )
+        masks[mask_name(limb)] = mask
+    return {
+        **masks,
+        map_name("outline"): outline,
+        map_name("output_positions"): outputs,
+        map_name("input_positions"): inputs,
+        map_name("visibility"): visibility,
+    }
 
 
 def _read(path: Path, name: str, shape: tuple[int, ...], axes: str) -> Floats:

@@ -17,7 +17,7 @@ from pathlib import Path
 
 from skinsource.base.assets import data_folder, user_folder
 from skinsource.base.errors import DatasetError, StorageError
-from skinsource.base.files import is_file, is_folder
+from skinsource.base.files import is_file, is_folder, storage_errors_of
 from skinsource.base.measurement_conditions import N_AXES, N_INPUTS, N_OUTPUTS, N_TAPS
 
 FILE_NAME = "measured.npz"
@@ -64,6 +64,8 @@ ARRAYS = {
 
 
 RESPONSES_FILE = "impulseResponses.mat"
+#: Where a file of the download cannot be read.
+ADVICE = "Give the folder that holds the download."
 MAP_FOLDER = "visualization"
 MASK_FILES = ("mask1.mat", "mask2.mat", "mask3.mat", "mask4.mat")
 MAP_FILES = (
@@ -195,14 +197,8 @@ def checksum_of(path: Path, algorithm: str) -> str:
     StorageError
         It cannot be read.
     """
-    try:
-        with path.open("rb") as opened:
-            return f"{algorithm}:{hashlib.file_digest(opened, algorithm).hexdigest()}"
-    except OSError as error:
-        raise StorageError(
-            f"{path}: cannot be read ({error.strerror or error}). Give the folder that holds the "
-            "download."
-        ) from error
+    with storage_errors_of(path, reading=ADVICE), path.open("rb") as opened:
+        return f"{algorithm}:{hashlib.file_digest(opened, algorithm).hexdigest()}"
 
 
 def unpublished_files(downloaded: DownloadedFiles) -> tuple[str, ...]:

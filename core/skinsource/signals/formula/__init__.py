@@ -6,5 +6,5 @@ and functions (`skinsource.signals.formula.functions`).  Python never evaluates 
 takes long, because its length, its nesting and its steps are limited.
 
 `skinsource.signals.formula.reading.read` turns a text into a program, its tree in postfix order;
-`skinsource.signals.formula.playing.played` computes its samples.
+`skinsource.signals.formula.reading.played` computes its samples.
 """

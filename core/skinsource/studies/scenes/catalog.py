@@ -17,7 +17,6 @@ from skinsource.design.design import Design
 from skinsource.design.design_file import SUFFIX, DesignFile, open_design
 from skinsource.limbs.catalog import available_limbs
 from skinsource.limbs.limb import PUBLISHED
-from skinsource.studies.scenes.findings import told
 from skinsource.studies.scenes.opened_scene import (
     PROBE_UNITS,
     Condition,
@@ -25,6 +24,7 @@ from skinsource.studies.scenes.opened_scene import (
     Scene,
     opened_on,
     reason_against,
+    told,
     with_designs,
 )
 

@@ -27,7 +27,7 @@ from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
 from skinsource.design.view import View
 from skinsource.lab.matching import Strengths
-from skinsource.perception.sensation import sensation_levels_db
+from skinsource.perception.thresholds import sensation_levels_db
 from skinsource.signals.projection import Method
 from skinsource.specs import models
 from skinsource.specs.codec import to_text

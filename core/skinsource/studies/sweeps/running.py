@@ -23,8 +23,7 @@ from skinsource.design.design_file import open_design
 from skinsource.lab.matching import Strengths, read_matches
 from skinsource.signals.projection import Method
 from skinsource.specs.models import specs_of
-from skinsource.studies.sweeps.measuring import measured_here
-from skinsource.studies.sweeps.metrics import Metrics
+from skinsource.studies.sweeps.measuring import Metrics, measured_here
 from skinsource.studies.sweeps.plan import (
     HIGHEST_DB,
     LEVELS,

@@ -42,7 +42,7 @@ from skinsource.export.stimulus_export.preparing import common_full_scale, prepa
 from skinsource.export.stimulus_export.sidecar import sidecar_path
 from skinsource.export.tables import exact_text
 from skinsource.signals.resampling import MAX_RATE_HZ
-from skinsource.studies.sweeps.metrics import Metrics, columns_of
+from skinsource.studies.sweeps.measuring import Metrics, columns_of
 from skinsource.studies.sweeps.plan import Order, Plan, Trial, trials
 from skinsource.version import __version__
 

@@ -1,4 +1,4 @@
-"""Measurement of stimuli in several processes, so that all cores are used.
+"""Measurement of stimuli on all cores, or on the machines of a Dask cluster (extra ``cluster``).
 
 A stimulus that ends its process costs its own row alone: those that were under way when a process
 ended are measured again, one by one.
@@ -15,11 +15,12 @@ from threading import local
 from typing import Any
 
 from skinsource.base.allocation import keep_freed_memory
-from skinsource.base.errors import StorageError
+from skinsource.base.errors import SkinSourceError, StorageError
+from skinsource.base.extras import package_of_extra
 from skinsource.base.job import Stop, never, stop_if
-from skinsource.studies.sweeps.measuring import Measurer, metrics_or_reason
-from skinsource.studies.sweeps.metrics import Metrics
-from skinsource.studies.sweeps.plan import Plan
+from skinsource.base.quoting import printable, quoted
+from skinsource.studies.sweeps.measuring import Measurer, Metrics, metrics_or_reason
+from skinsource.studies.sweeps.plan import Plan, chunks
 
 #: Number of a stimulus, and its metrics or the reason why it has none.
 Row = tuple[int, Metrics | str]
@@ -141,3 +142,75 @@ def prepare(plan: Plan, digest: str) -> None:
 def measure(numbers: tuple[int, ...]) -> list[Row]:
     """Measure stimuli of the plan that was prepared."""
     return [(number, metrics_or_reason(_thread.measurer, number)) for number in numbers]
+
+
+#: Chunks that wait at the scheduler for each thread that measures.
+_CHUNKS_PER_THREAD = 3
+_CONNECT_S = 30
+# A chunk is given up when so many machines were lost while they did it.
+_RETRIES = 5
+
+
+class ClusterError(SkinSourceError):
+    """The cluster cannot be reached, or lost a piece of the work too often."""
+
+
+class Cluster:
+    """The workers of a Dask scheduler, for the parameter ``measuring`` of `running.run`.
+
+    Parameters
+    ----------
+    address
+        Address of the scheduler: ``"tcp://host:8786"``.
+
+    Raises
+    ------
+    MissingExtraError
+        The package ``distributed`` is not installed.
+    """
+
+    def __init__(self, address: str) -> None:
+        self._distributed: Any = package_of_extra("distributed", "cluster")
+        self._address = address
+
+    def __call__(self, plan: Plan, numbers: Iterable[int], stop: Stop) -> Iterator[Row]:
+        """Yield the metrics, or errors, of some stimuli of ``plan``, in any order.
+
+        Raises
+        ------
+        ClusterError
+            The scheduler does not answer, or a piece of the work was lost again and again.
+        Stopped
+            ``stop`` said so; pending work is cancelled.
+        """
+        with self._client() as client:
+            # Not pure: a later sweep of the same plan is measured again.
+            executor = client.get_executor(pure=False, retries=_RETRIES)
+            submit = partial(executor.submit, measure_chunk, plan, plan.digest)
+            under_way = _CHUNKS_PER_THREAD * max(sum(client.nthreads().values()), 1)
+            try:
+                yield from rows_of(submit, chunks(numbers), under_way, stop)
+            except SkinSourceError:
+                raise
+            except Exception as error:  # whatever a worker, or the way to it, may raise
+                raise ClusterError(
+                    f"a piece of the sweep was lost on the cluster ({printable(error)}). Check its "
+                    "workers, then run the sweep again: it continues where it stopped."
+                ) from error
+            finally:
+                executor.shutdown(wait=False)
+
+    def _client(self) -> Any:
+        try:
+            return self._distributed.Client(self._address, timeout=_CONNECT_S, set_as_default=False)
+        except (OSError, ValueError, TypeError) as error:
+            raise ClusterError(
+                f"the scheduler {quoted(self._address)} does not respond ({printable(error)}). "
+                "Check its address, such as tcp://host:8786, and that it runs."
+            ) from error
+
+
+def measure_chunk(plan: Plan, digest: str, numbers: tuple[int, ...]) -> list[Row]:
+    """Measure on a worker; each of its threads has a measurer for the plan."""
+    prepare(plan, digest)
+    return measure(numbers)
