@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtCore import QEvent, Qt
 
 from skinsource.base.quoting import printable
 from skinsource.design import edits
@@ -82,15 +82,15 @@ class SetupBar(QtWidgets.QWidget):
                 hint = "" if there else f"{NOT_INSTALLED} Help > {TITLE}… installs them."
                 self._limb.setItemData(index, hint, Qt.ItemDataRole.ToolTipRole)
 
-    def choices(self, parent: QObject | None) -> list[QtGui.QAction]:
-        """Return an action for each choice, also those of the measure line, owned by ``parent``."""
+    def choices(self) -> list[QtGui.QAction]:
+        """Return a new action for each choice, also those of the measure line."""
         actions, field = [], self._limb
         for index in range(field.count()):
             title = f"{field.accessibleName()}: {field.itemText(index)}"
             there = bool(field.model().flags(field.model().index(index, 0)) & _ENABLED)
             hint = field.itemData(index, Qt.ItemDataRole.ToolTipRole) or ""
             choose = partial(field.choose, field.itemData(index))
-            actions.append(choice_action(title, hint, choose, parent, there=there))
+            actions.append(choice_action(title, hint, choose, there=there))
         measured = set(facts_of(self._document.design.limb).axes)
         single = len(self._document.view.axes) == 1
         for edit, (name, label, _, words) in zip(_LOOKS, CHOICES[2:], strict=True):
@@ -100,7 +100,7 @@ class SetupBar(QtWidgets.QWidget):
                 choose = partial(self._choose, edit, word.name, None)
                 title = f"{label}: {word.title}"
                 hint = tooltip(word.sentence)
-                actions.append(choice_action(title, hint, choose, parent, there=there))
+                actions.append(choice_action(title, hint, choose, there=there))
         return actions
 
     def _choose(self, edit: Callable[..., Edit | Refusal], value: str, gesture: int | None) -> None:
@@ -114,13 +114,13 @@ _LOOKS = (edits.look_along, edits.look_by_method, edits.level_over)
 
 
 def choice_action(
-    title: str, hint: str, choose: Callable[[], object], parent: QObject | None, *, there: bool
+    title: str, hint: str, choose: Callable[[], object], *, there: bool = True
 ) -> QtGui.QAction:
     """Return an action of the palette that makes a choice; ``there``: it can be made now."""
-    action = QtGui.QAction(title, parent)
+    action = QtGui.QAction(title)
     action.setToolTip(hint)
     action.setEnabled(there)
-    action.triggered.connect(choose)
+    action.triggered.connect(lambda: choose())
     return action
 
 
@@ -135,7 +135,8 @@ def _explain(field: QtWidgets.QComboBox, options: tuple[Word, ...]) -> None:
         field.setItemData(index, tooltip(word.sentence), Qt.ItemDataRole.ToolTipRole)
 
 
-_REFITTED = (QEvent.Type.LayoutRequest, QEvent.Type.FontChange, QEvent.Type.StyleChange)
+_Event = QEvent.Type
+_REFITTED = (_Event.LayoutRequest, _Event.Resize, _Event.FontChange, _Event.StyleChange)
 _Style = Qt.ToolButtonStyle
 
 
@@ -287,16 +288,9 @@ class HeadLine(QtWidgets.QWidget):
     def event(self, event: QEvent) -> bool:
         if event.type() in _REFITTED:
             self._fit()
-        return super().event(event)
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange:
+        elif event.type() == _Event.PaletteChange:
             self._draw()
-
-    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._fit()
+        return super().event(event)
 
     def _draw(self) -> None:
         for action, icon in self._icons.items():

@@ -477,7 +477,6 @@ class RunningJobs(QObject):
     def __init__(self, runner: JobRunner, window: QtWidgets.QWidget) -> None:
         super().__init__(window)
         self._runner, self._window = runner, window
-        self._ended = False
 
     def show_on(self, cancel: QtGui.QAction) -> None:
         """Enable that action only while there is something to cancel."""
@@ -495,14 +494,13 @@ class RunningJobs(QObject):
     def may_close(self) -> bool:
         """Return whether the window may close: no job runs, or the user gives it up."""
         titles = "; ".join(job.title for job in self._runner.unfinished)
-        if not titles or self._ended:
+        if not titles:
             return True
         question = f"Still running: {titles}. Stop it and close? Unfinished files are removed."
         return ask_yes(self._window, "Something is running", question)
 
     def end(self) -> None:
         """Stop all jobs for good, and clear them away."""
-        self._ended = True
         if self._runner.busy:
             # It can take a second to clear away a gigabyte.
             self._window.hide()
