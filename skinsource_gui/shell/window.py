@@ -184,7 +184,7 @@ class MainWindow(QtWidgets.QMainWindow):
 
     def _build(self) -> None:
         actions = self.actions_by_name
-        recent = RecentMenu(self.files.recent, self)
+        recent = RecentMenu(self.preferences, self)
         recent.chosen.connect(self.files.open)
         panels = docks.menu_toggles(self.docks.values(), self)
         steps = StepsMenu(self.document, self)

@@ -2,10 +2,10 @@
 
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import ClassVar
+from typing import ClassVar, cast
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEvent, QFileSystemWatcher, QObject, QPoint, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt, Signal
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.work import counted
@@ -123,15 +123,8 @@ class SearchRow(QtWidgets.QWidget):
         return super().eventFilter(watched, event)
 
 
-#: Changes within this time are one change, since files are written in several steps.
-_BATCH_MS = 150
-
-
 class PresetFolders(QObject):
-    """Reads the folders of presets, the user's again when it changes; renames and deletes in it.
-
-    The user's folder is watched with its files, also while it does not exist yet.
-    """
+    """Reads the folders of presets; renames and deletes in the user's."""
 
     changed = Signal()
     #: Why something was not done.
@@ -141,9 +134,6 @@ class PresetFolders(QObject):
         super().__init__(parent)
         self._shipped: PresetFolder | None = None
         self._own = PresetFolder()
-        self._watcher: QFileSystemWatcher | None = None
-        self._pause = QTimer(self, singleShot=True, interval=_BATCH_MS)
-        self._pause.timeout.connect(self.read)
 
     @property
     def folder(self) -> Path:
@@ -163,20 +153,11 @@ class PresetFolders(QObject):
         return (*self._own.faults, *(self._shipped or PresetFolder()).faults)
 
     def read(self) -> None:
-        """Read both folders, and watch the user's."""
+        """Read both folders again."""
         if self._shipped is None:
             self._shipped = presets.read_preset_folder(presets.shipped_folder())
-        # It is watched before it is read, so that no change is missed.
-        self._watch()
         self._own = presets.read_preset_folder(self.folder)
         self.changed.emit()
-
-    def rest(self) -> None:
-        """Stop watching."""
-        self._pause.stop()
-        if self._watcher is not None:
-            self._watcher.deleteLater()
-            self._watcher = None
 
     def rename(self, entry: Entry, name: str) -> Path:
         """Rename a preset of the user; return its file."""
@@ -195,22 +176,6 @@ class PresetFolders(QObject):
             self.failed.emit(str(error))
         self.read()
         return path or entry.path
-
-    def _watch(self) -> None:
-        """Watch the user's folder and its present files, and nothing else."""
-        self.rest()
-        self._watcher = QFileSystemWatcher(self)
-        self._watcher.directoryChanged.connect(self._pause.start)
-        self._watcher.fileChanged.connect(self._pause.start)
-        folder = self.folder
-        try:
-            files = [str(path) for path in folder.iterdir() if path.suffix == presets.SUFFIX]
-            self._watcher.addPaths([str(folder), *files])
-        except OSError:
-            # The nearest folder that exists is watched instead.
-            ancestor = next((parent for parent in folder.parents if parent.is_dir()), None)
-            if ancestor is not None:
-                self._watcher.addPath(str(ancestor))
 
 
 _WIDE_PX, _HIGH_PX = 340, 440
@@ -250,7 +215,23 @@ class LibraryPanel(Panel):
         self.setFocusProxy(self.rows)
         self.rows.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.preview.hide()
-        self._connect()
+        application = cast(QtGui.QGuiApplication, QtGui.QGuiApplication.instance())
+        application.focusWindowChanged.connect(self._look_again)
+        self.folders.changed.connect(self._show_presets)
+        self.folders.failed.connect(self.failed)
+        self.search.changed.connect(self._show_presets)
+        self.search.line.returnPressed.connect(self._place_current)
+        self.search.left_downwards.connect(self.rows.setFocus)
+        self.rows.place_requested.connect(self.place)
+        self.rows.delete_requested.connect(self._delete)
+        self.rows.search_requested.connect(self._search)
+        self.rows.preview_changed.connect(self._preview)
+        self.rows.customContextMenuRequested.connect(self._open_menu)
+        self.model.rename_requested.connect(self._rename)
+        self.buttons.place.clicked.connect(self._place_current)
+        self.buttons.save.clicked.connect(lambda: self.action_requested.emit("save_to_library"))
+        self.buttons.rename.clicked.connect(self.rows.rename)
+        self.buttons.delete.clicked.connect(self._delete_current)
 
     def sizeHint(self) -> QSize:
         return QSize(560, 236)
@@ -267,16 +248,17 @@ class LibraryPanel(Panel):
         self.folders.read()
         super().showEvent(event)
 
+    def _look_again(self) -> None:
+        # Another window, or another program, may have written presets meanwhile.
+        if self.isVisible():
+            self.folders.read()
+
     def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         # In a low and wide panel the preview lies beside the list.
         is_wide = self.width() >= _WIDE_PX and self.height() < _HIGH_PX
         way = QtWidgets.QBoxLayout.Direction
         self._body.setDirection(way.LeftToRight if is_wide else way.TopToBottom)
-
-    def hideEvent(self, event: QtGui.QHideEvent) -> None:
-        self.folders.rest()
-        super().hideEvent(event)
 
     def place(self, entry: Entry | None) -> None:
         """Place a preset at the playhead, on the selected track."""
@@ -285,23 +267,6 @@ class LibraryPanel(Panel):
             self.edited.emit(
                 edits.place_fragment(self._design, self._view, preset.fragment, preset.name), None
             )
-
-    def _connect(self) -> None:
-        self.folders.changed.connect(self._show_presets)
-        self.folders.failed.connect(self.failed)
-        self.search.changed.connect(self._show_presets)
-        self.search.line.returnPressed.connect(self._place_current)
-        self.search.left_downwards.connect(self.rows.setFocus)
-        self.rows.place_requested.connect(self.place)
-        self.rows.delete_requested.connect(self._delete)
-        self.rows.search_requested.connect(self._search)
-        self.rows.preview_changed.connect(self._preview)
-        self.rows.customContextMenuRequested.connect(self._open_menu)
-        self.model.rename_requested.connect(self._rename)
-        self.buttons.place.clicked.connect(self._place_current)
-        self.buttons.save.clicked.connect(lambda: self.action_requested.emit("save_to_library"))
-        self.buttons.rename.clicked.connect(self.rows.rename)
-        self.buttons.delete.clicked.connect(self._delete_current)
 
     def _show_presets(self, at: Path | None = None) -> None:
         """List the matches; the cursor stays at its file, or goes to the file ``at``."""
