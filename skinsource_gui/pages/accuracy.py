@@ -30,7 +30,7 @@ from skinsource_gui.fields.choice_field import DropDown
 from skinsource_gui.pages.page import RowTable, ToolPage
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
 from skinsource_gui.qt.buttons import page_label
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.theme import current_theme
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobProgress, JobRunner, PageJobs
@@ -166,9 +166,7 @@ class AccuracyPage(ToolPage):
         self.plot = AccuracyPlot()
         self.now = page_label("accuracy_now")
         self.say(_BEGIN)
-        self._limb = DropDown()
-        self._limb.setObjectName("accuracy_limb")
-        self._limb.setAccessibleName("Limb to measure on")
+        self._limb = named(DropDown(), "accuracy_limb", "Limb to measure on")
         self._limb.setMinimumContentsLength(19)
         self._limb.addItems(["Synthetic responses", ""])
         self._measure = self.add_button(

@@ -31,7 +31,7 @@ from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.qt.buttons import page_button, page_label, progress_bar
 from skinsource_gui.qt.fitting import LetterWidth
 from skinsource_gui.qt.keys import KEYS
-from skinsource_gui.qt.layouts import add_row, form_of, in_column, in_row
+from skinsource_gui.qt.layouts import add_row, form_of, in_column, in_row, named
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.state.playing import end_sound, sound_worker
@@ -211,14 +211,15 @@ class SetupForm(QtWidgets.QWidget):
             LetterWidth(number, _NUMBER_PX, at_most=True)
             add_row(self._form, f"matching_{name}", spec.label, number, spec.hint)
         self.table = QtWidgets.QLineEdit(str(table))
-        self.table.setToolTip(
-            tooltip("Table", "CSV for the matches; matches that it holds are skipped")
+        named(
+            self.table,
+            "matching_table",
+            "Table",
+            tooltip("Table", "CSV for the matches; matches that it holds are skipped"),
         )
         self.browse = page_button("matching_browse", "Choose…", "Choose the table")
         row = in_row((self.table, 1), self.browse)
         self._form.addRow("Table", row)
-        self.table.setObjectName("matching_table")
-        self.table.setAccessibleName("Table")
 
     @property
     def gain_db(self) -> float:

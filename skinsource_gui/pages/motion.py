@@ -41,7 +41,7 @@ from skinsource_gui.panels.hand.panel import HandDiagram
 from skinsource_gui.panels.hand.picture import drawing_of
 from skinsource_gui.plots.preview import ClipDrawings, ClipStrip, Lane
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.overlays import Overlay
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
 from skinsource_gui.state.document import Document
@@ -263,9 +263,7 @@ class PathRow(QtWidgets.QWidget):
         super().__init__(parent)
         self._path: tuple[int, ...] = ()
         self.field = QtWidgets.QLineEdit()
-        self.field.setObjectName("path_field")
-        self.field.setAccessibleName("Path")
-        self.field.setToolTip("Numbers of places, in their order: 16, 18, 20")
+        named(self.field, "path_field", "Path", "Numbers of places, in their order: 16, 18, 20")
         self._buttons = (
             page_button("reverse_path", "Reverse", "Reverse the order of places"),
             page_button("remove_last", "Remove last", "Remove the last place of the path"),

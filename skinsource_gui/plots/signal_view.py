@@ -42,7 +42,7 @@ from skinsource_gui.plots.plot import Plot
 from skinsource_gui.plots.ranges import Kind, Range, XAxis
 from skinsource_gui.qt.buttons import passing_menu, tool_button
 from skinsource_gui.qt.keys import KEYS, key_text
-from skinsource_gui.qt.layouts import FlowLayout, in_column
+from skinsource_gui.qt.layouts import FlowLayout, in_column, named
 from skinsource_gui.qt.overlays import Staleness
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, current_theme, drawn_in, on_paper
 
@@ -402,9 +402,7 @@ class SignalView(QtWidgets.QWidget):
         super().__init__(parent)
         self.toolbar = PlotToolbar(self)
         self.legend = LegendStrip(self)
-        self.plot = Plot(self)
-        self.plot.setObjectName(name)
-        self.plot.setAccessibleName(accessible_name)
+        self.plot = named(Plot(self), name, accessible_name)
         self.plot.setAccessibleDescription(
             "; ".join(KEYS["plot"].sentences("step", "zoom_in", "zoom_out", "whole"))
         )

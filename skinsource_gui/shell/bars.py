@@ -16,7 +16,7 @@ from skinsource.limbs.own_limbs import facts_of, missing_limb, own_limb_names
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.dataset import TITLE
-from skinsource_gui.qt.layouts import in_row
+from skinsource_gui.qt.layouts import in_row, named
 from skinsource_gui.qt.theme import UNIT_PX, icon_of
 from skinsource_gui.qt.tooltips import show_tooltip, tooltip
 from skinsource_gui.state.document import MOST_STEPS, Document, ReplaceDesign
@@ -46,8 +46,7 @@ class SetupBar(QtWidgets.QWidget):
         self._document = document
         self._limb_options: tuple[Word, ...] = LIMBS
         _, label, sentence, options = CHOICES[0]
-        self._limb = LimbField(_spec(label, sentence, options))
-        self._limb.setObjectName("limb")
+        self._limb = named(LimbField(_spec(label, sentence, options)), "limb")
         self._limb.setMinimumContentsLength(_LETTERS)
         self._limb.setMinimumWidth(_LEAST_PX)
         self._limb.setSizePolicy(
@@ -147,8 +146,7 @@ class WorkspaceButtons(QtWidgets.QWidget):
         super().__init__()
         self.setObjectName("workspaces")
         self._buttons = [_button(action, _Style.ToolButtonTextOnly) for action in actions]
-        self._menu = QtWidgets.QToolButton()
-        self._menu.setObjectName("workspace_menu")
+        self._menu = named(QtWidgets.QToolButton(), "workspace_menu")
         self._menu.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
         self._menu.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         menu = QtWidgets.QMenu(self._menu)
@@ -323,8 +321,7 @@ class HeadLine(QtWidgets.QWidget):
 
 def _button(action: QtGui.QAction, style: Qt.ToolButtonStyle) -> QtWidgets.QToolButton:
     """Return a button of an action that the keyboard reaches by its key and its menu."""
-    button = QtWidgets.QToolButton()
-    button.setObjectName(f"{action.objectName()}_button")
+    button = named(QtWidgets.QToolButton(), f"{action.objectName()}_button")
     button.setDefaultAction(action)
     button.setToolButtonStyle(style)
     button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
@@ -332,7 +329,6 @@ def _button(action: QtGui.QAction, style: Qt.ToolButtonStyle) -> QtWidgets.QTool
 
 
 def _line() -> QtWidgets.QFrame:
-    line = QtWidgets.QFrame()
-    line.setObjectName("bar_line")
+    line = named(QtWidgets.QFrame(), "bar_line")
     line.setFixedWidth(1)
     return line

@@ -17,7 +17,7 @@ from skinsource.design.signal_path import unplayable_text
 from skinsource.design.view import View
 from skinsource.limbs.dataset.store import StoreInfo
 from skinsource_gui.qt.buttons import page_button, page_label, tool_button
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.questions import ask_yes
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.windows import WindowEvents
@@ -66,11 +66,9 @@ class Notice(QObject):
     def __init__(self, window: QtWidgets.QMainWindow) -> None:
         super().__init__(window)
         self._window, self._passes = window, False
-        self.card = QtWidgets.QFrame(window)
-        self.card.setObjectName("notice")
+        self.card = named(QtWidgets.QFrame(window), "notice")
         self._label = page_label("notice_text")
-        self._picture = QtWidgets.QLabel()
-        self._picture.setObjectName("notice_picture")
+        self._picture = named(QtWidgets.QLabel(), "notice_picture")
         self._choices: list[QtWidgets.QPushButton] = []
         self._close = tool_button(None, "close_notice", "✕", "Close this notice")
         self._close.setAccessibleName("Close this notice")

@@ -29,7 +29,7 @@ from skinsource_gui.fields.rig_field import RESPONSE_FILES
 from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.pages.rig.measuring import MeasurePage
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.questions import ask_open, ask_to_save
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.document import Document
@@ -188,16 +188,11 @@ class RigPage(ToolPage):
         settings.look_for_rig()
         self.rig = self._saved = settings.rig or Rig()
         self.path = settings.rig_path if settings.rig is not None else None
-        self._title = QtWidgets.QLineEdit()
-        self._title.setObjectName("rig_title")
-        self._title.setAccessibleName("Title")
+        self._title = named(QtWidgets.QLineEdit(), "rig_title", "Title")
         self._title.setPlaceholderText("Title of the rig")
-        self.channels = QtWidgets.QListWidget()
-        self.channels.setObjectName("rig_channels")
-        self.channels.setAccessibleName("Channels")
+        self.channels = named(QtWidgets.QListWidget(), "rig_channels", "Channels")
         self.fields = ChannelFields(self)
-        self._use = QtWidgets.QCheckBox("Use for this design")
-        self._use.setObjectName("rig_use")
+        self._use = named(QtWidgets.QCheckBox("Use for this design"), "rig_use")
         self._use.setChecked(True)
         self._lay_out()
         self._connect()

@@ -45,7 +45,7 @@ from skinsource_gui.pages.files.exports import STIMULUS, STIMULUS_SET
 from skinsource_gui.pages.page import RowTable
 from skinsource_gui.pages.stimulus.form import Order, StimulusForm, recall, remembered
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled, show_or_hide
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.overlays import PALE, Staleness
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
 from skinsource_gui.state.worker import fault_text
@@ -60,14 +60,13 @@ class ChannelsView(QtWidgets.QWidget):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setObjectName("stimulus_channels")
+        named(self, "stimulus_channels", "Channels as they will be written")
         #: The channels that are painted.
         self.channels: tuple[ChannelOverview, ...] = ()
         self._colours: Mapping[int, int] = {}
         self.setSizePolicy(
             QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Fixed
         )
-        self.setAccessibleName("Channels as they will be written")
 
     def sizeHint(self) -> QSize:
         return QSize(_TEXT_PX + 2 * _LEAST_PX, len(self.channels) * (_ROW_PX + _GAP_PX))
@@ -174,8 +173,7 @@ class PreparingBar(QtWidgets.QProgressBar):
 
     def __init__(self) -> None:
         super().__init__()
-        self.setObjectName("stimulus_progress")
-        self.setAccessibleName("Progress")
+        named(self, "stimulus_progress", "Progress")
         self.setFormat("Computing… %p %")
         self.setFixedWidth(_TEXT_PX)
         policy = self.sizePolicy()
@@ -242,8 +240,7 @@ class StimulusPart(ExportPart):
         self._notes = page_label("stimulus_loses", tone="dim")
         self._notes.setTextFormat(Qt.TextFormat.PlainText)
         self._preparing = PreparingBar()
-        self._confirm = QtWidgets.QCheckBox("Write anyway")
-        self._confirm.setObjectName("stimulus_confirm")
+        self._confirm = named(QtWidgets.QCheckBox("Write anyway"), "stimulus_confirm")
         self._confirm.hide()
         self._mend = page_button("stimulus_mend", "", "Change the design so that it can be played")
         self._mend.clicked.connect(lambda: self.mended.emit(self._mending))

@@ -17,7 +17,7 @@ from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.panels.analysis.settings import SHOWN, VIEWS, AnalysisSettings
 from skinsource_gui.panels.analysis.view import AnalysisView
 from skinsource_gui.plots.figure import NoteLabel
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, letter_scale
 from skinsource_gui.state.compared import Compared
@@ -62,8 +62,7 @@ class AnalysisPanel(Panel):
         # Whether the view was chosen since results came.
         self._just_chosen = False
         self._folder = Path()
-        self.choice = ChoiceField(SHOWN, self)
-        self.choice.setObjectName(f"{self.name}_view")
+        self.choice = named(ChoiceField(SHOWN, self), f"{self.name}_view")
         self.choice.edited.connect(self._choose)
         self.answer = NoteLabel(f"{self.name}_answer")
         self.copy = CopyButton(self.name, lambda: self.view.table_text(), self)

@@ -64,7 +64,7 @@ from skinsource_gui.qt.buttons import (
     tool_button,
 )
 from skinsource_gui.qt.labels import HOW_TO_SELECT_INPUT, FittingLabel, how_to_add
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.tooltips import show_tooltip, tooltip
 from skinsource_gui.state.panel import Panel
@@ -75,10 +75,8 @@ def _button_cell(
 ) -> LabelledCell:
     """Return a cell with a button that leads to where a value is changed."""
     cell = LabelledCell(label)
-    button = QtWidgets.QPushButton(text, cell)
-    button.setObjectName(name)
+    button = named(QtWidgets.QPushButton(text, cell), name, hint=tooltip(hint))
     button.setMinimumHeight(LABEL_PX)
-    button.setToolTip(tooltip(hint))
     button.clicked.connect(lambda: clicked.emit())
     cell.stack.addWidget(button, 0, Qt.AlignmentFlag.AlignLeft)
     cell.label.setBuddy(button)
@@ -183,14 +181,11 @@ class InputFields(QObject):
         self._gain = FieldCell("gain", GAIN, edited=self.edited)
         self._curve = FieldCell("gain_curve", GAIN_CURVE, edited=self.edited)
         self._peak = TextCell("Peak", "")
-        self._peak.text_label.setObjectName("peak")
-        self._peak.text_label.setToolTip("Peak of the whole track, with its gain")
+        named(self._peak.text_label, "peak", hint="Peak of the whole track, with its gain")
         self._played_length = TextCell("Played", "")
-        self._played_length.text_label.setObjectName("played_length")
-        self._played_length.text_label.setToolTip("Duration after effects")
+        named(self._played_length.text_label, "played_length", hint="Duration after effects")
         self._played_hz = TextCell("Played", "")
-        self._played_hz.text_label.setObjectName("played_hz")
-        self._played_hz.text_label.setToolTip("Frequency after effects")
+        named(self._played_hz.text_label, "played_hz", hint="Frequency after effects")
 
     def show_input(
         self,
@@ -346,8 +341,7 @@ class ClipHeading(QtWidgets.QWidget):
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._swatch = Swatch()
-        self._title = FittingLabel()
-        self._title.setObjectName("inspector_heading")
+        self._title = named(FittingLabel(), "inspector_heading")
         self._title.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         self._title.setSizePolicy(
             QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Preferred

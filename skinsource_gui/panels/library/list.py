@@ -30,7 +30,7 @@ from skinsource_gui.fields.kinds import SHARPEST, drawn_path
 from skinsource_gui.plots.preview import ClipStrip, SpectrumPreview, strip_lanes
 from skinsource_gui.qt.buttons import scrolled
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
-from skinsource_gui.qt.layouts import in_column
+from skinsource_gui.qt.layouts import in_column, named
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 
 _Role = Qt.ItemDataRole
@@ -186,8 +186,7 @@ class PresetList(QtWidgets.QListView):
         self._message = ""
         self._under: Entry | None = None
         self._delegate = PresetDelegate(self)
-        self.setObjectName("preset_rows")
-        self.setAccessibleName("Presets")
+        named(self, "preset_rows", "Presets")
         self.setModel(model)
         self.setItemDelegate(self._delegate)
         self.setUniformItemSizes(True)

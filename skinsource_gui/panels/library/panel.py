@@ -19,7 +19,7 @@ from skinsource_gui.panels.library.list import PresetList, PresetPreview, Preset
 from skinsource_gui.qt.buttons import page_button, page_label, passing_menu
 from skinsource_gui.qt.fitting import FoldingRow
 from skinsource_gui.qt.keys import KEYS, key_text
-from skinsource_gui.qt.layouts import in_row
+from skinsource_gui.qt.layouts import in_row, named
 from skinsource_gui.qt.questions import ask_yes
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.panel import Panel
@@ -84,9 +84,7 @@ class SearchRow(QtWidgets.QWidget):
         self.line.setClearButtonEnabled(True)
         self.line.textChanged.connect(self.changed)
         self.line.installEventFilter(self)
-        self.tags.setObjectName("preset_tags")
-        self.tags.setAccessibleName("Tag")
-        self.tags.setToolTip("Only presets with this tag")
+        named(self.tags, "preset_tags", "Tag", "Only presets with this tag")
         self.tags.addItem(_ALL)
         self.tags.currentIndexChanged.connect(self.changed)
         in_row((self.line, 3), (self.tags, 2), of=self, margins=0)

@@ -47,7 +47,7 @@ from skinsource_gui.panels.output.figures import (
 from skinsource_gui.panels.output.settings import OutputSettings
 from skinsource_gui.plots.signal_view import ResponseView
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled, show_or_hide, tool_button
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.panel import Panel
 from skinsource_gui.state.playing import Played
@@ -245,8 +245,7 @@ class OutputPanel(Panel):
         self.choices = ActuatorChoices(self)
         self.choices.changed.connect(self._choose)
         self.choices.open.clicked.connect(partial(self.action_requested.emit, "open_response"))
-        self.through = QtWidgets.QCheckBox(_THROUGH)
-        self.through.setObjectName("actuator_through")
+        self.through = named(QtWidgets.QCheckBox(_THROUGH), "actuator_through")
         self.through.clicked.connect(self._go_through)
         self.through_text = page_label("actuator_through_words", tone="dim")
         self.figures = DemandView()
