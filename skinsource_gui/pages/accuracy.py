@@ -177,7 +177,16 @@ class AccuracyPage(ToolPage):
         )
         self._close = self.add_button("close_page", "Close", "Close this page (Esc)", self.close)
         self._lay_out()
-        self._connect()
+        self._status.changed.connect(self._refresh)
+        self._document.changed.connect(self._name_limb)
+        self.table.currentCellChanged.connect(self._choose)
+        self.plot.reading.connect(self.say_reading)
+        self.run.progressed.connect(self._follow)
+        self.run.changed.connect(self._show_running)
+        self.run.done.connect(self._take)
+        self.run.failed.connect(self.complain)
+        self.run.cancelled.connect(lambda: self.say(_CANCELLED))
+        self.finished.connect(self._give_up)
         self._name_limb()
         self._show_rows(())
 
@@ -200,18 +209,6 @@ class AccuracyPage(ToolPage):
         limb.setBuddy(self._limb)
         below = in_row((self.message, 1), limb, self._limb, self._measure, self._save, self._close)
         in_column(meaning, self.now, (split, 1), below, of=self)
-
-    def _connect(self) -> None:
-        self._status.changed.connect(self._refresh)
-        self._document.changed.connect(self._name_limb)
-        self.table.currentCellChanged.connect(self._choose)
-        self.plot.reading.connect(self.say_reading)
-        self.run.progressed.connect(self._follow)
-        self.run.changed.connect(self._show_running)
-        self.run.done.connect(self._take)
-        self.run.failed.connect(self.complain)
-        self.run.cancelled.connect(lambda: self.say(_CANCELLED))
-        self.finished.connect(self._give_up)
 
     def _refresh(self) -> None:
         if self.isVisible():

@@ -327,7 +327,17 @@ class CheckingPage(ToolPage):
             "close_page", "Close", "Close, and stop the check", self.close
         )
         self._lay_out()
-        self._connect()
+        # Results hold for the axes and the rate that they were computed with.
+        self.axes.edited.connect(self._begin_anew)
+        self.rate.edited.connect(self._begin_anew)
+        for box in self.boxes:
+            box.reading.connect(self.say_reading)
+        self.run.changed.connect(self._show)
+        self.run.progressed.connect(lambda _, progress: self.say(f"{progress.text}…"))
+        self.run.done.connect(self._take)
+        self.run.failed.connect(self.complain)
+        self.run.cancelled.connect(lambda: self.say("Cancelled. Nothing was changed."))
+        self.finished.connect(self.run.give_up)
         self._show()
 
     @property
@@ -393,19 +403,6 @@ class CheckingPage(ToolPage):
         below = in_row((self.message, 1), self._check, self._save, self._close)
         top = in_column(bar, (self.table, 1), gap_px=UNIT_PX)
         in_column((top, 2), (plots, 3), below, of=self, gap_px=UNIT_PX)
-
-    def _connect(self) -> None:
-        # Results hold for the axes and the rate that they were computed with.
-        self.axes.edited.connect(self._begin_anew)
-        self.rate.edited.connect(self._begin_anew)
-        for box in self.boxes:
-            box.reading.connect(self.say_reading)
-        self.run.changed.connect(self._show)
-        self.run.progressed.connect(lambda _, progress: self.say(f"{progress.text}…"))
-        self.run.done.connect(self._take)
-        self.run.failed.connect(self.complain)
-        self.run.cancelled.connect(lambda: self.say("Cancelled. Nothing was changed."))
-        self.finished.connect(self.run.give_up)
 
     def _begin_anew(self) -> None:
         """Clear the results and the message about them."""

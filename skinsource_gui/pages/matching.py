@@ -429,8 +429,17 @@ class MatchingPage(ToolPage):
             partial(self._start, rehearsal=True),
         )
         self._close = self.add_button("matching_close", "Close", "Stored matches stay", self.reject)
-        self._lay_out()
-        self._connect()
+        setup = QtWidgets.QWidget()
+        about = page_label("matching_about", _INTRODUCTION)
+        in_column(about, self.form, self.message, None, of=setup, margins=0, gap_px=2 * UNIT_PX)
+        self._stack.addWidget(setup)
+        self._stack.addWidget(self.view)
+        foot = in_row(self._arm, None, self._begin, self._rehearse, self._close)
+        in_column((self._stack, 1), foot, of=self)
+        self.form.browse.clicked.connect(self._choose_table)
+        self.view.requested.connect(self._act)
+        self.player.began.connect(self._show_began)
+        self.player.ended.connect(self._show_ended)
         self._show_armed(False)
 
     def done(self, result: int) -> None:
@@ -451,21 +460,6 @@ class MatchingPage(ToolPage):
             self._stopped_s = monotonic()
             return False
         return monotonic() - self._stopped_s >= _HURRY_S
-
-    def _lay_out(self) -> None:
-        setup = QtWidgets.QWidget()
-        about = page_label("matching_about", _INTRODUCTION)
-        in_column(about, self.form, self.message, None, of=setup, margins=0, gap_px=2 * UNIT_PX)
-        self._stack.addWidget(setup)
-        self._stack.addWidget(self.view)
-        foot = in_row(self._arm, None, self._begin, self._rehearse, self._close)
-        in_column((self._stack, 1), foot, of=self)
-
-    def _connect(self) -> None:
-        self.form.browse.clicked.connect(self._choose_table)
-        self.view.requested.connect(self._act)
-        self.player.began.connect(self._show_began)
-        self.player.ended.connect(self._show_ended)
 
     def _choose_table(self) -> None:
         name, _ = QtWidgets.QFileDialog.getSaveFileName(

@@ -354,7 +354,13 @@ class MotionPage(ToolPage):
             "cancel_motion", "Cancel", "Close; nothing is changed", self.reject
         )
         self._lay_out()
-        self._connect()
+        self.draft.changed.connect(self._show)
+        self.hand.add_requested.connect(self.path_row.append)
+        self.hand.remove_requested.connect(self.path_row.remove_last)
+        self.path_row.path_changed.connect(self.draft.change_path)
+        self.path_row.misread.connect(self._show_problem)
+        self.path_row.finished.connect(self._show_lanes)
+        self.fields.edited.connect(self.draft.change)
         self._show()
 
     def _lay_out(self) -> None:
@@ -368,15 +374,6 @@ class MotionPage(ToolPage):
             (scroll, 3), self._summary, (self.strip, 2), self._about, ends, gap_px=UNIT_PX
         )
         in_row((left, 4), (right, 7), of=self, gap_px=2 * UNIT_PX)
-
-    def _connect(self) -> None:
-        self.draft.changed.connect(self._show)
-        self.hand.add_requested.connect(self.path_row.append)
-        self.hand.remove_requested.connect(self.path_row.remove_last)
-        self.path_row.path_changed.connect(self.draft.change_path)
-        self.path_row.misread.connect(self._show_problem)
-        self.path_row.finished.connect(self._show_lanes)
-        self.fields.edited.connect(self.draft.change)
 
     def _keep(self) -> None:
         outcome = self.draft.outcome(self._document.design, self._document.view)

@@ -232,11 +232,9 @@ class Conditions(QObject):
                 self._show_outcome(None)
             else:
                 self._idle.start()
-        elif request.place == (FIRST_SLOT, Purpose.JUDGE) and self._is_shown(request):
-            self._show_outcome(outcome)
-
-    def _is_shown(self, request: Request) -> bool:
-        return self._shown is not None and request.given == self._shown.given
+        elif request.place == (FIRST_SLOT, Purpose.JUDGE) and self._shown is not None:
+            if request.given == self._shown.given:  # the design did not change meanwhile
+                self._show_outcome(outcome)
 
     def _judge(self) -> None:
         if self._shown is not None and self.chip.window().isVisible():

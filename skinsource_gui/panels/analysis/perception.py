@@ -179,8 +179,17 @@ class PerceptionView(OutputTableView):
         self.model = tool_button(self, "perception_model", "Use the model", hint)
         self.contact = page_label("perception_contact", tone="dim")
         self.limits = page_label("perception_limits", LIMITS, tone="dim")
-        self._lay_out()
-        self._connect()
+        gap_px = UNIT_PX // 2
+        area = grouped(self.area_label, self.area, None, gap_px=gap_px)
+        thresholds = grouped(self.own, self.model, None, gap_px=gap_px)
+        bar = FoldingRow((area, thresholds), gap_px)
+        parts = (bar, (self.stack, 1), self.contact, self.limits)
+        margins = (UNIT_PX // 2, 1, UNIT_PX // 2, UNIT_PX // 2)
+        in_column(*parts, of=self, margins=margins, gap_px=UNIT_PX // 2)
+        self.area.edited.connect(lambda area_cm2, _: self._change(area_cm2=area_cm2))
+        self.own.clicked.connect(self._ask)
+        message = "Thresholds are those of the model"
+        self.model.clicked.connect(lambda: self._change(message, table=(), source=""))
         self.say_instead(self.no_outputs)
 
     @property
@@ -246,21 +255,6 @@ class PerceptionView(OutputTableView):
             return
         message = f"Thresholds are those of {printable(path.name)}"
         self._change(message, table=settings_table(table), source=path.name[:200])
-
-    def _lay_out(self) -> None:
-        gap_px = UNIT_PX // 2
-        area = grouped(self.area_label, self.area, None, gap_px=gap_px)
-        thresholds = grouped(self.own, self.model, None, gap_px=gap_px)
-        bar = FoldingRow((area, thresholds), gap_px)
-        parts = (bar, (self.stack, 1), self.contact, self.limits)
-        margins = (UNIT_PX // 2, 1, UNIT_PX // 2, UNIT_PX // 2)
-        in_column(*parts, of=self, margins=margins, gap_px=UNIT_PX // 2)
-
-    def _connect(self) -> None:
-        self.area.edited.connect(lambda area_cm2, _: self._change(area_cm2=area_cm2))
-        self.own.clicked.connect(self._ask)
-        message = "Thresholds are those of the model"
-        self.model.clicked.connect(lambda: self._change(message, table=(), source=""))
 
     def _ask(self) -> None:
         path = ask_open(self, "Own thresholds", "CSV (*.csv)", self._folder)

@@ -392,7 +392,10 @@ class ClipEditorPanel(Panel):
         self._stack.addWidget(inside)
         self.setMinimumSize(260, 176)
         self.setFocusProxy(self._canvas)
-        self._connect()
+        self._toolbar.tool_requested.connect(self.use)
+        self._toolbar.fit.clicked.connect(self._canvas.show_everything)
+        self._canvas.key_pressed.connect(self._press)
+        self._view_tool.pan_requested.connect(self._canvas.pan)
 
     @property
     def needs(self) -> frozenset[str]:
@@ -445,12 +448,6 @@ class ClipEditorPanel(Panel):
         self._toolbar.show_tool(tool)
         if self.clip is not None:
             self._show_text(self.clip)
-
-    def _connect(self) -> None:
-        self._toolbar.tool_requested.connect(self.use)
-        self._toolbar.fit.clicked.connect(self._canvas.show_everything)
-        self._canvas.key_pressed.connect(self._press)
-        self._view_tool.pan_requested.connect(self._canvas.pan)
 
     def _show(self) -> None:
         clip = self.clip

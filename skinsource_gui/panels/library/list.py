@@ -196,7 +196,7 @@ class PresetList(QtWidgets.QListView):
         self.setEditTriggers(QtWidgets.QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setDragEnabled(True)
         self.setDragDropMode(QtWidgets.QAbstractItemView.DragDropMode.DragOnly)
-        self.doubleClicked.connect(self._place)
+        self.doubleClicked.connect(lambda index: self.place_requested.emit(index.data(ENTRY)))
 
     @property
     def current(self) -> Entry | None:
@@ -356,9 +356,6 @@ def _facts(preset: Preset, limb: str) -> str:
         n = len(lanes[0].clips)
         return length if n == 1 else f"{length}, {n} clips"
     places = (lane.location for lane in lanes)
-    names = (input_name(k, limb).short_name if _exists(k, limb) else str(k) for k in places)
+    known = facts_of(limb).n_inputs
+    names = (input_name(k, limb).short_name if k <= known else str(k) for k in places)
     return f"{length}, {len(lanes)} tracks: {', '.join(names)}"
-
-
-def _exists(place: int, limb: str) -> bool:
-    return place <= facts_of(limb).n_inputs
