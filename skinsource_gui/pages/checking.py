@@ -39,7 +39,7 @@ from skinsource_gui.fields.units import minus
 from skinsource_gui.pages.page import RowTable, ToolPage
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
 from skinsource_gui.plots.ranges import Tick
-from skinsource_gui.qt.fitting import LetterWidth
+from skinsource_gui.qt.fitting import fit_to_letters
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import ask_open
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
@@ -396,7 +396,7 @@ class CheckingPage(ToolPage):
         for field, spec, width_px in ((self.axes, _AXES, 150), (self.rate, _RATE, 110)):
             label = QtWidgets.QLabel(spec.label)
             label.setBuddy(field)
-            LetterWidth(field, width_px)
+            fit_to_letters(field, width_px)
             bar.addWidget(label)
             bar.addWidget(field)
         plots = in_row(*((box, 1) for box in self.boxes))

@@ -29,7 +29,7 @@ from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.units import read_numbers
 from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.qt.buttons import page_button, page_label, progress_bar
-from skinsource_gui.qt.fitting import LetterWidth
+from skinsource_gui.qt.fitting import fit_to_letters
 from skinsource_gui.qt.keys import KEYS
 from skinsource_gui.qt.layouts import add_row, form_of, in_column, in_row, named
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
@@ -208,7 +208,7 @@ class SetupForm(QtWidgets.QWidget):
                 spec = replace(spec, unit=drive_unit)
             number = self._numbers[name] = NumberField(spec)
             number.set_value(gain_db if name == "gain_db" else _FIRST[name])
-            LetterWidth(number, _NUMBER_PX, at_most=True)
+            fit_to_letters(number, _NUMBER_PX, at_most=True)
             add_row(self._form, f"matching_{name}", spec.label, number, spec.hint)
         self.table = QtWidgets.QLineEdit(str(table))
         named(

@@ -301,7 +301,6 @@ class WaveformPreview(_Preview):
 
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         painter = QtGui.QPainter(self)
-        drawn = not self.message and self._samples is not None and self._samples.size > 0
         if self.message:
             painter.setPen(QtGui.QColor(current_theme().dim))
             # The tooltip has the whole message.
@@ -309,7 +308,7 @@ class WaveformPreview(_Preview):
             text = metrics.elidedText(self.message, right, self.width())
             painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, text)
             return
-        if not drawn or self._samples is None:
+        if self._samples is None or not self._samples.size:
             return
         plot = QRectF(self.rect()).adjusted(_MARGIN_PX, 2, -_MARGIN_PX, -2)
         painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().border), 1))

@@ -26,7 +26,7 @@ from skinsource.perception.thresholds import (
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.analysis.table import OutputTableView, TableRow
 from skinsource_gui.qt.buttons import page_label, tool_button
-from skinsource_gui.qt.fitting import FoldingRow, LetterWidth, grouped
+from skinsource_gui.qt.fitting import FoldingRow, fit_to_letters, grouped
 from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.questions import ask_open, copied_level, tab_separated
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
@@ -170,7 +170,7 @@ class PerceptionView(OutputTableView):
         self._weighted: Weighted = None
         self._folder = Path()
         self.area = NumberField(AREA, widest_unit="cm²")
-        LetterWidth(self.area, _MOST_AREA_PX, at_most=True)
+        fit_to_letters(self.area, _MOST_AREA_PX, at_most=True)
         self.area_label = QtWidgets.QLabel("Vibrating area")
         self.area_label.setBuddy(self.area)
         set_tone(self.area_label, "dim")

@@ -180,12 +180,9 @@ class InputFields(QObject):
         self._onset = FieldCell("onset_s", ONSET, edited=self.edited)
         self._gain = FieldCell("gain", GAIN, edited=self.edited)
         self._curve = FieldCell("gain_curve", GAIN_CURVE, edited=self.edited)
-        self._peak = TextCell("Peak", "")
-        named(self._peak.text_label, "peak", hint="Peak of the whole track, with its gain")
-        self._played_length = TextCell("Played", "")
-        named(self._played_length.text_label, "played_length", hint="Duration after effects")
-        self._played_hz = TextCell("Played", "")
-        named(self._played_hz.text_label, "played_hz", hint="Frequency after effects")
+        self._peak = TextCell("Peak", "", "peak", "Peak of the whole track, with its gain")
+        self._played_length = TextCell("Played", "", "played_length", "Duration after effects")
+        self._played_hz = TextCell("Played", "", "played_hz", "Frequency after effects")
 
     def show_input(
         self,

@@ -189,8 +189,7 @@ class LibraryPanel(Panel):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self._design: Design | None = None
-        self._view = View()
+        self._design, self._view = Design(limb=""), View()
         self.folders = PresetFolders(self)
         self.model = PresetsModel(self)
         self.search, self.rows = SearchRow(), PresetList(self.model)
@@ -260,7 +259,7 @@ class LibraryPanel(Panel):
 
     def place(self, entry: Entry | None) -> None:
         """Place a preset at the playhead, on the selected track."""
-        if entry is not None and self._design is not None:
+        if entry is not None:
             preset = entry.preset
             self.edited.emit(
                 edits.place_fragment(self._design, self._view, preset.fragment, preset.name), None
