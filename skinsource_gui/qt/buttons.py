@@ -86,6 +86,15 @@ def tool_button(
     return button
 
 
+def menu_of(button: QtWidgets.QToolButton) -> QtWidgets.QMenu:
+    """Return a new menu, which a button opens that the Tab key reaches."""
+    menu = QtWidgets.QMenu(button)
+    button.setMenu(menu)
+    button.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
+    button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+    return menu
+
+
 class Fold(QtWidgets.QToolButton):
     """A title with an arrow, which shows or hides what stands below it; folded at first."""
 

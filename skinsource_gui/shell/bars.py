@@ -16,6 +16,7 @@ from skinsource.limbs.own_limbs import facts_of, missing_limb, own_limb_names
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.dataset import TITLE
+from skinsource_gui.qt.buttons import menu_of
 from skinsource_gui.qt.layouts import in_row, named
 from skinsource_gui.qt.theme import UNIT_PX, icon_of
 from skinsource_gui.qt.tooltips import show_tooltip, tooltip
@@ -147,11 +148,7 @@ class WorkspaceButtons(QtWidgets.QWidget):
         self.setObjectName("workspaces")
         self._buttons = [_button(action, _Style.ToolButtonTextOnly) for action in actions]
         self._menu = named(QtWidgets.QToolButton(), "workspace_menu")
-        self._menu.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
-        self._menu.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        menu = QtWidgets.QMenu(self._menu)
-        menu.addActions(list(actions))
-        self._menu.setMenu(menu)
+        menu_of(self._menu).addActions(list(actions))
         in_row(*self._buttons, self._menu, of=self, margins=0, gap_px=2)
         for action in actions:
             action.toggled.connect(self._name)

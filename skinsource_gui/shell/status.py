@@ -25,7 +25,7 @@ from skinsource_gui.panels.skin.settings import (
     SkinSettings,
     Z,
 )
-from skinsource_gui.qt.buttons import page_button, progress_bar
+from skinsource_gui.qt.buttons import menu_of, page_button, progress_bar
 from skinsource_gui.qt.labels import FittingLabel
 from skinsource_gui.qt.layouts import in_row, named
 from skinsource_gui.qt.overlays import Overlay, Staleness
@@ -317,11 +317,7 @@ class MatchNote(QtWidgets.QToolButton):
         super().__init__(parent)
         self.setObjectName("match_note")
         self.setAutoRaise(True)
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
-        menu = QtWidgets.QMenu(self)
-        menu.addActions(list(actions))
-        self.setMenu(menu)
+        menu_of(self).addActions(list(actions))
         self._frame: MatchFrame | None = None
         self.hide()
 

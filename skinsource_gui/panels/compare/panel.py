@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any, ClassVar
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QRectF, QSize, Signal
 
 from skinsource.design import edits
 from skinsource.design.comparing import (
@@ -36,7 +36,7 @@ from skinsource_gui.panels.compare.settings import (
 )
 from skinsource_gui.panels.compare.view import paint_page
 from skinsource_gui.plots.figure import NoteLabel
-from skinsource_gui.qt.buttons import tool_button
+from skinsource_gui.qt.buttons import menu_of, tool_button
 from skinsource_gui.qt.fitting import FoldingRow
 from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.questions import CopyButton
@@ -63,11 +63,8 @@ class LimbsButton(QtWidgets.QToolButton):
         self.setText("Limbs…")
         # The dots in the text show that a menu opens.
         self.setStyleSheet("QToolButton::menu-indicator { image: none; }")
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.menu_of_limbs = QtWidgets.QMenu(self)
+        self.menu_of_limbs = menu_of(self)
         self.menu_of_limbs.aboutToShow.connect(self.fill)
-        self.setMenu(self.menu_of_limbs)
 
     def show_chosen(self, chosen: Sequence[str], *, usual: bool) -> None:
         """Take over which limbs are shown, and whether these are the usual ones."""

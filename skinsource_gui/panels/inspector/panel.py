@@ -57,6 +57,7 @@ from skinsource_gui.plots.preview import WaveformPreview
 from skinsource_gui.qt.buttons import (
     Fold,
     Swatch,
+    menu_of,
     mute_button,
     page_label,
     scrolled,
@@ -116,16 +117,13 @@ class Meaning(QtWidgets.QToolButton):
         super().__init__()
         self.setObjectName("scaling")
         self.setAutoRaise(True)
-        self.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         set_tone(self, "dim")
-        menu = QtWidgets.QMenu(self)
+        menu = menu_of(self)
         menu.setToolTipsVisible(True)
         self._actions = {word.name: menu.addAction(word.title) for word in SCALINGS}
         for name, action in self._actions.items():
             action.setCheckable(True)
             action.triggered.connect(lambda _=False, name=name: self.chosen.emit(name))
-        self.setMenu(menu)
 
     def show_scaling(self, design: Design) -> None:
         """Show that of a design, as it is meant on its limb."""
