@@ -46,7 +46,7 @@ class EndSignals(QObject):
         for name in _SIGNALS:
             number = getattr(signal, name, None)  # Windows has no SIGHUP
             if number is not None:
-                signal.signal(number, _ignore_signal)
+                signal.signal(number, lambda *_: None)
         self._notifier = QSocketNotifier(self._ours.fileno(), QSocketNotifier.Type.Read, self)
         self._notifier.activated.connect(self._receive)
 
@@ -64,10 +64,6 @@ def end_if_stuck(result: int) -> None:
         sys.stdout.flush()
         sys.stderr.flush()
         os._exit(result)
-
-
-def _ignore_signal(_number: int, _frame: object) -> None:
-    pass
 
 
 _LOOK_EVERY_MS = 1000

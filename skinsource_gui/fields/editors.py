@@ -28,6 +28,7 @@ from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.parts import PartsEditor
 from skinsource_gui.fields.text_field import LiveText
 from skinsource_gui.fields.units import value_text
+from skinsource_gui.qt.layouts import named
 from skinsource_gui.qt.tooltips import tooltip
 
 
@@ -36,8 +37,7 @@ class SwitchField(Editor, QtWidgets.QCheckBox):
 
     def __init__(self, spec: SwitchSpec, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
-        self.setAccessibleName(spec.label)
-        self.setToolTip(tooltip(spec.label, spec.hint))
+        named(self, title=spec.label, hint=tooltip(spec.label, spec.hint))
         self.clicked.connect(lambda on: self.edited.emit(on, None))
 
     def set_value(self, value: bool) -> None:
@@ -52,8 +52,7 @@ class TextLine(Editor, QtWidgets.QLineEdit):
         super().__init__(parent)
         self._shown = ""
         self.setMaxLength(spec.longest)
-        self.setAccessibleName(spec.label)
-        self.setToolTip(tooltip(spec.label, spec.hint))
+        named(self, title=spec.label, hint=tooltip(spec.label, spec.hint))
         self.editingFinished.connect(self._tell)
 
     def set_value(self, value: str) -> None:
@@ -76,8 +75,7 @@ class ValueLabel(Editor, QtWidgets.QLabel):
 
     def __init__(self, spec: Spec, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
-        self.setAccessibleName(spec.label)
-        self.setToolTip(tooltip(spec.label, spec.hint))
+        named(self, title=spec.label, hint=tooltip(spec.label, spec.hint))
         of = spec.of if isinstance(spec, OptionalSpec) else spec
         self._unit = of.unit if isinstance(of, NumberSpec) else None
 

@@ -4,13 +4,14 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from PySide6 import QtWidgets
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QSize, Qt, Signal
 
 from skinsource.specs.spec import Spec
 from skinsource_gui.fields.editor import NewEditor
 from skinsource_gui.qt.buttons import page_label, show_or_hide
-from skinsource_gui.qt.fitting import LayoutWatcher
+from skinsource_gui.qt.layouts import named
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
+from skinsource_gui.qt.windows import WindowEvents
 
 #: Height of a label, and of one line of a field.
 LABEL_PX = 26
@@ -66,9 +67,9 @@ def discard(cells: Sequence[LabelledCell], heir: QtWidgets.QWidget | None) -> No
 class TextCell(LabelledCell):
     """A label and a text that cannot be edited."""
 
-    def __init__(self, label: str, text: str, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(label, parent)
-        self.text_label = page_label("fixed_length", text)
+    def __init__(self, label: str, text: str, name: str = "fixed_length", hint: str = "") -> None:
+        super().__init__(label)
+        self.text_label = named(page_label(name, text), hint=hint)
         self.text_label.setMinimumHeight(LABEL_PX)
         self.stack.addWidget(self.text_label)
 
@@ -185,6 +186,7 @@ class EditedCell(LabelledCell):
 # Labels of all grids are at least so many letters wide, so that fields stand below each other.
 _LABEL_LETTERS = 11
 _ANY_HEIGHT_PX = 16_777_215
+_Event = QEvent.Type
 
 
 class FieldGrid(QtWidgets.QWidget):
@@ -199,7 +201,10 @@ class FieldGrid(QtWidgets.QWidget):
         self._grid.setHorizontalSpacing(UNIT_PX)
         self._grid.setVerticalSpacing(UNIT_PX // 4)
         self._grid.setColumnStretch(1, 1)
-        LayoutWatcher(self).changed.connect(self._fold)
+        # It may be wider, or the texts in it may.
+        WindowEvents.follow(
+            self, self._fold, _Event.Resize, _Event.LayoutRequest, _Event.FontChange
+        )
 
     def set_margins(self, left: int, top: int, right: int, bottom: int) -> None:
         """Set the margins around the cells, px."""
@@ -230,7 +235,7 @@ class FieldGrid(QtWidgets.QWidget):
         least = fields + margins.left() + margins.right()
         return super().minimumSizeHint().boundedTo(QSize(least, _ANY_HEIGHT_PX))
 
-    def _fold(self) -> None:
+    def _fold(self, _event: QEvent) -> None:
         above = self.width() < self._paired_px
         if above != self._above:
             self._above = above

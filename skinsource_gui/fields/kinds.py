@@ -28,6 +28,7 @@ from skinsource.design.waveforms.wavelets import Chirplet, Gabor
 from skinsource.specs.samples import Samples
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.qt.layouts import named
 from skinsource_gui.qt.theme import Theme, current_theme
 
 #: Size of an icon, px.
@@ -152,8 +153,7 @@ def fill_kind_menu(
     others = [kind for kind in kinds() if kind not in COMMON]
     if not others:
         return
-    more = menu.addMenu(MORE)
-    more.setObjectName("more_kinds")
+    more = named(menu.addMenu(MORE), "more_kinds")
     _show_pictures(more)
     for kind in others:
         _add(more, kind, choose, current)
@@ -201,8 +201,7 @@ class KindField(ChoiceField):
 
     def showPopup(self) -> None:
         self.hidePopup()
-        menu = QtWidgets.QMenu(self)
-        menu.setObjectName("kind_menu")
+        menu = named(QtWidgets.QMenu(self), "kind_menu")
         fill_kind_menu(menu, self.choose, current=self.value)
         menu.setMinimumWidth(self.width())
         menu.aboutToHide.connect(menu.deleteLater)

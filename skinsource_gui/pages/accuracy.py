@@ -30,7 +30,7 @@ from skinsource_gui.fields.choice_field import DropDown
 from skinsource_gui.pages.page import RowTable, ToolPage
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
 from skinsource_gui.qt.buttons import page_label
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.theme import current_theme
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobProgress, JobRunner, PageJobs
@@ -166,9 +166,7 @@ class AccuracyPage(ToolPage):
         self.plot = AccuracyPlot()
         self.now = page_label("accuracy_now")
         self.say(_BEGIN)
-        self._limb = DropDown()
-        self._limb.setObjectName("accuracy_limb")
-        self._limb.setAccessibleName("Limb to measure on")
+        self._limb = named(DropDown(), "accuracy_limb", "Limb to measure on")
         self._limb.setMinimumContentsLength(19)
         self._limb.addItems(["Synthetic responses", ""])
         self._measure = self.add_button(
@@ -179,7 +177,16 @@ class AccuracyPage(ToolPage):
         )
         self._close = self.add_button("close_page", "Close", "Close this page (Esc)", self.close)
         self._lay_out()
-        self._connect()
+        self._status.changed.connect(self._refresh)
+        self._document.changed.connect(self._name_limb)
+        self.table.currentCellChanged.connect(self._choose)
+        self.plot.reading.connect(self.say_reading)
+        self.run.progressed.connect(self._follow)
+        self.run.changed.connect(self._show_running)
+        self.run.done.connect(self._take)
+        self.run.failed.connect(self.complain)
+        self.run.cancelled.connect(lambda: self.say(_CANCELLED))
+        self.finished.connect(self._give_up)
         self._name_limb()
         self._show_rows(())
 
@@ -202,18 +209,6 @@ class AccuracyPage(ToolPage):
         limb.setBuddy(self._limb)
         below = in_row((self.message, 1), limb, self._limb, self._measure, self._save, self._close)
         in_column(meaning, self.now, (split, 1), below, of=self)
-
-    def _connect(self) -> None:
-        self._status.changed.connect(self._refresh)
-        self._document.changed.connect(self._name_limb)
-        self.table.currentCellChanged.connect(self._choose)
-        self.plot.reading.connect(self.say_reading)
-        self.run.progressed.connect(self._follow)
-        self.run.changed.connect(self._show_running)
-        self.run.done.connect(self._take)
-        self.run.failed.connect(self.complain)
-        self.run.cancelled.connect(lambda: self.say(_CANCELLED))
-        self.finished.connect(self._give_up)
 
     def _refresh(self) -> None:
         if self.isVisible():

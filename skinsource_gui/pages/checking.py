@@ -39,7 +39,7 @@ from skinsource_gui.fields.units import minus
 from skinsource_gui.pages.page import RowTable, ToolPage
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
 from skinsource_gui.plots.ranges import Tick
-from skinsource_gui.qt.fitting import LetterWidth
+from skinsource_gui.qt.fitting import fit_to_letters
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import ask_open
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
@@ -327,7 +327,17 @@ class CheckingPage(ToolPage):
             "close_page", "Close", "Close, and stop the check", self.close
         )
         self._lay_out()
-        self._connect()
+        # Results hold for the axes and the rate that they were computed with.
+        self.axes.edited.connect(self._begin_anew)
+        self.rate.edited.connect(self._begin_anew)
+        for box in self.boxes:
+            box.reading.connect(self.say_reading)
+        self.run.changed.connect(self._show)
+        self.run.progressed.connect(lambda _, progress: self.say(f"{progress.text}…"))
+        self.run.done.connect(self._take)
+        self.run.failed.connect(self.complain)
+        self.run.cancelled.connect(lambda: self.say("Cancelled. Nothing was changed."))
+        self.finished.connect(self.run.give_up)
         self._show()
 
     @property
@@ -386,26 +396,13 @@ class CheckingPage(ToolPage):
         for field, spec, width_px in ((self.axes, _AXES, 150), (self.rate, _RATE, 110)):
             label = QtWidgets.QLabel(spec.label)
             label.setBuddy(field)
-            LetterWidth(field, width_px)
+            fit_to_letters(field, width_px)
             bar.addWidget(label)
             bar.addWidget(field)
         plots = in_row(*((box, 1) for box in self.boxes))
         below = in_row((self.message, 1), self._check, self._save, self._close)
         top = in_column(bar, (self.table, 1), gap_px=UNIT_PX)
         in_column((top, 2), (plots, 3), below, of=self, gap_px=UNIT_PX)
-
-    def _connect(self) -> None:
-        # Results hold for the axes and the rate that they were computed with.
-        self.axes.edited.connect(self._begin_anew)
-        self.rate.edited.connect(self._begin_anew)
-        for box in self.boxes:
-            box.reading.connect(self.say_reading)
-        self.run.changed.connect(self._show)
-        self.run.progressed.connect(lambda _, progress: self.say(f"{progress.text}…"))
-        self.run.done.connect(self._take)
-        self.run.failed.connect(self.complain)
-        self.run.cancelled.connect(lambda: self.say("Cancelled. Nothing was changed."))
-        self.finished.connect(self.run.give_up)
 
     def _begin_anew(self) -> None:
         """Clear the results and the message about them."""

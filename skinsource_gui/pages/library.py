@@ -88,20 +88,6 @@ class SavePage(ToolPage):
             QtWidgets.QDialogButtonBox.StandardButton.Save
             | QtWidgets.QDialogButtonBox.StandardButton.Cancel
         )
-        self._lay_out()
-        self.what.currentIndexChanged.connect(self._suggest)
-        self.name.textChanged.connect(self._check)
-        self.buttons.accepted.connect(self._choose)
-        self.buttons.rejected.connect(self.reject)
-        self._suggest()
-        self.name.setFocus()
-
-    def show_problem(self, text: str) -> None:
-        """Show why it was not saved; the page stays."""
-        self.complain(text)
-        self.message.show()
-
-    def _lay_out(self) -> None:
         form = QtWidgets.QFormLayout()
         self.tags.setPlaceholderText("with commas between: tap, texture")
         self.description.setPlaceholderText("what it is for")
@@ -115,6 +101,17 @@ class SavePage(ToolPage):
         ):
             add_row(form, name, label, field)
         in_column(form, self.message, None, self.buttons, of=self)
+        self.what.currentIndexChanged.connect(self._suggest)
+        self.name.textChanged.connect(self._check)
+        self.buttons.accepted.connect(self._choose)
+        self.buttons.rejected.connect(self.reject)
+        self._suggest()
+        self.name.setFocus()
+
+    def show_problem(self, text: str) -> None:
+        """Show why it was not saved; the page stays."""
+        self.complain(text)
+        self.message.show()
 
     def _suggest(self) -> None:
         suggested = {choice.name for choice in self._choices}

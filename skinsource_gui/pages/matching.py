@@ -29,9 +29,9 @@ from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.units import read_numbers
 from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.qt.buttons import page_button, page_label, progress_bar
-from skinsource_gui.qt.fitting import LetterWidth
+from skinsource_gui.qt.fitting import fit_to_letters
 from skinsource_gui.qt.keys import KEYS
-from skinsource_gui.qt.layouts import add_row, form_of, in_column, in_row
+from skinsource_gui.qt.layouts import add_row, form_of, in_column, in_row, named
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.state.playing import end_sound, sound_worker
@@ -208,17 +208,18 @@ class SetupForm(QtWidgets.QWidget):
                 spec = replace(spec, unit=drive_unit)
             number = self._numbers[name] = NumberField(spec)
             number.set_value(gain_db if name == "gain_db" else _FIRST[name])
-            LetterWidth(number, _NUMBER_PX, at_most=True)
+            fit_to_letters(number, _NUMBER_PX, at_most=True)
             add_row(self._form, f"matching_{name}", spec.label, number, spec.hint)
         self.table = QtWidgets.QLineEdit(str(table))
-        self.table.setToolTip(
-            tooltip("Table", "CSV for the matches; matches that it holds are skipped")
+        named(
+            self.table,
+            "matching_table",
+            "Table",
+            tooltip("Table", "CSV for the matches; matches that it holds are skipped"),
         )
         self.browse = page_button("matching_browse", "Choose…", "Choose the table")
         row = in_row((self.table, 1), self.browse)
         self._form.addRow("Table", row)
-        self.table.setObjectName("matching_table")
-        self.table.setAccessibleName("Table")
 
     @property
     def gain_db(self) -> float:
@@ -428,8 +429,17 @@ class MatchingPage(ToolPage):
             partial(self._start, rehearsal=True),
         )
         self._close = self.add_button("matching_close", "Close", "Stored matches stay", self.reject)
-        self._lay_out()
-        self._connect()
+        setup = QtWidgets.QWidget()
+        about = page_label("matching_about", _INTRODUCTION)
+        in_column(about, self.form, self.message, None, of=setup, margins=0, gap_px=2 * UNIT_PX)
+        self._stack.addWidget(setup)
+        self._stack.addWidget(self.view)
+        foot = in_row(self._arm, None, self._begin, self._rehearse, self._close)
+        in_column((self._stack, 1), foot, of=self)
+        self.form.browse.clicked.connect(self._choose_table)
+        self.view.requested.connect(self._act)
+        self.player.began.connect(self._show_began)
+        self.player.ended.connect(self._show_ended)
         self._show_armed(False)
 
     def done(self, result: int) -> None:
@@ -450,21 +460,6 @@ class MatchingPage(ToolPage):
             self._stopped_s = monotonic()
             return False
         return monotonic() - self._stopped_s >= _HURRY_S
-
-    def _lay_out(self) -> None:
-        setup = QtWidgets.QWidget()
-        about = page_label("matching_about", _INTRODUCTION)
-        in_column(about, self.form, self.message, None, of=setup, margins=0, gap_px=2 * UNIT_PX)
-        self._stack.addWidget(setup)
-        self._stack.addWidget(self.view)
-        foot = in_row(self._arm, None, self._begin, self._rehearse, self._close)
-        in_column((self._stack, 1), foot, of=self)
-
-    def _connect(self) -> None:
-        self.form.browse.clicked.connect(self._choose_table)
-        self.view.requested.connect(self._act)
-        self.player.began.connect(self._show_began)
-        self.player.ended.connect(self._show_ended)
 
     def _choose_table(self) -> None:
         name, _ = QtWidgets.QFileDialog.getSaveFileName(

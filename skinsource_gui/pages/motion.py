@@ -41,7 +41,7 @@ from skinsource_gui.panels.hand.panel import HandDiagram
 from skinsource_gui.panels.hand.picture import drawing_of
 from skinsource_gui.plots.preview import ClipDrawings, ClipStrip, Lane
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.overlays import Overlay
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
 from skinsource_gui.state.document import Document
@@ -263,9 +263,7 @@ class PathRow(QtWidgets.QWidget):
         super().__init__(parent)
         self._path: tuple[int, ...] = ()
         self.field = QtWidgets.QLineEdit()
-        self.field.setObjectName("path_field")
-        self.field.setAccessibleName("Path")
-        self.field.setToolTip("Numbers of places, in their order: 16, 18, 20")
+        named(self.field, "path_field", "Path", "Numbers of places, in their order: 16, 18, 20")
         self._buttons = (
             page_button("reverse_path", "Reverse", "Reverse the order of places"),
             page_button("remove_last", "Remove last", "Remove the last place of the path"),
@@ -356,7 +354,13 @@ class MotionPage(ToolPage):
             "cancel_motion", "Cancel", "Close; nothing is changed", self.reject
         )
         self._lay_out()
-        self._connect()
+        self.draft.changed.connect(self._show)
+        self.hand.add_requested.connect(self.path_row.append)
+        self.hand.remove_requested.connect(self.path_row.remove_last)
+        self.path_row.path_changed.connect(self.draft.change_path)
+        self.path_row.misread.connect(self._show_problem)
+        self.path_row.finished.connect(self._show_lanes)
+        self.fields.edited.connect(self.draft.change)
         self._show()
 
     def _lay_out(self) -> None:
@@ -370,15 +374,6 @@ class MotionPage(ToolPage):
             (scroll, 3), self._summary, (self.strip, 2), self._about, ends, gap_px=UNIT_PX
         )
         in_row((left, 4), (right, 7), of=self, gap_px=2 * UNIT_PX)
-
-    def _connect(self) -> None:
-        self.draft.changed.connect(self._show)
-        self.hand.add_requested.connect(self.path_row.append)
-        self.hand.remove_requested.connect(self.path_row.remove_last)
-        self.path_row.path_changed.connect(self.draft.change_path)
-        self.path_row.misread.connect(self._show_problem)
-        self.path_row.finished.connect(self._show_lanes)
-        self.fields.edited.connect(self.draft.change)
 
     def _keep(self) -> None:
         outcome = self.draft.outcome(self._document.design, self._document.view)

@@ -20,7 +20,7 @@ from skinsource.studies.scenes.opened_scene import Scene
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.page import PictureView, ToolPage
 from skinsource_gui.qt.buttons import Answer, answers, page_label, scrolled
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.resources import resource_folder
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 from skinsource_gui.qt.windows import fit_by_guess
@@ -71,9 +71,7 @@ class ScenesPage(ToolPage):
         self.played_on.setObjectName("scene_limb")
         self.played_on.set_value(limb if limb in own else "")
         self._any_own = bool(own)
-        self.list = QtWidgets.QListWidget()
-        self.list.setObjectName("scenes_list")
-        self.list.setAccessibleName("Scenes of the paper")
+        self.list = named(QtWidgets.QListWidget(), "scenes_list", "Scenes of the paper")
         self.list.setIconSize(QSize(*_ICON_PX))
         self.list.setFixedWidth(_LIST_PX)
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)

@@ -15,7 +15,7 @@ from skinsource.design.show_file import SENTENCE, SHOW_SUFFIX, ShowEntry, Unread
 from skinsource.studies import scenes
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.page import ToolPage
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import add_row, in_column, in_row, named
 from skinsource_gui.qt.questions import ask_to_save
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
@@ -59,9 +59,7 @@ class ShowPage(ToolPage):
         super().__init__(parent, "show_page", TITLE, _SIZE_PX)
         self._document, self._preferences = document, preferences
         self._path = path
-        self.list = QtWidgets.QListWidget()
-        self.list.setObjectName("show_list")
-        self.list.setAccessibleName("Designs in their order")
+        self.list = named(QtWidgets.QListWidget(), "show_list", "Designs in their order")
         self.list.setDragDropMode(QtWidgets.QAbstractItemView.DragDropMode.InternalMove)
         self.heading, self.sentence = QtWidgets.QLineEdit(), QtWidgets.QLineEdit()
         self.sentence.setMaxLength(int(SENTENCE.longest))
@@ -165,9 +163,7 @@ class ShowPage(ToolPage):
             ("Knob", self.knob),
             ("Notes", self.notes),
         ):
-            field.setAccessibleName(label)
-            field.setObjectName(f"show_{label.lower()}")
-            form.addRow(label, field)
+            add_row(form, f"show_{label.lower()}", label, field)
         left = in_column((self.list, 1), in_row(self.add, up, down, remove, None))
         present = self.add_button(
             "show_present", "Present", "Show it from the selected design", self._present

@@ -258,7 +258,7 @@ class PlotRow:
 
     def __init__(self, scene: pyqtgraph.GraphicsScene) -> None:
         self.view = PlotViewBox()
-        self.axis = Axis("left", self._ticks)
+        self.axis = Axis("left", lambda *_: self._y_ticks)
         self.number = RowNumber()
         for item in (self.view, self.axis, self.number):
             scene.addItem(item)
@@ -332,9 +332,6 @@ class PlotRow:
         if position is not None:
             self.line.setPos(QPointF(position, 0.0))
             self.dots.setData(x=[position] * len(heights), y=heights, brush=colours)
-
-    def _ticks(self, low: float, high: float, length_px: float) -> tuple[Tick, ...]:
-        return self._y_ticks
 
 
 _NOTHING_HERE = "Nothing to see in this part. Press 0 to show everything."

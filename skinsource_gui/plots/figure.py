@@ -8,7 +8,7 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QLineF, QPoint, QPointF, QRect, QRectF, QSize, Qt, Signal
 
 from skinsource.base.arrays import Floats
-from skinsource_gui.plots.ranges import Range, Tick, log_ticks, readable_ticks
+from skinsource_gui.plots.ranges import Range, SteadyRange, Tick, log_ticks, readable_ticks
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.frames import paint_focus_frame
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
@@ -291,6 +291,8 @@ class Figure(QtWidgets.QWidget):
         Place of the cursor, set by the pointer or the keys; None: there is no cursor.
     axes
         The axes in which keys move the cursor; None: they do not, or nothing is drawn yet.
+    steady_range
+        What holds the range of its levels, where it is held.
     """
 
     #: What the cursor reads; "" without a cursor.
@@ -302,7 +304,7 @@ class Figure(QtWidgets.QWidget):
         super().__init__(parent)
         self.cursor_at: QPointF | None = None
         self.axes: Axes | None = None
-        self.message = ""
+        self.message, self.steady_range = "", SteadyRange()
         self.setObjectName(name)
         self.setAccessibleName(accessible_name)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)

@@ -301,7 +301,6 @@ class WaveformPreview(_Preview):
 
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         painter = QtGui.QPainter(self)
-        drawn = not self.message and self._samples is not None and self._samples.size > 0
         if self.message:
             painter.setPen(QtGui.QColor(current_theme().dim))
             # The tooltip has the whole message.
@@ -309,28 +308,23 @@ class WaveformPreview(_Preview):
             text = metrics.elidedText(self.message, right, self.width())
             painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, text)
             return
-        if not drawn or self._samples is None:
+        if self._samples is None or not self._samples.size:
             return
         plot = QRectF(self.rect()).adjusted(_MARGIN_PX, 2, -_MARGIN_PX, -2)
         painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().border), 1))
         painter.drawLine(QLineF(plot.left(), plot.center().y(), plot.right(), plot.center().y()))
         self._paint_curve(painter, plot, self._samples)
 
-    def _span_s(self, samples: Floats) -> float:
-        return max(samples.size / self._sample_rate_hz, _SHORTEST_S)
-
-    def _drawn_colour(self) -> QtGui.QColor:
-        theme, number = current_theme(), self._colour
-        if self._problem:
-            return QtGui.QColor(theme.error)
-        return QtGui.QColor(theme.text) if number is None else theme.input_colour(number)
-
     def _paint_curve(self, painter: QtGui.QPainter, plot: QRectF, drawn: Floats) -> None:
+        theme, number = current_theme(), self._colour
         reach = (-1.0 if self._flipped else 1.0) / self._height
-        shown_px = plot.width() * drawn.size / self._sample_rate_hz / self._span_s(drawn)
+        length_s = drawn.size / self._sample_rate_hz
+        shown_px = plot.width() * length_s / max(length_s, _SHORTEST_S)
         area = QRectF(plot.left(), plot.top() - 1, shown_px, plot.height() + 2)
-        rate_hz, colour = self._sample_rate_hz, self._drawn_colour().rgba()
-        style = ClipStyle(rate_hz, colour, reach, ratio=dots_in_px(painter))
+        colour = QtGui.QColor(theme.error if self._problem else theme.text)
+        if number is not None and not self._problem:
+            colour = theme.input_colour(number)
+        style = ClipStyle(self._sample_rate_hz, colour.rgba(), reach, ratio=dots_in_px(painter))
         paint_samples(painter, drawn, area, style, self._columns)
 
 

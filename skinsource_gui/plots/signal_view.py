@@ -42,7 +42,7 @@ from skinsource_gui.plots.plot import Plot
 from skinsource_gui.plots.ranges import Kind, Range, XAxis
 from skinsource_gui.qt.buttons import passing_menu, tool_button
 from skinsource_gui.qt.keys import KEYS, key_text
-from skinsource_gui.qt.layouts import FlowLayout, in_column
+from skinsource_gui.qt.layouts import FlowLayout, in_column, named
 from skinsource_gui.qt.overlays import Staleness
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, current_theme, drawn_in, on_paper
 
@@ -76,7 +76,9 @@ class PlotToolbar(QtWidgets.QWidget):
         self._everything.setVisible(False)
         for name, text, hint in _LAYOUTS:
             self.add_layout(name, text, hint)
-        self._layouts.buttonClicked.connect(self._choose_layout)
+        self._layouts.buttonClicked.connect(
+            lambda button: self.layout_chosen.emit(button.objectName())
+        )
 
     def add_layout(self, name: str, text: str, hint: str) -> None:
         """Add a further layout, before any switch."""
@@ -121,9 +123,6 @@ class PlotToolbar(QtWidgets.QWidget):
         for before, after in pairwise(self._buttons):
             QtWidgets.QWidget.setTabOrder(before, after)
         return button
-
-    def _choose_layout(self, button: QtWidgets.QToolButton) -> None:
-        self.layout_chosen.emit(button.objectName())
 
 
 _SCALE = 2
@@ -402,9 +401,7 @@ class SignalView(QtWidgets.QWidget):
         super().__init__(parent)
         self.toolbar = PlotToolbar(self)
         self.legend = LegendStrip(self)
-        self.plot = Plot(self)
-        self.plot.setObjectName(name)
-        self.plot.setAccessibleName(accessible_name)
+        self.plot = named(Plot(self), name, accessible_name)
         self.plot.setAccessibleDescription(
             "; ".join(KEYS["plot"].sentences("step", "zoom_in", "zoom_out", "whole"))
         )
@@ -550,7 +547,9 @@ def reading(plot: Plot) -> LegendText:
     if measured := measured_text(plot):
         return measured
     if plot.crosshair.index is None:
-        return text if curves.axes or not curves.peaks else _with_peaks(text, curves)
+        if curves.axes or not curves.peaks:
+            return text
+        return replace(text, unit=curves.peak_unit.symbol, where=PEAK, readings=curves.peak_texts)
     readings = tuple(unit.reading(float(y)) for y in curves.y[:, plot.crosshair.index])
     return replace(
         text,
@@ -575,11 +574,6 @@ def measured_text(plot: Plot) -> LegendText | None:
     if curves.axes:
         text, readings = text.of_axes(curves.axes), along_axes(readings, curves.each)
     return replace(text, readings=readings, details=measured.details)
-
-
-def _with_peaks(text: LegendText, curves: Curves) -> LegendText:
-    """Return the legend without a crosshair: the peaks to which the curves are relative."""
-    return replace(text, unit=curves.peak_unit.symbol, where=PEAK, readings=curves.peak_texts)
 
 
 #: Quantities that describe curves in files and pictures.

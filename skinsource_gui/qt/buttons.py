@@ -4,14 +4,13 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QRectF, QSize, Qt
 
 from skinsource_gui.qt.keys import key_text
+from skinsource_gui.qt.layouts import named
 from skinsource_gui.qt.theme import current_theme, letter_scale, set_tone, tabular
 
 
 def page_button(name: str, text: str, hint: str = "") -> QtWidgets.QPushButton:
     """Return a button that Enter elsewhere on the page does not press."""
-    button = QtWidgets.QPushButton(text)
-    button.setObjectName(name)
-    button.setToolTip(hint)
+    button = named(QtWidgets.QPushButton(text), name, hint=hint)
     button.setAutoDefault(False)
     return button
 
@@ -20,8 +19,7 @@ def page_label(
     name: str, text: str = "", *, tone: str = "", centred: bool = False
 ) -> QtWidgets.QLabel:
     """Return a label for sentences, which breaks lines."""
-    label = QtWidgets.QLabel(text)
-    label.setObjectName(name)
+    label = named(QtWidgets.QLabel(text), name)
     label.setWordWrap(True)
     if tone:
         set_tone(label, tone)
@@ -38,9 +36,7 @@ def show_or_hide(part: QtWidgets.QLabel | QtWidgets.QPushButton, text: str) -> N
 
 def progress_bar(name: str, title: str, *, keeps_room: bool = False) -> QtWidgets.QProgressBar:
     """Return a bar without a text; ``keeps_room``: nothing moves while it is hidden."""
-    bar = QtWidgets.QProgressBar()
-    bar.setObjectName(name)
-    bar.setAccessibleName(title)
+    bar = named(QtWidgets.QProgressBar(), name, title)
     bar.setTextVisible(False)
     policy = bar.sizePolicy()
     policy.setRetainSizeWhenHidden(keeps_room)
@@ -61,8 +57,7 @@ def answers(dialog: QtWidgets.QDialog, yes: Answer = Answer.Ok) -> QtWidgets.QDi
 
 def scrolled(content: QtWidgets.QWidget, name: str) -> QtWidgets.QScrollArea:
     """Return an area without a frame in which ``content`` scrolls up and down."""
-    area = QtWidgets.QScrollArea()
-    area.setObjectName(name)
+    area = named(QtWidgets.QScrollArea(), name)
     area.setFrameShape(QtWidgets.QFrame.Shape.NoFrame)
     area.setWidgetResizable(True)
     area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -83,14 +78,21 @@ def tool_button(
 
     ``takes_keyboard``: a click gives it the keyboard, too.
     """
-    button = QtWidgets.QToolButton(parent)
-    button.setObjectName(name)
+    button = named(QtWidgets.QToolButton(parent), name, hint=hint)
     button.setText(text)
-    button.setToolTip(hint)
     button.setCheckable(checkable)
     policy = Qt.FocusPolicy
     button.setFocusPolicy(policy.StrongFocus if takes_keyboard else policy.TabFocus)
     return button
+
+
+def menu_of(button: QtWidgets.QToolButton) -> QtWidgets.QMenu:
+    """Return a new menu, which a button opens that the Tab key reaches."""
+    menu = QtWidgets.QMenu(button)
+    button.setMenu(menu)
+    button.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
+    button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+    return menu
 
 
 class Fold(QtWidgets.QToolButton):
@@ -119,8 +121,7 @@ class Fold(QtWidgets.QToolButton):
 
 def passing_menu(parent: QtWidgets.QWidget, name: str = "") -> QtWidgets.QMenu:
     """Return a menu that is deleted when it is closed."""
-    menu = QtWidgets.QMenu(parent)
-    menu.setObjectName(name)
+    menu = named(QtWidgets.QMenu(parent), name)
     menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     return menu
 
@@ -227,10 +228,8 @@ class LetterButton(QtWidgets.QToolButton):
         self, name: str, letter: str, title: str, hint: str, *, checkable: bool = False
     ) -> None:
         super().__init__()
-        self.setObjectName(name)
+        named(self, name, title, hint)
         self.setText(letter)
-        self.setAccessibleName(title)
-        self.setToolTip(hint)
         self.setCheckable(checkable)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
 

@@ -3,69 +3,34 @@
 from collections.abc import Sequence
 
 from PySide6 import QtWidgets
-from PySide6.QtCore import QEvent, QObject, Signal
+from PySide6.QtCore import QEvent
 
 from skinsource_gui.qt.layouts import FlowLayout, in_row
 from skinsource_gui.qt.theme import letter_scale
+from skinsource_gui.qt.windows import WindowEvents
 
 
-class LetterWidth(QObject):
-    """Scales the width of a widget with the size of its letters.
+def fit_to_letters(widget: QtWidgets.QWidget, usual_px: int, *, at_most: bool = False) -> None:
+    """Scale the width of a widget with the size of its letters, now and whenever that changes.
 
     Parameters
     ----------
     widget
-        The widget; also the parent.
+        The widget.
     usual_px
         Its width in letters of the usual size.
     at_most
         Whether it may be narrower.
     """
 
-    def __init__(self, widget: QtWidgets.QWidget, usual_px: int, *, at_most: bool = False) -> None:
-        super().__init__(widget)
-        self._widget, self._usual_px, self._at_most = widget, usual_px, at_most
-        widget.installEventFilter(self)
-        self._fit()
+    def fit(_event: QEvent | None = None) -> None:
+        width_px = round(usual_px * letter_scale(widget.font()))
+        widget.setMaximumWidth(width_px)
+        if not at_most:
+            widget.setMinimumWidth(width_px)
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.FontChange:
-            self._fit()
-        return super().eventFilter(watched, event)
-
-    def _fit(self) -> None:
-        width_px = round(self._usual_px * letter_scale(self._widget.font()))
-        self._widget.setMaximumWidth(width_px)
-        if not self._at_most:
-            self._widget.setMinimumWidth(width_px)
-
-
-_ROOM_EVENTS = (QEvent.Type.Resize, QEvent.Type.LayoutRequest, QEvent.Type.FontChange)
-
-
-class LayoutWatcher(QObject):
-    """Signals when the size of a widget, or the text or font in it, may have changed.
-
-    A slot that changes the layout of the widget causes a further signal.  That ends if the same
-    room and texts always lead to the same layout.
-
-    Parameters
-    ----------
-    widget
-        The widget; also the parent.
-    """
-
-    changed = Signal()
-
-    def __init__(self, widget: QtWidgets.QWidget) -> None:
-        super().__init__(widget)
-        widget.installEventFilter(self)
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        # A resized widget already has its new size.
-        if event.type() in _ROOM_EVENTS:
-            self.changed.emit()
-        return False
+    WindowEvents.follow(widget, fit, QEvent.Type.FontChange)
+    fit()
 
 
 def grouped(*widgets: QtWidgets.QWidget | None, gap_px: int) -> QtWidgets.QWidget:

@@ -1,4 +1,4 @@
-"""Rows and columns of widgets."""
+"""Names of widgets, and rows and columns of them."""
 
 from typing import TypeVar
 
@@ -14,6 +14,31 @@ Part = (
 #: Left, top, right and bottom, px, or the same at all sides.
 Margins = int | tuple[int, int, int, int]
 Box = TypeVar("Box", bound=QtWidgets.QBoxLayout)
+Widget = TypeVar("Widget", bound=QtWidgets.QWidget)
+
+
+def named(widget: Widget, name: str = "", title: str = "", hint: str = "") -> Widget:
+    """Return a widget with other names, and another tooltip; "": those that it has.
+
+    Parameters
+    ----------
+    widget
+        The widget.
+    name
+        Its name for style sheets and for what looks for it.
+    title
+        Its name for assistive technology.
+    hint
+        Its tooltip.
+    """
+    for text, put in (
+        (name, widget.setObjectName),
+        (title, widget.setAccessibleName),
+        (hint, widget.setToolTip),
+    ):
+        if text:
+            put(text)
+    return widget
 
 
 def in_column(
@@ -62,11 +87,7 @@ def add_row(
     form: QtWidgets.QFormLayout, name: str, label: str, field: QtWidgets.QWidget, hint: str = ""
 ) -> None:
     """Add a field with its label to a form, and its names."""
-    field.setObjectName(name)
-    field.setAccessibleName(label)
-    if hint:
-        field.setToolTip(tooltip(label, hint))
-    form.addRow(label, field)
+    form.addRow(label, named(field, name, label, hint and tooltip(label, hint)))
 
 
 def _filled(

@@ -3,6 +3,7 @@
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QRectF, Qt, QTimer, Signal
 
+from skinsource_gui.qt.layouts import named
 from skinsource_gui.qt.theme import UNIT_PX, translucent
 
 # Results come many times a second during a drag; only a longer delay is shown.
@@ -89,8 +90,7 @@ class Cover(Overlay):
 
     def __init__(self, part: QtWidgets.QWidget) -> None:
         super().__init__(part)
-        self.setObjectName("cover")
-        self.setAccessibleName(COVERED)
+        named(self, "cover", COVERED)
         self.setAttribute(Qt.WidgetAttribute.WA_NoMousePropagation)
 
     def event(self, event: QEvent) -> bool:
@@ -125,8 +125,7 @@ class StaleOverlay(Overlay):
 
     def __init__(self, part: QtWidgets.QWidget) -> None:
         super().__init__(part)
-        self.setObjectName("veil")
-        self.setAccessibleName(UPDATING)
+        named(self, "veil", UPDATING)
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
 
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:

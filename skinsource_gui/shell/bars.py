@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtCore import QEvent, Qt
 
 from skinsource.base.quoting import printable
 from skinsource.design import edits
@@ -16,7 +16,8 @@ from skinsource.limbs.own_limbs import facts_of, missing_limb, own_limb_names
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.dataset import TITLE
-from skinsource_gui.qt.layouts import in_row
+from skinsource_gui.qt.buttons import menu_of
+from skinsource_gui.qt.layouts import in_row, named
 from skinsource_gui.qt.theme import UNIT_PX, icon_of
 from skinsource_gui.qt.tooltips import show_tooltip, tooltip
 from skinsource_gui.state.document import MOST_STEPS, Document, ReplaceDesign
@@ -46,8 +47,7 @@ class SetupBar(QtWidgets.QWidget):
         self._document = document
         self._limb_options: tuple[Word, ...] = LIMBS
         _, label, sentence, options = CHOICES[0]
-        self._limb = LimbField(_spec(label, sentence, options))
-        self._limb.setObjectName("limb")
+        self._limb = named(LimbField(_spec(label, sentence, options)), "limb")
         self._limb.setMinimumContentsLength(_LETTERS)
         self._limb.setMinimumWidth(_LEAST_PX)
         self._limb.setSizePolicy(
@@ -82,15 +82,15 @@ class SetupBar(QtWidgets.QWidget):
                 hint = "" if there else f"{NOT_INSTALLED} Help > {TITLE}… installs them."
                 self._limb.setItemData(index, hint, Qt.ItemDataRole.ToolTipRole)
 
-    def choices(self, parent: QObject | None) -> list[QtGui.QAction]:
-        """Return an action for each choice, also those of the measure line, owned by ``parent``."""
+    def choices(self) -> list[QtGui.QAction]:
+        """Return a new action for each choice, also those of the measure line."""
         actions, field = [], self._limb
         for index in range(field.count()):
             title = f"{field.accessibleName()}: {field.itemText(index)}"
             there = bool(field.model().flags(field.model().index(index, 0)) & _ENABLED)
             hint = field.itemData(index, Qt.ItemDataRole.ToolTipRole) or ""
             choose = partial(field.choose, field.itemData(index))
-            actions.append(choice_action(title, hint, choose, parent, there=there))
+            actions.append(choice_action(title, hint, choose, there=there))
         measured = set(facts_of(self._document.design.limb).axes)
         single = len(self._document.view.axes) == 1
         for edit, (name, label, _, words) in zip(_LOOKS, CHOICES[2:], strict=True):
@@ -100,7 +100,7 @@ class SetupBar(QtWidgets.QWidget):
                 choose = partial(self._choose, edit, word.name, None)
                 title = f"{label}: {word.title}"
                 hint = tooltip(word.sentence)
-                actions.append(choice_action(title, hint, choose, parent, there=there))
+                actions.append(choice_action(title, hint, choose, there=there))
         return actions
 
     def _choose(self, edit: Callable[..., Edit | Refusal], value: str, gesture: int | None) -> None:
@@ -114,13 +114,13 @@ _LOOKS = (edits.look_along, edits.look_by_method, edits.level_over)
 
 
 def choice_action(
-    title: str, hint: str, choose: Callable[[], object], parent: QObject | None, *, there: bool
+    title: str, hint: str, choose: Callable[[], object], *, there: bool = True
 ) -> QtGui.QAction:
     """Return an action of the palette that makes a choice; ``there``: it can be made now."""
-    action = QtGui.QAction(title, parent)
+    action = QtGui.QAction(title)
     action.setToolTip(hint)
     action.setEnabled(there)
-    action.triggered.connect(choose)
+    action.triggered.connect(lambda: choose())
     return action
 
 
@@ -135,7 +135,8 @@ def _explain(field: QtWidgets.QComboBox, options: tuple[Word, ...]) -> None:
         field.setItemData(index, tooltip(word.sentence), Qt.ItemDataRole.ToolTipRole)
 
 
-_REFITTED = (QEvent.Type.LayoutRequest, QEvent.Type.FontChange, QEvent.Type.StyleChange)
+_Event = QEvent.Type
+_REFITTED = (_Event.LayoutRequest, _Event.Resize, _Event.FontChange, _Event.StyleChange)
 _Style = Qt.ToolButtonStyle
 
 
@@ -146,13 +147,8 @@ class WorkspaceButtons(QtWidgets.QWidget):
         super().__init__()
         self.setObjectName("workspaces")
         self._buttons = [_button(action, _Style.ToolButtonTextOnly) for action in actions]
-        self._menu = QtWidgets.QToolButton()
-        self._menu.setObjectName("workspace_menu")
-        self._menu.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
-        self._menu.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        menu = QtWidgets.QMenu(self._menu)
-        menu.addActions(list(actions))
-        self._menu.setMenu(menu)
+        self._menu = named(QtWidgets.QToolButton(), "workspace_menu")
+        menu_of(self._menu).addActions(list(actions))
         in_row(*self._buttons, self._menu, of=self, margins=0, gap_px=2)
         for action in actions:
             action.toggled.connect(self._name)
@@ -287,16 +283,9 @@ class HeadLine(QtWidgets.QWidget):
     def event(self, event: QEvent) -> bool:
         if event.type() in _REFITTED:
             self._fit()
-        return super().event(event)
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange:
+        elif event.type() == _Event.PaletteChange:
             self._draw()
-
-    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._fit()
+        return super().event(event)
 
     def _draw(self) -> None:
         for action, icon in self._icons.items():
@@ -329,8 +318,7 @@ class HeadLine(QtWidgets.QWidget):
 
 def _button(action: QtGui.QAction, style: Qt.ToolButtonStyle) -> QtWidgets.QToolButton:
     """Return a button of an action that the keyboard reaches by its key and its menu."""
-    button = QtWidgets.QToolButton()
-    button.setObjectName(f"{action.objectName()}_button")
+    button = named(QtWidgets.QToolButton(), f"{action.objectName()}_button")
     button.setDefaultAction(action)
     button.setToolButtonStyle(style)
     button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
@@ -338,7 +326,6 @@ def _button(action: QtGui.QAction, style: Qt.ToolButtonStyle) -> QtWidgets.QTool
 
 
 def _line() -> QtWidgets.QFrame:
-    line = QtWidgets.QFrame()
-    line.setObjectName("bar_line")
+    line = named(QtWidgets.QFrame(), "bar_line")
     line.setFixedWidth(1)
     return line

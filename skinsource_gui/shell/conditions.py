@@ -224,7 +224,7 @@ class Conditions(QObject):
         self.chip.set_stale(any(self._judged[name] != now[name] for name in names))
 
     def _note(self, outcome: Outcome) -> None:
-        request = outcome.request
+        request, shown = outcome.request, self._shown and self._shown.given
         if request.place == (FIRST_SLOT, Purpose.SHOW):
             judged = outcome.values is not None and not too_large(request.given["limb"])
             self._shown = request if judged else None
@@ -232,11 +232,8 @@ class Conditions(QObject):
                 self._show_outcome(None)
             else:
                 self._idle.start()
-        elif request.place == (FIRST_SLOT, Purpose.JUDGE) and self._is_shown(request):
+        elif request.place == (FIRST_SLOT, Purpose.JUDGE) and request.given == shown:
             self._show_outcome(outcome)
-
-    def _is_shown(self, request: Request) -> bool:
-        return self._shown is not None and request.given == self._shown.given
 
     def _judge(self) -> None:
         if self._shown is not None and self.chip.window().isVisible():

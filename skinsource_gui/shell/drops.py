@@ -84,58 +84,49 @@ def field_choices(panels: PanelRegistry, bring: Callable[[str], None]) -> list[Q
     """Return one new action for each field of the clip panel, which gives it the keyboard."""
     panel, hint = cast("InspectorPanel", panels["inspector"]), "Go to the field of the clip panel"
 
-    def go_to(cell: "FieldCell", _checked: bool = False) -> None:
+    def go_to(cell: "FieldCell") -> None:
         bring(panel.name)
         panel.go_to(cell)
 
     return [
-        choice_action(f"Edit: {cell.label.text()}", hint, partial(go_to, cell), None, there=True)
+        choice_action(f"Edit: {cell.label.text()}", hint, partial(go_to, cell))
         for cell in panel.fields
     ]
 
 
 def analysis_choices(document: Document, bring: Callable[[str], None]) -> Iterator[QtGui.QAction]:
     """Yield a new action for each view of Analysis, which brings the panel and shows it there."""
+
+    def analyse(name: str) -> None:
+        bring("analysis")
+        document.look(with_settings(document.view, "analysis", AnalysisSettings(shown=name)))
+
     for spec in VIEWS:
-        analyse = partial(_analyse, document, bring, spec.name)
-        action = choice_action(f"Analysis: {spec.title}", spec.answer, analyse, None, there=True)
+        action = choice_action(f"Analysis: {spec.title}", spec.answer, partial(analyse, spec.name))
         action.setProperty(KEYWORDS, spec.answer.lower())
         yield action
 
 
-def kind_choices(document: Document) -> list[QtGui.QAction]:
-    """Return one new action for each kind of waveform, which lets the selected inputs play it."""
-    actions = []
-    for kind in kinds():
-        play = partial(_play, document, kind.__name__)
-        there = bool(document.view.selected_inputs)
-        hint = "Use for the selected inputs"
-        actions.append(choice_action(f"Waveform: {kind.title}", hint, play, None, there=there))
-    return actions
+def design_choices(document: Document) -> list[QtGui.QAction]:
+    """Return new actions: for each meaning of an amplitude, then for each kind of waveform."""
+    design, chosen = document.design, document.view.selected_inputs
 
+    def scale(scaling: str) -> None:
+        document.apply(edits.change_scaling(document.design, document.view, scaling))
 
-def scaling_choices(document: Document) -> list[QtGui.QAction]:
-    """Return one new action for each meaning of an amplitude."""
-    actions = []
-    design = document.design
-    for word in scalings_on(drive_unit_known=drive_unit_known(design.limb, design.limb_digest)):
-        scale = partial(_scale, document, word.name)
-        hint = tooltip(word.sentence)
-        actions.append(choice_action(f"Scaling: {word.title}", hint, scale, None, there=True))
-    return actions
+    def play(kind: str) -> None:
+        document.apply(edits.change_kind(document.design, document.view, chosen, kind))
 
-
-def _analyse(
-    document: Document, bring: Callable[[str], None], name: str, _checked: bool = False
-) -> None:
-    bring("analysis")
-    document.look(with_settings(document.view, "analysis", AnalysisSettings(shown=name)))
-
-
-def _scale(document: Document, scaling: str, _checked: bool = False) -> None:
-    document.apply(edits.change_scaling(document.design, document.view, scaling))
-
-
-def _play(document: Document, kind: str, _checked: bool = False) -> None:
-    design, view = document.design, document.view
-    document.apply(edits.change_kind(design, view, view.selected_inputs, kind))
+    known = drive_unit_known(design.limb, design.limb_digest)
+    scalings = [
+        choice_action(f"Scaling: {word.title}", tooltip(word.sentence), partial(scale, word.name))
+        for word in scalings_on(drive_unit_known=known)
+    ]
+    hint = "Use for the selected inputs"
+    waveforms = [
+        choice_action(
+            f"Waveform: {kind.title}", hint, partial(play, kind.__name__), there=bool(chosen)
+        )
+        for kind in kinds()
+    ]
+    return scalings + waveforms

@@ -246,18 +246,12 @@ class KeyboardFilter(QObject):
         # While a widget with the keyboard is deleted, the next one gets it before that is told.
         if self._watched is not None and shiboken6.isValid(self._watched):
             self._watched.removeEventFilter(self)
-            self._watched.destroyed.disconnect(self._forget)
         self._watched = widget
         if widget is not None:
             widget.installEventFilter(self)
-            widget.destroyed.connect(self._forget)
 
     def _note_focus(self, _old: QtWidgets.QWidget | None, new: QtWidgets.QWidget | None) -> None:
         self.watch(self.wanted(new))
-
-    def _forget(self) -> None:
-        if self._watched is not None and not shiboken6.isValid(self._watched):
-            self._watched = None
 
 
 _Standard = QtGui.QKeySequence.StandardKey

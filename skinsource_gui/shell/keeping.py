@@ -16,7 +16,7 @@ from skinsource.design.recovery import Found, UnsavedWork
 from skinsource_gui.pages.files.autosave import Autosave, Recovery, WorkPicture
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.pages.page import ToolPage
-from skinsource_gui.qt.layouts import in_column
+from skinsource_gui.qt.layouts import in_column, named
 from skinsource_gui.shell.notices import Choice, Notice, Reports
 from skinsource_gui.shell.workspaces import Workspaces
 from skinsource_gui.state.conductor import Conductor
@@ -68,9 +68,7 @@ class UnsavedWorkPage(ToolPage):
         super().__init__(parent, "unsaved_work_page", "Recover unsaved work", (560, 420))
         self._look, self._open_it, self._discard = look, open_it, discard
         self._left: tuple[UnsavedWork, ...] = ()
-        self.rows = QtWidgets.QListWidget()
-        self.rows.setObjectName("left_over_rows")
-        self.rows.setAccessibleName("Unsaved work")
+        self.rows = named(QtWidgets.QListWidget(), "left_over_rows", "Unsaved work")
         self.rows.setIconSize(_ICON)
         self.rows.itemActivated.connect(self._open)
         self.rows.currentRowChanged.connect(self._follow)

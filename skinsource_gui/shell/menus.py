@@ -7,11 +7,11 @@ from pathlib import Path
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
 
-from skinsource_gui.pages.files.file_actions import RecentFiles
 from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.shell.actions import MENUS, ActionSpec
 from skinsource_gui.state.document import Document
+from skinsource_gui.state.preferences import Preferences
 
 #: Opens the first menu.
 MENU_KEY = "F10"
@@ -70,17 +70,17 @@ class RecentMenu(QtWidgets.QMenu):
     #: The path of the file that was chosen.
     chosen = Signal(object)
 
-    def __init__(self, recent: RecentFiles, parent: QtWidgets.QWidget) -> None:
+    def __init__(self, preferences: Preferences, parent: QtWidgets.QWidget) -> None:
         super().__init__("Open recent", parent)
         self.setObjectName("open_recent")
         self.setToolTipsVisible(True)
-        self._recent = recent
+        self._preferences = preferences
         self.aboutToShow.connect(self._fill)
         self.triggered.connect(self._choose)
 
     def _fill(self) -> None:
         self.clear()
-        for path in self._recent.paths:
+        for path in map(Path, self._preferences.recent_names):
             entry = self.addAction(path.name)
             entry.setToolTip(str(path))
             entry.setData(str(path))

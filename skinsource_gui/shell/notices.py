@@ -17,7 +17,7 @@ from skinsource.design.signal_path import unplayable_text
 from skinsource.design.view import View
 from skinsource.limbs.dataset.store import StoreInfo
 from skinsource_gui.qt.buttons import page_button, page_label, tool_button
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.questions import ask_yes
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.windows import WindowEvents
@@ -66,11 +66,9 @@ class Notice(QObject):
     def __init__(self, window: QtWidgets.QMainWindow) -> None:
         super().__init__(window)
         self._window, self._passes = window, False
-        self.card = QtWidgets.QFrame(window)
-        self.card.setObjectName("notice")
+        self.card = named(QtWidgets.QFrame(window), "notice")
         self._label = page_label("notice_text")
-        self._picture = QtWidgets.QLabel()
-        self._picture.setObjectName("notice_picture")
+        self._picture = named(QtWidgets.QLabel(), "notice_picture")
         self._choices: list[QtWidgets.QPushButton] = []
         self._close = tool_button(None, "close_notice", "✕", "Close this notice")
         self._close.setAccessibleName("Close this notice")
@@ -477,7 +475,6 @@ class RunningJobs(QObject):
     def __init__(self, runner: JobRunner, window: QtWidgets.QWidget) -> None:
         super().__init__(window)
         self._runner, self._window = runner, window
-        self._ended = False
 
     def show_on(self, cancel: QtGui.QAction) -> None:
         """Enable that action only while there is something to cancel."""
@@ -495,14 +492,13 @@ class RunningJobs(QObject):
     def may_close(self) -> bool:
         """Return whether the window may close: no job runs, or the user gives it up."""
         titles = "; ".join(job.title for job in self._runner.unfinished)
-        if not titles or self._ended:
+        if not titles:
             return True
         question = f"Still running: {titles}. Stop it and close? Unfinished files are removed."
         return ask_yes(self._window, "Something is running", question)
 
     def end(self) -> None:
         """Stop all jobs for good, and clear them away."""
-        self._ended = True
         if self._runner.busy:
             # It can take a second to clear away a gigabyte.
             self._window.hide()

@@ -16,7 +16,7 @@ from skinsource.export import packing
 from skinsource.version import __version__
 from skinsource_gui import pages
 from skinsource_gui.qt.keys import KEYS, MOUSE, native_text
-from skinsource_gui.qt.layouts import in_column
+from skinsource_gui.qt.layouts import in_column, named
 from skinsource_gui.shell.actions import ACTIONS, ActionSpec
 from skinsource_gui.shell.menus import BESIDES, Palette
 from skinsource_gui.shell.status import StatusLine
@@ -90,8 +90,7 @@ def _page(title: str, html: str, parent: QtWidgets.QWidget) -> QtWidgets.QDialog
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     dialog.setWindowTitle(title)
     dialog.resize(720, 560)
-    browser = _Text()
-    browser.setObjectName("page_text")
+    browser = named(_Text(), "page_text")
     browser.setHtml(html)
     browser.setOpenExternalLinks(True)
     buttons = QtWidgets.QDialogButtonBox(QtWidgets.QDialogButtonBox.StandardButton.Close)

@@ -25,9 +25,9 @@ from skinsource_gui.panels.skin.settings import (
     SkinSettings,
     Z,
 )
-from skinsource_gui.qt.buttons import page_button, progress_bar
+from skinsource_gui.qt.buttons import menu_of, page_button, progress_bar
 from skinsource_gui.qt.labels import FittingLabel
-from skinsource_gui.qt.layouts import in_row
+from skinsource_gui.qt.layouts import in_row, named
 from skinsource_gui.qt.overlays import Overlay, Staleness
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone, tabular
 from skinsource_gui.qt.windows import WindowEvents
@@ -201,8 +201,7 @@ class StatusLine(FittingLabel):
 
     def __init__(self, window: QtWidgets.QMainWindow) -> None:
         super().__init__(window)
-        self.setObjectName("status_line")
-        self.setAccessibleName("State of the results")
+        named(self, "status_line", "State of the results")
         self.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         self.setContentsMargins(UNIT_PX, 0, 0, 0)
         self.setFont(tabular(self.font()))
@@ -318,11 +317,7 @@ class MatchNote(QtWidgets.QToolButton):
         super().__init__(parent)
         self.setObjectName("match_note")
         self.setAutoRaise(True)
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
-        menu = QtWidgets.QMenu(self)
-        menu.addActions(list(actions))
-        self.setMenu(menu)
+        menu_of(self).addActions(list(actions))
         self._frame: MatchFrame | None = None
         self.hide()
 
@@ -353,11 +348,8 @@ class JobBar(QtWidgets.QWidget):
         super().__init__(parent)
         self.setObjectName("job")
         self._runner = runner
-        self._name = QtWidgets.QLabel()
-        self._name.setObjectName("job_name")
-        self._name.setAccessibleName("Running task")
-        self._percent = QtWidgets.QLabel()
-        self._percent.setObjectName("job_percent")
+        self._name = named(QtWidgets.QLabel(), "job_name", "Running task")
+        self._percent = named(QtWidgets.QLabel(), "job_percent")
         self._percent.setFont(tabular(self.font()))
         self._percent.setMinimumWidth(self._percent.fontMetrics().horizontalAdvance("100 %"))
         self._percent.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)

@@ -25,9 +25,8 @@ from skinsource_gui.shell.drops import (
     ClipDrops,
     ClipStretching,
     analysis_choices,
+    design_choices,
     field_choices,
-    kind_choices,
-    scaling_choices,
 )
 from skinsource_gui.shell.focus import PanelFocus, ShortcutsInFields, move_focus
 from skinsource_gui.shell.keeping import AutosaveAndRecovery
@@ -185,7 +184,7 @@ class MainWindow(QtWidgets.QMainWindow):
 
     def _build(self) -> None:
         actions = self.actions_by_name
-        recent = RecentMenu(self.files.recent, self)
+        recent = RecentMenu(self.preferences, self)
         recent.chosen.connect(self.files.open)
         panels = docks.menu_toggles(self.docks.values(), self)
         steps = StepsMenu(self.document, self)
@@ -263,11 +262,10 @@ class MainWindow(QtWidgets.QMainWindow):
     def _findable(self) -> list[QtGui.QAction]:
         others = [action for name, action in self.actions_by_name.items() if name != "find_action"]
         panels = docks.toggles(self.docks.values())
-        choices = *self.setup_bar.choices(None), *scaling_choices(self.document)
         fields = field_choices(self.panels, self.workspaces.bring)
         views = analysis_choices(self.document, self.workspaces.bring)
-        kinds = kind_choices(self.document)
-        return [*fields, *others, *panels, *views, *choices, *kinds]
+        choices = *self.setup_bar.choices(), *design_choices(self.document)
+        return [*fields, *others, *panels, *views, *choices]
 
     def _show_state(self) -> None:
         design, view = self.document.design, self.document.view

@@ -74,6 +74,7 @@ class JobRunner(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._waiting: deque[Job[Any]] = deque()
+        self._ends: dict[Job[Any], dict[str, Callable[..., object]]] = {}
         self._running: Job[Any] | None = None
         self._stop = Event()
         self._worker = Worker("skinsource-job", self)
@@ -91,9 +92,13 @@ class JobRunner(QObject):
             return ()
         return (*([self.current] if self.current else []), *self._waiting)
 
-    def add(self, job: Job[Any]) -> None:
-        """Run ``job`` after those that were added before."""
+    def add(self, job: Job[Any], **ends: Callable[..., object]) -> None:
+        """Run ``job`` after those that were added before.
+
+        ``ends``: called with what the signal of this name tells besides the job.
+        """
         self._waiting.append(job)
+        self._ends[job] = ends
         if self._running is None:
             self._start_next()
         else:
@@ -106,7 +111,7 @@ class JobRunner(QObject):
         elif job in self._waiting:
             self._waiting.remove(job)
             self.changed.emit()
-            self.cancelled.emit(job)
+            self._end(job, "cancelled")
 
     def close(self) -> None:
         """Drop all jobs, stop the running one, and wait until it is cleared away."""
@@ -160,7 +165,7 @@ class JobRunner(QObject):
         if job is self.current:
             self.current = None
             self.changed.emit()
-            self.cancelled.emit(job)
+            self._end(job, "cancelled")
 
     def _receive(self, job: Job[Any], result: object, error: Exception | None) -> None:
         was_cancelled = self.current is not job
@@ -168,11 +173,17 @@ class JobRunner(QObject):
         if was_cancelled:
             return
         if error is None:
-            self.done.emit(job, result)
+            self._end(job, "done", result)
         elif isinstance(error, Stopped):
-            self.cancelled.emit(job)
+            self._end(job, "cancelled")
         else:
-            self.failed.emit(job, error)
+            self._end(job, "failed", error)
+
+    def _end(self, job: Job[Any], how: str, *what: object) -> None:
+        getattr(self, how).emit(job, *what)
+        call = self._ends.pop(job).get(how)
+        if call is not None:
+            call(*what)
 
 
 class PageJobs(QObject):
@@ -256,25 +267,6 @@ class PageJobs(QObject):
 _CHANGED = "The prediction has changed meanwhile; try again."
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class _Levelled:
-    """What is levelled by a job.
-
-    Attributes
-    ----------
-    design
-        The design that is predicted.
-    sources
-        Returns all of a design that the levels depend on.
-    edit
-        Makes the edit from a design, a view, and the levels.
-    """
-
-    design: Design
-    sources: Callable[[Design], object]
-    edit: Callable[[Design, View, Any], Edit | Refusal]
-
-
 class Levelling(QObject):
     """Makes wavelets of a train, or tracks, equally strong on the skin.
 
@@ -287,10 +279,6 @@ class Levelling(QObject):
     def __init__(self, document: Document, runner: JobRunner, parent: QObject) -> None:
         super().__init__(parent)
         self._document, self._runner = document, runner
-        self._levelled: dict[Job[Any], _Levelled] = {}
-        runner.done.connect(self._apply)
-        runner.cancelled.connect(self._forget)
-        runner.failed.connect(self._tell)
 
     def equalise(self) -> None:
         """Predict each wavelet of the selected train alone, then edit their gains."""
@@ -317,26 +305,22 @@ class Levelling(QObject):
         job = Job("Matching tracks", partial(track_levels_db, design, ids))
         self._run(job, sources=sources, edit=edits.match_tracks)
 
-    def _run(self, job: Job[Any], **levelled: Any) -> None:
-        self._levelled[job] = _Levelled(design=self._document.design, **levelled)
-        self._runner.add(job)
+    def _run(
+        self,
+        job: Job[Any],
+        sources: Callable[[Design], object],
+        edit: Callable[[Design, View, Any], Edit | Refusal],
+    ) -> None:
+        """Edit the design by the levels if it still has the ``sources`` on which they depend."""
+        predicted, document = self._document.design, self._document
 
-    def _apply(self, job: Job[Any], levels: object) -> None:
-        levelled = self._levelled.pop(job, None)
-        if levelled is None:
-            return
-        design, view = self._document.design, self._document.view
-        if levelled.sources(levelled.design) == levelled.sources(design):
-            self._document.apply(levelled.edit(design, view, levels))
-        else:
-            self.failed.emit(_CHANGED)
+        def apply(levels: object) -> None:
+            if sources(predicted) == sources(document.design):
+                document.apply(edit(document.design, document.view, levels))
+            else:
+                self.failed.emit(_CHANGED)
 
-    def _tell(self, job: Job[Any], error: Exception) -> None:
-        if self._levelled.pop(job, None) is not None:
-            self.failed.emit(str(error))
-
-    def _forget(self, job: Job[Any]) -> None:
-        self._levelled.pop(job, None)
+        self._runner.add(job, done=apply, failed=lambda error: self.failed.emit(str(error)))
 
 
 def selected_train(design: Design, view: View) -> Clip | None:

@@ -236,7 +236,7 @@ class LiveEdits(QObject):
             rig=self._rig,
             view=latest[2],
         )
-        self._thread.run(partial(_timed, change), self._receive)
+        self._thread.run(lambda: (change(), perf_counter()), self._receive)
 
     def _receive(
         self, timed: "tuple[Playing | None, float] | None", error: Exception | None
@@ -252,11 +252,6 @@ class LiveEdits(QObject):
             self.replaced.emit(timed[0])
         # Edits were perhaps made meanwhile.
         self._follow()
-
-
-def _timed(change: "partial[Playing | None]") -> "tuple[Playing | None, float]":
-    """Return the result of ``change``, and the time when it was there."""
-    return change(), perf_counter()
 
 
 # Sixty times a second.

@@ -1,9 +1,10 @@
 """Settings that are stored between sessions, the first design, and the installed limbs."""
 
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from pathlib import Path
+from typing import Any, Generic, TypeVar
 
 from PySide6 import QtWidgets
 from PySide6.QtCore import QByteArray, QEvent, QObject, QSettings, Signal
@@ -23,6 +24,9 @@ AUTOSAVE_S = 30.0
 
 _LEAST_AUTOSAVE_S, _MOST_AUTOSAVE_S = 0.05, 3600.0
 _NAME = "studio.ini"
+#: Number of recent files that are remembered.
+MOST_RECENT = 10
+Value = TypeVar("Value")
 
 
 def settings_path() -> Path:
@@ -30,23 +34,37 @@ def settings_path() -> Path:
     return config_folder() / _NAME
 
 
-class _Text:
-    """A text of `Preferences` that is remembered as it is.
+class _Kept(Generic[Value]):
+    """What `Preferences` remember under a key.
 
     Parameters
     ----------
     key, usual
-        Its name in the file, and what it is while nothing is remembered.
+        Its name in the file, and what it is while nothing is remembered, or nothing readable.
+    read
+        Returns it, given what the file has.
     """
 
-    def __init__(self, key: str, usual: str = "") -> None:
-        self._key, self._usual = key, usual
+    def __init__(self, key: str, usual: Value, read: Callable[[Any], Value]) -> None:
+        self._key, self._usual, self._read = key, usual, read
 
-    def __get__(self, owner: "Preferences", _kind: type) -> str:
-        return str(owner.settings.value(self._key, self._usual))
+    def __get__(self, owner: "Preferences", _kind: type) -> Value:
+        with suppress(TypeError, ValueError):
+            return self._read(owner.settings.value(self._key, self._usual))
+        return self._usual
 
-    def __set__(self, owner: "Preferences", text: str) -> None:
-        owner.settings.setValue(self._key, text)
+    def __set__(self, owner: "Preferences", value: Value) -> None:
+        owner.settings.setValue(self._key, value)
+
+
+def _bytes(value: object) -> QByteArray:
+    return value if isinstance(value, QByteArray) else QByteArray()
+
+
+def _names(value: object) -> list[str]:
+    # One name is stored as a text.
+    names = value if isinstance(value, list) else [value] if isinstance(value, str) else []
+    return [str(name) for name in names]
 
 
 class Preferences:
@@ -64,19 +82,27 @@ class Preferences:
     """
 
     #: ``"light"``, ``"dark"``, or ``"system"``.
-    theme_name = _Text("theme", "system")
+    theme_name = _Kept("theme", "system", str)
     #: The screen that place, size and arrangement belong to; empty at first.
-    screen = _Text("screen")
+    screen = _Kept("screen", "", str)
     #: The arrangement that was taken up last; empty at first.
-    arrangement = _Text("arrangement")
+    arrangement = _Kept("arrangement", "", str)
     #: What this machine plays on, see `skinsource.lab.playing.devices.Output`; empty at first.
-    output_text = _Text("output")
+    output_text = _Kept("output", "", str)
     #: Rig file of this machine; empty: none.
-    rig_path = _Text("rig")
+    rig_path = _Kept("rig", "", str)
     #: The accelerometer that actuators are measured with, and the sweep; empty at first.
-    sensor_text = _Text("sensor")
+    sensor_text = _Kept("sensor", "", str)
     #: How a stimulus was exported last, see the page of stimuli; empty at first.
-    export_text = _Text("export")
+    export_text = _Kept("export", "", str)
+    #: Size of words, 1 as the desktop has it.
+    text_scale = _Kept("text_scale", 1.0, float)
+    #: Whether the hints of the first start were shown.
+    hinted = _Kept("hinted", False, lambda value: str(value).lower() == "true")
+    #: Place and size of the window; empty at first.
+    geometry = _Kept("geometry", QByteArray(), _bytes)
+    #: Paths of files that were opened or saved, newest first.
+    recent_names = _Kept("recent", list[str](), _names)
 
     def __init__(self, path: Path):
         self.settings = QSettings(str(path), QSettings.Format.IniFormat)
@@ -92,31 +118,13 @@ class Preferences:
         return AUTOSAVE_S
 
     @property
-    def text_scale(self) -> float:
-        """Size of words, 1 as the desktop has it."""
-        try:
-            return float(str(self.settings.value("text_scale", 1.0)))
-        except ValueError:
-            return 1.0
-
-    @text_scale.setter
-    def text_scale(self, scale: float) -> None:
-        self.settings.setValue("text_scale", scale)
-
-    @property
-    def geometry(self) -> QByteArray:
-        """Place and size of the window; empty at first."""
-        return self._bytes("geometry")
-
-    @geometry.setter
-    def geometry(self, geometry: QByteArray) -> None:
-        self.settings.setValue("geometry", geometry)
-
-    @property
     def own_arrangements(self) -> dict[str, bytes]:
         """By the name of an arrangement, where the user's docks stand in it."""
         names = str(self.settings.value("own_arrangements", "")).split()
-        layouts = {name: bytes(self._bytes(f"own_arrangement_{name}").data()) for name in names}
+        layouts = {
+            name: bytes(_bytes(self.settings.value(f"own_arrangement_{name}")).data())
+            for name in names
+        }
         return {name: layout for name, layout in layouts.items() if layout}
 
     @own_arrangements.setter
@@ -124,27 +132,6 @@ class Preferences:
         self.settings.setValue("own_arrangements", " ".join(layouts))
         for name, layout in layouts.items():
             self.settings.setValue(f"own_arrangement_{name}", QByteArray(layout))
-
-    @property
-    def hinted(self) -> bool:
-        """Whether the hints of the first start were shown."""
-        return str(self.settings.value("hinted", "")) == "true"
-
-    @hinted.setter
-    def hinted(self, hinted: bool) -> None:
-        self.settings.setValue("hinted", "true" if hinted else "")
-
-    @property
-    def recent_names(self) -> list[str]:
-        """What is remembered of recent files, as they stand."""
-        names = self.settings.value("recent", [])
-        if isinstance(names, str):
-            return [names]
-        return [str(name) for name in names] if isinstance(names, list) else []
-
-    @recent_names.setter
-    def recent_names(self, names: list[str]) -> None:
-        self.settings.setValue("recent", names)
 
     @property
     def folder(self) -> Path:
@@ -159,13 +146,14 @@ class Preferences:
     def folder(self, folder: Path) -> None:
         self.settings.setValue("folder", str(folder))
 
+    def note_recent(self, path: Path, *, there: bool = True) -> None:
+        """Put a file at the front of the recent ones, or remove one that is not ``there``."""
+        others = [name for name in self.recent_names if name != str(path)]
+        self.recent_names = [str(path), *others][:MOST_RECENT] if there else others
+
     def flush(self) -> None:
         """Write what is remembered to disk."""
         self.settings.sync()
-
-    def _bytes(self, key: str) -> QByteArray:
-        value = self.settings.value(key, QByteArray())
-        return value if isinstance(value, QByteArray) else QByteArray()
 
 
 def start_design(limb: str) -> Design:

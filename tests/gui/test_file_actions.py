@@ -1,4 +1,5 @@
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QMimeData, QPointF, Qt, QTimer, QUrl
@@ -83,10 +84,10 @@ def test_recent_files_are_offered_newest_first_and_missing_ones_dropped(
         place(window)
         answers["save"] = str(tmp_path / f"{name}.skinsource")
         window.do("save_design_as")
-    assert [path.stem for path in window.files.recent.paths] == ["two", "one"]
+    assert [Path(name).stem for name in window.preferences.recent_names] == ["two", "one"]
     (tmp_path / "one.skinsource").unlink()
     window.files.open(tmp_path / "one.skinsource")
-    assert [path.stem for path in window.files.recent.paths] == ["two"]
+    assert [Path(name).stem for name in window.preferences.recent_names] == ["two"]
     menu = window.findChild(type(window.menuBar().addMenu("x")), "open_recent")
     menu.aboutToShow.emit()
     assert [entry.text() for entry in menu.actions()] == ["two.skinsource"]

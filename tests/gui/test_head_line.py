@@ -188,7 +188,7 @@ def test_what_the_measure_line_offers_is_found_by_its_words(bar):
     document, asked = bar._document, []
     for view, enabled in ((View(axes="xyz"), True), (View(axes="z"), False)):
         document.look(view)
-        found = {action.text(): action for action in bar.choices(bar)}
+        found = {action.text(): action for action in bar.choices()}
         assert found["Method: Magnitude"].isEnabled() == enabled
         for name in ("Levels: Loudest 100 ms", "Axes: x, y"):
             found[name].trigger()

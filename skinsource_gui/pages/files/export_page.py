@@ -12,7 +12,7 @@ from skinsource_gui.pages.files.export_parts import ExportPart, FilePart
 from skinsource_gui.pages.files.exports import STIMULUS, STIMULUS_SET, DrawerOf
 from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.pages.stimulus.page import SetPart, StimulusPart
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.theme import UNIT_PX
 
 
@@ -54,9 +54,7 @@ class ExportPage(ToolPage):
         self._picture_options, self._stem = picture_options, stem
         self._last_stimulus = last_stimulus
         self._parts: dict[str, ExportPart] = {}
-        self._list = QtWidgets.QListWidget()
-        self._list.setObjectName("export_groups")
-        self._list.setAccessibleName("What to export")
+        self._list = named(QtWidgets.QListWidget(), "export_groups", "What to export")
         self._list.setSpacing(UNIT_PX // 4)
         self._list.addItems(list(dict.fromkeys(spec.group for spec in exports.EXPORTS)))
         # Letters may be larger.

@@ -42,7 +42,7 @@ from skinsource_gui.plots.pictures import (
     save_drawing,
 )
 from skinsource_gui.qt.buttons import page_label, scrolled, show_or_hide
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.theme import UNIT_PX, letter_scale
 from skinsource_gui.state.worker import Worker, fault_text
 
@@ -142,12 +142,10 @@ class FilePart(ExportPart):
         self._design, self._view = design, view
         self._drawer_of, self._kept, self._wired = drawer_of, picture_options, wired
         options = tuple((spec.name, spec.title) for spec in specs)
-        self._choice = ChoiceField(ChoiceSpec(label="What", options=options))
-        self._choice.setObjectName("export_what")
+        self._choice = named(ChoiceField(ChoiceSpec(label="What", options=options)), "export_what")
         self._choice.edited.connect(self.show_export)
         self._choice.setVisible(len(specs) > 1)
-        self._page_kind = ChoiceField(KIND)
-        self._page_kind.setObjectName("export_page_kind")
+        self._page_kind = named(ChoiceField(KIND), "export_page_kind")
         self._page_kind.set_value(".pdf")
         self._hint = page_label("export_hint", tone="dim")
         self.form: PictureForm | None = None

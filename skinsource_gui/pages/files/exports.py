@@ -243,11 +243,6 @@ class ExportActions(QObject):
         self._document, self._preferences = services.document, services.preferences
         self._files, self._drawer_of, self._window = files, drawer_of, services.window
         self._runner = services.runner
-        # Path, what handles an error, and what is said besides, of each job that runs.
-        self._running: dict[Job[Any], tuple[Path, Callable[[Exception], bool], str]] = {}
-        self._runner.done.connect(self._note_written)
-        self._runner.cancelled.connect(self._note_cancelled)
-        self._runner.failed.connect(self._note_failed)
         self._picture_options: dict[str, Any] = {}
         self._last = STIMULUS
         #: The dialog, while it is open.
@@ -339,39 +334,29 @@ class ExportActions(QObject):
     def _add(
         self, path: Path, write: Callable[..., Any], note: str, largest_error: float = VISIBLE
     ) -> None:
-        def ask(error: Exception) -> bool:
-            if not isinstance(error, TooInaccurateError):
-                return False
-            question = f"{path.name}: {error} Export anyway?"
-            if ask_yes(self._window, "Inaccurate numbers", question):
-                self._add(path, write, note, math.inf)
-            return True
-
-        job = Job(f"Exporting {path.name}", partial(write, largest_error=largest_error))
-        self._running[job] = path, ask, note
-        self._runner.add(job)
-
-    def _note_written(self, job: Job[Any], result: Any) -> None:
-        if job in self._running:
-            path, _, note = self._running.pop(job)
+        def note_written(result: Any) -> None:
             self._files.note_written(result if isinstance(result, Path) else path, note)
 
-    def _note_cancelled(self, job: Job[Any]) -> None:
-        if job in self._running:
-            path, *_ = self._running.pop(job)
+        def note_cancelled() -> None:
             self._files.done.emit(f"Export of {path.name} cancelled; nothing was written")
 
-    def _note_failed(self, job: Job[Any], error: Exception) -> None:
-        if job not in self._running:
-            return
-        path, handled, _ = self._running.pop(job)
-        if handled(error):
-            return
-        if isinstance(error, SkinSourceError):
-            self.failed.emit(str(error))
-            return
-        _log.error("an export failed", exc_info=error)
-        self.failed.emit(
-            f"{path.name} was not exported: the studio made a mistake "
-            f"({type(error).__name__}: {error}). Please report this."
+        def note_failed(error: Exception) -> None:
+            if isinstance(error, TooInaccurateError):
+                question = f"{path.name}: {error} Export anyway?"
+                if ask_yes(self._window, "Inaccurate numbers", question):
+                    self._add(path, write, note, math.inf)
+            elif isinstance(error, SkinSourceError):
+                self.failed.emit(str(error))
+            else:
+                _log.error("an export failed", exc_info=error)
+                self.failed.emit(
+                    f"{path.name} was not exported: the studio made a mistake "
+                    f"({type(error).__name__}: {error}). Please report this."
+                )
+
+        self._runner.add(
+            Job(f"Exporting {path.name}", partial(write, largest_error=largest_error)),
+            done=note_written,
+            cancelled=note_cancelled,
+            failed=note_failed,
         )

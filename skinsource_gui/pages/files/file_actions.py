@@ -122,33 +122,6 @@ def who_has(path: Path, other: Owner) -> str:
     return f"{path.name} is open in another studio ({other.description})"
 
 
-#: Number of recent files that are remembered.
-MOST_RECENT = 10
-
-
-class RecentFiles:
-    """Remembers the paths of recent files between sessions."""
-
-    def __init__(self, preferences: Preferences) -> None:
-        self._preferences = preferences
-
-    @property
-    def paths(self) -> list[Path]:
-        """Files that were opened or saved, newest first."""
-        return [Path(name) for name in self._preferences.recent_names]
-
-    def remember(self, path: Path) -> None:
-        """Put a file at the front."""
-        self._store([path, *(known for known in self.paths if known != path)])
-
-    def forget(self, path: Path) -> None:
-        """Remove a file."""
-        self._store([known for known in self.paths if known != path])
-
-    def _store(self, paths: list[Path]) -> None:
-        self._preferences.recent_names = [str(path) for path in paths[:MOST_RECENT]]
-
-
 #: Longest title of a design that is named after its file.
 _LONGEST = 60
 _FILTER = f"SkinSource designs (*{SUFFIX})"
@@ -184,7 +157,6 @@ class FileActions(QObject):
     ):
         super().__init__(window)
         self._document, self._preferences, self._window = document, preferences, window
-        self.recent = RecentFiles(preferences)
         self._arrangement = arrangement
         self._on_disk, self._reported = FileOnDisk(), "same"
         self.held = HeldFile()
@@ -245,7 +217,7 @@ class FileActions(QObject):
         try:
             content = on_disk.open(path)
         except SkinSourceError as error:
-            self.recent.forget(path)
+            self._preferences.note_recent(path, there=False)
             self.failed.emit(str(error))
             return
         # A file that cannot be opened is reported before the question about unsaved edits.
@@ -312,7 +284,7 @@ class FileActions(QObject):
 
     def note_used(self, path: Path) -> None:
         """Remember a file that was opened or saved elsewhere."""
-        self.recent.remember(path)
+        self._preferences.note_recent(path)
         self._note_folder(path)
 
     def _note_folder(self, path: Path) -> None:
@@ -373,7 +345,7 @@ class FileActions(QObject):
         self.held.keep_only(path)
         self._document.mark_saved(path)
         self._note_file(path)
-        self.recent.remember(path)
+        self._preferences.note_recent(path)
         self.note_written(path)
         return True
 

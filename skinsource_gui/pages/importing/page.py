@@ -208,10 +208,27 @@ class ImportPage(ToolPage):
         self._bar = progress_bar("import_progress", "Progress of reading", keeps_room=True)
         self._bar.setRange(0, 0)
         self._buttons = answers(self)
-        self._name_parts()
-        self._lay_out()
+        self._import_button = self._buttons.button(Answer.Ok)
+        self._import_button.setText("Import")
+        self._import_button.setEnabled(False)
+        self._place.setObjectName("import_place")
+        self._warning.hide()
+        left = QtWidgets.QWidget()
+        left.setFixedWidth(_LEFT_PX)
+        parts = self._about, self._warning, None, QtWidgets.QLabel("Destination"), self._place
+        self._left = in_column(*parts, of=left, margins=0, gap_px=UNIT_PX)
+        right = in_column(self._strip, (self.preview, 1), gap_px=UNIT_PX)
+        columns = in_row(left, (right, 1), gap_px=2 * UNIT_PX)
+        in_column((columns, 1), self._bar, self._buttons, of=self)
+        self.preview.show_message(_READING)
         self._worker = ReadingWorker(path, limb.sample_rate_hz, self)
-        self._connect()
+        worker = self._worker
+        worker.inspected.connect(self._show_contents)
+        worker.read.connect(self._show_read)
+        worker.converted.connect(self._show_taken)
+        worker.surveyed.connect(self._show_overview)
+        worker.failed.connect(self._show_failed)
+        worker.progressed.connect(self._show_progress)
         self._worker.look()
 
     @property
@@ -231,32 +248,6 @@ class ImportPage(ToolPage):
         super().done(result)
         if result == QtWidgets.QDialog.DialogCode.Accepted and taken:
             self.chosen.emit(tuple(part.waveform for part in taken), place)
-
-    def _name_parts(self) -> None:
-        self._import_button = self._buttons.button(Answer.Ok)
-        self._import_button.setText("Import")
-        self._import_button.setEnabled(False)
-        self._place.setObjectName("import_place")
-        self._warning.hide()
-
-    def _lay_out(self) -> None:
-        left = QtWidgets.QWidget()
-        left.setFixedWidth(_LEFT_PX)
-        parts = self._about, self._warning, None, QtWidgets.QLabel("Destination"), self._place
-        self._left = in_column(*parts, of=left, margins=0, gap_px=UNIT_PX)
-        right = in_column(self._strip, (self.preview, 1), gap_px=UNIT_PX)
-        columns = in_row(left, (right, 1), gap_px=2 * UNIT_PX)
-        in_column((columns, 1), self._bar, self._buttons, of=self)
-        self.preview.show_message(_READING)
-
-    def _connect(self) -> None:
-        worker = self._worker
-        worker.inspected.connect(self._show_contents)
-        worker.read.connect(self._show_read)
-        worker.converted.connect(self._show_taken)
-        worker.surveyed.connect(self._show_overview)
-        worker.failed.connect(self._show_failed)
-        worker.progressed.connect(self._show_progress)
 
     def _show_contents(self, contents: Found) -> None:
         self._about.setText(about(contents))

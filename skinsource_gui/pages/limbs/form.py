@@ -20,7 +20,7 @@ from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.qt.buttons import page_button
 from skinsource_gui.qt.frames import fitted
-from skinsource_gui.qt.layouts import add_row, form_of, in_row
+from skinsource_gui.qt.layouts import add_row, form_of, in_row, named
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
 from skinsource_gui.qt.tooltips import tooltip
 
@@ -163,8 +163,7 @@ class PlacesCanvas(QtWidgets.QWidget):
         super().__init__(parent)
         self._draft = Draft()
         self._photograph = QtGui.QImage()
-        self.setObjectName("places_canvas")
-        self.setAccessibleName("Outline and places of the limb")
+        named(self, "places_canvas", "Outline and places of the limb")
         self.setMinimumSize(260, 320)
 
     def show_photograph(self, photograph: QtGui.QImage) -> None:
@@ -436,10 +435,11 @@ class LimbForm(QObject):
         self.order.setPlaceholderText("ioat")
         self.axes.edited.connect(self.changed)
         self._rows.addRow("Axes", self.axes)
-        self.synthetic.setToolTip(
-            tooltip("Computed", "Pictures and files say that it is synthetic")
+        named(
+            self.synthetic,
+            title="Responses are computed, not measured",
+            hint=tooltip("Computed", "Pictures and files say that it is synthetic"),
         )
-        self.synthetic.setAccessibleName("Responses are computed, not measured")
         self.synthetic.toggled.connect(self.changed)
         self._rows.addRow("Origin", self.synthetic)
         for name, field in self.numbers.items():
@@ -456,8 +456,7 @@ class LimbForm(QObject):
         button: QtWidgets.QPushButton = page_button(f"choose_{what}", "Choose…", hint)
         button.setAccessibleName(f"Choose {label.lower()}")
         button.clicked.connect(lambda: self.file_requested.emit(what))
-        chosen = QtWidgets.QLabel("none")
-        chosen.setObjectName(f"chosen_{what}")
+        chosen = named(QtWidgets.QLabel("none"), f"chosen_{what}")
         set_tone(chosen, "dim")
         self._chosen[what] = chosen
         self._rows.addRow(label, in_row(button, (chosen, 1)))

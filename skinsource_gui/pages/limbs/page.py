@@ -25,7 +25,7 @@ from skinsource_gui.pages.limbs import photograph
 from skinsource_gui.pages.limbs.form import Draft, LimbForm, PlacesCanvas
 from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.qt.buttons import page_label
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.questions import ask_open, ask_yes
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.job_runner import JobProgress, JobRunner, PageJobs
@@ -104,8 +104,7 @@ class LimbPage(ToolPage):
         self._process, self.worker = LimitedProcess(), Worker("skinsource-limb", self)
         self.form, self.canvas = LimbForm(self), PlacesCanvas()
         self.list, self._about = QtWidgets.QListWidget(), page_label("own_limb_words")
-        self.list.setObjectName("own_limbs")
-        self.list.setAccessibleName("Imported limbs")
+        named(self.list, "own_limbs", "Imported limbs")
         self.list.setMaximumHeight(96)
         self._mirror = self.add_button(
             "mirror_limb", "Mirror", "Show a left hand as a right one", self._turn
@@ -116,8 +115,7 @@ class LimbPage(ToolPage):
         self._remove = self.add_button(
             "remove_limb", "Remove", "Delete it from this computer", self._delete
         )
-        self.click = ChoiceField(_CLICKS)
-        self.click.setObjectName("click_places")
+        self.click = named(ChoiceField(_CLICKS), "click_places")
         self.click.set_value("inputs")
         self._back = self.add_button(
             "remove_last",

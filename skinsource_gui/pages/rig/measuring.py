@@ -185,9 +185,18 @@ class MeasurePage(ToolPage):
             "measure_keep", "Store", "Store the response in the channel, with the date", self._keep
         )
         self._close = self.add_button("measure_close", "Close", "Do not store it", self.reject)
-        self._lay_out()
-        self._connect()
-        self._look()
+        about = page_label("measure_about", _INTRODUCTION)
+        foot = in_row(self.arm, self.start, self.stop, (self._bar, 1), self.keep, self._close)
+        in_column(about, self.grid, (self.plot, 1), self.message, foot, of=self, gap_px=UNIT_PX)
+        self.plot.exports.failed.connect(self.say)
+        self.plot.exports.written.connect(self.say)
+        self._progressed.connect(self._show_progress, Qt.ConnectionType.QueuedConnection)
+        self._settings.changed.connect(self._list_inputs)
+        # To look for devices ends playback and frees the sound card.
+        self._looking = True
+        self.say(self._missing or _LOOKING)
+        self._settings.look()
+        self._show_state()
 
     def done(self, result: int) -> None:
         """Stop playback, and close the page."""
@@ -226,24 +235,6 @@ class MeasurePage(ToolPage):
             self.cells[name].set_value(getattr(self.setup, name))
         else:
             self._say_readiness()
-
-    def _lay_out(self) -> None:
-        about = page_label("measure_about", _INTRODUCTION)
-        foot = in_row(self.arm, self.start, self.stop, (self._bar, 1), self.keep, self._close)
-        in_column(about, self.grid, (self.plot, 1), self.message, foot, of=self, gap_px=UNIT_PX)
-
-    def _connect(self) -> None:
-        self.plot.exports.failed.connect(self.say)
-        self.plot.exports.written.connect(self.say)
-        self._progressed.connect(self._show_progress, Qt.ConnectionType.QueuedConnection)
-        self._settings.changed.connect(self._list_inputs)
-
-    def _look(self) -> None:
-        """Look for devices, which ends playback and frees the sound card."""
-        self._looking = True
-        self.say(self._missing or _LOOKING)
-        self._settings.look()
-        self._show_state()
 
     def _list_inputs(self) -> None:
         if self._looking and self._settings.searched:

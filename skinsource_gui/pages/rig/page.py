@@ -29,7 +29,7 @@ from skinsource_gui.fields.rig_field import RESPONSE_FILES
 from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.pages.rig.measuring import MeasurePage
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.questions import ask_open, ask_to_save
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.document import Document
@@ -188,19 +188,36 @@ class RigPage(ToolPage):
         settings.look_for_rig()
         self.rig = self._saved = settings.rig or Rig()
         self.path = settings.rig_path if settings.rig is not None else None
-        self._title = QtWidgets.QLineEdit()
-        self._title.setObjectName("rig_title")
-        self._title.setAccessibleName("Title")
+        self._title = named(QtWidgets.QLineEdit(), "rig_title", "Title")
         self._title.setPlaceholderText("Title of the rig")
-        self.channels = QtWidgets.QListWidget()
-        self.channels.setObjectName("rig_channels")
-        self.channels.setAccessibleName("Channels")
+        self.channels = named(QtWidgets.QListWidget(), "rig_channels", "Channels")
         self.fields = ChannelFields(self)
-        self._use = QtWidgets.QCheckBox("Use for this design")
-        self._use.setObjectName("rig_use")
+        self._use = named(QtWidgets.QCheckBox("Use for this design"), "rig_use")
         self._use.setChecked(True)
-        self._lay_out()
-        self._connect()
+        add = self.add_button("rig_add", "Add channel", "", self._add)
+        self._remove_button = self.add_button("rig_remove", "Remove channel", "", self._remove)
+        buttons = in_row(add, self._remove_button)
+        left = in_column(self._title, (self.channels, 1), buttons)
+        scroll = scrolled(self.fields.widget, "rig_fields")
+        scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        both = in_row((left, 2), (scroll, 3), gap_px=2 * UNIT_PX)
+        ends = in_row(
+            self._use,
+            None,
+            self.add_button("rig_open", "Open…", "", self._open),
+            self.add_button("rig_save", "Save…", "", self._save),
+            self.add_button("rig_close", "Close", "", self.reject),
+        )
+        in_column((both, 1), self.message, ends, of=self)
+        self._title.textEdited.connect(self._entitle)
+        self.channels.currentRowChanged.connect(self._show_channel)
+        self.fields.edited.connect(
+            lambda channel: self.take_channel(self.channels.currentRow(), channel)
+        )
+        self.fields.refused.connect(self.say)
+        self.fields.from_file.clicked.connect(self._ask_response)
+        self.fields.measure.clicked.connect(self._measure)
+        self.fields.forget.clicked.connect(partial(self._take_response, None))
         self._show(0)
 
     @property
@@ -222,34 +239,6 @@ class RigPage(ToolPage):
 
     def say(self, text: str) -> None:
         super().say(sentence(text))
-
-    def _lay_out(self) -> None:
-        add = self.add_button("rig_add", "Add channel", "", self._add)
-        self._remove_button = self.add_button("rig_remove", "Remove channel", "", self._remove)
-        buttons = in_row(add, self._remove_button)
-        left = in_column(self._title, (self.channels, 1), buttons)
-        scroll = scrolled(self.fields.widget, "rig_fields")
-        scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        both = in_row((left, 2), (scroll, 3), gap_px=2 * UNIT_PX)
-        ends = in_row(
-            self._use,
-            None,
-            self.add_button("rig_open", "Open…", "", self._open),
-            self.add_button("rig_save", "Save…", "", self._save),
-            self.add_button("rig_close", "Close", "", self.reject),
-        )
-        in_column((both, 1), self.message, ends, of=self)
-
-    def _connect(self) -> None:
-        self._title.textEdited.connect(self._entitle)
-        self.channels.currentRowChanged.connect(self._show_channel)
-        self.fields.edited.connect(
-            lambda channel: self.take_channel(self.channels.currentRow(), channel)
-        )
-        self.fields.refused.connect(self.say)
-        self.fields.from_file.clicked.connect(self._ask_response)
-        self.fields.measure.clicked.connect(self._measure)
-        self.fields.forget.clicked.connect(partial(self._take_response, None))
 
     def _show(self, row: int) -> None:
         """Show the rig, and one of its channels."""

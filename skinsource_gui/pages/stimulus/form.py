@@ -38,7 +38,7 @@ from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.rig_field import RigField
 from skinsource_gui.qt.buttons import page_label, tool_button
-from skinsource_gui.qt.layouts import form_of
+from skinsource_gui.qt.layouts import form_of, named
 from skinsource_gui.qt.tooltips import tooltip
 
 
@@ -325,9 +325,8 @@ class StimulusForm(QtWidgets.QWidget):
             self._numbers[name].set_value(value)
         self.rigs = RigFields(design, self)
         self._map = QtWidgets.QLineEdit()
-        self._map.setAccessibleName("Channel map")
+        named(self._map, title="Channel map", hint=tooltip("Channel map", _MAP_HINT))
         self._map.setPlaceholderText("in their order")
-        self._map.setToolTip(tooltip("Channel map", _MAP_HINT))
         self._boxes: dict[str, Any] = {
             "sync": QtWidgets.QCheckBox("Sync channel"),
             "dither": QtWidgets.QCheckBox("Dither"),

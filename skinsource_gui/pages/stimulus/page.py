@@ -44,8 +44,14 @@ from skinsource_gui.pages.files.export_parts import ExportPart, scrolled_fields
 from skinsource_gui.pages.files.exports import STIMULUS, STIMULUS_SET
 from skinsource_gui.pages.page import RowTable
 from skinsource_gui.pages.stimulus.form import Order, StimulusForm, recall, remembered
-from skinsource_gui.qt.buttons import page_button, page_label, scrolled, show_or_hide
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.buttons import (
+    page_button,
+    page_label,
+    progress_bar,
+    scrolled,
+    show_or_hide,
+)
+from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.overlays import PALE, Staleness
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
 from skinsource_gui.state.worker import fault_text
@@ -60,14 +66,13 @@ class ChannelsView(QtWidgets.QWidget):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setObjectName("stimulus_channels")
+        named(self, "stimulus_channels", "Channels as they will be written")
         #: The channels that are painted.
         self.channels: tuple[ChannelOverview, ...] = ()
         self._colours: Mapping[int, int] = {}
         self.setSizePolicy(
             QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Fixed
         )
-        self.setAccessibleName("Channels as they will be written")
 
     def sizeHint(self) -> QSize:
         return QSize(_TEXT_PX + 2 * _LEAST_PX, len(self.channels) * (_ROW_PX + _GAP_PX))
@@ -166,42 +171,6 @@ def channel_lines(overview: ChannelOverview) -> list[str]:
     return lines
 
 
-class PreparingBar(QtWidgets.QProgressBar):
-    """Shows how much of a stimulus is computed.
-
-    It appears with a delay, so that it does not flicker during short computations.
-    """
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.setObjectName("stimulus_progress")
-        self.setAccessibleName("Progress")
-        self.setFormat("Computing… %p %")
-        self.setFixedWidth(_TEXT_PX)
-        policy = self.sizePolicy()
-        # The button next to it stays where it is.
-        policy.setRetainSizeWhenHidden(True)
-        self.setSizePolicy(policy)
-        self.staleness = Staleness(self)
-        self.staleness.changed.connect(self.setVisible)
-        self.begin()
-        self.hide()
-
-    def begin(self) -> None:
-        """Note that a computation begins, whose progress is not known yet."""
-        self.show_progress(0, 0)
-        self.staleness.set_stale(True)
-
-    def end(self) -> None:
-        """Note that the computation has ended."""
-        self.staleness.set_stale(False)
-
-    def show_progress(self, done: int, total: int) -> None:
-        """Show how much of the total is done; a total of 0: not known."""
-        self.setMaximum(max(total, 1))
-        self.setValue(done)
-
-
 #: Of the worker's tasks: only the newest order is prepared.
 _ORDER, _MEND = "order", "mend"
 
@@ -241,9 +210,14 @@ class StimulusPart(ExportPart):
         self.channels = ChannelsView()
         self._notes = page_label("stimulus_loses", tone="dim")
         self._notes.setTextFormat(Qt.TextFormat.PlainText)
-        self._preparing = PreparingBar()
-        self._confirm = QtWidgets.QCheckBox("Write anyway")
-        self._confirm.setObjectName("stimulus_confirm")
+        self._bar = progress_bar("stimulus_progress", "Progress", keeps_room=True)
+        self._bar.setTextVisible(True)
+        self._bar.setFormat("Computing… %p %")
+        self._bar.setFixedWidth(_TEXT_PX)
+        self._bar.hide()
+        self._staleness = Staleness(self)
+        self._staleness.changed.connect(self._bar.setVisible)
+        self._confirm = named(QtWidgets.QCheckBox("Write anyway"), "stimulus_confirm")
         self._confirm.hide()
         self._mend = page_button("stimulus_mend", "", "Change the design so that it can be played")
         self._mend.clicked.connect(lambda: self.mended.emit(self._mending))
@@ -251,7 +225,13 @@ class StimulusPart(ExportPart):
         self._copy = page_button("stimulus_copy_methods", "", "Text for the methods of a paper")
         self._copy.clicked.connect(self._copy_methods)
         self.setFocusProxy(self.form.field("format"))
-        self._lay_out()
+        left = scrolled_fields(self._fields(), "stimulus_fields")
+        self._pictures = scrolled(self.channels, "stimulus_scroll")
+        self._pictures.setAccessibleName("Channels; arrow keys scroll")
+        columns = in_row(left, (self._preview(), 1), gap_px=2 * UNIT_PX)
+        foot = in_row(self._bar, self._mend, None, self._copy)
+        below = self._summary, self._notes, self._problem, self._confirm, foot
+        in_column((columns, 1), *below, of=self, margins=0, gap_px=UNIT_PX)
         self.form.changed.connect(self._order)
         self.form.refused.connect(self._show_refused)
         self._confirm.toggled.connect(self._show_readiness)
@@ -293,15 +273,6 @@ class StimulusPart(ExportPart):
     def writer(self, path: Path) -> Callable[..., Any]:
         return partial(_write, self.prepared, path, self._confirm.isChecked())
 
-    def _lay_out(self) -> None:
-        left = scrolled_fields(self._fields(), "stimulus_fields")
-        self._pictures = scrolled(self.channels, "stimulus_scroll")
-        self._pictures.setAccessibleName("Channels; arrow keys scroll")
-        columns = in_row(left, (self._preview(), 1), gap_px=2 * UNIT_PX)
-        foot = in_row(self._preparing, self._mend, None, self._copy)
-        below = self._summary, self._notes, self._problem, self._confirm, foot
-        in_column((columns, 1), *below, of=self, margins=0, gap_px=UNIT_PX)
-
     def _fields(self) -> QtWidgets.QWidget:
         """Return what is at the left."""
         return self.form
@@ -328,8 +299,7 @@ class StimulusPart(ExportPart):
         # Clipping was confirmed for another order.
         self._confirm.setChecked(False)
         self._offer_mend(None, None)
-        self._set_pale(True)
-        self._preparing.begin()
+        self._show_computing(True)
         self._show_readiness()
         self._worker.run_newest(_ORDER, self._work(order), partial(self._receive, order))
 
@@ -356,8 +326,7 @@ class StimulusPart(ExportPart):
             self._show_refused(fault_text(error) if error else "")
             self._worker.run_newest(_MEND, partial(self._find_mend, order), self._offer_mend)
             return
-        self._preparing.end()
-        self._set_pale(False)
+        self._show_computing(False)
         self._show_computed(computed)
 
     def _find_mend(self, order: Order) -> Edit | None:
@@ -392,19 +361,21 @@ class StimulusPart(ExportPart):
 
     def _show_progress(self, order: Order, done: int, total: int) -> None:
         if order is self._ordered:
-            self._preparing.show_progress(done, total)
+            self._bar.setMaximum(max(total, 1))
+            self._bar.setValue(done)
 
-    def _set_pale(self, pale: bool) -> None:
-        """Show channels and texts pale where they are out of date."""
+    def _show_computing(self, computing: bool) -> None:
+        """Show pale what is out of date; soon also how much is computed of what comes instead."""
+        self._bar.setValue(0)
+        self._staleness.set_stale(computing)
         for part in (self.channels, self._summary, self._notes, self._problem):
             effect = QtWidgets.QGraphicsOpacityEffect(part, opacity=PALE)
-            effect.setEnabled(pale)
+            effect.setEnabled(computing)
             part.setGraphicsEffect(effect)
 
     def _show_refused(self, reason: str) -> None:
         self._ordered = self.prepared = None
-        self._preparing.end()
-        self._set_pale(False)
+        self._show_computing(False)
         self.channels.show_channels((), {})
         self._notes.setText("")
         self._show("", sentence(reason), ask=False)

@@ -1,15 +1,15 @@
 """The Analysis panel: a chooser, what the chosen view answers, and the view."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from importlib import import_module
+from operator import attrgetter
 from pathlib import Path
 from typing import Any, ClassVar
 
-from PySide6 import QtGui, QtWidgets
+from PySide6 import QtWidgets
 from PySide6.QtCore import QEvent
 
-from skinsource.design.comparing import Snapshot
 from skinsource.design.design import Design
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
@@ -17,10 +17,9 @@ from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.panels.analysis.settings import SHOWN, VIEWS, AnalysisSettings
 from skinsource_gui.panels.analysis.view import AnalysisView
 from skinsource_gui.plots.figure import NoteLabel
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.questions import CopyButton
-from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, letter_scale
-from skinsource_gui.state.compared import Compared
+from skinsource_gui.qt.theme import UNIT_PX, letter_scale
 from skinsource_gui.state.panel import Panel
 
 # How much larger than usual letters are in which the view's answer is not shown.
@@ -35,6 +34,11 @@ _FORWARDED = (
     "failed",
     "done",
 )
+
+
+def _of_view(name: str) -> Any:
+    """Return an attribute of the panel that is the one of its view."""
+    return property(attrgetter(f"view.{name}"))
 
 
 class AnalysisPanel(Panel):
@@ -52,9 +56,22 @@ class AnalysisPanel(Panel):
     name: ClassVar[str] = "analysis"
     compares: ClassVar[bool] = True
 
+    needs = _of_view("needs")
+    needs_of_snapshots = _of_view("needs_of_snapshots")
+    needs_on_limbs = _of_view("needs_on_limbs")
+    snapshots_drawn = _of_view("snapshots_drawn")
+    is_stale = _of_view("is_stale")
+    reset_range = _of_view("reset_range")
+    show_playhead = _of_view("show_playhead")
+    show_problem = _of_view("show_problem")
+    show_snapshots = _of_view("show_snapshots")
+    show_on_limbs = _of_view("show_on_limbs")
+    show_newer = _of_view("show_newer")
+    draw_picture = _of_view("draw_picture")
+
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self._state: tuple[Design, View] | None = None
+        self._state = Design(limb=""), View()
         self._views: dict[str, AnalysisView] = {}
         # The view that is drawn for a picture, whatever is chosen; "": none is.
         self._for_picture = ""
@@ -62,8 +79,7 @@ class AnalysisPanel(Panel):
         # Whether the view was chosen since results came.
         self._just_chosen = False
         self._folder = Path()
-        self.choice = ChoiceField(SHOWN, self)
-        self.choice.setObjectName(f"{self.name}_view")
+        self.choice = named(ChoiceField(SHOWN, self), f"{self.name}_view")
         self.choice.edited.connect(self._choose)
         self.answer = NoteLabel(f"{self.name}_answer")
         self.copy = CopyButton(self.name, lambda: self.view.table_text(), self)
@@ -73,25 +89,6 @@ class AnalysisPanel(Panel):
         self._column = in_column(choice, answer, of=self, margins=0, gap_px=0)
         self.view = self._made(AnalysisSettings().shown)
         self._show_view(self.view)
-
-    @property
-    def needs(self) -> frozenset[str]:
-        return self.view.needs
-
-    @property
-    def needs_of_snapshots(self) -> frozenset[str]:
-        return self.view.needs_of_snapshots
-
-    @property
-    def needs_on_limbs(self) -> Mapping[str, frozenset[str]]:
-        return self.view.needs_on_limbs
-
-    @property
-    def is_stale(self) -> bool:
-        return self.view.is_stale
-
-    def snapshots_drawn(self, snapshots: Sequence[Snapshot]) -> Sequence[Snapshot]:
-        return self.view.snapshots_drawn(snapshots)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
@@ -107,32 +104,14 @@ class AnalysisPanel(Panel):
         self._follow_choice()
         self.view.show_state(design, view)
 
-    def show_playhead(self, view: View) -> None:
-        self.view.show_playhead(view)
-
-    def reset_range(self) -> None:
-        self.view.reset_range()
-
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._just_chosen = False
         self.view.show_results(results)
-
-    def show_problem(self, reason: str) -> None:
-        self.view.show_problem(reason)
-
-    def show_snapshots(self, compared: Sequence[Compared]) -> None:
-        self.view.show_snapshots(compared)
-
-    def show_on_limbs(self, compared: Sequence[Compared]) -> None:
-        self.view.show_on_limbs(compared)
 
     def show_stale(self, stale: bool) -> None:
         self.view.comes_into_sight = self.comes_into_sight or self._just_chosen
         self.view.show_stale(stale)
         self.view.comes_into_sight = False
-
-    def show_newer(self) -> None:
-        self.view.show_newer()
 
     def show_covered(self, covered: bool) -> None:
         self._covered = covered
@@ -141,12 +120,6 @@ class AnalysisPanel(Panel):
     def show_folder(self, folder: Path) -> None:
         self._folder = folder
         self.view.show_folder(folder)
-
-    def draw_picture(
-        self, painter: QtGui.QPainter, width: int, height: int, theme: Theme = LIGHT
-    ) -> None:
-        """Draw the view, without the chooser; size in px."""
-        self.view.draw_picture(painter, width, height, theme)
 
     @contextmanager
     def showing(self, view: str) -> Iterator[None]:
@@ -164,22 +137,18 @@ class AnalysisPanel(Panel):
         before = self.view
         self._follow_choice()
         if self.view is not before:
-            if self._state is not None:
-                self.view.show_state(*self._state)
+            self.view.show_state(*self._state)
             self.visibility_changed.emit()
 
     def _choose(self, name: str, _gesture: int | None) -> None:
-        if self._state is not None:
-            settings = AnalysisSettings(shown=name)
-            self.view_changed.emit(with_settings(self._state[1], self.name, settings))
+        settings = AnalysisSettings(shown=name)
+        self.view_changed.emit(with_settings(self._state[1], self.name, settings))
 
     def _follow_choice(self) -> None:
         """Show the view that is chosen, or that of a picture."""
-        settings = AnalysisSettings()
-        if self._state is not None:
-            settings = settings_of(self._state[1], self.name, AnalysisSettings)
-        self.choice.set_value(settings.shown)
-        view = self._made(self._for_picture or settings.shown)
+        shown = settings_of(self._state[1], self.name, AnalysisSettings).shown
+        self.choice.set_value(shown)
+        view = self._made(self._for_picture or shown)
         if view is not self.view:
             self._just_chosen = True
             self._show_view(view)

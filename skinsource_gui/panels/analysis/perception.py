@@ -26,7 +26,7 @@ from skinsource.perception.thresholds import (
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.analysis.table import OutputTableView, TableRow
 from skinsource_gui.qt.buttons import page_label, tool_button
-from skinsource_gui.qt.fitting import FoldingRow, LetterWidth, grouped
+from skinsource_gui.qt.fitting import FoldingRow, fit_to_letters, grouped
 from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.questions import ask_open, copied_level, tab_separated
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
@@ -170,7 +170,7 @@ class PerceptionView(OutputTableView):
         self._weighted: Weighted = None
         self._folder = Path()
         self.area = NumberField(AREA, widest_unit="cm²")
-        LetterWidth(self.area, _MOST_AREA_PX, at_most=True)
+        fit_to_letters(self.area, _MOST_AREA_PX, at_most=True)
         self.area_label = QtWidgets.QLabel("Vibrating area")
         self.area_label.setBuddy(self.area)
         set_tone(self.area_label, "dim")
@@ -179,8 +179,17 @@ class PerceptionView(OutputTableView):
         self.model = tool_button(self, "perception_model", "Use the model", hint)
         self.contact = page_label("perception_contact", tone="dim")
         self.limits = page_label("perception_limits", LIMITS, tone="dim")
-        self._lay_out()
-        self._connect()
+        gap_px = UNIT_PX // 2
+        area = grouped(self.area_label, self.area, None, gap_px=gap_px)
+        thresholds = grouped(self.own, self.model, None, gap_px=gap_px)
+        bar = FoldingRow((area, thresholds), gap_px)
+        parts = (bar, (self.stack, 1), self.contact, self.limits)
+        margins = (UNIT_PX // 2, 1, UNIT_PX // 2, UNIT_PX // 2)
+        in_column(*parts, of=self, margins=margins, gap_px=UNIT_PX // 2)
+        self.area.edited.connect(lambda area_cm2, _: self._change(area_cm2=area_cm2))
+        self.own.clicked.connect(self._ask)
+        message = "Thresholds are those of the model"
+        self.model.clicked.connect(lambda: self._change(message, table=(), source=""))
         self.say_instead(self.no_outputs)
 
     @property
@@ -246,21 +255,6 @@ class PerceptionView(OutputTableView):
             return
         message = f"Thresholds are those of {printable(path.name)}"
         self._change(message, table=settings_table(table), source=path.name[:200])
-
-    def _lay_out(self) -> None:
-        gap_px = UNIT_PX // 2
-        area = grouped(self.area_label, self.area, None, gap_px=gap_px)
-        thresholds = grouped(self.own, self.model, None, gap_px=gap_px)
-        bar = FoldingRow((area, thresholds), gap_px)
-        parts = (bar, (self.stack, 1), self.contact, self.limits)
-        margins = (UNIT_PX // 2, 1, UNIT_PX // 2, UNIT_PX // 2)
-        in_column(*parts, of=self, margins=margins, gap_px=UNIT_PX // 2)
-
-    def _connect(self) -> None:
-        self.area.edited.connect(lambda area_cm2, _: self._change(area_cm2=area_cm2))
-        self.own.clicked.connect(self._ask)
-        message = "Thresholds are those of the model"
-        self.model.clicked.connect(lambda: self._change(message, table=(), source=""))
 
     def _ask(self) -> None:
         path = ask_open(self, "Own thresholds", "CSV (*.csv)", self._folder)

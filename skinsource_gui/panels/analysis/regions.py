@@ -20,7 +20,7 @@ from skinsource_gui.fields.units import minus
 from skinsource_gui.panels.analysis.view import AnalysisView
 from skinsource_gui.plots.figure import NoteLabel
 from skinsource_gui.qt.labels import set_table_look
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.questions import copied_level, tab_separated
 from skinsource_gui.qt.theme import UNIT_PX, scaled, tabular
 from skinsource_gui.state.compared import (
@@ -187,8 +187,7 @@ class RegionTable(QtWidgets.QTableWidget):
 
     def __init__(self) -> None:
         super().__init__(len(REGION_OUTPUTS), 0)
-        self.setObjectName("regions_table")
-        self.setAccessibleName("RMS levels by region")
+        named(self, "regions_table", "RMS levels by region")
         self.setEditTriggers(QtWidgets.QAbstractItemView.EditTrigger.NoEditTriggers)
         set_table_look(self)
         self.verticalHeader().show()

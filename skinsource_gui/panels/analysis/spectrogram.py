@@ -31,8 +31,8 @@ from skinsource_gui.fields.units import axis_unit, minus, output_text
 from skinsource_gui.panels.analysis.view import FigureView
 from skinsource_gui.plots.colour_maps import colour_indices, colour_table
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
-from skinsource_gui.plots.ranges import BEFORE_S, Range, SteadyRange
-from skinsource_gui.qt.fitting import FoldingRow, LetterWidth, grouped
+from skinsource_gui.plots.ranges import BEFORE_S, Range
+from skinsource_gui.qt.fitting import FoldingRow, fit_to_letters, grouped
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 from skinsource_gui.state.compared import SILENT
 
@@ -72,21 +72,16 @@ class SpectrogramPicture(Figure):
         self.content: SpectrogramContent | None = None
         self.range_db: Range = (-SPAN_DB, 0.0)
         self._playhead_s: float | None = None
-        self._steady_range = SteadyRange()
         self._table = colour_table()
         self._pixels: np.ndarray | None = None
         self._image = QtGui.QImage()
-
-    def reset_range(self) -> None:
-        """Decide the range of the next picture without a look at the one before."""
-        self._steady_range.reset()
 
     def show_spectrogram(self, content: SpectrogramContent) -> None:
         """Take over what to show."""
         self.content = content
         rows = _rows_within(content)
         levels = decibels(content.spectrogram.amplitude[rows])
-        top = self._steady_range.follow(float(levels.min()), float(levels.max()), "level")[1]
+        top = self.steady_range.follow(float(levels.min()), float(levels.max()), "level")[1]
         self.range_db = (top - SPAN_DB, top)
         codes = colour_indices(levels, self.range_db)
         self._pixels = np.ascontiguousarray(self._table[codes[::-1]])
@@ -244,7 +239,7 @@ class SpectrogramView(FigureView):
             QtWidgets.QSizePolicy.Policy.Maximum, QtWidgets.QSizePolicy.Policy.Fixed
         )
         for field in (self.floor, self.ceiling):
-            LetterWidth(field, _MOST_NUMBER_PX, at_most=True)
+            fit_to_letters(field, _MOST_NUMBER_PX, at_most=True)
         gap_px = UNIT_PX // 2
         what = grouped(self.output, self.window_length, gap_px=gap_px)
         dash = QtWidgets.QLabel("–")
@@ -267,9 +262,6 @@ class SpectrogramView(FigureView):
         drawn = {"output_spectrogram", "spectrogram_output", "response_time_s"}
         drawn |= {"sample_rate_hz", "axes", "match_gain", "method", "limb_data"}
         return frozenset(drawn)
-
-    def reset_range(self) -> None:
-        self.picture.reset_range()
 
     def show_state(self, design: Design, view: View) -> None:
         settings = settings_of(view, self.name, SpectrogramSettings)

@@ -18,7 +18,7 @@ from skinsource_gui.fields.units import minus
 from skinsource_gui.panels.analysis.settings import TransferSettings
 from skinsource_gui.panels.analysis.view import FigureView
 from skinsource_gui.plots.figure import Axes, Axis, Figure, draw_legend, fitted_axes
-from skinsource_gui.plots.ranges import LEVEL_SPAN_DB, SteadyRange
+from skinsource_gui.plots.ranges import LEVEL_SPAN_DB
 from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.labels import how_to_add
 from skinsource_gui.qt.questions import tab_separated
@@ -44,18 +44,13 @@ class TransferPicture(Figure):
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__("transfer_picture", "Transfer functions", parent)
         self.content: TransferContent | None = None
-        self._steady_range = SteadyRange()
         self._top_db = 0.0
-
-    def reset_range(self) -> None:
-        """Decide the range of the next picture without a look at the one before."""
-        self._steady_range.reset()
 
     def show_transfer(self, content: TransferContent) -> None:
         """Take over what to show."""
         self.content = content
         highest = float(decibels(content.transfer.magnitude).max())
-        self._top_db = self._steady_range.follow(highest, highest, "level")[1]
+        self._top_db = self.steady_range.follow(highest, highest, "level")[1]
         self.say("")
         self.read_again()
 
@@ -189,9 +184,6 @@ class TransferView(FigureView):
     @property
     def needs(self) -> frozenset[str]:
         return frozenset({"transfer", "transfer_place", "shown_outputs", *OF_UNIT, "limb_data"})
-
-    def reset_range(self) -> None:
-        self.picture.reset_range()
 
     def show_state(self, design: Design, view: View) -> None:
         settings = settings_of(view, self.name, TransferSettings)

@@ -125,6 +125,9 @@ class FigureView(AnalysisView):
         self.show_result("")
         self.offer_copy(False)
 
+    def reset_range(self) -> None:
+        self.figure.steady_range.reset()
+
     def await_results(self) -> None:
         self.figure.say(COMPUTING)
 

@@ -497,7 +497,7 @@ class WindowedView(AnalysisView):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self._design: Design | None = None
+        self._design = Design(limb="")
         self.strip = StripView(self)
         self.cells = {
             "windows_cut": FieldCell("windows_cut", WINDOWS_CUT, self, edited=self._change),
@@ -558,8 +558,6 @@ class WindowedView(AnalysisView):
         self.strip.show_time(view.playhead_s)
 
     def show_results(self, results: Mapping[str, Any]) -> None:
-        if self._design is None:
-            return
         levels = results["levels_of_windows_db"]
         maps = {"surface_levels_db": results["surface_of_windows_db"], **results}
         content = WindowedContent(
@@ -615,13 +613,11 @@ class WindowedView(AnalysisView):
     def _looks(self) -> dict[str, Any]:
         """Fields of the content that follow from the view alone."""
         delay_s = 0.0
-        if self._design is not None and not self._view.delay_removed:
+        if not self._view.delay_removed:
             delay_s = facts_of(self._design.limb).pre_trigger_delay_s
         return {"traces_delay_s": delay_s, "look": level_style(self._view)}
 
     def _heading(self, times: str = "") -> str:
-        if self._design is None:
-            return ""
         content, view = self.strip.content, self._view
         limb = limb_label(self._design.limb).title
         lines = [f"{limb}: RMS of {signal_label(view.axes, view.method)} in windows"]

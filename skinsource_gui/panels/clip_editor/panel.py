@@ -31,7 +31,7 @@ from skinsource_gui.panels.clip_editor.view import EditorView, SpectrumStrip, To
 from skinsource_gui.qt.buttons import page_label, tool_button
 from skinsource_gui.qt.keys import arrow_steps, key_text, meaning_of
 from skinsource_gui.qt.labels import HOW_TO_SELECT_CLIP, FittingLabel, how_to_add
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.theme import set_tone
 from skinsource_gui.qt.tooltips import show_tooltip
 from skinsource_gui.state.panel import Panel
@@ -203,8 +203,7 @@ class EditorToolbar(QtWidgets.QWidget):
         hint = f"Show the whole clip ({key_text(_PLACE, 'whole')})"
         self.fit = tool_button(self, "clip_fit", "Fit", hint, takes_keyboard=False)
         row.addWidget(self.fit)
-        self._description = FittingLabel()
-        self._description.setObjectName("clip_words")
+        self._description = named(FittingLabel(), "clip_words")
         set_tone(self._description, "dim")
         self._description.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         self._description.setSizePolicy(
@@ -393,7 +392,10 @@ class ClipEditorPanel(Panel):
         self._stack.addWidget(inside)
         self.setMinimumSize(260, 176)
         self.setFocusProxy(self._canvas)
-        self._connect()
+        self._toolbar.tool_requested.connect(self.use)
+        self._toolbar.fit.clicked.connect(self._canvas.show_everything)
+        self._canvas.key_pressed.connect(self._press)
+        self._view_tool.pan_requested.connect(self._canvas.pan)
 
     @property
     def needs(self) -> frozenset[str]:
@@ -446,12 +448,6 @@ class ClipEditorPanel(Panel):
         self._toolbar.show_tool(tool)
         if self.clip is not None:
             self._show_text(self.clip)
-
-    def _connect(self) -> None:
-        self._toolbar.tool_requested.connect(self.use)
-        self._toolbar.fit.clicked.connect(self._canvas.show_everything)
-        self._canvas.key_pressed.connect(self._press)
-        self._view_tool.pan_requested.connect(self._canvas.pan)
 
     def _show(self) -> None:
         clip = self.clip

@@ -22,7 +22,7 @@ from skinsource_gui.plots.time_scale import Range, TimeScale, panned, range_by_w
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.frames import CachedPicture, Same
 from skinsource_gui.qt.labels import FittingLabel
-from skinsource_gui.qt.layouts import in_column
+from skinsource_gui.qt.layouts import in_column, named
 from skinsource_gui.qt.theme import (
     Theme,
     current_theme,
@@ -350,8 +350,7 @@ class EditorView(Canvas):
 
     def __init__(self, tool: Tool, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setObjectName("clip_editor_view")
-        self.setAccessibleName("Waveform of the clip")
+        named(self, "clip_editor_view", "Waveform of the clip")
         self.setMouseTracking(True)
         self.setMinimumSize(160, 80)
         self.item = EditorItem()

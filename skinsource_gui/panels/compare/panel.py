@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any, ClassVar
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QRectF, QSize, Signal
 
 from skinsource.design import edits
 from skinsource.design.comparing import (
@@ -36,9 +36,9 @@ from skinsource_gui.panels.compare.settings import (
 )
 from skinsource_gui.panels.compare.view import paint_page
 from skinsource_gui.plots.figure import NoteLabel
-from skinsource_gui.qt.buttons import tool_button
+from skinsource_gui.qt.buttons import menu_of, tool_button
 from skinsource_gui.qt.fitting import FoldingRow
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, on_paper, tabular
 
@@ -59,16 +59,12 @@ class LimbsButton(QtWidgets.QToolButton):
         super().__init__(parent)
         self._chosen: tuple[str, ...] = ()
         self._usual = True
-        self.setObjectName("compare_limbs")
+        named(self, "compare_limbs", hint="Limbs to show, two to six")
         self.setText("Limbs…")
         # The dots in the text show that a menu opens.
         self.setStyleSheet("QToolButton::menu-indicator { image: none; }")
-        self.setToolTip("Limbs to show, two to six")
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.menu_of_limbs = QtWidgets.QMenu(self)
+        self.menu_of_limbs = menu_of(self)
         self.menu_of_limbs.aboutToShow.connect(self.fill)
-        self.setMenu(self.menu_of_limbs)
 
     def show_chosen(self, chosen: Sequence[str], *, usual: bool) -> None:
         """Take over which limbs are shown, and whether these are the usual ones."""
@@ -137,8 +133,7 @@ class ChoicesBar(QtWidgets.QWidget):
         super().__init__(parent)
         self._panel_name = panel_name
         self._view, self.settings = View(), CompareSettings()
-        self.of, self.shown = ChoiceField(OF, self), ChoiceField(SHOWN, self)
-        self.of.setObjectName("compare_of")
+        self.of, self.shown = named(ChoiceField(OF, self), "compare_of"), ChoiceField(SHOWN, self)
         self.shown.setObjectName("compare_shown")
         self.of.edited.connect(lambda of, _: self._change(of=of))
         self.shown.edited.connect(lambda what, _: self._change(shown=what))
@@ -149,8 +144,7 @@ class ChoicesBar(QtWidgets.QWidget):
         self.own_maximum.clicked.connect(lambda on: self._change(own_maximum=on))
         self.limbs = LimbsButton(self)
         self.limbs.limbs_chosen.connect(lambda limbs: self._change(limbs=" ".join(limbs)))
-        self.frequencies = NumbersEditor(FREQUENCIES, self)
-        self.frequencies.setObjectName("compare_frequencies")
+        self.frequencies = named(NumbersEditor(FREQUENCIES, self), "compare_frequencies")
         self.frequencies.edited.connect(lambda numbers, _: self._change(frequencies_hz=numbers))
         self.match, self.toggle, self.file = self._of_snapshots = tuple(
             tool_button(self, f"compare_{name}", text, hint)

@@ -45,7 +45,7 @@ from skinsource_gui.plots.small_map import Range
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.frames import CachedPicture, Same
 from skinsource_gui.qt.labels import how_to_add
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, letter_scale, set_tone, tabular
 
 _ALONE = OfWindow()
@@ -167,10 +167,9 @@ class Knob(QtWidgets.QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        self.label, self.dial = QtWidgets.QLabel(), QtWidgets.QDial()
+        self.label, self.dial = QtWidgets.QLabel(), named(QtWidgets.QDial(), "stage_dial")
         self.field = NumberField(ONSET_SPEC)
         self._ends, self._logarithmic, self._burst = (0.0, 1.0), False, Burst(self)
-        self.dial.setObjectName("stage_dial")
         self.dial.setRange(0, _STEPS)
         self.dial.setSingleStep(_STEP)
         self.dial.setPageStep(10 * _STEP)
@@ -237,8 +236,7 @@ class StagePanel(MapsPanel):
         self.caution.setObjectName("stage_caution")
         self.caution.setWordWrap(True)
         set_tone(self.caution, "warning")
-        self.switch.setObjectName("stage_compare")
-        self.switch.setToolTip(COMPARED.hint)
+        named(self.switch, "stage_compare", hint=COMPARED.hint)
         self.switch.clicked.connect(self.compare)
         self._line = in_row((self.caution, 1), self.switch)
         self._held_ends: tuple[Range, Range] | None = None

@@ -549,8 +549,7 @@ class HandPanel(Panel):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self._design: Design | None = None
-        self._view = View()
+        self._design, self._view = Design(limb=""), View()
         # Ids of the inputs that are pointed at here, and in another panel.
         self._pointed_at: int | None = None
         self._elsewhere: int | None = None
@@ -578,8 +577,8 @@ class HandPanel(Panel):
         self.setFocusProxy(self.diagram)
 
     def show_state(self, design: Design, view: View) -> None:
-        before = () if self._design is None else self._design.inputs
-        shown = self._design and (self._design.limb, self._view.selected_inputs, len(before))
+        before = self._design.inputs
+        shown = self._design.limb, self._view.selected_inputs, len(before)
         self._design, self._view = design, view
         if self._elsewhere is not None and self.diagram.state.moving is None:
             # The input may have moved.
@@ -600,7 +599,7 @@ class HandPanel(Panel):
 
     def show_pointed_input(self, input_id: int | None) -> None:
         self._elsewhere = input_id
-        tracks = () if self._design is None else self._design.inputs
+        tracks = self._design.inputs
         site = next((track.location for track in tracks if track.id == input_id), None)
         self.diagram.stage.change(target=site)
 
@@ -623,7 +622,7 @@ class HandPanel(Panel):
 
     def _places(self) -> PlacesOfMap | None:
         """Return where places of the map lie on this hand, once its map is known."""
-        if self._design is None or self._limb is None or self._limb.name != self._design.limb:
+        if self._limb is None or self._limb.name != self._design.limb:
             return None
         return places_of_map(self.diagram.stage.drawing, self._limb.map)
 
@@ -658,8 +657,6 @@ class HandPanel(Panel):
 
     def _show_inputs(self, *, anew: bool = False) -> None:
         """Show the inputs; ``anew``: none of them is as one was before."""
-        if self._design is None:
-            return
         audible = {id(track) for track in audible_inputs(self._design.inputs)}
         marks = tuple(
             Mark(
@@ -675,9 +672,8 @@ class HandPanel(Panel):
 
     def _selected(self) -> int | None:
         """Return the index of the input that was selected last, if the design still has it."""
-        tracks = () if self._design is None else enumerate(self._design.inputs)
-        last = self._view.selected_input
-        return next((index for index, track in tracks if track.id == last), None)
+        ids, last = self._design.ids, self._view.selected_input
+        return ids.index(last) if last in ids else None
 
     def _select(self, index: int) -> None:
         self._edit(edits.select_inputs, self._ids_at(index))
@@ -697,13 +693,12 @@ class HandPanel(Panel):
 
     def _ids_at(self, index: int) -> tuple[int, ...]:
         """Return the id of an input; empty where the design has lost it, by an undo perhaps."""
-        return self._design.ids[index : index + 1] if self._design else ()
+        return self._design.ids[index : index + 1]
 
     def _edit(
         self, edit: Callable[..., Edit | Refusal], *arguments: object, gesture: int | None = None
     ) -> None:
-        if self._design is not None:
-            self.edited.emit(edit(self._design, self._view, *arguments), gesture)
+        self.edited.emit(edit(self._design, self._view, *arguments), gesture)
 
     def _open_menu(self, site: int, at: QPoint) -> None:
         index = self.diagram.state.front_at(site)
@@ -714,7 +709,7 @@ class HandPanel(Panel):
         ids = () if index is None else self._ids_at(index)
         if set(ids) & set(self._view.selected_inputs):
             ids = self._view.selected_inputs
-        chosen = [track for track in self._design.inputs if track.id in ids] if self._design else []
+        chosen = [track for track in self._design.inputs if track.id in ids]
         fill_inputs_menu(menu, chosen, lambda edit: self._edit(edit, ids), place="hand")
         menu.popup(at)
 

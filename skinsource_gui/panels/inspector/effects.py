@@ -18,6 +18,7 @@ from skinsource_gui.fields.curve_field import CurveField
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.parts import AddButton, FieldsRow, RowColumn, RowTitle, lay_out_list
 from skinsource_gui.qt.buttons import Fold
+from skinsource_gui.qt.layouts import named
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.qt.wheel import scroll_to
@@ -33,10 +34,9 @@ class EffectRow(FieldsRow):
     def __init__(self, effect: Effect) -> None:
         self.part = effect
         self._cells = tuple(self._cell(name) for name in specs_of(effect) if name != "on")
-        self._switch = QtWidgets.QCheckBox()
-        self._switch.setObjectName("effect_switch")
-        self._switch.setAccessibleName(f"{effect.title} on")
-        self._switch.setToolTip(tooltip(ON.label, ON.hint))
+        self._switch = named(
+            QtWidgets.QCheckBox(), "effect_switch", f"{effect.title} on", tooltip(ON.label, ON.hint)
+        )
         title = RowTitle(effect.title, "effects", "in the chain")
         super().__init__(title, (self._switch,), UNIT_PX // 2)
         self.remove_button.setToolTip(tooltip(f"Remove {effect.title.lower()}"))
@@ -102,8 +102,7 @@ class EffectChain(QtWidgets.QWidget):
         self._ids: tuple[int, ...] = ()
         self._adds = False
         add = AddButton("add_effect", self._fill_menu)
-        add.setAccessibleName("Add an effect")
-        add.setToolTip(tooltip("Add an effect at the end of the chain"))
+        named(add, title="Add an effect", hint=tooltip("Add an effect at the end of the chain"))
         self._column: RowColumn[EffectRow] = RowColumn(add)
         self._column.moved.connect(partial(self._change, edits.move_effect))
         self.fold = Fold("effects_fold", "Effects", self._column)

@@ -57,6 +57,7 @@ from skinsource_gui.plots.preview import WaveformPreview
 from skinsource_gui.qt.buttons import (
     Fold,
     Swatch,
+    menu_of,
     mute_button,
     page_label,
     scrolled,
@@ -64,7 +65,7 @@ from skinsource_gui.qt.buttons import (
     tool_button,
 )
 from skinsource_gui.qt.labels import HOW_TO_SELECT_INPUT, FittingLabel, how_to_add
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.tooltips import show_tooltip, tooltip
 from skinsource_gui.state.panel import Panel
@@ -75,10 +76,8 @@ def _button_cell(
 ) -> LabelledCell:
     """Return a cell with a button that leads to where a value is changed."""
     cell = LabelledCell(label)
-    button = QtWidgets.QPushButton(text, cell)
-    button.setObjectName(name)
+    button = named(QtWidgets.QPushButton(text, cell), name, hint=tooltip(hint))
     button.setMinimumHeight(LABEL_PX)
-    button.setToolTip(tooltip(hint))
     button.clicked.connect(lambda: clicked.emit())
     cell.stack.addWidget(button, 0, Qt.AlignmentFlag.AlignLeft)
     cell.label.setBuddy(button)
@@ -118,16 +117,13 @@ class Meaning(QtWidgets.QToolButton):
         super().__init__()
         self.setObjectName("scaling")
         self.setAutoRaise(True)
-        self.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         set_tone(self, "dim")
-        menu = QtWidgets.QMenu(self)
+        menu = menu_of(self)
         menu.setToolTipsVisible(True)
         self._actions = {word.name: menu.addAction(word.title) for word in SCALINGS}
         for name, action in self._actions.items():
             action.setCheckable(True)
             action.triggered.connect(lambda _=False, name=name: self.chosen.emit(name))
-        self.setMenu(menu)
 
     def show_scaling(self, design: Design) -> None:
         """Show that of a design, as it is meant on its limb."""
@@ -182,15 +178,9 @@ class InputFields(QObject):
         self._onset = FieldCell("onset_s", ONSET, edited=self.edited)
         self._gain = FieldCell("gain", GAIN, edited=self.edited)
         self._curve = FieldCell("gain_curve", GAIN_CURVE, edited=self.edited)
-        self._peak = TextCell("Peak", "")
-        self._peak.text_label.setObjectName("peak")
-        self._peak.text_label.setToolTip("Peak of the whole track, with its gain")
-        self._played_length = TextCell("Played", "")
-        self._played_length.text_label.setObjectName("played_length")
-        self._played_length.text_label.setToolTip("Duration after effects")
-        self._played_hz = TextCell("Played", "")
-        self._played_hz.text_label.setObjectName("played_hz")
-        self._played_hz.text_label.setToolTip("Frequency after effects")
+        self._peak = TextCell("Peak", "", "peak", "Peak of the whole track, with its gain")
+        self._played_length = TextCell("Played", "", "played_length", "Duration after effects")
+        self._played_hz = TextCell("Played", "", "played_hz", "Frequency after effects")
 
     def show_input(
         self,
@@ -346,8 +336,7 @@ class ClipHeading(QtWidgets.QWidget):
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._swatch = Swatch()
-        self._title = FittingLabel()
-        self._title.setObjectName("inspector_heading")
+        self._title = named(FittingLabel(), "inspector_heading")
         self._title.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         self._title.setSizePolicy(
             QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Preferred

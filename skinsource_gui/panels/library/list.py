@@ -30,7 +30,7 @@ from skinsource_gui.fields.kinds import SHARPEST, drawn_path
 from skinsource_gui.plots.preview import ClipStrip, SpectrumPreview, strip_lanes
 from skinsource_gui.qt.buttons import scrolled
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
-from skinsource_gui.qt.layouts import in_column
+from skinsource_gui.qt.layouts import in_column, named
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 
 _Role = Qt.ItemDataRole
@@ -186,8 +186,7 @@ class PresetList(QtWidgets.QListView):
         self._message = ""
         self._under: Entry | None = None
         self._delegate = PresetDelegate(self)
-        self.setObjectName("preset_rows")
-        self.setAccessibleName("Presets")
+        named(self, "preset_rows", "Presets")
         self.setModel(model)
         self.setItemDelegate(self._delegate)
         self.setUniformItemSizes(True)
@@ -197,7 +196,7 @@ class PresetList(QtWidgets.QListView):
         self.setEditTriggers(QtWidgets.QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setDragEnabled(True)
         self.setDragDropMode(QtWidgets.QAbstractItemView.DragDropMode.DragOnly)
-        self.doubleClicked.connect(self._place)
+        self.doubleClicked.connect(lambda index: self.place_requested.emit(index.data(ENTRY)))
 
     @property
     def current(self) -> Entry | None:
@@ -357,9 +356,6 @@ def _facts(preset: Preset, limb: str) -> str:
         n = len(lanes[0].clips)
         return length if n == 1 else f"{length}, {n} clips"
     places = (lane.location for lane in lanes)
-    names = (input_name(k, limb).short_name if _exists(k, limb) else str(k) for k in places)
+    known = facts_of(limb).n_inputs
+    names = (input_name(k, limb).short_name if k <= known else str(k) for k in places)
     return f"{length}, {len(lanes)} tracks: {', '.join(names)}"
-
-
-def _exists(place: int, limb: str) -> bool:
-    return place <= facts_of(limb).n_inputs

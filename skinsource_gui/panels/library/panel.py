@@ -2,10 +2,10 @@
 
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import ClassVar
+from typing import ClassVar, cast
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEvent, QFileSystemWatcher, QObject, QPoint, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt, Signal
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.work import counted
@@ -19,7 +19,7 @@ from skinsource_gui.panels.library.list import PresetList, PresetPreview, Preset
 from skinsource_gui.qt.buttons import page_button, page_label, passing_menu
 from skinsource_gui.qt.fitting import FoldingRow
 from skinsource_gui.qt.keys import KEYS, key_text
-from skinsource_gui.qt.layouts import in_row
+from skinsource_gui.qt.layouts import in_row, named
 from skinsource_gui.qt.questions import ask_yes
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.panel import Panel
@@ -84,9 +84,7 @@ class SearchRow(QtWidgets.QWidget):
         self.line.setClearButtonEnabled(True)
         self.line.textChanged.connect(self.changed)
         self.line.installEventFilter(self)
-        self.tags.setObjectName("preset_tags")
-        self.tags.setAccessibleName("Tag")
-        self.tags.setToolTip("Only presets with this tag")
+        named(self.tags, "preset_tags", "Tag", "Only presets with this tag")
         self.tags.addItem(_ALL)
         self.tags.currentIndexChanged.connect(self.changed)
         in_row((self.line, 3), (self.tags, 2), of=self, margins=0)
@@ -123,15 +121,8 @@ class SearchRow(QtWidgets.QWidget):
         return super().eventFilter(watched, event)
 
 
-#: Changes within this time are one change, since files are written in several steps.
-_BATCH_MS = 150
-
-
 class PresetFolders(QObject):
-    """Reads the folders of presets, the user's again when it changes; renames and deletes in it.
-
-    The user's folder is watched with its files, also while it does not exist yet.
-    """
+    """Reads the folders of presets; renames and deletes in the user's."""
 
     changed = Signal()
     #: Why something was not done.
@@ -141,9 +132,6 @@ class PresetFolders(QObject):
         super().__init__(parent)
         self._shipped: PresetFolder | None = None
         self._own = PresetFolder()
-        self._watcher: QFileSystemWatcher | None = None
-        self._pause = QTimer(self, singleShot=True, interval=_BATCH_MS)
-        self._pause.timeout.connect(self.read)
 
     @property
     def folder(self) -> Path:
@@ -163,20 +151,11 @@ class PresetFolders(QObject):
         return (*self._own.faults, *(self._shipped or PresetFolder()).faults)
 
     def read(self) -> None:
-        """Read both folders, and watch the user's."""
+        """Read both folders again."""
         if self._shipped is None:
             self._shipped = presets.read_preset_folder(presets.shipped_folder())
-        # It is watched before it is read, so that no change is missed.
-        self._watch()
         self._own = presets.read_preset_folder(self.folder)
         self.changed.emit()
-
-    def rest(self) -> None:
-        """Stop watching."""
-        self._pause.stop()
-        if self._watcher is not None:
-            self._watcher.deleteLater()
-            self._watcher = None
 
     def rename(self, entry: Entry, name: str) -> Path:
         """Rename a preset of the user; return its file."""
@@ -196,22 +175,6 @@ class PresetFolders(QObject):
         self.read()
         return path or entry.path
 
-    def _watch(self) -> None:
-        """Watch the user's folder and its present files, and nothing else."""
-        self.rest()
-        self._watcher = QFileSystemWatcher(self)
-        self._watcher.directoryChanged.connect(self._pause.start)
-        self._watcher.fileChanged.connect(self._pause.start)
-        folder = self.folder
-        try:
-            files = [str(path) for path in folder.iterdir() if path.suffix == presets.SUFFIX]
-            self._watcher.addPaths([str(folder), *files])
-        except OSError:
-            # The nearest folder that exists is watched instead.
-            ancestor = next((parent for parent in folder.parents if parent.is_dir()), None)
-            if ancestor is not None:
-                self._watcher.addPath(str(ancestor))
-
 
 _WIDE_PX, _HIGH_PX = 340, 440
 _NOTHING = "No matches. Search for other words, or choose all tags."
@@ -226,8 +189,7 @@ class LibraryPanel(Panel):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self._design: Design | None = None
-        self._view = View()
+        self._design, self._view = Design(limb=""), View()
         self.folders = PresetFolders(self)
         self.model = PresetsModel(self)
         self.search, self.rows = SearchRow(), PresetList(self.model)
@@ -250,7 +212,23 @@ class LibraryPanel(Panel):
         self.setFocusProxy(self.rows)
         self.rows.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.preview.hide()
-        self._connect()
+        application = cast(QtGui.QGuiApplication, QtGui.QGuiApplication.instance())
+        application.focusWindowChanged.connect(self._look_again)
+        self.folders.changed.connect(self._show_presets)
+        self.folders.failed.connect(self.failed)
+        self.search.changed.connect(self._show_presets)
+        self.search.line.returnPressed.connect(self._place_current)
+        self.search.left_downwards.connect(self.rows.setFocus)
+        self.rows.place_requested.connect(self.place)
+        self.rows.delete_requested.connect(self._delete)
+        self.rows.search_requested.connect(self._search)
+        self.rows.preview_changed.connect(self._preview)
+        self.rows.customContextMenuRequested.connect(self._open_menu)
+        self.model.rename_requested.connect(self._rename)
+        self.buttons.place.clicked.connect(self._place_current)
+        self.buttons.save.clicked.connect(lambda: self.action_requested.emit("save_to_library"))
+        self.buttons.rename.clicked.connect(self.rows.rename)
+        self.buttons.delete.clicked.connect(self._delete_current)
 
     def sizeHint(self) -> QSize:
         return QSize(560, 236)
@@ -267,6 +245,11 @@ class LibraryPanel(Panel):
         self.folders.read()
         super().showEvent(event)
 
+    def _look_again(self) -> None:
+        # Another window, or another program, may have written presets meanwhile.
+        if self.isVisible():
+            self.folders.read()
+
     def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         # In a low and wide panel the preview lies beside the list.
@@ -274,34 +257,13 @@ class LibraryPanel(Panel):
         way = QtWidgets.QBoxLayout.Direction
         self._body.setDirection(way.LeftToRight if is_wide else way.TopToBottom)
 
-    def hideEvent(self, event: QtGui.QHideEvent) -> None:
-        self.folders.rest()
-        super().hideEvent(event)
-
     def place(self, entry: Entry | None) -> None:
         """Place a preset at the playhead, on the selected track."""
-        if entry is not None and self._design is not None:
+        if entry is not None:
             preset = entry.preset
             self.edited.emit(
                 edits.place_fragment(self._design, self._view, preset.fragment, preset.name), None
             )
-
-    def _connect(self) -> None:
-        self.folders.changed.connect(self._show_presets)
-        self.folders.failed.connect(self.failed)
-        self.search.changed.connect(self._show_presets)
-        self.search.line.returnPressed.connect(self._place_current)
-        self.search.left_downwards.connect(self.rows.setFocus)
-        self.rows.place_requested.connect(self.place)
-        self.rows.delete_requested.connect(self._delete)
-        self.rows.search_requested.connect(self._search)
-        self.rows.preview_changed.connect(self._preview)
-        self.rows.customContextMenuRequested.connect(self._open_menu)
-        self.model.rename_requested.connect(self._rename)
-        self.buttons.place.clicked.connect(self._place_current)
-        self.buttons.save.clicked.connect(lambda: self.action_requested.emit("save_to_library"))
-        self.buttons.rename.clicked.connect(self.rows.rename)
-        self.buttons.delete.clicked.connect(self._delete_current)
 
     def _show_presets(self, at: Path | None = None) -> None:
         """List the matches; the cursor stays at its file, or goes to the file ``at``."""

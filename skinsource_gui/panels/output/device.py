@@ -25,7 +25,7 @@ from skinsource_gui.fields.grid import FieldGrid, LabelledCell
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.rig_field import RigField
 from skinsource_gui.qt.buttons import tool_button
-from skinsource_gui.qt.fitting import LetterWidth
+from skinsource_gui.qt.fitting import fit_to_letters
 from skinsource_gui.qt.labels import FittingLabel
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, set_tone, tabular
@@ -96,7 +96,7 @@ class DeviceFields(QObject):
             None, "look_for_devices", "Refresh", "Look for new devices; this stops playback"
         )
         self.gain = NumberField(_GAIN, widest_unit=_GAIN.unit)
-        LetterWidth(self.gain, _NUMBER_PX)
+        fit_to_letters(self.gain, _NUMBER_PX)
         self.cells = {name: FieldCell(name, spec, edited=self._edit) for name, spec in _OTHERS}
         grid = FieldGrid()
         grid.show_cells(list(self.cells.values()))
@@ -199,7 +199,7 @@ class OutputRow:
         self.output.setObjectName(f"output_of_{place}")
         self.output.setAccessibleName(spec.label)
         self.output.setToolTip("Output of the device that its actuator is wired to")
-        LetterWidth(self.output, _OUTPUT_NUMBER_PX)
+        fit_to_letters(self.output, _OUTPUT_NUMBER_PX)
         self.tone = tool_button(None, f"tone_of_{place}", "Tone")
         self.widgets: tuple[QtWidgets.QWidget, ...] = (
             title,

@@ -21,7 +21,7 @@ from skinsource_gui.fields.units import value_text
 from skinsource_gui.plots.curves import CurveName, Curves
 from skinsource_gui.plots.ranges import XAxis
 from skinsource_gui.qt.buttons import page_button, page_label, show_or_hide
-from skinsource_gui.qt.layouts import in_column
+from skinsource_gui.qt.layouts import in_column, named
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
 from skinsource_gui.state.panel import PREPARING
 
@@ -178,8 +178,7 @@ class FiguresTable(QtWidgets.QLabel):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setObjectName("actuator_figures")
-        self.setAccessibleName("Predicted figures")
+        named(self, "actuator_figures", "Predicted figures")
         self.setTextFormat(Qt.TextFormat.RichText)
         self.figures: tuple[Figure, ...] = ()
 

@@ -47,7 +47,7 @@ from skinsource_gui.panels.output.figures import (
 from skinsource_gui.panels.output.settings import OutputSettings
 from skinsource_gui.plots.signal_view import ResponseView
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled, show_or_hide, tool_button
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.panel import Panel
 from skinsource_gui.state.playing import Played
@@ -239,14 +239,13 @@ class OutputPanel(Panel):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self._design: Design | None = None
+        self._design = Design(limb="")
         self._view, self._settings, self._played = View(), OutputSettings(), Played()
         self._drawn: object = None
         self.choices = ActuatorChoices(self)
         self.choices.changed.connect(self._choose)
         self.choices.open.clicked.connect(partial(self.action_requested.emit, "open_response"))
-        self.through = QtWidgets.QCheckBox(_THROUGH)
-        self.through.setObjectName("actuator_through")
+        self.through = named(QtWidgets.QCheckBox(_THROUGH), "actuator_through")
         self.through.clicked.connect(self._go_through)
         self.through_text = page_label("actuator_through_words", tone="dim")
         self.figures = DemandView()
@@ -308,7 +307,7 @@ class OutputPanel(Panel):
             demand,
             results["actuator_looked_at"],
             mend="" if edit is None else edit.label,
-            limb="" if self._design is None else self._design.limb,
+            limb=self._design.limb,
         )
 
     def show_problem(self, reason: str) -> None:
@@ -321,7 +320,7 @@ class OutputPanel(Panel):
         """Take over what is played and how loud; called while the panel is visible."""
         self._played = played
         show_or_hide(self.problem, played.missing)
-        own = None if self._design is None else self._design.rig
+        own = self._design.rig
         self.fields.show_played(played, None if own is None else own.title or "Rig")
         self.rows.show_played(played)
         self.arm.setChecked(played.actuators != "off")
@@ -368,8 +367,7 @@ class OutputPanel(Panel):
 
     def _show_settings(self) -> None:
         design, settings = self._design, self._settings
-        actuation = None if design is None else design.actuation
-        band = _band_of("" if design is None else design.limb)
+        actuation, band = design.actuation, _band_of(design.limb)
         drawn = actuation, settings, band
         if drawn == self._drawn:
             return
@@ -387,7 +385,7 @@ class OutputPanel(Panel):
 
     def _show_plot(self) -> None:
         design = self._design
-        if design is None or design.actuation is None or not self._settings.more:
+        if design.actuation is None or not self._settings.more:
             return
         band, actuator = _band_of(design.limb), design.actuation.actuators[0]
         name, model = listed_name(actuator), actuator.model
@@ -406,7 +404,7 @@ class OutputPanel(Panel):
 
     def _show_text(self, played: Played) -> None:
         sentences = [] if played.wired else [_NOT_WIRED if played.rig_title else _NO_INPUTS]
-        if played.rig_title and self._design is not None and self._design.rig is None:
+        if played.rig_title and self._design.rig is None:
             sentences.append(f"The design has no rig; this machine plays for {played.rig_title}.")
         if played.output.stand_in:
             sentences.append(
@@ -425,9 +423,8 @@ class OutputPanel(Panel):
 
     def _meaning(self, played: Played) -> str:
         """Return what a gain of 0 dB means, and whether it is calibrated."""
-        design, unit = self._design, "m/s²"
-        if design is not None:
-            unit = "V" if equaliser_of(design) is not None else amplitude_unit(design)
+        design = self._design
+        unit = "V" if equaliser_of(design) is not None else amplitude_unit(design)
         calibrated = played.rig_title and not played.output.stand_in
         meaning = f"an amplitude of 1{'' if unit == '×' else f' {unit}'} is full scale"
         if unit == "V":
@@ -442,7 +439,7 @@ class OutputPanel(Panel):
     def _mending(self) -> Edit | None:
         """Return the edit that lets the actuator follow the selected input; None: there is none."""
         design, id = self._design, self._view.selected_input
-        return None if design is None or id is None else mend_through(design, self._view, id)
+        return None if id is None else mend_through(design, self._view, id)
 
     def _mend(self) -> None:
         edit = self._mending()
@@ -451,16 +448,15 @@ class OutputPanel(Panel):
 
     def _go_through(self, on: bool) -> None:
         design = self._design
-        if design is not None and design.actuation is not None:
+        if design.actuation is not None:
             through = replace(design.actuation, on=on)
             self.edited.emit(edits.predict_through(design, self._view, through), None)
             # After a refusal the box shows the state of the design again.
-            self._show_through(self._design.actuation if self._design else None)
+            self._show_through(self._design.actuation)
 
     def _choose(self, actuation: Actuation | None, gesture: int | None = None) -> None:
-        if self._design is not None:
-            outcome = edits.choose_actuation(self._design, self._view, actuation)
-            self.edited.emit(outcome, gesture)
+        outcome = edits.choose_actuation(self._design, self._view, actuation)
+        self.edited.emit(outcome, gesture)
 
     def _unfold(self) -> None:
         settings = OutputSettings(more=not self._settings.more)

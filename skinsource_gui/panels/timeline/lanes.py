@@ -47,6 +47,7 @@ from skinsource_gui.qt.accessible import Told
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.keys import key_text, meaning_of, shortcut_text
+from skinsource_gui.qt.layouts import named
 from skinsource_gui.qt.theme import scaled, tabular
 from skinsource_gui.qt.wheel import NOTCH
 
@@ -83,8 +84,7 @@ class LanesMenu:
         """Offer to select each of several clips that lie over each other."""
         if len(boxes) < 2:
             return
-        here = menu.addMenu("Clips here")
-        here.setObjectName("clips_here")
+        here = named(menu.addMenu("Clips here"), "clips_here")
         for box in boxes:
             line = here.addAction(clip_text(box.clip))
             line.setCheckable(True)
@@ -118,8 +118,7 @@ class LanesMenu:
         self._act(menu, f"Remove {what}", "remove", edits.remove_clips)
 
     def _fill_places(self, menu: QtWidgets.QMenu, label: str) -> None:
-        places = menu.addMenu(label)
-        places.setObjectName("lanes_places")
+        places = named(menu.addMenu(label), "lanes_places")
         design = self._lanes.content.design
         occupied = {track.location for track in design.inputs}
         for number in range(1, facts_of(design.limb).n_inputs + 1):
@@ -582,8 +581,7 @@ class LanesView(Canvas):
         self.elsewhere: Callable[[QPointF | None], DropPlace | None] = lambda at: None
         # New clips play what the one plays that was selected last.
         self._last: Waveform = Clip().waveform
-        self.setObjectName("lanes")
-        self.setAccessibleName("Timeline")
+        named(self, "lanes", "Timeline")
         self.setMouseTracking(True)
         self.setMinimumSize(120, 60)
         self.item, self.gains, self.overlay = LanesItem(), GainItem(), OverlayItem()

@@ -33,7 +33,7 @@ from skinsource_gui.qt.buttons import page_label, show_or_hide, tool_button
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.keys import KEYS
 from skinsource_gui.qt.labels import how_to_add
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.panel import Panel
 
@@ -48,8 +48,7 @@ class TimeBar(QtWidgets.QScrollBar):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(Qt.Orientation.Horizontal, parent)
-        self.setObjectName("time_bar")
-        self.setAccessibleName("Time shown")
+        named(self, "time_bar", "Time shown")
         self.valueChanged.connect(self._emit)
         self.hide()
 

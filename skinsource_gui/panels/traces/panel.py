@@ -85,7 +85,7 @@ class TracesPanel(SignalPanel):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__("traces-plot", "Traces of the selected outputs", parent)
-        self._design: Design | None = None
+        self._design = Design(limb="")
         self.settings = TracesSettings()
         self._pre_trigger = self._plot.add_switch_in_menu(
             "pre-trigger",
@@ -179,12 +179,9 @@ class TracesPanel(SignalPanel):
         self._plot.set_view(axis, view.time_range_s, stacked=stacked, fitted=fitted)
 
     def _show_pre_trigger(self, shown: bool) -> None:
-        if self._design is not None:
-            self.edited.emit(edits.remove_delay(self._design, self._view, not shown), None)
+        self.edited.emit(edits.remove_delay(self._design, self._view, not shown), None)
 
     def _press(self, event: QtGui.QKeyEvent) -> None:
-        if self._design is None:
-            return
         time_s = moved_playhead(event, self._design, self._view.playhead_s)
         if time_s is not None:
             self.playhead_requested.emit(time_s)
