@@ -65,6 +65,16 @@ class Graph:
         """The rules, by name."""
         return dict(self._rules)
 
+    @property
+    def held_bytes(self) -> int:
+        """Memory of the arrays among the latest results."""
+        results = [result for _, result in self._memo.values()]
+        return sum(result.nbytes for result in results if isinstance(result, np.ndarray))
+
+    def keep_only(self, names: Iterable[str]) -> None:
+        """Drop all results but these."""
+        self._memo = {name: self._memo[name] for name in names if name in self._memo}
+
     def needs_of(self, name: str) -> tuple[str, ...]:
         """Return the quantities that a rule needs, in its order; none for a given quantity."""
         return tuple(need for need in self._needs.get(name, ()) if need != "stop")
