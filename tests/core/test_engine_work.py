@@ -1,6 +1,8 @@
 """What an edit makes the engine do and remember, and above all what it leaves out."""
 
 import gc
+import os
+import sys
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, replace
 from inspect import signature
@@ -13,6 +15,7 @@ import pytest
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError, Stopped
 from skinsource.base.measurement_conditions import N_AXES, N_OUTPUTS
+from skinsource.base.run_limited import resident_bytes
 from skinsource.base.work import counting
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
@@ -21,11 +24,17 @@ from skinsource.design.waveforms.tones import Tone
 from skinsource.engine import memory as budgets
 from skinsource.engine.drives import Drives
 from skinsource.engine.evaluation import MOST_GRAPHS, Evaluator, forget_unused
-from skinsource.engine.memory import ENTRY_BYTES, SURFACES_BYTES, Memory
+from skinsource.engine.memory import ENTRY_BYTES, SURFACES_BYTES, Memory, untouched_array
 from skinsource.engine.quantities import RULES, graphs_that_share, new_graph, sources
 from skinsource.engine.shared import Shared
 from skinsource.engine.spectra import ResponseSpectra
-from skinsource.engine.transforms import Blocks, length_at_once, run_on_two_threads
+from skinsource.engine.transforms import (
+    Blocks,
+    ChannelsOnDemand,
+    length_at_once,
+    rows_of,
+    run_on_two_threads,
+)
 from skinsource.limbs.synthetic import load_synthetic_limb
 
 DESIGN = Design(
@@ -291,6 +300,32 @@ def test_spectra_of_all_lengths_share_calibrated_responses_and_all_engines_one_b
     (short,), (long,) = (spectra.of(limb, [3], "probe", n_fft) for n_fft in (768, 1536))
     assert short.taps is long.taps
     assert Shared().remembered().responses is Shared().remembered().responses
+
+
+def test_traces_of_all_channels_that_are_requested_in_turn_are_in_memory_once():
+    rows = np.ones((72, 3, 577), np.complex128)
+    vibration = ChannelsOnDemand(
+        lambda channels: rows_of(rows, channels), 1152, np.ones(1152, bool)
+    )
+    every = tuple(range(1, 73))
+    for outputs in (every[:40], every, (5, 7), every):
+        vibration.traces(outputs, (0, 1, 2))
+        vibration.trace_spectra(outputs, (0, 1, 2))
+    for known, (_, latest) in (
+        (vibration._traces, vibration._latest_traces),
+        (vibration._trace_spectra, vibration._latest_spectra),
+    ):
+        assert all(np.shares_memory(row, latest) for row in known.values())
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="Only Linux tells how much memory is in use.")
+def test_a_large_array_takes_no_more_memory_than_its_numbers_and_half_a_large_page():
+    before = resident_bytes(os.getpid())
+    arrays = [untouched_array((72, 3, 769)) for _ in range(8)]
+    for each in arrays:
+        each[:] = 1.0
+    taken = resident_bytes(os.getpid()) - before
+    assert taken < 8 * (arrays[0].nbytes + 2**20)
 
 
 def test_what_moments_follow_from_is_kept_for_the_present_projection_only():

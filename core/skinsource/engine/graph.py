@@ -55,6 +55,10 @@ class Graph:
         except CycleError as error:
             circle = " -> ".join(error.args[1])
             raise ValueError(f"rules need each other: {circle}") from error
+        self._users: dict[str, list[str]] = {}
+        for name, needs in self._needs.items():
+            for need in needs:
+                self._users.setdefault(need, []).append(name)
         self._orders: dict[tuple[frozenset[str], frozenset[str]], tuple[_Step, ...]] = {}
         self._memo: dict[str, tuple[list[Any], Any]] = {}
         self.runs: Counter[str] = Counter()
@@ -139,8 +143,8 @@ class Graph:
             return memo[1]
         stop_if(known["stop"])
         if memo is not None and isinstance(memo[1], np.ndarray):
-            # Arrays are never compared, so the old one, which may be large, is freed first.
-            del self._memo[name]
+            # Arrays are never compared, so the old one is freed first.
+            self._drop(name)
             memo = None
         stop = {"stop": known["stop"]} if step.takes_stop else {}
         result = step.rule(*inputs, **stop)
@@ -151,6 +155,20 @@ class Graph:
             result = memo[1]  # equal, so that results that depend on it stay valid
         self._memo[name] = inputs, result
         return result
+
+    def _drop(self, name: str) -> None:
+        """Drop a result, and where it is a large array all that was made of it and holds it."""
+        _, result = self._memo.pop(name)
+        if isinstance(result, np.ndarray) and result.nbytes < _LARGE_BYTES:
+            return
+        for user in self._users.get(name, ()):
+            if user not in self._memo:
+                continue
+            _, made = self._memo[user]
+            if isinstance(made, np.ndarray) or type(made).__eq__ is object.__eq__:
+                self._drop(user)
+            else:
+                self._memo[user] = [_GONE] * len(self.needs_of(user)), made
 
     def _forget_outdated(self, known: dict[str, Any]) -> None:
         """Drop results of other rules that were computed from what has changed since.
@@ -168,6 +186,7 @@ class Graph:
                     del self._memo[name]
 
 
+_LARGE_BYTES = 2**20
 #: In place of a quantity that is neither given nor remembered.
 _GONE = object()
 
