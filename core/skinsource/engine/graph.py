@@ -165,7 +165,9 @@ class Graph:
             if user not in self._memo:
                 continue
             _, made = self._memo[user]
-            if isinstance(made, np.ndarray) or type(made).__eq__ is object.__eq__:
+            # What is equal to nothing but itself will be another one.
+            is_unique = made is not None and made.__class__.__eq__ is object.__eq__
+            if is_unique or isinstance(made, np.ndarray):
                 self._drop(user)
             else:
                 self._memo[user] = [_GONE] * len(self.needs_of(user)), made
