@@ -16,6 +16,7 @@ from skinsource.base.allocation import give_freed_memory_back, keep_freed_memory
 from skinsource.base.assets import user_folder
 from skinsource.base.crash_log import CrashLog
 from skinsource.base.files import make_folder
+from skinsource.engine.evaluation import forget_unused
 from skinsource.limbs.catalog import available_limbs, default_limb
 from skinsource_gui.qt.accessible import tell_items
 from skinsource_gui.qt.windows import fit_by_guess
@@ -107,6 +108,8 @@ class GarbageCollector(QObject):
         self._young, self._middle = 0, 0
         for interval_ms, work in (
             (_LOOK_EVERY_MS, self.collect_what_is_due),
+            # Exports evaluate beside the engine.
+            (_GIVE_BACK_EVERY_MS, forget_unused),
             (_GIVE_BACK_EVERY_MS, give_freed_memory_back),
         ):
             timer = QTimer(self, interval=interval_ms)

@@ -31,6 +31,10 @@ from skinsource_gui.state.worker import Worker
 
 #: An evaluation that has taken longer is abandoned for a newer one: it is no step of a drag.
 _ABANDONED_AFTER_S = 0.5
+#: Arrays that are latest results of all slots but the first: of slots that were asked for longer
+#: ago only those are kept that do not depend on what the inputs play.
+_BESIDE_BYTES = 48 * 2**20
+_ALWAYS_KEPT = ("limb_data", "driven_limb", "surface")
 
 
 class Purpose(IntEnum):
@@ -186,16 +190,23 @@ class Engine(QObject):
     def _outcome_of(self, request: Request) -> Outcome:
         self._started_s = start = perf_counter()
         try:
-            graph = self._graphs.get(request.slot)
-            if graph is None:
-                graph = self._graphs[request.slot] = self._new_graph()
+            graph = self._graphs.pop(request.slot, None) or self._new_graph()
+            self._graphs[request.slot] = graph  # the latest last
             values = graph.evaluate(request.wanted, request.given, self._should_stop)
+            self._forget_beside()
         except Stopped:
             raise
         except Exception as error:  # noqa: BLE001  shown to the user by whoever listens
             return Outcome(request, error=error, compute_s=perf_counter() - start)
         took_s = perf_counter() - start
         return Outcome(request, values, compute_s=took_s, work=replace(graph.work))
+
+    def _forget_beside(self) -> None:
+        held_bytes = 0
+        for slot, graph in reversed(self._graphs.items()):
+            held_bytes += graph.held_bytes if slot != FIRST_SLOT else 0
+            if slot != FIRST_SLOT and held_bytes > _BESIDE_BYTES:
+                graph.keep_only(_ALWAYS_KEPT)
 
     def _should_stop(self) -> bool:
         if self._worker.closed:

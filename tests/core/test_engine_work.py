@@ -1,6 +1,8 @@
 """What an edit makes the engine do and remember, and above all what it leaves out."""
 
 import gc
+import os
+import sys
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, replace
 from inspect import signature
@@ -13,6 +15,7 @@ import pytest
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError, Stopped
 from skinsource.base.measurement_conditions import N_AXES, N_OUTPUTS
+from skinsource.base.run_limited import resident_bytes
 from skinsource.base.work import counting
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
@@ -20,12 +23,18 @@ from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine import memory as budgets
 from skinsource.engine.drives import Drives
-from skinsource.engine.evaluation import MOST_GRAPHS, Evaluator
-from skinsource.engine.memory import ENTRY_BYTES, SURFACES_BYTES, Memory
+from skinsource.engine.evaluation import MOST_GRAPHS, Evaluator, forget_unused
+from skinsource.engine.memory import ENTRY_BYTES, SURFACES_BYTES, Memory, untouched_array
 from skinsource.engine.quantities import RULES, graphs_that_share, new_graph, sources
 from skinsource.engine.shared import Shared
 from skinsource.engine.spectra import ResponseSpectra
-from skinsource.engine.transforms import Blocks, length_at_once, run_on_two_threads
+from skinsource.engine.transforms import (
+    Blocks,
+    ChannelsOnDemand,
+    length_at_once,
+    rows_of,
+    run_on_two_threads,
+)
 from skinsource.limbs.synthetic import load_synthetic_limb
 
 DESIGN = Design(
@@ -262,13 +271,73 @@ def test_spectra_that_were_not_used_for_longest_go_first_with_their_limb_or_when
     assert [transformed(spectra, *each) for each in asked] == [0, 0, 0, 1]
     # More places than there is room for: those that are in use stay.
     asked = [(second, [3]), (second, [4]), (second, [3, 4, 5]), (second, [5, 4, 3])]
-    assert [transformed(spectra, *each) for each in asked] == [1, 1, 3, 0]
+    assert [transformed(spectra, *each) for each in asked] == [1, 1, 1, 0]
     stack = spectra.stack(second, (3, 7), "relative", 576)
     assert spectra.stack(second, (3, 7), "relative", 576) is stack
     assert 0 < spectra.held_bytes <= 3 * ONE
     del second, stack, asked
     gc.collect()
     assert spectra.held_bytes == 0
+
+
+def test_what_has_no_room_is_freed_before_its_place_is_taken(monkeypatch):
+    limb, spectra, freed = load_synthetic_limb(1), ResponseSpectra(budget_bytes=3 * ONE), []
+    other = ref(spectra.of(limb, [9], "upstream", 768)[0])
+    first, second = map(ref, spectra.of(limb, [1, 2], "upstream", 576))
+
+    def seen(shape):
+        freed.append((other() is None, first() is None, second() is None))
+        return np.empty(shape, np.complex128)
+
+    monkeypatch.setattr("skinsource.engine.spectra.untouched_array", seen)
+    spectra.of(limb, [2, 3], "upstream", 576)
+    spectra.of(limb, [2, 3, 4], "upstream", 576)
+    assert freed == [(True, False, False), (True, True, False)]
+
+
+def test_spectra_of_all_lengths_share_calibrated_responses_and_all_engines_one_budget():
+    limb, spectra = load_synthetic_limb(1), ResponseSpectra()
+    (short,), (long,) = (spectra.of(limb, [3], "probe", n_fft) for n_fft in (768, 1536))
+    assert short.taps is long.taps
+    assert Shared().remembered().responses is Shared().remembered().responses
+
+
+def test_traces_of_all_channels_that_are_requested_in_turn_are_in_memory_once():
+    rows = np.ones((72, 3, 577), np.complex128)
+    vibration = ChannelsOnDemand(
+        lambda channels: rows_of(rows, channels), 1152, np.ones(1152, bool)
+    )
+    every = tuple(range(1, 73))
+    for outputs in (every[:40], every, (5, 7), every):
+        vibration.traces(outputs, (0, 1, 2))
+        vibration.trace_spectra(outputs, (0, 1, 2))
+    for known, (_, latest) in (
+        (vibration._traces, vibration._latest_traces),
+        (vibration._trace_spectra, vibration._latest_spectra),
+    ):
+        assert all(np.shares_memory(row, latest) for row in known.values())
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="Only Linux tells how much memory is in use.")
+def test_a_large_array_takes_no_more_memory_than_its_numbers_and_half_a_large_page():
+    before = resident_bytes(os.getpid())
+    arrays = [untouched_array((72, 3, 769)) for _ in range(8)]
+    for each in arrays:
+        each[:] = 1.0
+    taken = resident_bytes(os.getpid()) - before
+    assert taken < 8 * (arrays[0].nbytes + 2**20)
+
+
+def test_what_moments_follow_from_is_kept_for_the_present_projection_only():
+    graph = new_graph()
+    for method, products in (("mag", False), ("pca", True), ("mag", False)):
+        values = graph.evaluate(
+            {"output_rms", "cross_matrix", "own_matrix"},
+            sources(DESIGN, replace(VIEW, method=method)),
+        )
+        for name in ("own_matrix", "cross_matrix"):
+            rows = vars(values[name])["_rows"]
+            assert rows.shape[1] == (6 if products else 3)
 
 
 @pytest.mark.parametrize("fitting", [0, 2])
@@ -366,6 +435,17 @@ def test_scripts_remember_only_a_few_designs():
     assert evaluator.work.rules_run == 0
     evaluator.evaluate(designs[0], LEVELS, VIEW)
     assert evaluator.work.rules_run > 0
+
+
+def test_what_scripts_remember_is_dropped_once_they_rest():
+    limb = ref(ss.evaluate(DESIGN, "limb_data")["limb_data"])
+    forget_unused()
+    assert limb() is ss.evaluate(DESIGN, "limb_data")["limb_data"]
+    for _ in range(2):
+        assert limb() is not None
+        forget_unused()
+    gc.collect()
+    assert limb() is None
 
 
 def test_threads_of_scripts_take_turns_and_each_gets_its_own():

@@ -46,6 +46,39 @@ def test_what_is_wanted_comes_out():
     assert graph.evaluate(iter(["doubled", "number"]), {"number": 4}) == {"doubled": 8, "number": 4}
 
 
+class Made:
+    """Holds what it was made of; equal to nothing else."""
+
+    def __init__(self, large):
+        self.large = large
+
+
+@pytest.mark.parametrize(("size", "are_gone"), [(2**17, True), (2**10, False)])
+def test_a_large_array_is_freed_before_it_is_computed_again_with_all_that_holds_it(size, are_gone):
+    held, gone = [], []
+
+    def large(number):
+        gone.append([old() is None for old in held])
+        return np.full(size, float(number))
+
+    def made(large):
+        return Made(large)
+
+    def last(made):
+        return made.large[-1] > 0
+
+    def label(last):
+        return f"{last}"
+
+    graph = Graph(large, made, last, label)
+    values = graph.evaluate(["large", "made", "label"], {"number": 1})
+    held += [weakref.ref(values.pop("large")), weakref.ref(values.pop("made"))]
+    graph.evaluate(["label"], {"number": 2})
+    assert gone == [[], [are_gone] * 2]
+    # What came out equal is still found equal.
+    assert graph.runs == {"large": 2, "made": 2, "last": 2, "label": 1}
+
+
 def test_a_rule_whose_inputs_come_out_equal_does_not_run():
     def odd(number):
         return number % 2 == 1

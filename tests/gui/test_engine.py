@@ -1,5 +1,6 @@
 from threading import Event, Timer
 
+import numpy as np
 import pytest
 
 from skinsource.base.errors import Stopped
@@ -155,6 +156,26 @@ def test_nothing_is_computed_to_check_what_another_edit_has_replaced(
     engine.request(request(2))
     qtbot.waitUntil(lambda: not engine.busy)
     assert evaluated == [1, 2]
+
+
+def test_arrays_beside_the_design_of_the_window_stay_within_their_budget_and_limbs_stay(qtbot):
+    def limb_data():
+        return object()
+
+    def numbers(x, limb_data):
+        return np.full(2**21, float(x))  # 16 MiB
+
+    engine = Engine(lambda: Graph(limb_data, numbers))
+    slots = [FIRST_SLOT, *map(Slot, "BCDEF")]
+    for slot in slots:
+        engine.request(Request(frozenset({"numbers"}), {"x": 1}, slot=slot))
+        qtbot.waitUntil(lambda: not engine.busy)
+    held = {slot: graph.held_bytes // 2**20 for slot, graph in engine._graphs.items()}
+    assert held == dict(zip(slots, (16, 0, 0, 16, 16, 16), strict=True))
+    engine.request(Request(frozenset({"numbers"}), {"x": 2}, slot=slots[1]))
+    qtbot.waitUntil(lambda: not engine.busy)
+    assert engine._graphs[slots[1]].runs == {"limb_data": 1, "numbers": 2}
+    engine.close()
 
 
 def test_what_lands_after_closing_is_told_to_nobody_and_who_waited_goes_on(qapp, engine, gate):

@@ -14,6 +14,7 @@ from PySide6.QtCore import QAbstractAnimation, QCoreApplication, QEvent, QObject
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QApplication, QDialog, QMenu, QWidget
 
+import skinsource as ss
 from skinsource.base.run_limited import resident_bytes
 from skinsource_gui.app.app import GarbageCollector, manage_garbage_collection
 
@@ -182,6 +183,16 @@ def test_older_objects_are_looked_through_seldom_and_never_while_something_is_dr
     pressed[0] = Qt.MouseButton.NoButton
     collect(11)
     assert generations[-11:].count(2) == 1
+
+
+def test_what_exports_evaluated_is_dropped_once_nothing_is_exported(collector):
+    limb = weakref.ref(ss.evaluate(ss.Design(limb="synthetic-1"), "limb_data")["limb_data"])
+    for _ in range(2):
+        assert limb() is not None
+        for timer in collector.findChildren(QTimer):
+            timer.timeout.emit()
+    gc.collect()
+    assert limb() is None
 
 
 def test_sources_that_were_read_for_imports_are_dropped(qapp, monkeypatch):

@@ -27,9 +27,9 @@ from skinsource.engine.drives import ClipWaveforms, Drives, PlacedSignalPaths
 from skinsource.engine.memory import GAINS_BYTES, Memory
 from skinsource.engine.spectra import (
     BAND_BINS,
+    RESPONSE_SPECTRA,
     ExactSpectra,
     Response,
-    ResponseSpectra,
     ResponseSpectrum,
     Stack,
 )
@@ -346,11 +346,12 @@ class Gains:
 class EngineMemory:
     """What rules remember beyond their latest result: drives, spectra of responses, and gains.
 
-    It changes no result.  It belongs to one thread, whose graphs may share it.
+    It changes no result.  It belongs to one thread, whose graphs may share it.  Spectra of
+    responses, which take most, have one budget for the process.
     """
 
     def __init__(self) -> None:
-        self.responses = ResponseSpectra()
+        self.responses = RESPONSE_SPECTRA
         self.signal_paths = PlacedSignalPaths()
         self.drives = Drives()
         self.clip_waveforms = ClipWaveforms(self.drives.clips)

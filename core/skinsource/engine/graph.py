@@ -51,6 +51,10 @@ class Graph:
             name: tuple(signature(rule).parameters) for name, rule in self._rules.items()
         }
         self._sorted = tuple(TopologicalSorter(self._needs).static_order())
+        self._users: dict[str, list[str]] = {}
+        for name, needs in self._needs.items():
+            for need in needs:
+                self._users.setdefault(need, []).append(name)
         self._orders: dict[tuple[frozenset[str], frozenset[str]], tuple[_Step, ...]] = {}
         self._memo: dict[str, tuple[list[Any], Any]] = {}
         self.runs: Counter[str] = Counter()
@@ -60,6 +64,16 @@ class Graph:
     def rules(self) -> dict[str, Callable[..., Any]]:
         """The rules, by name."""
         return dict(self._rules)
+
+    @property
+    def held_bytes(self) -> int:
+        """Memory of the arrays among the latest results."""
+        results = [result for _, result in self._memo.values()]
+        return sum(result.nbytes for result in results if isinstance(result, np.ndarray))
+
+    def keep_only(self, names: Iterable[str]) -> None:
+        """Drop all results but these."""
+        self._memo = {name: self._memo[name] for name in names if name in self._memo}
 
     def needs_of(self, name: str) -> tuple[str, ...]:
         """Return the quantities that a rule needs, in its order; none for a given quantity."""
@@ -125,8 +139,8 @@ class Graph:
             return memo[1]
         stop_if(known["stop"])
         if memo is not None and isinstance(memo[1], np.ndarray):
-            # Arrays are never compared, so the old one, which may be large, is freed first.
-            del self._memo[name]
+            # Arrays are never compared, so the old one is freed first.
+            self._drop(name)
             memo = None
         stop = {"stop": known["stop"]} if step.takes_stop else {}
         result = step.rule(*inputs, **stop)
@@ -137,6 +151,22 @@ class Graph:
             result = memo[1]  # equal, so that results that depend on it stay valid
         self._memo[name] = inputs, result
         return result
+
+    def _drop(self, name: str) -> None:
+        """Drop a result, and where it is a large array all that was made of it and holds it."""
+        _, result = self._memo.pop(name)
+        if isinstance(result, np.ndarray) and result.nbytes < _LARGE_BYTES:
+            return
+        for user in self._users.get(name, ()):
+            if user not in self._memo:
+                continue
+            _, made = self._memo[user]
+            # What is equal to nothing but itself will be another one.
+            is_unique = made is not None and made.__class__.__eq__ is object.__eq__
+            if is_unique or isinstance(made, np.ndarray):
+                self._drop(user)
+            else:
+                self._memo[user] = [_GONE] * len(self.needs_of(user)), made
 
     def _forget_outdated(self, known: dict[str, Any]) -> None:
         """Drop results of other rules that were computed from what has changed since.
@@ -154,6 +184,7 @@ class Graph:
                     del self._memo[name]
 
 
+_LARGE_BYTES = 2**20
 #: In place of a quantity that is neither given nor remembered.
 _GONE = object()
 

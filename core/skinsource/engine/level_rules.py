@@ -60,9 +60,9 @@ def others_moments(
     return moments_of(others_spectrum, n_fft, products=products_needed)
 
 
-def own_matrix(edited_response: ResponseSpectrum | None) -> OwnMatrix | None:
+def own_matrix(edited_response: ResponseSpectrum | None, products_needed: bool) -> OwnMatrix | None:
     """What moments of the edited voice follow from, whatever it plays."""
-    return None if edited_response is None else OwnMatrix(edited_response.values)
+    return None if edited_response is None else OwnMatrix(edited_response.values, products_needed)
 
 
 def cross_matrix(
@@ -78,24 +78,22 @@ def edited_moments(
     own_matrix: OwnMatrix | None,
     edited_spectrum: Complexes | None,
     n_fft: int | None,
-    products_needed: bool,
 ) -> Moments | None:
     """Moments by the edited voice at amplitude 1, before any gain; its onset has no part."""
     if own_matrix is None or edited_spectrum is None or n_fft is None:
         return None
-    return own_matrix.moments(edited_spectrum, n_fft, products=products_needed)
+    return own_matrix.moments(edited_spectrum, n_fft)
 
 
 def cross_moments(
     cross_matrix: CrossMatrix | None,
     edited_delayed_spectrum: Complexes | None,
     n_fft: int | None,
-    products_needed: bool,
 ) -> Moments | None:
     """Moments between the edited voice and all others."""
     if cross_matrix is None or edited_delayed_spectrum is None or n_fft is None:
         return None
-    return cross_matrix.moments(edited_delayed_spectrum, n_fft, products=products_needed)
+    return cross_matrix.moments(edited_delayed_spectrum, n_fft)
 
 
 def summed_moments(

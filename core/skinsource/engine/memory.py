@@ -126,14 +126,16 @@ def untouched_array(shape: tuple[int, ...]) -> Complexes:
     large pages, without which the first prediction of twenty inputs takes half as long again
     (``benchmarks/predict_speed.py``).
     """
-    n_bytes = prod(shape) * np.dtype(np.complex128).itemsize
-    if n_bytes < _PAGE_BYTES:
+    used_bytes = prod(shape) * np.dtype(np.complex128).itemsize
+    if used_bytes < _PAGE_BYTES:
         return np.empty(shape, np.complex128)
-    n_bytes = -(-n_bytes // _PAGE_BYTES) * _PAGE_BYTES
+    n_bytes = -(-used_bytes // _PAGE_BYTES) * _PAGE_BYTES
     if hasattr(mmap, "MADV_HUGEPAGE"):
         # Only private memory gets them, unless Linux was told otherwise.
         memory = mmap.mmap(-1, n_bytes, flags=mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS)
-        memory.madvise(mmap.MADV_HUGEPAGE)
+        # Not for an end of less than half a page: a large one would take memory as a whole.
+        memory.madvise(mmap.MADV_NOHUGEPAGE)
+        memory.madvise(mmap.MADV_HUGEPAGE, 0, round(used_bytes / _PAGE_BYTES) * _PAGE_BYTES)
     else:
         memory = mmap.mmap(-1, n_bytes)
     return np.frombuffer(memory, np.complex128, prod(shape)).reshape(shape)

@@ -165,22 +165,16 @@ class OwnMatrix:
 
     A vibration is the drive times a response, frequency by frequency.  So its moments are sums over
     frequency of the power of the drive times products of responses, ``values``, (n_outputs, n_axes,
-    n_bins), which stay while the drive changes.
+    n_bins), which stay while the drive changes.  ``products``: see `moments_of`.
     """
 
     values: Complexes
+    products: bool
 
     @cached_property
-    def _squares(self) -> Floats:
-        return self._rows(products=False)
-
-    @cached_property
-    def _products(self) -> Floats:
-        return self._rows(products=True)
-
-    def _rows(self, *, products: bool) -> Floats:
+    def _rows(self) -> Floats:
         n_outputs, n_axes, n_bins = self.values.shape
-        of_pairs = _pairs(n_axes, products=products)
+        of_pairs = _pairs(n_axes, products=self.products)
         rows = np.empty((n_outputs, len(of_pairs), n_bins))
         squares = rows[:, :n_axes]
         np.add(np.square(self.values.real), np.square(self.values.imag), out=squares)
@@ -189,12 +183,12 @@ class OwnMatrix:
             rows[:, k] = left.real * right.real + left.imag * right.imag
         return rows
 
-    def moments(self, drive: Complexes, n_fft: int, *, products: bool) -> Moments:
-        """Return the moments of the vibration by ``drive``, (n_bins,); see `moments_of`."""
+    def moments(self, drive: Complexes, n_fft: int) -> Moments:
+        """Return the moments of the vibration by ``drive``, (n_bins,)."""
         power = (np.square(drive.real) + np.square(drive.imag)) * _weights(n_fft)
-        sums = _row_products(self._products if products else self._squares, power)
+        sums = _row_products(self._rows, power)
         first = self.values[:, :, 0].real * drive[0].real
-        return Moments(_second_moments(sums, first.shape[1], products=products), first)
+        return Moments(_second_moments(sums, first.shape[1], products=self.products), first)
 
 
 @dataclass(frozen=True, eq=False)
@@ -209,16 +203,9 @@ class CrossMatrix:
     own: OwnMatrix
 
     @cached_property
-    def _squares(self) -> Floats:
-        return self._rows(products=False)
-
-    @cached_property
-    def _products(self) -> Floats:
-        return self._rows(products=True)
-
-    def _rows(self, *, products: bool) -> Floats:
+    def _rows(self) -> Floats:
         n_outputs, n_axes, n_bins = self.others.shape
-        of_pairs = _pairs(n_axes, products=products)
+        of_pairs = _pairs(n_axes, products=self.own.products)
         rows = np.empty((n_outputs, len(of_pairs), n_bins), np.complex128)
         conjugates = self.own.values.conj()
         np.multiply(self.others, conjugates, out=rows[:, :n_axes])
@@ -228,15 +215,15 @@ class CrossMatrix:
             row *= 0.5
         return rows.view(np.float64)
 
-    def moments(self, drive: Complexes, n_fft: int, *, products: bool) -> Moments:
+    def moments(self, drive: Complexes, n_fft: int) -> Moments:
         """Return the symmetrised moments between the others and the vibration by ``drive``.
 
         First moments between two vibrations are 0.
         """
         # Real rows times a real column give the real part of the complex product.
         column = (drive * _weights(n_fft)).view(np.float64)
-        sums = _row_products(self._products if products else self._squares, column)
-        second = _second_moments(sums, self.others.shape[1], products=products)
+        sums = _row_products(self._rows, column)
+        second = _second_moments(sums, self.others.shape[1], products=self.own.products)
         return Moments(second, np.zeros(second.shape[:2]))
 
 

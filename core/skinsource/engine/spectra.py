@@ -7,7 +7,7 @@ from itertools import pairwise
 from math import prod
 from threading import Lock
 from typing import Any
-from weakref import WeakKeyDictionary
+from weakref import WeakKeyDictionary, WeakValueDictionary
 
 import numpy as np
 import scipy
@@ -178,38 +178,30 @@ def superpose(
 
 
 class _Places:
-    """Spectra of responses at one length, of at most ``most_places``.
+    """Spectra of responses at one length, those that were added first first.
 
-    Those that are added together are one array: whoever uses one of them when they are dropped
-    here holds the memory of no others.
+    Each is an array of its own: whoever uses one that is dropped here holds no others.
     """
 
-    def __init__(self, limb: Limb, n_fft: int, most_places: int) -> None:
-        self._n_fft, self._most = n_fft, most_places
+    def __init__(self, limb: Limb, n_fft: int) -> None:
+        self._n_fft = n_fft
         self._shape = limb.n_outputs, limb.n_axes, n_fft // 2 + 1
+        self.each_bytes = 16 * prod(self._shape)
         self.known: dict[int, ResponseSpectrum] = {}
 
     @property
     def held_bytes(self) -> int:
-        return len(self.known) * 16 * prod(self._shape)
+        return len(self.known) * self.each_bytes
 
-    def has_room(self, locations: set[int]) -> bool:
-        """Return whether there is room for ``locations`` too, or never would be for all of them."""
-        return len(self.known.keys() | locations) <= self._most or len(locations) > self._most
-
-    def add(self, taps: dict[int, Floats]) -> dict[int, ResponseSpectrum]:
-        """Transform responses by location; they are remembered as far as there is room."""
-        n_cached = min(len(taps), self._most - len(self.known))
-        rooms = list(untouched_array((n_cached, *self._shape)))
-        rooms += [np.empty(self._shape, np.complex128) for _ in range(len(taps) - n_cached)]
-        added = {
-            location: ResponseSpectrum(samples, self._n_fft, values)
-            for (location, samples), values in zip(taps.items(), rooms, strict=True)
+    def transformed(self, taps: dict[int, Floats]) -> dict[int, ResponseSpectrum]:
+        """Return the spectra of responses by location."""
+        spectra = {
+            location: ResponseSpectrum(samples, self._n_fft, untouched_array(self._shape))
+            for location, samples in taps.items()
         }
-        run_on_two_threads(partial(_transform, response) for response in added.values())
+        run_on_two_threads(partial(_transform, response) for response in spectra.values())
         tally(forward_transforms=len(taps) * prod(self._shape[:2]))
-        self.known |= dict(list(added.items())[:n_cached])
-        return added
+        return spectra
 
 
 def _transform(response: ResponseSpectrum) -> None:
@@ -279,13 +271,21 @@ class ResponseSpectra:
         key: _Key = n_fft, scaling == "probe", ()
         with self._lock:
             places = self._find(limb, key)
-            if not isinstance(places, _Places) or not places.has_room(set(locations)):
-                places = _Places(limb, n_fft, self._most_places(limb, n_fft))
-            new = [each for each in dict.fromkeys(locations) if each not in places.known]
+            if not isinstance(places, _Places):
+                places = _Places(limb, n_fft)
+            known = places.known
+            new = [each for each in dict.fromkeys(locations) if each not in known]
             taps = {location: scaled_taps(limb, location, scaling) for location in new}
-            added = places.add(taps) if new else {}
-            self._remember(limb, key, places)
-            return [added[each] if each in added else places.known[each] for each in locations]
+            # What has no room goes first: old and new ones together would be twice as much.
+            most = min(limb.n_inputs, self._budget_bytes // places.each_bytes)
+            unused = [each for each in known if each not in locations]
+            for each in unused[: max(len(known) + len(new) - most, 0)]:
+                del known[each]
+            kept = new[: most - len(known)]
+            self._remember(limb, key, places, len(kept) * places.each_bytes)
+            added = places.transformed(taps) if new else {}
+            known |= {location: added[location] for location in kept}
+            return [added[each] if each in added else known[each] for each in locations]
 
     def of_one(self, limb: Limb, location: int, scaling: Scaling, n_fft: int) -> Response:
         """Return the responses to ``location``; spectra are remembered from the second time on.
@@ -318,16 +318,14 @@ class ResponseSpectra:
     def _find(self, limb: Limb, key: _Key) -> _Places | Stack | None:
         return self._cached.get(limb, {}).get(key)
 
-    def _most_places(self, limb: Limb, n_fft: int) -> int:
-        each = 16 * limb.n_outputs * limb.n_axes * (n_fft // 2 + 1)
-        return min(limb.n_inputs, self._budget_bytes // each)
-
-    def _remember(self, limb: Limb, key: _Key, latest: _Places | Stack) -> None:
+    def _remember(
+        self, limb: Limb, key: _Key, latest: _Places | Stack, coming_bytes: int = 0
+    ) -> None:
         of_limb = self._cached.pop(limb, {})
         of_limb.pop(key, None)
         of_limb[key] = latest
         self._cached[limb] = of_limb
-        excess = self._sum() - self._budget_bytes
+        excess = self._sum() + coming_bytes - self._budget_bytes
         for of_limb in list(self._cached.values()):
             for oldest in list(of_limb):
                 if excess <= 0 or of_limb[oldest] is latest:
@@ -337,6 +335,12 @@ class ResponseSpectra:
     def _sum(self) -> int:
         known = list(self._cached.values())
         return sum(spectra.held_bytes for of_limb in known for spectra in of_limb.values())
+
+
+#: Of all engines of the process: each has its own limbs, and so its own spectra.
+RESPONSE_SPECTRA = ResponseSpectra()
+# Spectra of all lengths hold the same responses.
+_CALIBRATED: WeakKeyDictionary[Limb, WeakValueDictionary[int, Floats]] = WeakKeyDictionary()
 
 
 def scaled_taps(limb: Limb, location: int, scaling: Scaling) -> Floats:
@@ -359,7 +363,11 @@ def scaled_taps(limb: Limb, location: int, scaling: Scaling) -> Floats:
         )
     if scaling != "probe" or limb.per_unit_drive:
         return taps
-    return per_probe_acceleration(taps, limb.sample_rate_hz)
+    calibrated = _CALIBRATED.setdefault(limb, WeakValueDictionary())
+    scaled = calibrated.get(location)
+    if scaled is None:
+        scaled = calibrated[location] = per_probe_acceleration(taps, limb.sample_rate_hz)
+    return scaled
 
 
 def _stack(limb: Limb, locations: tuple[int, ...], scaling: Scaling, n_fft: int) -> Stack:

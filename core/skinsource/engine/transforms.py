@@ -118,7 +118,8 @@ class ChannelsOnDemand:
         self._exact_spectra = exact_spectra
         self._traces: dict[Channel, Floats] = {}
         self._trace_spectra: dict[Channel, Complexes] = {}
-        # Those that were requested last, a row for each: mostly they are requested again.
+        # Those that were requested last, a row for each: mostly they are requested again.  Above
+        # are views of these rows, so that nothing is in memory twice.
         self._latest_traces: tuple[list[Channel], Floats] = [], np.zeros(0)
         self._latest_spectra: tuple[list[Channel], Complexes] = [], np.zeros(0, np.complex128)
 
@@ -134,6 +135,7 @@ class ChannelsOnDemand:
                 self._traces.update(zip(missing, rows, strict=True))
             if missing != channels:
                 rows = np.array([self._traces[channel] for channel in channels])
+                self._traces.update(zip(channels, rows, strict=True))
             self._latest_traces = channels, rows
         return self._latest_traces[1].reshape(len(outputs), len(axes), self._active.size)
 
@@ -153,6 +155,7 @@ class ChannelsOnDemand:
             self._trace_spectra.update(zip(missing, rows, strict=True))
             if missing != channels:
                 rows = np.array([self._trace_spectra[channel] for channel in channels])
+                self._trace_spectra.update(zip(channels, rows, strict=True))
             self._latest_spectra = channels, rows
         return self._latest_spectra[1].reshape(len(outputs), len(axes), n_bins)
 

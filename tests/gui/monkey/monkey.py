@@ -36,6 +36,7 @@ _IMPORTED_EVERY = 150
 _PAINTED_EVERY = 5
 #: Each panel in sight takes its time.
 _TIDIED_EVERY = 20
+_STEPS_AT_ONCE = 50
 #: Larger designs are taken back: what is tried is what can be done, not how long it may take.
 _LONGEST_S, _MOST_INPUTS, _MOST_CLIPS = 8.0, 8, 60
 _TOLERANCE_DB = 1e-6
@@ -251,11 +252,19 @@ class Monkey:
         index = stack.index()
         if stack.count() >= MOST_STEPS:
             return
-        stack.setIndex(0)
+        self._go_to(0)
         self._expect(self.document.design == self._base, "undoing all does not lead to the start")
-        stack.setIndex(index)
+        self._go_to(index)
         self._expect(self.document.design == last, "redoing all does not lead to the end")
         self.tally.undone += index
+
+    def _go_to(self, index: int) -> None:
+        """Show each step on the way; no event loop deletes meanwhile what they leave."""
+        stack = self.document.undo_stack
+        while stack.index() != index:
+            by = index - stack.index()
+            stack.setIndex(stack.index() + max(-_STEPS_AT_ONCE, min(by, _STEPS_AT_ONCE)))
+            QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
     def _check_file(self) -> None:
         design, view = self.document.design, self.document.view
