@@ -19,13 +19,10 @@ import numpy as np
 import pytest
 import scipy
 
+from skinsource import Design, Limb, LimbMap, View, predict, track
 from skinsource.cli.command_line import main
-from skinsource.design.design import Design, track
-from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Impulse
-from skinsource.engine.prediction import predict
 from skinsource.engine.quantities import new_graph, sources
-from skinsource.limbs.limb import Limb, LimbMap
 from skinsource.readers.reading_process import ReadingProcess
 
 DOCUMENT = Path(__file__).parents[2] / "docs" / "stability.md"

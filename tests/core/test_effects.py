@@ -7,11 +7,9 @@ from hypothesis import strategies as st
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.clips import Clip
-from skinsource.design.effects.level import BandLimit, Fade, Rectify, SoftClip
-from skinsource.design.effects.playing import played, played_s
+from skinsource.design.effects import BandLimit, Fade, Rectify, SoftClip, played, played_s
 from skinsource.design.effects.time import Repeat, Reverse, Stretch, Trim, stretched_by
-from skinsource.design.waveforms.samples import Formula
-from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms import Formula, Tone
 
 RATE_HZ = 1300.0
 TONE = Tone(frequency_hz=100.0, duration_s=0.2, window="none")

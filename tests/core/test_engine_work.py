@@ -11,13 +11,11 @@ import numpy as np
 import pytest
 
 import skinsource as ss
+from skinsource import Design, View, track
 from skinsource.base.errors import InvalidInputError, Stopped
 from skinsource.base.measurement_conditions import N_AXES, N_OUTPUTS
 from skinsource.base.work import counting
-from skinsource.design.design import Design, track
-from skinsource.design.view import View
-from skinsource.design.waveforms.pulses import Noise, Tap
-from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms import Noise, Tap, Tone
 from skinsource.engine import memory as budgets
 from skinsource.engine.drives import Drives
 from skinsource.engine.evaluation import MOST_GRAPHS, Evaluator

@@ -13,13 +13,10 @@ from hypothesis import strategies as st
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError
 from skinsource.design import waveforms
-from skinsource.design.waveform import Waveform
-from skinsource.design.waveforms import KINDS
+from skinsource.design.waveforms import KINDS, CentredTap, DampedSine, Noise, Waveform, WaveletTrain
 from skinsource.design.waveforms.periodic import PulseTrain, Saw, Square, Triangle
-from skinsource.design.waveforms.pulses import CentredTap, DampedSine, Noise
 from skinsource.design.waveforms.samples import Drawn, Formula, Layers, Recording
 from skinsource.design.waveforms.tones import AmplitudeModulated, Chirp, FrequencyModulated, Glide
-from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.design.waveforms.wavelets import Chirplet, Gabor, Morlet, Ricker
 from skinsource.signals.generators import sample_count, window
 from skinsource.signals.sampling import band_limited_delay

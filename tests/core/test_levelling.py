@@ -6,19 +6,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from skinsource import Clip, Design, Input, View, edits, load_limb, predict, rms, track
 from skinsource.base.errors import Stopped
-from skinsource.design import edits
-from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input, track
 from skinsource.design.edits.edit import Refusal
 from skinsource.design.effects.time import Reverse
-from skinsource.design.view import View
-from skinsource.design.waveforms.tones import Tone
-from skinsource.design.waveforms.wavelet_train import WaveletTrain
+from skinsource.design.waveforms import Tone, WaveletTrain
 from skinsource.engine.levelling import MEASURE, track_levels_db, wavelet_levels_db
-from skinsource.engine.prediction import predict
-from skinsource.limbs.catalog import load_limb
-from skinsource.signals.spectra import rms
 
 LIMB = "synthetic-1"
 TRAIN = WaveletTrain((60.0, 150.0, 400.0), slot_s=0.08)

@@ -4,8 +4,7 @@ import math
 import numpy as np
 import pytest
 
-from skinsource.design.waveforms.pulses import Noise
-from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms import Noise, Tone
 from skinsource.signals.spectra import magnitude_spectrum, share_outside_band
 
 SEED = 11

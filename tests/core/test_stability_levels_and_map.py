@@ -6,10 +6,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from skinsource import Design, View, track
 from skinsource.base.decibels import FLOOR_DB, decibels
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.design import Design, track
-from skinsource.design.view import View
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.limbs.surface.natural_neighbour import natural_neighbour_weights, triangulate
 from skinsource.limbs.surface.surface import surface_operator, surface_operator_from_map

@@ -9,11 +9,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from skinsource.base.errors import InvalidInputError
+from skinsource.design.waveforms import CentredTap, Impulse, Morlet, Noise, Ricker, Tone
 from skinsource.design.waveforms.periodic import PulseTrain, Saw, Square, Triangle
-from skinsource.design.waveforms.pulses import CentredTap, Impulse, Noise
-from skinsource.design.waveforms.tones import Tone
 from skinsource.design.waveforms.wavelet_train import WaveletTrain, frequency_sweep
-from skinsource.design.waveforms.wavelets import Morlet, Ricker
 from skinsource.signals.generators import white_noise
 from skinsource.signals.synthesis import harmonics_below, sum_of_harmonics
 

@@ -6,12 +6,9 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.design.design import Design, track
+from skinsource import Design, View, evaluate, track
 from skinsource.design.panel_settings import SpectrogramSettings, with_settings
-from skinsource.design.view import View
-from skinsource.design.waveforms.pulses import Noise, Tap
-from skinsource.design.waveforms.tones import Tone
-from skinsource.engine.evaluation import evaluate
+from skinsource.design.waveforms import Noise, Tap, Tone
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.signals.analysis.spectrogram import spectrogram
 from tests.core.own_limbs.lab_bench import installed

@@ -6,19 +6,12 @@ import numpy as np
 import pytest
 
 import skinsource as ss
+from skinsource import View, save_design
 from skinsource.base.errors import RecordingError
 from skinsource.cli.command_line import main
-from skinsource.design.design_file import save_design
 from skinsource.design.labels import SCALINGS, label_of
-from skinsource.design.view import View
 from skinsource.studies import checking
-from skinsource.studies.checking import (
-    Recorded,
-    condition_of,
-    html_of,
-    quartiles,
-    summary_lines,
-)
+from skinsource.studies.checking import Recorded, condition_of, html_of, quartiles, summary_lines
 
 
 @pytest.fixture

@@ -7,9 +7,8 @@ import numpy as np
 import pytest
 import scipy.io
 
-from skinsource.base.errors import SkinSourceError
+from skinsource import SkinSourceError, load_limb
 from skinsource.cli.command_line import main
-from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.limb_import import LimbSource, import_limb, prepare_limb
 from skinsource.limbs.limb_layout import export_limb
 from skinsource.limbs.own_limbs import facts_of, own_limb_names

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource import actuators
-from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource import Actuation, ActuatorAt, actuators
 from skinsource.actuators.equalising import RegularisedInverse, equalised
 from skinsource.actuators.prediction import Limits
 from skinsource.base.errors import InvalidInputError
