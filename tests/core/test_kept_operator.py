@@ -10,10 +10,7 @@ from skinsource.base.assets import cache_folder
 from skinsource.base.work import counting
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.surface import surface
-from skinsource.limbs.surface.surface import (
-    cached_surface_operator,
-    surface_operator,
-)
+from skinsource.limbs.surface.surface import cached_surface_operator, surface_operator
 from skinsource.limbs.synthetic import load_synthetic_limb
 
 SPACING_MM = 8.0
