@@ -172,23 +172,6 @@ def test_a_misplaced_piece_is_refused_by_the_installation(synthetic_download, tm
         install(folder, unpublished=True)
 
 
-def test_an_array_that_was_never_written_is_refused(tmp_path):
-    path = tmp_path / "empty.mat"
-    with h5py.File(path, "w", libver="earliest") as file:
-        file.create_dataset("mask", (3, 4), "<f8")
-    with pytest.raises(DatasetError, match="mask is not there"):
-        check_contiguous(path)
-
-
-def test_an_array_of_which_a_piece_was_never_written_is_refused(tmp_path):
-    path = tmp_path / "holes.mat"
-    with h5py.File(path, "w", libver="earliest") as file:
-        pieces = file.create_dataset("mask", (4, 4), "<f8", chunks=(2, 4))
-        pieces[:2] = 1.0
-    with pytest.raises(DatasetError, match="mask has 1 pieces, expected 2"):
-        check_contiguous(path)
-
-
 def test_two_arrays_in_one_place_are_refused(tmp_path):
     path = tmp_path / "twice.mat"
     with h5py.File(path, "w", libver="earliest") as file:
@@ -206,22 +189,31 @@ def test_two_arrays_in_one_place_are_refused(tmp_path):
         check_contiguous(path)
 
 
-def test_an_array_in_another_file_is_refused(tmp_path):
-    path = tmp_path / "elsewhere.mat"
-    (tmp_path / "raw").write_bytes(bytes(96))
-    with h5py.File(path, "w", libver="earliest") as file:
-        external = [(str(tmp_path / "raw"), 0, 96)]
-        file.create_dataset("mask", (3, 4), "<f8", external=external)
-    with pytest.raises(DatasetError, match="mask lies in other files"):
-        check_contiguous(path)
+def written_in_part(file):
+    file.create_dataset("mask", (4, 4), "<f8", chunks=(2, 4))[:2] = 1.0
 
 
-def test_numbers_of_another_kind_are_refused(tmp_path):
-    path = tmp_path / "odd.mat"
+def of_an_odd_kind(file):
     odd = h5py.h5t.IEEE_F64LE.copy()
     odd.set_ebias(1022)
+    space = h5py.h5s.create_simple((4,))
+    h5py.h5d.create(file.id, b"mask", odd, space).write(h5py.h5s.ALL, h5py.h5s.ALL, np.ones(4))
+
+
+ODD = {
+    "mask is not there": lambda file: file.create_dataset("mask", (3, 4), "<f8"),
+    "mask has 1 pieces, expected 2": written_in_part,
+    "mask lies in other files": lambda file: file.create_dataset(
+        "mask", (3, 4), "<f8", external=[("raw", 0, 96)]
+    ),
+    "mask holds numbers of an unknown kind": of_an_odd_kind,
+}
+
+
+@pytest.mark.parametrize("message", ODD)
+def test_an_array_that_is_not_all_there_or_of_another_kind_is_refused(tmp_path, message):
+    path = tmp_path / "odd.mat"
     with h5py.File(path, "w", libver="earliest") as file:
-        space = h5py.h5s.create_simple((4,))
-        h5py.h5d.create(file.id, b"mask", odd, space).write(h5py.h5s.ALL, h5py.h5s.ALL, np.ones(4))
-    with pytest.raises(DatasetError, match="mask holds numbers of an unknown kind"):
+        ODD[message](file)
+    with pytest.raises(DatasetError, match=message):
         check_contiguous(path)

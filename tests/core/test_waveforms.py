@@ -22,20 +22,17 @@ FINE_HZ = 48000.0
 @pytest.mark.parametrize("window", ["none", "tukey", "hanning"])
 @pytest.mark.parametrize("part", [0.25, 0.999])
 def test_a_shifted_tone_is_its_formula_at_its_own_time(window, part):
-    """By math.sin and the documented windows, sample by sample."""
-    n, shift_s = 130, part / RATE_HZ
-    samples = Tone(87.3, 0.4, n / RATE_HZ, window).samples(RATE_HZ, shift_s)
-    expected = [0.0]
-    for k in range(1, n + 1):
-        place = k - part
-        ends = min(place / (n - 1), 1 - place / (n - 1))
-        weight = {
-            "none": 1.0,
-            "hanning": 0.5 - 0.5 * math.cos(2 * math.pi * (place + 1) / (n + 1)),
-            "tukey": 1.0 if ends >= 0.125 else 0.5 - 0.5 * math.cos(8 * math.pi * max(ends, 0.0)),
-        }[window]
-        expected.append(weight * math.sin(2 * math.pi * 87.3 * (k / RATE_HZ - shift_s) + 0.4))
-    np.testing.assert_allclose(samples, expected, rtol=0, atol=1e-12)
+    n = 130
+    place = np.arange(1, n + 1) - part
+    nearer_end = np.minimum(place, n - 1 - place) / (n - 1)
+    weight = {
+        "none": 1.0,
+        "hanning": 0.5 - 0.5 * np.cos(2 * np.pi * (place + 1) / (n + 1)),
+        "tukey": 0.5 - 0.5 * np.cos(8 * np.pi * np.clip(nearer_end, 0.0, 0.125)),
+    }[window]
+    samples = Tone(87.3, 0.4, n / RATE_HZ, window).samples(RATE_HZ, part / RATE_HZ)
+    expected = weight * np.sin(2 * np.pi * 87.3 * place / RATE_HZ + 0.4)
+    np.testing.assert_allclose(samples, [0.0, *expected], rtol=0, atol=1e-12)
 
 
 def test_an_impulse_is_one_sample_at_any_rate_and_two_between_samples():
@@ -47,17 +44,16 @@ def test_an_impulse_is_one_sample_at_any_rate_and_two_between_samples():
 
 @pytest.mark.parametrize("n", [52, 130, 131])  # of 52 samples both edges are frequencies
 def test_shifted_noise_is_the_same_sum_of_waves_at_other_instants(n):
-    """By the sum over sines and cosines written out."""
-    part = 0.3
-    drawn, time = np.random.default_rng(7).standard_normal(n), np.arange(n)
-    samples = Noise(7, n / RATE_HZ, window="none").samples(RATE_HZ, part / RATE_HZ)
-    plain, later = np.zeros(n), np.zeros(n + 1)
-    for k in range(math.ceil(25 * n / 1300), math.floor(600 * n / 1300) + 1):
-        turn, turn_later = (2 * np.pi * k * at / n for at in (time, np.arange(n + 1) - part))
-        cosine, sine = drawn @ np.cos(turn), drawn @ np.sin(turn)
-        plain += cosine * np.cos(turn) + sine * np.sin(turn)
-        later += cosine * np.cos(turn_later) + sine * np.sin(turn_later)
+    drawn, part = np.random.default_rng(7).standard_normal(n), 0.3
+    lines = np.arange(math.ceil(25 * n / 1300), math.floor(600 * n / 1300) + 1)
+
+    def waves(at):
+        return np.exp(2j * np.pi * np.outer(lines, at) / n)
+
+    found = waves(np.arange(n)).conj() @ drawn
+    plain, later = ((found @ waves(np.arange(n + k) - k * part)).real for k in (0, 1))
     later[0] = 0.0
+    samples = Noise(7, n / RATE_HZ, window="none").samples(RATE_HZ, part / RATE_HZ)
     largest = np.abs(plain).max()
     np.testing.assert_allclose(samples, later / largest, rtol=0, atol=1e-12)
     np.testing.assert_allclose(white_noise(n / RATE_HZ, 7), plain / largest, rtol=0, atol=1e-12)
