@@ -19,7 +19,8 @@ import numpy as np
 import pytest
 import scipy
 
-from skinsource import Design, Limb, LimbMap, View, predict, track
+from skinsource import Design, Limb, View, load_limb, predict, track
+from skinsource.base.errors import InvalidInputError
 from skinsource.cli.command_line import main
 from skinsource.design.waveforms.pulses import Impulse
 from skinsource.engine.quantities import new_graph, sources
@@ -129,25 +130,24 @@ def references() -> Path:
 
 
 @pytest.fixture(scope="session")
-def limb_of() -> Callable[[Callable[[int], np.ndarray]], Limb]:
+def limb_of() -> Callable[..., Limb]:
     """Give a function that makes a limb of any responses, by place."""
+    given = {"name": "made-up", "hand_length_mm": 175.0, "synthetic": True}
+    given["map"] = load_limb("synthetic-1").map
 
-    def make(read_response: Callable[[int], np.ndarray]) -> Limb:
-        nowhere = LimbMap(
-            outline=np.zeros((3, 2)),
-            output_positions=np.zeros((72, 2)),
-            input_positions=np.zeros((20, 2)),
-            hand_length_px=1.0,
-        )
-        return Limb(
-            name="made-up",
-            hand_length_mm=175.0,
-            synthetic=True,
-            map=nowhere,
-            read_response=read_response,
-        )
+    def make(read_response: Callable[[int], np.ndarray], **changes) -> Limb:
+        return Limb(read_response=read_response, **{**given, **changes})
 
     return make
+
+
+def refused(action: Callable[[], object], *texts: str) -> int:
+    """0 if ``action`` is refused with all ``texts``, else 1."""
+    try:
+        action()
+    except InvalidInputError as error:
+        return int(not all(text in str(error) for text in texts))
+    return 1
 
 
 @dataclass(frozen=True, slots=True, eq=False)

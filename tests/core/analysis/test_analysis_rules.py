@@ -151,21 +151,13 @@ def test_noise_of_a_prediction_is_that_of_a_limb_that_is_noise(scaling, actuatio
 
 
 @pytest.fixture
-def noisy_limb():
+def noisy_limb(limb_of):
     """Give a limb whose responses are white noise from the first sample to the last."""
-    real = ss.load_limb("synthetic-1")
 
-    def read(place):
-        rng = np.random.default_rng(place)
-        return rng.normal(0.0, 0.0062, (72, 3, 522))
+    def noise(place):
+        return np.random.default_rng(place).normal(0.0, 0.0062, (72, 3, 522))
 
-    return ss.Limb(
-        name="noisy",
-        hand_length_mm=real.hand_length_mm,
-        synthetic=False,
-        map=real.map,
-        read_response=read,
-    )
+    return limb_of(noise, synthetic=False)
 
 
 def test_outputs_near_the_elbow_are_noise_on_the_measured_limbs(measured):

@@ -26,14 +26,7 @@ VALUES = {"name": "ours", "axes": "xz", "sample_rate_hz": RATE_HZ, "hand_length_
 def layout_file(path: Path, **attributes) -> Path:
     """A file as docs/limbs.md describes it, written by h5py alone."""
     with h5py.File(path, "w") as file:
-        file.attrs["format"] = "skinsource limb"
-        file.attrs["format_version"] = 1
-        file.attrs["name"] = "ours"
-        file.attrs["axes"] = "xz"
-        file.attrs["sample_rate_hz"] = RATE_HZ
-        file.attrs["hand_length_mm"] = 180.0
-        for name, value in attributes.items():
-            file.attrs[name] = value
+        file.attrs.update(format="skinsource limb", format_version=1, **VALUES, **attributes)
         file["responses"] = ALL.astype("f4")
         file["map/outline"] = np.array(OUTLINE, float)
         file["map/inputs"] = INPUTS

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
+from skinsource.design.comparing import louder
 from skinsource.signals.spectra import share_outside_band
 from skinsource.studies.sweeps.measuring import Measurer
 from skinsource.studies.sweeps.plan import Plan
@@ -98,15 +99,8 @@ def test_a_level_is_reached_exactly_and_all_else_follows():
         assert brought[name] == pytest.approx(factor * plain[name], rel=1e-12)
     for name in ("share_outside_band", "mean_distance_mm", "d90_mm", "participation"):
         assert brought[name] == pytest.approx(plain[name], rel=1e-12)
-    inputs = tuple(
-        ss.track(track.location, track.clips[0].waveform, amplitude=track.amplitude * factor)
-        for track in design.inputs
-    )
-    levels = ss.evaluate(
-        ss.Design(limb="synthetic-1", inputs=inputs),
-        "output_levels_db",
-        view=ss.View(span="loudest"),
-    )["output_levels_db"]
+    view = ss.View(span="loudest")
+    levels = ss.evaluate(louder(design, factor), "output_levels_db", view=view)["output_levels_db"]
     assert levels.max() == pytest.approx(-12.0, abs=1e-9)
 
 
