@@ -11,10 +11,10 @@ import platform
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
-from fractions import Fraction
 from math import inf
 from pathlib import Path
 
+import mpmath
 import numpy as np
 import pytest
 import scipy
@@ -233,28 +233,18 @@ class Scene:
         engine = [self.by_engine(selected=selected)["axis_traces"] for selected in (0, None)]
         return [self.predicted(), *engine]
 
-    def exact_sample(self, output: int, axis: int, time: int) -> Fraction:
-        """One sample of the field (relative scaling), rounded nowhere."""
-        total = Fraction(0)
-        for drive, place, amplitude in zip(self.padded(), self.places, self.factors(), strict=True):
-            taps = self.limb.response_to(place)[output - 1, axis]
-            first = max(0, time - drive.size + 1)
-            last = min(time, taps.size - 1)
-            reached = taps[first : last + 1]
-            played = drive[time - last : time - first + 1][::-1]
-            products = sum(a * b for a, b in zip(whole(reached), whole(played), strict=True))
-            total += Fraction(amplitude) * Fraction(products, 2 ** (2 * FINEST))
-        return total
-
-
-#: Every float is a whole multiple of 2**-FINEST.
-FINEST = 1074
-
-
-def whole(samples: np.ndarray) -> list[int]:
-    """Samples as whole multiples of 2**-FINEST."""
-    ratios = (float(sample).as_integer_ratio() for sample in samples)
-    return [numerator * (2**FINEST // denominator) for numerator, denominator in ratios]
+    def exact_sample(self, output: int, axis: int, time: int) -> mpmath.mpf:
+        """One sample of the field (relative scaling); sums are exact, rounded to 200 bits."""
+        with mpmath.workprec(200):
+            total = mpmath.mpf(0)
+            for drive, place, amplitude in zip(
+                self.padded(), self.places, self.factors(), strict=True
+            ):
+                taps = self.limb.response_to(place)[output - 1, axis]
+                first, last = max(0, time - drive.size + 1), min(time, taps.size - 1)
+                played = drive[time - last : time - first + 1][::-1]
+                total += amplitude * mpmath.fdot(taps[first : last + 1].tolist(), played.tolist())
+            return total
 
 
 @pytest.fixture(scope="session")

@@ -19,6 +19,8 @@ from skinsource.limbs.dataset.install import install
 from skinsource.limbs.dataset.matlab_files import check_contiguous
 
 SEED = 20263
+#: More of an array than a node of the index holds: there are nodes of nodes.
+N_PIECES = 72
 #: A node of an index, and that it is one of pieces, not of names.
 NODE = b"TREE\x01"
 ATTEMPTS = """
@@ -35,16 +37,10 @@ from skinsource.limbs.dataset.matlab_files import check_contiguous
 path, flips = Path(sys.argv[1]), json.loads(sys.stdin.read())
 
 
-def large_of(file):
-    arrays = []
-    file.visititems(lambda _, part: arrays.append(part) if getattr(part, "ndim", 0) == 3 else None)
-    return arrays
-
-
 def everything():
     check_contiguous(path)
     with h5py.File(path) as file:
-        arrays = [file[cell] for cell in file["cells"][()]] if "cells" in file else large_of(file)
+        arrays = [file[cell] for cell in file["cells"][()]]
         digests = [hashlib.sha256(array[()].tobytes()).hexdigest() for array in arrays]
         assert len(set(digests)) == len(digests)
         return [(array.shape, str(array.dtype)) for array in arrays], digests
@@ -105,7 +101,7 @@ def packed(tmp_path) -> Path:
         group = file.create_group("#refs#")
         for k in range(3):
             values = random.standard_normal((3, 12, 30))
-            group.create_dataset(f"c{k}", data=values, chunks=(1, 4, 16), compression="gzip")
+            group.create_dataset(f"c{k}", data=values, chunks=(1, 2, 8), compression="gzip")
         cells = np.array([dataset.ref for dataset in group.values()], dtype=h5py.ref_dtype)
         file.create_dataset("cells", data=cells, dtype=h5py.ref_dtype)
     return path
@@ -114,7 +110,9 @@ def packed(tmp_path) -> Path:
 def test_flips_anywhere_but_in_values_are_refused_or_make_no_difference(packed):
     with h5py.File(packed) as file:
         ranges = [
-            file["#refs#"][name].id.get_chunk_info(k) for name in file["#refs#"] for k in range(18)
+            file["#refs#"][name].id.get_chunk_info(k)
+            for name in file["#refs#"]
+            for k in range(N_PIECES)
         ]
     free = np.ones(packed.stat().st_size, bool)
     free[:512] = False
@@ -123,27 +121,12 @@ def test_flips_anywhere_but_in_values_are_refused_or_make_no_difference(packed):
     content = np.fromfile(packed, np.uint8)
     anywhere = np.flatnonzero(free & (content != 0))
     # Of a node: its head, then size, mask and four offsets of each piece, and where it lies.
-    in_index = places_of_nodes(packed.read_bytes(), 24 + 18 * 48)
+    in_index = places_of_nodes(packed.read_bytes(), 24 + N_PIECES // 2 * 48)
     random = np.random.default_rng(SEED)
     places = [*random.choice(anywhere, 200), *random.choice(in_index, 300)]
     outcome = outcome_of(packed, [(int(place), int(random.integers(8))) for place in places])
     assert set(outcome) <= {"refused", "the same"}, outcome
     assert outcome["refused"] > 200
-
-
-def test_flips_in_the_measured_dataset_are_refused_or_make_no_difference(dataset_folder, tmp_path):
-    path = tmp_path / "mutant.mat"
-    shutil.copyfile(dataset_folder / "impulseResponses.mat", path)
-    path.chmod(0o600)
-    try:
-        places = places_of_nodes(path.read_bytes(), 24 + 48 * 48)
-        random = np.random.default_rng(SEED)
-        flips = [(int(random.choice(places)), int(random.integers(8))) for _ in range(6)]
-        outcome = outcome_of(path, flips)
-    finally:
-        path.unlink()
-    assert set(outcome) <= {"refused", "the same"}, outcome
-    assert outcome["refused"] >= 3
 
 
 def test_a_misplaced_piece_is_refused_by_the_installation(synthetic_download, tmp_path):
