@@ -43,12 +43,11 @@ bench: .venv/ready-to-test  ## promises of speed and memory, as ratios; on any m
 	done; exit $$failed
 
 nightly: .venv/ready-to-test  ## damaged files, killed exports, studios that end at once, deeds at random, reference vectors
-	$(BIN)/python -m tests.nightly.recording_mutants
-	$(BIN)/python -m tests.nightly.limb_mutants
-	$(BIN)/python -m tests.nightly.killed_exports
+	$(BIN)/python -m tests.nightly.mutants
+	$(BIN)/python tests/core/exporting/killed_exports.py 300
 	$(BIN)/python -m tests.nightly.short_lives
 	$(BIN)/python -m tests.nightly.monkey
-	@for each in waveforms formulas numbers actuators; do $(BIN)/python tests/references/check_$$each.py || exit 1; done
+	$(BIN)/python tests/references/check.py
 
 faults: .venv/ready-to-test  ## do the tests still notice the faults that they noticed once? (an hour or more)
 	$(BIN)/python -m tests.nightly.planted_faults

@@ -11,21 +11,19 @@ import platform
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
-from fractions import Fraction
 from math import inf
 from pathlib import Path
 
+import mpmath
 import numpy as np
 import pytest
 import scipy
 
+from skinsource import Design, Limb, View, load_limb, predict, track
+from skinsource.base.errors import InvalidInputError
 from skinsource.cli.command_line import main
-from skinsource.design.design import Design, track
-from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Impulse
-from skinsource.engine.prediction import predict
 from skinsource.engine.quantities import new_graph, sources
-from skinsource.limbs.limb import Limb, LimbMap
 from skinsource.readers.reading_process import ReadingProcess
 
 DOCUMENT = Path(__file__).parents[2] / "docs" / "stability.md"
@@ -132,25 +130,24 @@ def references() -> Path:
 
 
 @pytest.fixture(scope="session")
-def limb_of() -> Callable[[Callable[[int], np.ndarray]], Limb]:
+def limb_of() -> Callable[..., Limb]:
     """Give a function that makes a limb of any responses, by place."""
+    given = {"name": "made-up", "hand_length_mm": 175.0, "synthetic": True}
+    given["map"] = load_limb("synthetic-1").map
 
-    def make(read_response: Callable[[int], np.ndarray]) -> Limb:
-        nowhere = LimbMap(
-            outline=np.zeros((3, 2)),
-            output_positions=np.zeros((72, 2)),
-            input_positions=np.zeros((20, 2)),
-            hand_length_px=1.0,
-        )
-        return Limb(
-            name="made-up",
-            hand_length_mm=175.0,
-            synthetic=True,
-            map=nowhere,
-            read_response=read_response,
-        )
+    def make(read_response: Callable[[int], np.ndarray], **changes) -> Limb:
+        return Limb(read_response=read_response, **{**given, **changes})
 
     return make
+
+
+def refused(action: Callable[[], object], *texts: str) -> int:
+    """0 if ``action`` is refused with all ``texts``, else 1."""
+    try:
+        action()
+    except InvalidInputError as error:
+        return int(not all(text in str(error) for text in texts))
+    return 1
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -236,28 +233,18 @@ class Scene:
         engine = [self.by_engine(selected=selected)["axis_traces"] for selected in (0, None)]
         return [self.predicted(), *engine]
 
-    def exact_sample(self, output: int, axis: int, time: int) -> Fraction:
-        """One sample of the field (relative scaling), rounded nowhere."""
-        total = Fraction(0)
-        for drive, place, amplitude in zip(self.padded(), self.places, self.factors(), strict=True):
-            taps = self.limb.response_to(place)[output - 1, axis]
-            first = max(0, time - drive.size + 1)
-            last = min(time, taps.size - 1)
-            reached = taps[first : last + 1]
-            played = drive[time - last : time - first + 1][::-1]
-            products = sum(a * b for a, b in zip(whole(reached), whole(played), strict=True))
-            total += Fraction(amplitude) * Fraction(products, 2 ** (2 * FINEST))
-        return total
-
-
-#: Every float is a whole multiple of 2**-FINEST.
-FINEST = 1074
-
-
-def whole(samples: np.ndarray) -> list[int]:
-    """Samples as whole multiples of 2**-FINEST."""
-    ratios = (float(sample).as_integer_ratio() for sample in samples)
-    return [numerator * (2**FINEST // denominator) for numerator, denominator in ratios]
+    def exact_sample(self, output: int, axis: int, time: int) -> mpmath.mpf:
+        """One sample of the field (relative scaling); sums are exact, rounded to 200 bits."""
+        with mpmath.workprec(200):
+            total = mpmath.mpf(0)
+            for drive, place, amplitude in zip(
+                self.padded(), self.places, self.factors(), strict=True
+            ):
+                taps = self.limb.response_to(place)[output - 1, axis]
+                first, last = max(0, time - drive.size + 1), min(time, taps.size - 1)
+                played = drive[time - last : time - first + 1][::-1]
+                total += amplitude * mpmath.fdot(taps[first : last + 1].tolist(), played.tolist())
+            return total
 
 
 @pytest.fixture(scope="session")

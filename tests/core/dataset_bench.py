@@ -16,11 +16,9 @@ def offset_of(path: Path, name: str) -> int:
 
 def flip(path: Path, offset: int) -> None:
     """Turn a bit."""
-    with path.open("r+b") as opened:
-        opened.seek(offset)
-        byte = opened.read(1)[0]
-        opened.seek(offset)
-        opened.write(bytes([byte ^ 1]))
+    content = bytearray(path.read_bytes())
+    content[offset] ^= 1
+    path.write_bytes(content)
 
 
 def rewrite(path: Path, *without: str, **about: object) -> None:

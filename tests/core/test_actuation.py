@@ -7,11 +7,10 @@ import pytest
 import scipy
 
 import skinsource as ss
+from skinsource import View, edits
 from skinsource.actuators.actuation import transfers_of
 from skinsource.base.errors import InvalidInputError
-from skinsource.design import edits
 from skinsource.design.edits.edit import Edit
-from skinsource.design.view import View
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.spectra import scaled_taps
 

@@ -8,18 +8,14 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from skinsource import View, edits
 from skinsource.base.errors import FileFormatError, InvalidInputError
-from skinsource.design import edits
 from skinsource.design.clips import MAX_CLIPS, MAX_EFFECTS, Clip, Marker
 from skinsource.design.design import MAX_INPUTS, Design, Input, track
 from skinsource.design.edits.cutting import last_fade
 from skinsource.design.edits.edit import Edit, Refusal
-from skinsource.design.effects.level import Fade, Rectify
-from skinsource.design.effects.time import Repeat, Reverse, Stretch, Trim
-from skinsource.design.view import View
-from skinsource.design.waveforms.pulses import Noise, Tap
-from skinsource.design.waveforms.samples import Layers
-from skinsource.design.waveforms.tones import Tone
+from skinsource.design.effects import Fade, Rectify, Repeat, Reverse, Stretch, Trim
+from skinsource.design.waveforms import Layers, Noise, Tap, Tone
 from tests.core.clips_bench import total
 
 RATE_HZ = 1300.0

@@ -8,13 +8,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import skinsource as ss
+from skinsource import Clip, Design, Input, View, track
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input, track
-from skinsource.design.view import View
-from skinsource.design.waveforms.pulses import Noise, Tap
-from skinsource.design.waveforms.samples import Layers
-from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms import Layers, Noise, Tap, Tone
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.signals.sampling import on_grid
 

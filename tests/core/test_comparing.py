@@ -8,9 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import skinsource as ss
+from skinsource import Design, View, edits, track
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.base.errors import InvalidInputError
-from skinsource.design import edits
 from skinsource.design.comparing import (
     EDITED,
     Snapshot,
@@ -25,11 +25,8 @@ from skinsource.design.comparing import (
     shown_snapshot,
     why_no_comparison,
 )
-from skinsource.design.design import Design, track
 from skinsource.design.edits.edit import Edit, Refusal
-from skinsource.design.view import View
-from skinsource.design.waveforms.pulses import Noise
-from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms import Noise, Tone
 
 DESIGN = Design(
     limb="synthetic-1",

@@ -17,12 +17,6 @@ def _everything(path):
         return {name: store[name] for name in store.files if name in ARRAYS}
 
 
-def _assert_same_content(path, other):
-    first, second = _everything(path), _everything(other)
-    assert list(first) == list(second)
-    assert all(first[name].tobytes() == second[name].tobytes() for name in first)
-
-
 def test_installing_keeps_every_response_with_time_last(synthetic_installed, make_response):
     for limb in (1, 4):
         opened = load_measured_limb(limb)
@@ -39,7 +33,9 @@ def test_both_matlab_encodings_give_the_same_bits(
     shutil.copytree(synthetic_download, folder)
     write_table(folder / "impulseResponses.mat", complete_rows, "v7")
     store = install(folder, unpublished=True).path
-    _assert_same_content(store, synthetic_store)
+    first, second = _everything(store), _everything(synthetic_store)
+    assert list(first) == list(second)
+    assert all(first[name].tobytes() == second[name].tobytes() for name in first)
 
 
 @pytest.mark.parametrize(

@@ -19,6 +19,8 @@ from skinsource.limbs.dataset.install import install
 from skinsource.limbs.dataset.matlab_files import check_contiguous
 
 SEED = 20263
+#: More of an array than a node of the index holds: there are nodes of nodes.
+N_PIECES = 72
 #: A node of an index, and that it is one of pieces, not of names.
 NODE = b"TREE\x01"
 ATTEMPTS = """
@@ -35,16 +37,10 @@ from skinsource.limbs.dataset.matlab_files import check_contiguous
 path, flips = Path(sys.argv[1]), json.loads(sys.stdin.read())
 
 
-def large_of(file):
-    arrays = []
-    file.visititems(lambda _, part: arrays.append(part) if getattr(part, "ndim", 0) == 3 else None)
-    return arrays
-
-
 def everything():
     check_contiguous(path)
     with h5py.File(path) as file:
-        arrays = [file[cell] for cell in file["cells"][()]] if "cells" in file else large_of(file)
+        arrays = [file[cell] for cell in file["cells"][()]]
         digests = [hashlib.sha256(array[()].tobytes()).hexdigest() for array in arrays]
         assert len(set(digests)) == len(digests)
         return [(array.shape, str(array.dtype)) for array in arrays], digests
@@ -105,7 +101,7 @@ def packed(tmp_path) -> Path:
         group = file.create_group("#refs#")
         for k in range(3):
             values = random.standard_normal((3, 12, 30))
-            group.create_dataset(f"c{k}", data=values, chunks=(1, 4, 16), compression="gzip")
+            group.create_dataset(f"c{k}", data=values, chunks=(1, 2, 8), compression="gzip")
         cells = np.array([dataset.ref for dataset in group.values()], dtype=h5py.ref_dtype)
         file.create_dataset("cells", data=cells, dtype=h5py.ref_dtype)
     return path
@@ -114,7 +110,9 @@ def packed(tmp_path) -> Path:
 def test_flips_anywhere_but_in_values_are_refused_or_make_no_difference(packed):
     with h5py.File(packed) as file:
         ranges = [
-            file["#refs#"][name].id.get_chunk_info(k) for name in file["#refs#"] for k in range(18)
+            file["#refs#"][name].id.get_chunk_info(k)
+            for name in file["#refs#"]
+            for k in range(N_PIECES)
         ]
     free = np.ones(packed.stat().st_size, bool)
     free[:512] = False
@@ -123,27 +121,12 @@ def test_flips_anywhere_but_in_values_are_refused_or_make_no_difference(packed):
     content = np.fromfile(packed, np.uint8)
     anywhere = np.flatnonzero(free & (content != 0))
     # Of a node: its head, then size, mask and four offsets of each piece, and where it lies.
-    in_index = places_of_nodes(packed.read_bytes(), 24 + 18 * 48)
+    in_index = places_of_nodes(packed.read_bytes(), 24 + N_PIECES // 2 * 48)
     random = np.random.default_rng(SEED)
     places = [*random.choice(anywhere, 200), *random.choice(in_index, 300)]
     outcome = outcome_of(packed, [(int(place), int(random.integers(8))) for place in places])
     assert set(outcome) <= {"refused", "the same"}, outcome
     assert outcome["refused"] > 200
-
-
-def test_flips_in_the_measured_dataset_are_refused_or_make_no_difference(dataset_folder, tmp_path):
-    path = tmp_path / "mutant.mat"
-    shutil.copyfile(dataset_folder / "impulseResponses.mat", path)
-    path.chmod(0o600)
-    try:
-        places = places_of_nodes(path.read_bytes(), 24 + 48 * 48)
-        random = np.random.default_rng(SEED)
-        flips = [(int(random.choice(places)), int(random.integers(8))) for _ in range(6)]
-        outcome = outcome_of(path, flips)
-    finally:
-        path.unlink()
-    assert set(outcome) <= {"refused", "the same"}, outcome
-    assert outcome["refused"] >= 3
 
 
 def test_a_misplaced_piece_is_refused_by_the_installation(synthetic_download, tmp_path):
@@ -172,23 +155,6 @@ def test_a_misplaced_piece_is_refused_by_the_installation(synthetic_download, tm
         install(folder, unpublished=True)
 
 
-def test_an_array_that_was_never_written_is_refused(tmp_path):
-    path = tmp_path / "empty.mat"
-    with h5py.File(path, "w", libver="earliest") as file:
-        file.create_dataset("mask", (3, 4), "<f8")
-    with pytest.raises(DatasetError, match="mask is not there"):
-        check_contiguous(path)
-
-
-def test_an_array_of_which_a_piece_was_never_written_is_refused(tmp_path):
-    path = tmp_path / "holes.mat"
-    with h5py.File(path, "w", libver="earliest") as file:
-        pieces = file.create_dataset("mask", (4, 4), "<f8", chunks=(2, 4))
-        pieces[:2] = 1.0
-    with pytest.raises(DatasetError, match="mask has 1 pieces, expected 2"):
-        check_contiguous(path)
-
-
 def test_two_arrays_in_one_place_are_refused(tmp_path):
     path = tmp_path / "twice.mat"
     with h5py.File(path, "w", libver="earliest") as file:
@@ -206,22 +172,31 @@ def test_two_arrays_in_one_place_are_refused(tmp_path):
         check_contiguous(path)
 
 
-def test_an_array_in_another_file_is_refused(tmp_path):
-    path = tmp_path / "elsewhere.mat"
-    (tmp_path / "raw").write_bytes(bytes(96))
-    with h5py.File(path, "w", libver="earliest") as file:
-        external = [(str(tmp_path / "raw"), 0, 96)]
-        file.create_dataset("mask", (3, 4), "<f8", external=external)
-    with pytest.raises(DatasetError, match="mask lies in other files"):
-        check_contiguous(path)
+def written_in_part(file):
+    file.create_dataset("mask", (4, 4), "<f8", chunks=(2, 4))[:2] = 1.0
 
 
-def test_numbers_of_another_kind_are_refused(tmp_path):
-    path = tmp_path / "odd.mat"
+def of_an_odd_kind(file):
     odd = h5py.h5t.IEEE_F64LE.copy()
     odd.set_ebias(1022)
+    space = h5py.h5s.create_simple((4,))
+    h5py.h5d.create(file.id, b"mask", odd, space).write(h5py.h5s.ALL, h5py.h5s.ALL, np.ones(4))
+
+
+ODD = {
+    "mask is not there": lambda file: file.create_dataset("mask", (3, 4), "<f8"),
+    "mask has 1 pieces, expected 2": written_in_part,
+    "mask lies in other files": lambda file: file.create_dataset(
+        "mask", (3, 4), "<f8", external=[("raw", 0, 96)]
+    ),
+    "mask holds numbers of an unknown kind": of_an_odd_kind,
+}
+
+
+@pytest.mark.parametrize("message", ODD)
+def test_an_array_that_is_not_all_there_or_of_another_kind_is_refused(tmp_path, message):
+    path = tmp_path / "odd.mat"
     with h5py.File(path, "w", libver="earliest") as file:
-        space = h5py.h5s.create_simple((4,))
-        h5py.h5d.create(file.id, b"mask", odd, space).write(h5py.h5s.ALL, h5py.h5s.ALL, np.ones(4))
-    with pytest.raises(DatasetError, match="mask holds numbers of an unknown kind"):
+        ODD[message](file)
+    with pytest.raises(DatasetError, match=message):
         check_contiguous(path)

@@ -5,10 +5,7 @@ import zipfile
 import psutil
 import pytest
 
-from skinsource.base.errors import (
-    DatasetError,
-    DatasetMissingError,
-)
+from skinsource.base.errors import DatasetError, DatasetMissingError
 from skinsource.limbs.dataset import store
 from skinsource.limbs.dataset.published import response_name
 from tests.core.dataset_bench import flip, offset_of, rewrite

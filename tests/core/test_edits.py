@@ -4,13 +4,10 @@ from dataclasses import replace
 
 import pytest
 
-from skinsource.design import edits
-from skinsource.design.clips import Clip
+from skinsource import Clip, View, edits
 from skinsource.design.design import MAX_INPUTS, Design, Input, track
 from skinsource.design.edits.edit import Refusal
-from skinsource.design.view import View
-from skinsource.design.waveforms.pulses import Noise, Tap
-from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms import Noise, Tap, Tone
 from skinsource.specs.models import specs_of
 
 THREE = Design(

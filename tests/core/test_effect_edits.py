@@ -4,10 +4,9 @@ from dataclasses import replace
 
 import pytest
 
+from skinsource import Design, Input, View, edits, track
 from skinsource.base.errors import InvalidInputError
-from skinsource.design import edits
 from skinsource.design.clips import EFFECT_LIST, MAX_EFFECTS, Clip
-from skinsource.design.design import Design, Input, track
 from skinsource.design.edits.edit import KindSpec, Refusal
 from skinsource.design.edits.effects import (
     choices_of,
@@ -16,14 +15,8 @@ from skinsource.design.edits.effects import (
     with_part,
     without_part,
 )
-from skinsource.design.effects import EFFECTS
-from skinsource.design.effects.level import Envelope, Fade
-from skinsource.design.effects.time import Repeat, Reverse, Stretch, Trim
-from skinsource.design.view import View
-from skinsource.design.waveforms import KINDS
-from skinsource.design.waveforms.pulses import Noise
-from skinsource.design.waveforms.samples import Layers
-from skinsource.design.waveforms.tones import Tone
+from skinsource.design.effects import EFFECTS, Envelope, Fade, Repeat, Reverse, Stretch, Trim
+from skinsource.design.waveforms import KINDS, Layers, Noise, Tone
 from skinsource.specs.models import specs_of
 
 CHAIN = (Reverse(), Fade(), Repeat())

@@ -6,13 +6,11 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.base.decibels import decibels
+from skinsource import Clip, Limb, LimbMap, View, decibels
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import AXES
-from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, audible_inputs, track
 from skinsource.design.signal_path import drive_of
-from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Impulse, Noise, Tap
 from skinsource.design.waveforms.tones import FREQUENCY, PHASE, Tone
 from skinsource.engine.evaluation import Evaluator
@@ -20,7 +18,6 @@ from skinsource.engine.gains import ExactVoice, exact_gains, peaks_of, trace_err
 from skinsource.engine.quantities import graphs_that_share, new_graph, sources
 from skinsource.engine.spectra import ResponseSpectrum
 from skinsource.engine.transforms import BLOCK_FFT, Blocks, forward, inverse, transform_length
-from skinsource.limbs.limb import Limb, LimbMap
 from skinsource.limbs.locations import input_name, output_name
 from skinsource.limbs.scaling import SCALINGS, per_probe_acceleration
 from skinsource.limbs.synthetic import load_synthetic_limb

@@ -6,6 +6,7 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, replace
 from inspect import signature
+from itertools import count
 from threading import Event, get_ident
 from weakref import ref
 
@@ -13,14 +14,12 @@ import numpy as np
 import pytest
 
 import skinsource as ss
+from skinsource import Design, View, track
 from skinsource.base.errors import InvalidInputError, Stopped
 from skinsource.base.measurement_conditions import N_AXES, N_OUTPUTS
 from skinsource.base.run_limited import resident_bytes
 from skinsource.base.work import counting
-from skinsource.design.design import Design, track
-from skinsource.design.view import View
-from skinsource.design.waveforms.pulses import Noise, Tap
-from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms import Noise, Tap, Tone
 from skinsource.engine import memory as budgets
 from skinsource.engine.drives import Drives
 from skinsource.engine.evaluation import MOST_GRAPHS, Evaluator, forget_unused
@@ -357,31 +356,26 @@ def test_a_spectrum_that_is_in_use_when_all_are_dropped_holds_no_memory_of_other
     assert memory.nbytes == used.values.nbytes
 
 
-class Countdown:
+def stop_after(times: int):
     """Asks to stop once it was asked so many times."""
-
-    def __init__(self, times: int) -> None:
-        self.left = times
-
-    def __call__(self) -> bool:
-        self.left -= 1
-        return self.left < 0
+    asked = count()
+    return lambda: next(asked) >= times
 
 
 @pytest.mark.parametrize("view", [VIEW, LOUDEST], ids=["record", "loudest"])
 @pytest.mark.parametrize("design", [DESIGN, LONG], ids=["at once", "streamed"])
 def test_it_stops_wherever_it_is_asked_to_and_is_right_afterwards(design, view):
-    asked = Countdown(10**9)
-    expected = new_graph().evaluate(ALL, sources(design, view), asked)
-    needed = 10**9 - asked.left
+    asked = count()
+    expected = new_graph().evaluate(ALL, sources(design, view), lambda: next(asked) < 0)
+    needed = next(asked)
     # No more than some blocks lie between two chances.
     assert needed > (14 * 1300 / Blocks(522).n_samples if design is LONG else 10)
     graph = new_graph()
     for times in np.linspace(0, needed - 1, 5).astype(int):
         with pytest.raises(Stopped):
-            new_graph().evaluate(ALL, sources(design, view), Countdown(times))
+            new_graph().evaluate(ALL, sources(design, view), stop_after(times))
     with pytest.raises(Stopped):
-        graph.evaluate(ALL, sources(design, view), Countdown(needed // 2))
+        graph.evaluate(ALL, sources(design, view), stop_after(needed // 2))
     # The old request to stop is of no concern any more.
     values = graph.evaluate(ALL, sources(design, view))
     np.testing.assert_array_equal(values["output_rms"], expected["output_rms"])

@@ -7,12 +7,8 @@ from itertools import product
 import numpy as np
 import pytest
 
-from skinsource.design.effects import EFFECTS
-from skinsource.design.effects.effect import Effect
-from skinsource.design.effects.playing import played, played_s
-from skinsource.design.effects.time import Reverse
-from skinsource.design.waveforms.pulses import Impulse
-from skinsource.design.waveforms.samples import Formula
+from skinsource.design.effects import EFFECTS, Effect, Reverse, played, played_s
+from skinsource.design.waveforms import Formula, Impulse
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec

@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from skinsource import View, edits
 from skinsource.base.errors import InvalidInputError
-from skinsource.design import edits
 from skinsource.design.design import MAX_INPUTS, Design, Input
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.motions import (
@@ -25,10 +25,7 @@ from skinsource.design.motions import (
     path_of,
     with_path_of,
 )
-from skinsource.design.view import View
-from skinsource.design.waveforms.periodic import Saw, Square, Triangle
-from skinsource.design.waveforms.pulses import Tap
-from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms import Saw, Square, Tap, Tone, Triangle
 from tests.core.clips_bench import total
 
 RATE_HZ = 48000.0

@@ -15,12 +15,10 @@ import pytest
 import scipy
 
 import skinsource as ss
+from skinsource import Design, View, track
 from skinsource.base.errors import Stopped, StorageError, TooInaccurateError
 from skinsource.base.measurement_conditions import VOLAR_OUTPUTS
-from skinsource.design.design import Design, track
-from skinsource.design.view import View
-from skinsource.design.waveforms.pulses import Noise, Tap
-from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms import Noise, Tap, Tone
 from skinsource.engine import shared, trace_rules
 from skinsource.engine.gains import TraceError
 from skinsource.engine.streaming import StreamedVibration

@@ -10,13 +10,7 @@ import psutil
 import pytest
 
 from skinsource.base.errors import FileFormatError, StorageError
-from skinsource.base.files import (
-    make_folder,
-    path_exists,
-    read_bytes,
-    temporary_path,
-    write_bytes,
-)
+from skinsource.base.files import make_folder, path_exists, read_bytes, temporary_path, write_bytes
 
 ADVICE = {
     errno.ENOSPC: "Free some space",

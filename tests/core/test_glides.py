@@ -5,13 +5,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from skinsource import Design, View, edits, track
 from skinsource.base.errors import InvalidInputError
-from skinsource.design import edits
-from skinsource.design.design import Design, track
 from skinsource.design.edits.edit import Edit, Refusal, as_kind
-from skinsource.design.view import View
-from skinsource.design.waveforms.pulses import Noise, Tap
-from skinsource.design.waveforms.tones import Chirp, Glide, Tone
+from skinsource.design.waveforms import Chirp, Glide, Noise, Tap, Tone
 from skinsource.signals.synthesis import curve_of, with_curve
 
 RATE_HZ = 1300.0

@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 
 from benchmarks.graph_drawing import updated
-from skinsource.base.errors import Stopped
-from skinsource.engine.graph import Graph, UnknownQuantity
+from skinsource.engine.graph import Graph
 
 
 def doubled(number):
@@ -79,19 +78,6 @@ def test_a_large_array_is_freed_before_it_is_computed_again_with_all_that_holds_
     assert graph.runs == {"large": 2, "made": 2, "last": 2, "label": 1}
 
 
-def test_a_rule_whose_inputs_come_out_equal_does_not_run():
-    def odd(number):
-        return number % 2 == 1
-
-    def label(odd):
-        return "odd" if odd else "even"
-
-    graph = Graph(odd, label)
-    graph.evaluate(["label"], {"number": 3})
-    assert graph.evaluate(["label"], {"number": 5}) == {"label": "odd"}
-    assert graph.runs == {"odd": 2, "label": 1}
-
-
 def test_tuples_of_arrays_are_compared_part_by_part():
     graph = Graph(pair_total)
     first, other = np.arange(3.0), np.ones(2)
@@ -140,24 +126,6 @@ def test_rules_in_a_circle_are_refused():
 def test_two_rules_of_one_name_are_refused():
     with pytest.raises(ValueError, match="two rules compute 'doubled'"):
         Graph(doubled, squared, doubled)
-
-
-def test_an_unknown_quantity_is_named_with_the_nearest_known_one():
-    graph = Graph(total, doubled, squared)
-    with pytest.raises(UnknownQuantity, match="no rule computes 'totl'; perhaps 'total' is meant"):
-        graph.evaluate(["totl"], {"number": 3})
-    with pytest.raises(UnknownQuantity, match="no rule computes 'number'"):
-        graph.evaluate(["total"], {})
-
-
-def test_evaluation_stops_before_the_next_rule_and_keeps_what_is_done():
-    graph = Graph(total, doubled, squared)
-    answers = iter([False, True])
-    with pytest.raises(Stopped):
-        graph.evaluate(["total"], {"number": 3}, stop=lambda: next(answers))
-    assert graph.runs == {"doubled": 1}
-    assert graph.evaluate(["total"], {"number": 3}) == {"total": 15}
-    assert graph.runs == {"doubled": 1, "squared": 1, "total": 1}
 
 
 def test_an_array_goes_before_the_next_one_is_made():

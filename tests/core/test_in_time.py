@@ -7,11 +7,9 @@ import numpy as np
 import pytest
 
 import skinsource as ss
+from skinsource import Design, View, evaluate, track
 from skinsource.base.errors import InvalidInputError, Stopped
-from skinsource.design.design import Design, track
-from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
-from skinsource.engine.evaluation import evaluate
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.time_rules import (
     BLOCK_S,

@@ -8,12 +8,8 @@ import pytest
 
 from skinsource.base.assets import cache_folder
 from skinsource.base.work import counting
-from skinsource.limbs.limb import Limb
 from skinsource.limbs.surface import surface
-from skinsource.limbs.surface.surface import (
-    cached_surface_operator,
-    surface_operator,
-)
+from skinsource.limbs.surface.surface import cached_surface_operator, surface_operator
 from skinsource.limbs.synthetic import load_synthetic_limb
 
 SPACING_MM = 8.0
@@ -39,12 +35,6 @@ def fetched(limb, spacing_mm=SPACING_MM):
     with counting() as work:
         operator = cached_surface_operator(limb, spacing_mm)
     return operator, work.operators_built
-
-
-def like(limb, **changes):
-    """A limb that differs so much from another."""
-    given = {"map": limb.map, "hand_length_mm": limb.hand_length_mm} | changes
-    return Limb(name="made-up", synthetic=True, read_response=limb.response_to, **given)
 
 
 def files():
@@ -75,15 +65,15 @@ def test_an_operator_is_built_once_and_found_again_to_the_last_bit(limb, built):
     np.testing.assert_array_equal(again.interpolate(values), built.interpolate(values))
 
 
-def test_another_map_hand_or_spacing_is_another_operator(limb):
+def test_another_map_hand_or_spacing_is_another_operator(limb, limb_of):
     fetched(limb)
     nudged = limb.map.output_positions.copy()
     nudged[30] += 1e-9
     moved = replace(limb.map, output_positions=nudged)
     others = (
-        like(limb, map=moved),
-        like(limb, hand_length_mm=limb.hand_length_mm + 1e-9),
-        like(limb, map=replace(limb.map, densify=not limb.map.densify)),
+        limb_of(limb.response_to, map=moved),
+        limb_of(limb.response_to, hand_length_mm=limb.hand_length_mm + 1e-9),
+        limb_of(limb.response_to, map=replace(limb.map, densify=not limb.map.densify)),
     )
     assert [fetched(other)[1] for other in others] == [1, 1, 1]
     assert fetched(limb, 9.0)[1] == 1

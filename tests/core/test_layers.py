@@ -7,17 +7,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from skinsource import Clip, Design, Input, View, edits
 from skinsource.base.errors import FileFormatError, InvalidInputError
-from skinsource.design import edits
-from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input
 from skinsource.design.edits.edit import Refusal
 from skinsource.design.effects.time import Trim
-from skinsource.design.view import View
-from skinsource.design.waveforms import KINDS
-from skinsource.design.waveforms.pulses import Noise, Tap
-from skinsource.design.waveforms.samples import Layers
-from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms import KINDS, Layers, Noise, Tap, Tone
 from skinsource.signals.sampling import NEAR
 from skinsource.specs.models import decode, encode
 from skinsource.specs.spec import Address

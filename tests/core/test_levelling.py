@@ -6,19 +6,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from skinsource import Clip, Design, Input, View, edits, load_limb, predict, rms, track
 from skinsource.base.errors import Stopped
-from skinsource.design import edits
-from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input, track
 from skinsource.design.edits.edit import Refusal
 from skinsource.design.effects.time import Reverse
-from skinsource.design.view import View
-from skinsource.design.waveforms.tones import Tone
-from skinsource.design.waveforms.wavelet_train import WaveletTrain
+from skinsource.design.waveforms import Tone, WaveletTrain
 from skinsource.engine.levelling import MEASURE, track_levels_db, wavelet_levels_db
-from skinsource.engine.prediction import predict
-from skinsource.limbs.catalog import load_limb
-from skinsource.signals.spectra import rms
 
 LIMB = "synthetic-1"
 TRAIN = WaveletTrain((60.0, 150.0, 400.0), slot_s=0.08)
@@ -43,7 +36,9 @@ def levels_by_hand(train: WaveletTrain, location: int, scaling="relative") -> li
     return levels_db
 
 
-@pytest.mark.parametrize("location", [7, 15])
+@pytest.mark.parametrize(
+    ("location", "scaling"), [(7, "relative"), (15, "relative"), (7, "probe"), (7, "upstream")]
+)
 @pytest.mark.parametrize(
     "train",
     [
@@ -53,17 +48,19 @@ def levels_by_hand(train: WaveletTrain, location: int, scaling="relative") -> li
     ],
     ids=["gabor", "energy", "hann"],
 )
-def test_all_wavelets_arrive_alike_after_it(train, location):
-    design = design_of(train, location, amplitude=-3.0, onset_s=0.1234)
+def test_all_wavelets_arrive_alike_after_it(train, location, scaling):
+    design = design_of(train, location, scaling, amplitude=-3.0, onset_s=0.1234)
+    # All of a train is divided by one number, as with "upstream": alone, each would be by its own.
+    scaling = scaling.replace("upstream", "relative")
     before = wavelet_levels_db(design, 1)
-    plain = levels_by_hand(replace(train, gains_db=()), location)
+    plain = levels_by_hand(replace(train, gains_db=()), location, scaling)
     # Where a wavelet lies between samples changes its loudest 100 ms a little.
     np.testing.assert_allclose(
         np.subtract(before, before[0]), np.subtract(plain, plain[0]), atol=0.05
     )
     edit = edits.equalise_on_skin(design, View(), 1, before, MEASURE)
     after = edit.design.clip(1).waveform
-    levels = levels_by_hand(after, location)
+    levels = levels_by_hand(after, location, scaling)
     assert max(levels) - min(levels) < 0.05 < max(plain) - min(plain)
     assert max(after.gains_db) == 0.0
     assert replace(after, gains_db=()) == replace(train, gains_db=())
@@ -139,13 +136,3 @@ def test_it_tells_how_far_it_is_and_can_be_stopped():
     assert [step[:2] for step in progress] == [(1, 3), (2, 3), (3, 3)]
     with pytest.raises(Stopped):
         wavelet_levels_db(design_of(TRAIN), 1, stop=lambda: True)
-
-
-@pytest.mark.parametrize("scaling", ["probe", "relative", "upstream"])
-def test_wavelets_are_made_alike_in_the_scaling_of_the_design(scaling):
-    design = design_of(TRAIN, scaling=scaling)
-    done = edits.equalise_on_skin(design, View(), 1, wavelet_levels_db(design, 1), "")
-    train = done.design.clips[0].waveform
-    # All of a train is divided by one number, as with "upstream": alone, each would be by its own.
-    by_hand = levels_by_hand(train, 7, "relative" if scaling == "upstream" else scaling)
-    assert max(by_hand) - min(by_hand) < 0.05

@@ -5,10 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.design.design import Design, track
-from skinsource.design.view import View
-from skinsource.design.waveforms.pulses import Tap
-from skinsource.design.waveforms.tones import Tone
+from skinsource import Design, View, track
+from skinsource.design.waveforms import Tap, Tone
 from skinsource.engine.quantities import new_graph, sources
 
 GAIN = 0.3

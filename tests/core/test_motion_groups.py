@@ -4,13 +4,10 @@ from dataclasses import replace
 
 import pytest
 
-from skinsource.design import edits
-from skinsource.design.design import Design, Input, track
-from skinsource.design.design_file import open_design, save_design
+from skinsource import Design, Input, View, edits, open_design, save_design, track
 from skinsource.design.edits.edit import Refusal, change_inputs
 from skinsource.design.edits.motions import motion_of, with_whole_motions
 from skinsource.design.motions import MOTIONS, ApparentMotion, Sweep
-from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 
 PLAIN = Design(limb="synthetic-1", inputs=(track(7, Tone()),))

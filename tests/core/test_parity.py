@@ -5,10 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from skinsource.engine.prediction import predict
-from skinsource.limbs.catalog import load_limb
-from skinsource.signals.generators import sinusoid
-from skinsource.signals.projection import project_axes
+from skinsource import load_limb, predict, project_axes, sinusoid
 
 
 def test_impulse_responses_of_limb_1_peak_as_published(measured):

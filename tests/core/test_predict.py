@@ -9,11 +9,10 @@ import numpy as np
 import pytest
 
 import skinsource as ss
+from skinsource import Limb, predict
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.work import counting
 from skinsource.engine import prediction
-from skinsource.engine.prediction import predict
-from skinsource.limbs.limb import Limb
 from skinsource.limbs.scaling import SCALINGS
 
 DRIVES = np.random.default_rng(3).standard_normal((20, 325))

@@ -9,17 +9,13 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import skinsource as ss
+from skinsource import Design, Input, View, track
 from skinsource.base.errors import FileFormatError, InvalidInputError, StorageError
 from skinsource.design.clips import MAX_EFFECTS, Clip, Fragment, Lane
-from skinsource.design.design import Design, Input, track
-from skinsource.design.effects.level import SoftClip
-from skinsource.design.effects.time import Reverse, Trim
+from skinsource.design.effects import Reverse, SoftClip, Trim
 from skinsource.design.presets import presets
 from skinsource.design.presets.presets import Entry, Preset, PresetFolder
-from skinsource.design.view import View
-from skinsource.design.waveforms.pulses import Noise, Tap
-from skinsource.design.waveforms.samples import Drawn
-from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms import Drawn, Noise, Tap, Tone
 from tests.core.design_files.any_recipe import recipes
 
 TONE = Fragment(lanes=(Lane(location=3, clips=(Clip(waveform=Tone()),)),))

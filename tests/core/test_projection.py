@@ -1,7 +1,5 @@
 """Projections, against sums and singular vectors worked out output by output."""
 
-import math
-
 import numpy as np
 import pytest
 
@@ -31,17 +29,14 @@ def first_singular_vector(rows: np.ndarray) -> np.ndarray:
 def direct(data: np.ndarray, axes: str, method: str) -> np.ndarray:
     result = []
     for output in data:
-        rows = np.array([output["xyz".index(axis)] for axis in axes])
-        if method == "mag":
-            result.append([math.hypot(*sample) for sample in rows.T])
-        elif method == "soc":
-            result.append([math.fsum(sample) for sample in rows.T])
-        elif method == "rms":
-            sizes = [math.sqrt(math.fsum(row * row) / len(row)) for row in rows]
-            length = math.hypot(*sizes)
-            result.append(sum(size / length * row for size, row in zip(sizes, rows, strict=True)))
-        else:
-            result.append(first_singular_vector(rows) @ rows)
+        rows = output[["xyz".index(axis) for axis in axes]]
+        sizes = np.sqrt(np.mean(rows**2, axis=1))
+        weights = {
+            "soc": np.ones(len(rows)),
+            "rms": sizes / np.hypot.reduce(sizes),
+            "pca": first_singular_vector(rows),
+        }
+        result.append(np.hypot.reduce(rows) if method == "mag" else weights[method] @ rows)
     return np.array(result)
 
 

@@ -64,15 +64,9 @@ def test_every_message_of_the_library_quotes_in_this_way():
     """Python's own way of quoting in a text (``!r``) has no limit."""
     places = []
     for path in sorted(Path(skinsource.__file__).parent.rglob("*.py")):
-        raised = [node for node in ast.walk(ast.parse(path.read_text("utf-8"))) if _is_raise(node)]
-        quotes = [quote for node in raised for quote in ast.walk(node) if _is_quote(quote)]
+        nodes = ast.walk(ast.parse(path.read_text("utf-8")))
+        raised = [part for node in nodes if isinstance(node, ast.Raise) for part in ast.walk(node)]
+        formatted = [part for part in raised if isinstance(part, ast.FormattedValue)]
+        quotes = [part for part in formatted if part.conversion == ord("r")]
         places += [f"{path.name}:{quote.lineno}" for quote in quotes]
     assert places == []
-
-
-def _is_raise(node: ast.AST) -> bool:
-    return isinstance(node, ast.Raise)
-
-
-def _is_quote(node: ast.AST) -> bool:
-    return isinstance(node, ast.FormattedValue) and node.conversion == ord("r")

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.actuators.measured_response import MeasuredResponse
-from skinsource.actuators.prediction import Limits, Thermal
+from skinsource.actuators import Limits, MeasuredResponse, Thermal
 from skinsource.actuators.rigs import Rig, RigChannel
 from skinsource.base.errors import FileFormatError, InvalidInputError
 

@@ -3,11 +3,9 @@
 import numpy as np
 import pytest
 
+from skinsource import Design, View, edits
 from skinsource.base.measurement_conditions import BAND_HZ
-from skinsource.design import edits
-from skinsource.design.design import Design
 from skinsource.design.presets import presets
-from skinsource.design.view import View
 from skinsource.signals.spectra import share_outside_band
 
 RATE_HZ = 1300.0

@@ -5,8 +5,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from skinsource.design.waveforms.pulses import Noise, Tap
-from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms import Noise, Tap, Tone
 from skinsource.engine.transforms import BLOCK_FFT, length_at_once
 from skinsource.limbs.synthetic import load_synthetic_limb
 

@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.base.errors import InvalidInputError
 from skinsource.design.design import track
 from skinsource.engine.transforms import BLOCK_FFT, transform_length
+from tests.core.conftest import refused
 
 SEED = 1300
 BAD = (np.nan, np.inf, -np.inf, 1e31, -1e31)
@@ -79,15 +79,6 @@ def test_inputs_that_are_not_heard_change_no_bit(scene, limb, noted, n_times):
     )
     for field, expected in zip(beside.both_ways(), alone.both_ways(), strict=True):
         noted("a4 muted", np.count_nonzero(field != expected))
-
-
-def refused(action, *texts: str) -> int:
-    """0 if ``action`` is refused with all ``words``, else 1."""
-    try:
-        action()
-    except InvalidInputError as error:
-        return int(not all(word in str(error) for word in texts))
-    return 1
 
 
 @pytest.mark.parametrize("n_times", LENGTHS)

@@ -11,12 +11,8 @@ from collections.abc import Callable, Iterator
 import numpy as np
 import pytest
 
-from skinsource.engine.prediction import predict
-from skinsource.limbs.limb import Limb
+from skinsource import Limb, predict, project_axes, rms, sinusoid
 from skinsource.limbs.synthetic import load_synthetic_limb
-from skinsource.signals.generators import sinusoid
-from skinsource.signals.projection import project_axes
-from skinsource.signals.spectra import rms
 
 FREQUENCIES_HZ = (100.0, 250.0, 600.0)
 LENGTHS_S = (0.2, 0.5, 3.0)

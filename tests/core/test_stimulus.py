@@ -6,16 +6,11 @@ import numpy as np
 import pytest
 
 import skinsource as ss
+from skinsource import Clip, Design, Input, effects, stimulus_of, track
 from skinsource.base.errors import InvalidInputError
-from skinsource.design import effects
-from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input, track
-from skinsource.design.waveforms.pulses import Impulse, Noise
-from skinsource.design.waveforms.tones import Tone
-from skinsource.design.waveforms.wavelets import Gabor
+from skinsource.design.waveforms import Gabor, Impulse, Noise, Tone
 from skinsource.engine import stimulus
 from skinsource.engine import stimulus as of_design
-from skinsource.engine.stimulus import stimulus_of
 
 RATE_HZ = 1300.0
 

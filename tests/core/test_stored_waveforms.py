@@ -10,9 +10,7 @@ from hypothesis import strategies as st
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.edits.edit import as_kind
-from skinsource.design.waveforms.pulses import Tap
-from skinsource.design.waveforms.samples import Drawn, Recording
-from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms import Drawn, Recording, Tap, Tone
 from skinsource.signals.sampling import band_limited_delay
 from skinsource.specs.samples import Samples
 

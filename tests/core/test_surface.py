@@ -1,5 +1,7 @@
 """The surface operator against MATLAB's, on the published and built-in limbs, and values on it."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.sparse import csr_array
@@ -20,20 +22,11 @@ def measured_limb(measured):
     return load_measured_limb
 
 
-def without_table(limb_map):
-    return LimbMap(
-        outline=limb_map.outline,
-        output_positions=limb_map.output_positions,
-        input_positions=limb_map.input_positions,
-        hand_length_px=limb_map.hand_length_px,
-        densify=False,
-    )
-
-
 @pytest.mark.parametrize("own_sight", [False, True])
 def test_limb_1_has_matlab_s_weights(measured_limb, matlab_reference, own_sight):
     limb = measured_limb(1)
-    limb_map = without_table(limb.map) if own_sight else limb.map
+    without_table = {"visibility": None, "densify": False} if own_sight else {}
+    limb_map = replace(limb.map, **without_table)
     ours = surface_operator_from_map(limb_map, limb.hand_length_mm).weights.copy()
     starts = np.fromfile(matlab_reference / "model-1-rowptr.u32", "<u4").astype(np.int64)
     outputs = np.fromfile(matlab_reference / "model-1-indices.u8", "u1")
@@ -67,9 +60,8 @@ def test_a_measured_limb_has_the_published_mask_and_sound_weights(measured_limb,
 def test_each_output_stands_out_at_its_own_place():
     limb = load_synthetic_limb(1)
     operator = surface_operator(limb)
-    scale = limb.hand_length_mm / limb.map.hand_length_px
     for output in np.flatnonzero(np.isfinite(limb.map.output_positions[:, 0])):
-        x, y = limb.map.output_positions[output] * scale
+        x, y = limb.output_positions_mm[output]
         picture = operator.interpolate(np.eye(72)[output])
         row, column = np.abs(operator.y_mm - y).argmin(), np.abs(operator.x_mm - x).argmin()
         assert picture[row, column] > 0.7, f"output {output + 1}"

@@ -4,10 +4,7 @@ import numpy as np
 import pytest
 
 from skinsource.base.assets import data_folder
-from skinsource.limbs.synthetic import (
-    Skin,
-    wavenumber,
-)
+from skinsource.limbs.synthetic import Skin, wavenumber
 
 # From the description of the model: speed and decay of waves in the skin of limb 1.
 FREQUENCIES_HZ = np.array([30, 50, 100, 150, 200, 300, 400, 500], dtype=float)

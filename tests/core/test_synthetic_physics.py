@@ -4,8 +4,9 @@ from itertools import combinations
 
 import numpy as np
 import pytest
+from scipy.signal import hilbert
 
-from skinsource.engine.prediction import predict
+import skinsource as ss
 from skinsource.limbs.synthetic import SYNTHETIC_LIMBS, load_synthetic_limb
 
 RATE_HZ = 1300.0
@@ -46,10 +47,7 @@ def level_db(response, outputs, frequency_hz):
 
 def envelope(response):
     """Hilbert envelope over the three axes, (72, 522)."""
-    spectrum = np.fft.fft(response, 2048)
-    spectrum[..., 1:1024] *= 2
-    spectrum[..., 1025:] = 0
-    return np.sqrt(np.sum(np.abs(np.fft.ifft(spectrum)[..., :522]) ** 2, axis=1))
+    return np.linalg.norm(np.abs(hilbert(response, 2048)[..., :522]), axis=1)
 
 
 def width_ms(trace):
@@ -76,19 +74,8 @@ def centroid_hz(response):
 
 def distances_mm(limb, location):
     """Straight distances on the map from one input to all outputs, (72,)."""
-    offsets = limb.map.output_positions - limb.map.input_positions[location - 1]
-    return np.linalg.norm(offsets, axis=1) * limb.hand_length_mm / limb.map.hand_length_px
-
-
-def wavelet_train(cycles):
-    """Five Gabor wavelets from 50 to 400 Hz, one in the middle of each 156 samples."""
-    time_s = np.arange(5 * 156) / RATE_HZ
-    train = np.zeros(time_s.size)
-    for slot, frequency in enumerate(np.geomspace(50, 400, 5)):
-        since = time_s - (slot + 0.5) * 156 / RATE_HZ
-        sigma = cycles / (2 * np.pi * frequency)
-        train += np.exp(-(since**2) / (2 * sigma**2)) * np.cos(2 * np.pi * frequency * since)
-    return train
+    ways_mm = limb.output_positions_mm - limb.input_positions_mm[location - 1]
+    return np.linalg.norm(ways_mm, axis=1)
 
 
 def test_1_low_frequencies_attenuate_less(limb):
@@ -135,14 +122,10 @@ def test_6_the_spectral_centroid_falls_from_tip_to_wrist(limb):
 
 @pytest.mark.parametrize("cycles", [3, 4, 6])
 def test_8_higher_wavelets_stay_closer_to_the_contact(limb, cycles):
-    field = predict(limb, wavelet_train(cycles)[None], (7,), scaling="relative")
-    dorsal = np.isfinite(limb.map.output_positions[:, 0])
-    distance = distances_mm(limb, 7)[dorsal]
-    extents = []
-    for slot in range(5):
-        window = field[dorsal, :, 67 + slot * 156 : 67 + (slot + 1) * 156]
-        weight = np.mean(np.sum(window**2, axis=1), axis=-1)
-        extents.append(weight @ distance / weight.sum())
+    train = ss.waveforms.WaveletTrain(cycles=cycles, slot_s=0.16)
+    field = ss.predict(limb, train.samples(RATE_HZ), 7, scaling="relative")
+    windows = ss.windowed_rms(np.linalg.norm(field, axis=1), 208, first_sample=67)[:5]
+    extents = [ss.extent(window, limb, 7).mean_distance_mm for window in windows]
     assert (np.diff(extents) < 0).all(), np.round(extents, 1)
 
 

@@ -6,15 +6,10 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource import Actuation, ActuatorAt, Clip, Design, Input, View, track
 from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input, track
-from skinsource.design.view import View
-from skinsource.design.waveforms.pulses import Tap
-from skinsource.design.waveforms.tones import Tone
-from skinsource.design.waveforms.wavelets import Chirplet
+from skinsource.design.waveforms import Chirplet, Tap, Tone
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.export.tables import export_levels
 

@@ -5,15 +5,11 @@ import tracemalloc
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from skinsource.base.errors import InvalidInputError
+from skinsource.design.waveforms import CentredTap, Impulse, Morlet, Noise, Ricker, Tone
 from skinsource.design.waveforms.periodic import PulseTrain, Saw, Square, Triangle
-from skinsource.design.waveforms.pulses import CentredTap, Impulse, Noise
-from skinsource.design.waveforms.tones import Tone
 from skinsource.design.waveforms.wavelet_train import WaveletTrain, frequency_sweep
-from skinsource.design.waveforms.wavelets import Morlet, Ricker
 from skinsource.signals.generators import white_noise
 from skinsource.signals.synthesis import harmonics_below, sum_of_harmonics
 
@@ -24,20 +20,17 @@ FINE_HZ = 48000.0
 @pytest.mark.parametrize("window", ["none", "tukey", "hanning"])
 @pytest.mark.parametrize("part", [0.25, 0.999])
 def test_a_shifted_tone_is_its_formula_at_its_own_time(window, part):
-    """By math.sin and the documented windows, sample by sample."""
-    n, shift_s = 130, part / RATE_HZ
-    samples = Tone(87.3, 0.4, n / RATE_HZ, window).samples(RATE_HZ, shift_s)
-    expected = [0.0]
-    for k in range(1, n + 1):
-        place = k - part
-        ends = min(place / (n - 1), 1 - place / (n - 1))
-        weight = {
-            "none": 1.0,
-            "hanning": 0.5 - 0.5 * math.cos(2 * math.pi * (place + 1) / (n + 1)),
-            "tukey": 1.0 if ends >= 0.125 else 0.5 - 0.5 * math.cos(8 * math.pi * max(ends, 0.0)),
-        }[window]
-        expected.append(weight * math.sin(2 * math.pi * 87.3 * (k / RATE_HZ - shift_s) + 0.4))
-    np.testing.assert_allclose(samples, expected, rtol=0, atol=1e-12)
+    n = 130
+    place = np.arange(1, n + 1) - part
+    nearer_end = np.minimum(place, n - 1 - place) / (n - 1)
+    weight = {
+        "none": 1.0,
+        "hanning": 0.5 - 0.5 * np.cos(2 * np.pi * (place + 1) / (n + 1)),
+        "tukey": 0.5 - 0.5 * np.cos(8 * np.pi * np.clip(nearer_end, 0.0, 0.125)),
+    }[window]
+    samples = Tone(87.3, 0.4, n / RATE_HZ, window).samples(RATE_HZ, part / RATE_HZ)
+    expected = weight * np.sin(2 * np.pi * 87.3 * place / RATE_HZ + 0.4)
+    np.testing.assert_allclose(samples, [0.0, *expected], rtol=0, atol=1e-12)
 
 
 def test_an_impulse_is_one_sample_at_any_rate_and_two_between_samples():
@@ -49,17 +42,16 @@ def test_an_impulse_is_one_sample_at_any_rate_and_two_between_samples():
 
 @pytest.mark.parametrize("n", [52, 130, 131])  # of 52 samples both edges are frequencies
 def test_shifted_noise_is_the_same_sum_of_waves_at_other_instants(n):
-    """By the sum over sines and cosines written out."""
-    part = 0.3
-    drawn, time = np.random.default_rng(7).standard_normal(n), np.arange(n)
-    samples = Noise(7, n / RATE_HZ, window="none").samples(RATE_HZ, part / RATE_HZ)
-    plain, later = np.zeros(n), np.zeros(n + 1)
-    for k in range(math.ceil(25 * n / 1300), math.floor(600 * n / 1300) + 1):
-        turn, turn_later = (2 * np.pi * k * at / n for at in (time, np.arange(n + 1) - part))
-        cosine, sine = drawn @ np.cos(turn), drawn @ np.sin(turn)
-        plain += cosine * np.cos(turn) + sine * np.sin(turn)
-        later += cosine * np.cos(turn_later) + sine * np.sin(turn_later)
+    drawn, part = np.random.default_rng(7).standard_normal(n), 0.3
+    lines = np.arange(math.ceil(25 * n / 1300), math.floor(600 * n / 1300) + 1)
+
+    def waves(at):
+        return np.exp(2j * np.pi * np.outer(lines, at) / n)
+
+    found = waves(np.arange(n)).conj() @ drawn
+    plain, later = ((found @ waves(np.arange(n + k) - k * part)).real for k in (0, 1))
     later[0] = 0.0
+    samples = Noise(7, n / RATE_HZ, window="none").samples(RATE_HZ, part / RATE_HZ)
     largest = np.abs(plain).max()
     np.testing.assert_allclose(samples, later / largest, rtol=0, atol=1e-12)
     np.testing.assert_allclose(white_noise(n / RATE_HZ, 7), plain / largest, rtol=0, atol=1e-12)
@@ -131,22 +123,11 @@ def test_a_sweep_of_frequencies_has_equal_steps_or_factors_and_both_ends():
     assert frequency_sweep(50.0, 400.0, 4, order="down") == (400.0, 200.0, 100.0, 50.0)
     assert frequency_sweep(100.0, 300.0, 3, "linear") == (100.0, 200.0, 300.0)
     assert frequency_sweep(70.0, 300.0, 1) == (70.0,)
+    for spacing in ("linear", "logarithmic"):
+        rising = frequency_sweep(0.1, 0.1 * 700.3, 60, spacing)
+        assert (rising[0], rising[-1], list(rising)) == (0.1, 0.1 * 700.3, sorted(rising))
     assert np.round(frequency_sweep(50.0, 400.0, 5), 1).tolist() == list(FIVE_HZ)
     WaveletTrain(frequency_sweep(25.0, 600.0, 1000), slot_s=0.01)
-
-
-@given(
-    st.floats(0.1, 1e4),
-    st.floats(1.0, 1e3),
-    st.integers(2, 60),
-    st.sampled_from(["linear", "logarithmic"]),
-)
-def test_a_sweep_never_turns_back(low_hz, factor, count, spacing):
-    frequencies_hz = frequency_sweep(low_hz, low_hz * factor, count, spacing)
-    assert (frequencies_hz[0], frequencies_hz[-1]) == (low_hz, low_hz * factor)
-    assert (np.diff(frequencies_hz) >= -1e-11 * low_hz * factor).all()
-    steps = np.diff(frequencies_hz) if spacing == "linear" else np.diff(np.log(frequencies_hz))
-    np.testing.assert_allclose(steps, steps.mean(), rtol=1e-6, atol=1e-10 * low_hz * factor)
 
 
 @pytest.mark.parametrize(

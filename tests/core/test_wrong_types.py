@@ -5,7 +5,6 @@ import math
 from decimal import Decimal
 from fractions import Fraction
 from functools import cache
-from types import ModuleType
 
 import numpy as np
 import pytest
@@ -15,30 +14,20 @@ from skinsource.actuators.prediction import Limits
 from skinsource.base.arguments import finite_array, integer, real_array, real_number
 from skinsource.base.errors import InvalidInputError
 from skinsource.perception.validity import Finding
+from tests.core.frozen.read_frozen import public
 
 #: They play on sound cards.
-LEFT_OUT = {"ss.rig_measuring.measure", "ss.rig_measuring.input_devices"}
+LEFT_OUT = {"rig_measuring.measure", "rig_measuring.input_devices"}
 #: They take a second each time; of these the first argument is enough.
 SLOW = {
-    *("ss.export_stimulus", "ss.plot.map", "ss.plot.spectra", "ss.plot.strip", "ss.plot.traces"),
-    *("ss.recordings.take", "ss.sweeps.sweep", "ss.sweep"),
+    *("export_stimulus", "plot.map", "plot.spectra", "plot.strip", "plot.traces"),
+    *("recordings.take", "sweeps.sweep", "sweep"),
 }
 
 
-def public_functions(module: ModuleType, name: str) -> dict:
-    functions = {}
-    for part in module.__all__:
-        value = getattr(module, part)
-        if isinstance(value, ModuleType):
-            functions |= public_functions(value, f"{name}.{part}")
-        elif inspect.isfunction(value) and f"{name}.{part}" not in LEFT_OUT:
-            functions[f"{name}.{part}"] = value
-    return functions
-
-
 #: Each once, where several packages have it.
-FUNCTIONS = {function: name for name, function in public_functions(ss, "ss").items()}
-FUNCTIONS = {name: function for function, name in FUNCTIONS.items()}
+NAMES = {function: name for name, function in public().items() if inspect.isfunction(function)}
+FUNCTIONS = {name: function for function, name in NAMES.items() if name not in LEFT_OUT}
 
 
 class Endless:
@@ -70,8 +59,8 @@ NASTY = (
 )
 #: Functions of plain numbers, which are handed all of these.
 NUMERIC = {
-    *("ss.decibels", "ss.impulse", "ss.magnitude_spectrum", "ss.predict", "ss.project_axes"),
-    *("ss.rms", "ss.sinusoid", "ss.tap", "ss.white_noise", "ss.window", "ss.surface_operator"),
+    *("decibels", "impulse", "magnitude_spectrum", "predict", "project_axes"),
+    *("rms", "sinusoid", "tap", "white_noise", "window", "surface_operator"),
 }
 
 
@@ -142,15 +131,15 @@ def good_arguments() -> dict:
 
 #: Where a name stands for something else.
 SPECIAL = {
-    "ss.decibels": {"x": [1.0, 2.0]},
-    "ss.project_axes": {"acceleration": np.ones((2, 3, 4))},
-    "ss.actuators.load": {"name": "example-voice-coil"},
-    "ss.edits.change_limb": {"limb": "synthetic-1"},
-    "ss.edits.select_through": {"start": 1, "end": 2},
-    "ss.perception.threshold_rms": {"channel": "P"},
-    "ss.rigs.rig_breaches": {"samples": [[0.1, 0.2]]},
-    "ss.scenes.why_not_on": {"limb": "synthetic-1"},
-    "ss.window": {"name": "hanning"},
+    "decibels": {"x": [1.0, 2.0]},
+    "project_axes": {"acceleration": np.ones((2, 3, 4))},
+    "actuators.load": {"name": "example-voice-coil"},
+    "edits.change_limb": {"limb": "synthetic-1"},
+    "edits.select_through": {"start": 1, "end": 2},
+    "perception.threshold_rms": {"channel": "P"},
+    "rigs.rig_breaches": {"samples": [[0.1, 0.2]]},
+    "scenes.why_not_on": {"limb": "synthetic-1"},
+    "window": {"name": "hanning"},
 }
 
 
@@ -185,7 +174,7 @@ def test_wrong_types_are_refused(name, tmp_path, monkeypatch):
         fitting[part] = good.get(part) if is_required else parameter.default
     escaped = []
     for part in list(parameters)[: 1 if name in SLOW else None]:
-        more = NASTY if name in NUMERIC else [Endless()] if name.startswith("ss.edits") else []
+        more = NASTY if name in NUMERIC else [Endless()] if name.startswith("edits") else []
         for wrong in (*WRONG, *more):
             try:
                 outcome_of(function, parameters, fitting | {part: wrong})

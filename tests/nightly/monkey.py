@@ -3,10 +3,8 @@
 Prints the seed, and what was found.  Ends with 1 if anything was wrong; ``--seed`` repeats it.
 """
 
-import argparse
 import os
 import resource
-import secrets
 import sys
 import tempfile
 from concurrent.futures import ProcessPoolExecutor
@@ -23,17 +21,15 @@ from skinsource_gui.state.preferences import Preferences, start_design
 from tests.gui.monkey.monkey import Monkey
 from tests.gui.monkey.plain_levels import plain_levels
 from tests.gui.monkey.test_monkey import recording
+from tests.nightly.options import read_options
 
 #: Of memory, at any time; levels are checked in another process, which takes up to 200 MB for it.
 _MOST_MB = 1000
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--count", type=int, default=20_000, help="a quarter of an hour")
-    parser.add_argument("--seed", type=int, default=secrets.randbelow(2**31))
-    options = parser.parse_args()
-    print(f"seed {options.seed}", flush=True)
+    # A quarter of an hour.
+    options = read_options(__doc__, 20_000)
     make_application()
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)

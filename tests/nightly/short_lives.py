@@ -4,9 +4,7 @@ Some windows are closed within 20 ms of their start, and some renderings are end
 Prints the seed and each that crashed, hung, or said something.  Ends with 1 if there was one.
 """
 
-import argparse
 import os
-import secrets
 import signal
 import subprocess
 import sys
@@ -14,6 +12,8 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
+
+from tests.nightly.options import read_options
 
 _PATIENCE_S = 120
 #: Arguments: milliseconds after which the window is closed.
@@ -74,11 +74,7 @@ def _fault_of(studio: "subprocess.Popen[str]", expected: tuple[int, ...], text: 
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--count", type=int, default=40, help="of both kinds together")
-    parser.add_argument("--seed", type=int, default=secrets.randbelow(2**31))
-    options = parser.parse_args()
-    print(f"seed {options.seed}", flush=True)
+    options = read_options(__doc__, 40)
     chance, faults = np.random.default_rng(options.seed), []
     for k in range(options.count):
         with tempfile.TemporaryDirectory() as name:

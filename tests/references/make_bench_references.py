@@ -1,7 +1,7 @@
 """Exact values of the cases of ``skinsource bench`` with mpmath: ``data/bench-references.npz``.
 
 Convolutions are sums of products, resampled signals their formula, and actuators the exponential
-of their equations in ``check_actuators.py``: no engine of the library is involved.
+of their equations in ``check.py``: no engine of the library is involved.
 
     PYTHONPATH=core:. python tests/references/make_bench_references.py
 
@@ -27,7 +27,7 @@ from skinsource.studies.accuracy.cases import (
     Resampling,
     cases_without_reference,
 )
-from tests.references.check_actuators import motion
+from tests.references.check import motion
 
 
 def convolved(problem: Convolution, samples: np.ndarray) -> np.ndarray:

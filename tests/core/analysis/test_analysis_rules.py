@@ -6,12 +6,9 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.design.design import Design, track
+from skinsource import Design, View, evaluate, track
 from skinsource.design.panel_settings import SpectrogramSettings, with_settings
-from skinsource.design.view import View
-from skinsource.design.waveforms.pulses import Noise, Tap
-from skinsource.design.waveforms.tones import Tone
-from skinsource.engine.evaluation import evaluate
+from skinsource.design.waveforms import Noise, Tap, Tone
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.signals.analysis.spectrogram import spectrogram
 from tests.core.own_limbs.lab_bench import installed
@@ -154,21 +151,13 @@ def test_noise_of_a_prediction_is_that_of_a_limb_that_is_noise(scaling, actuatio
 
 
 @pytest.fixture
-def noisy_limb():
+def noisy_limb(limb_of):
     """Give a limb whose responses are white noise from the first sample to the last."""
-    real = ss.load_limb("synthetic-1")
 
-    def read(place):
-        rng = np.random.default_rng(place)
-        return rng.normal(0.0, 0.0062, (72, 3, 522))
+    def noise(place):
+        return np.random.default_rng(place).normal(0.0, 0.0062, (72, 3, 522))
 
-    return ss.Limb(
-        name="noisy",
-        hand_length_mm=real.hand_length_mm,
-        synthetic=False,
-        map=real.map,
-        read_response=read,
-    )
+    return limb_of(noise, synthetic=False)
 
 
 def test_outputs_near_the_elbow_are_noise_on_the_measured_limbs(measured):

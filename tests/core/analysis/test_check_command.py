@@ -6,19 +6,12 @@ import numpy as np
 import pytest
 
 import skinsource as ss
+from skinsource import View, save_design
 from skinsource.base.errors import RecordingError
 from skinsource.cli.command_line import main
-from skinsource.design.design_file import save_design
 from skinsource.design.labels import SCALINGS, label_of
-from skinsource.design.view import View
 from skinsource.studies import checking
-from skinsource.studies.checking import (
-    Recorded,
-    condition_of,
-    html_of,
-    quartiles,
-    summary_lines,
-)
+from skinsource.studies.checking import Recorded, condition_of, html_of, quartiles, summary_lines
 
 
 @pytest.fixture
@@ -30,6 +23,11 @@ def design_file(tmp_path):
     path = tmp_path / "two.skinsource"
     save_design(path, design, View())
     return path, design
+
+
+def field_of(design, axes="xyz"):
+    view = View(axes=axes, outputs=tuple(range(1, 73)))
+    return ss.evaluate(design, "axis_traces", view=view)["axis_traces"]
 
 
 def test_a_design_is_linear_and_its_inputs_add_up(design_file, capsys):
@@ -52,8 +50,7 @@ def test_which_recording_is_silent_is_said(design_file, tmp_path):
 
 def test_a_recording_is_held_against_the_prediction_and_reported(design_file, tmp_path, capsys):
     path, design = design_file
-    view = View(outputs=tuple(range(1, 73)))
-    field = ss.evaluate(design, "axis_traces", view=view)["axis_traces"]
+    field = field_of(design)
     # Noise of half of its RMS in each channel: r is 1 / sqrt(1 + 1/4).
     rms = np.sqrt(np.mean(field**2, axis=-1, keepdims=True))
     noisy = field + 0.5 * rms * np.random.default_rng(4).normal(size=field.shape)
@@ -89,8 +86,7 @@ def test_channels_count_that_are_above_twice_the_noise_of_their_recording(
     design_file, tmp_path, strength
 ):
     _, design = design_file
-    view = View(outputs=tuple(range(1, 73)))
-    field = ss.evaluate(design, "axis_traces", view=view)["axis_traces"]
+    field = field_of(design)
     noise_rms = np.median(np.sqrt(np.mean(field**2, axis=-1)))
     # A tenth of a second before the stimulus, in a unit of the lab's own.
     field = np.pad(field, ((0, 0), (0, 0), (130, 0)))
@@ -109,8 +105,7 @@ def test_channels_count_that_are_above_twice_the_noise_of_their_recording(
 def test_a_recording_without_quiet_is_held_against_the_noise_of_the_limb(measured, tmp_path, axes):
     tone = ss.waveforms.Tone(frequency_hz=104.0, duration_s=0.1)
     design = ss.Design(limb="measured-1", inputs=(ss.track(8, tone),), scaling="probe")
-    view = View(axes=axes, outputs=tuple(range(1, 73)))
-    field = ss.evaluate(design, "axis_traces", view=view)["axis_traces"][..., 60:]
+    field = field_of(design, axes)[..., 60:]
     path = tmp_path / "lab.npz"
     np.savez(path, field=np.moveaxis(field, -1, 0), fs=1300.0)
     condition = condition_of(design, "lab", Recorded(path=path), axes=axes)

@@ -119,17 +119,13 @@ def test_too_few_samples_of_a_recording_tell_no_noise():
 
 
 def amplitude_by_hand(signal, middle, frequency_hz, n_window):
-    """One-sided amplitude under a Hann window around a sample, term by term."""
-    half = n_window // 2
-    total = 0.0
-    weights = 0.0
-    for k in range(n_window):
-        weight = 0.5 - 0.5 * np.cos(2 * np.pi * k / n_window)
-        weights += weight
-        at = middle - half + k
-        if 0 <= at < signal.size:
-            total += weight * signal[at] * np.exp(-2j * np.pi * frequency_hz * at / RATE)
-    return 2.0 * abs(total) / weights
+    """One-sided amplitude under a Hann window around a sample."""
+    k = np.arange(n_window)
+    at = middle - n_window // 2 + k
+    weight = 0.5 - 0.5 * np.cos(2 * np.pi * k / n_window)
+    values = np.where((at >= 0) & (at < signal.size), signal[at % signal.size], 0.0)
+    turned = weight * values * np.exp(-2j * np.pi * frequency_hz * at / RATE)
+    return 2.0 * abs(turned.sum()) / weight.sum()
 
 
 def test_each_cell_is_the_windowed_sum_at_its_time_and_frequency():

@@ -8,10 +8,8 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.design import edits
+from skinsource import View, edits, evaluate
 from skinsource.design.edits.edit import Edit, Refusal
-from skinsource.design.view import View
-from skinsource.engine.evaluation import evaluate
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.export.stimulus_export.sidecar import about_validity
 from skinsource.export.tables import export_levels

@@ -6,12 +6,10 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource import Actuation, ActuatorAt, View, load_limb
 from skinsource.base.job import never
-from skinsource.design.view import View
 from skinsource.engine.analysis_rules import contact_weighted_rms, line_wave, output_noise_rms
 from skinsource.engine.moments import Projection
-from skinsource.limbs.catalog import load_limb
 from skinsource.perception.validity import drive_findings
 from skinsource.signals.analysis.wave_speed import travelling_wave
 

@@ -8,10 +8,9 @@ from math import isfinite
 from hypothesis import reject
 from hypothesis import strategies as st
 
-from skinsource.actuators.actuation import Actuation
+from skinsource import Actuation, Design, Input
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import LIMB_NAMES
-from skinsource.design.design import Design, Input
 from skinsource.specs.breakpoints import SEGMENTS, BreakpointsSpec
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import (

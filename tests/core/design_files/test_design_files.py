@@ -6,15 +6,12 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, given, settings
 
+from skinsource import Clip, Marker, View
 from skinsource.base.errors import DesignFileError, InvalidInputError, StorageError
 from skinsource.design import design_file
-from skinsource.design.clips import Clip, Marker
 from skinsource.design.design import MAX_INPUTS, Design, Input, track
 from skinsource.design.design_file import DesignFile, open_design, save_design
-from skinsource.design.view import View
-from skinsource.design.waveforms import KINDS
-from skinsource.design.waveforms.pulses import Noise, Tap
-from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms import KINDS, Noise, Tap, Tone
 from skinsource.specs import image, models
 from skinsource.specs.models import specs_of
 from tests.core.design_files.any_recipe import recipes

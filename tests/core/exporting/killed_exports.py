@@ -1,16 +1,18 @@
 """Exports that are killed: how many leave half a file under the final name.
 
 Two of three are killed just before or just after a file is moved to its final name, the others at
-random times.  Run as a program: ``python killed_exports.py FOLDER KILLS SEED``; it prints what it
-found as JSON.
+random times.  Run as a program: ``python killed_exports.py KILLS [SEED]``; it prints what it found
+as JSON, and ends with 1 if there was one.
 """
 
 import hashlib
 import itertools
 import json
 import os
+import secrets
 import signal
 import sys
+import tempfile
 import time
 from pathlib import Path
 
@@ -89,7 +91,7 @@ def whole_states(folder: Path) -> set[str]:
     return states
 
 
-def main(folder: Path, kills: int, seed: int) -> None:
+def kill_exports(folder: Path, kills: int, seed: int) -> dict:
     """Kill ``kills`` children, and look at all final names after each."""
     whole = whole_states(folder)
     rng = np.random.default_rng(seed)
@@ -114,16 +116,12 @@ def main(folder: Path, kills: int, seed: int) -> None:
                 states.add(state(target))
                 if state(target) not in whole:
                     broken.append(target.name)
-    left = [file.name for file in folder.iterdir() if file.name.endswith(".part")]
-    summary = {
-        "kills": kills,
-        "at_moves": at_moves,
-        "broken": broken,
-        "states": len(states),
-        "left_over": len(left),
-    }
-    sys.stdout.write(json.dumps(summary) + "\n")
+    return {"seed": seed, "at_moves": at_moves, "broken": broken, "states": len(states)}
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3]))
+    seed = int(sys.argv[2]) if len(sys.argv) > 2 else secrets.randbelow(2**31)
+    with tempfile.TemporaryDirectory() as name:
+        found = kill_exports(Path(name), int(sys.argv[1]), seed)
+    sys.stdout.write(f"{json.dumps(found)}\n")
+    sys.exit(1 if found["broken"] else 0)

@@ -11,12 +11,9 @@ PROGRAM = Path(__file__).with_name("killed_exports.py")
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="children are made by forking")
-def test_a_killed_export_leaves_whole_files_only(tmp_path):
+def test_a_killed_export_leaves_whole_files_only():
     done = subprocess.run(
-        [sys.executable, str(PROGRAM), str(tmp_path), "12", "1"],
-        check=True,
-        capture_output=True,
-        text=True,
+        [sys.executable, PROGRAM, "12", "1"], check=False, capture_output=True, text=True
     )
     counts = json.loads(done.stdout)
     assert counts["broken"] == []

@@ -9,14 +9,12 @@ from dataclasses import replace
 import pytest
 
 import skinsource as ss
+from skinsource import View, __version__, open_design, save_design
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
 from skinsource.base.errors import MissingExtraError, Stopped, StorageError
 from skinsource.cli.command_line import main
-from skinsource.design.design_file import open_design, save_design
-from skinsource.design.view import View
 from skinsource.export.packing import citation, data_of, pack
 from skinsource.limbs.own_limbs import facts_of
-from skinsource.version import __version__
 from tests.core.own_limbs.lab_bench import installed
 
 # The package has a function of the same name.

@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 
 import skinsource as ss
+from skinsource.actuators import Limits, MeasuredResponse
 from skinsource.actuators.equalising import RegularisedInverse
-from skinsource.actuators.measured_response import MeasuredResponse
-from skinsource.actuators.prediction import Limits
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
 from skinsource.base.errors import InvalidInputError, NotConfirmedError
 from skinsource.cli.command_line import main

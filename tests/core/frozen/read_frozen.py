@@ -58,7 +58,7 @@ def _description(value: object) -> dict:
     return description
 
 
-def _public() -> dict[str, object]:
+def public() -> dict[str, object]:
     """Return all public names of ``skinsource`` and of its packages."""
     names: dict[str, object] = {}
     for name in sorted(ss.__all__):
@@ -72,12 +72,12 @@ def _public() -> dict[str, object]:
 
 def public_names() -> dict:
     """Return descriptions of all public names."""
-    return {name: _description(value) for name, value in _public().items()}
+    return {name: _description(value) for name, value in public().items()}
 
 
 def models() -> dict[str, type]:
     """Return the public classes whose fields say what they may hold."""
-    classes = {n: v for n, v in _public().items() if dataclasses.is_dataclass(v)}
+    classes = {n: v for n, v in public().items() if dataclasses.is_dataclass(v)}
     return {n: v for n, v in classes.items() if inspect.isclass(v) and specs_of(v)}
 
 

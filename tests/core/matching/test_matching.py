@@ -77,13 +77,11 @@ def test_reference_and_test_follow_each_other_and_come_again():
     assert test.clips[0].onset_s == pytest.approx(1.2)
     assert test.clips[0].waveform == ss.waveforms.Tone(frequency_hz=250.0, duration_s=0.8)
     assert design.loop_s == pytest.approx((0.0, 2.4))
-    channels = {channel.place: row for channel, row in _rows(ss.stimulus_of(design))}
+    played = ss.stimulus_of(design)
+    places = [channel.place for channel in played.channels]
+    channels = dict(zip(places, played.samples, strict=True))
     assert np.abs(channels[7]).max() == pytest.approx(2.0, rel=0.01)
     assert not channels[3][: round(1.2 * 1300)].any()
-
-
-def _rows(stimulus):
-    return zip(stimulus.channels, stimulus.samples, strict=True)
 
 
 def test_arrows_go_by_a_decibel_and_stay_within_what_can_be():

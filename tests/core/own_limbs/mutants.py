@@ -17,7 +17,6 @@ from skinsource.limbs.own_limbs import LimbFile
 from skinsource.readers.reading_process import ReadingProcess
 from tests.core.recordings.mutants import Tally, mutant
 
-FORMATS = ("limb", "kept limb")
 _LONGEST = 600
 _CRASHED = ("crashed", "too long", "too much memory")
 

@@ -7,14 +7,11 @@ import numpy as np
 import pytest
 
 import skinsource as ss
+from skinsource import Design, View, edits, stimulus_of, track
 from skinsource.actuators.equalising import followed_band
 from skinsource.base.errors import InvalidInputError, RecordingError
-from skinsource.design import edits
-from skinsource.design.design import Design, track
-from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.evaluation import Evaluator
-from skinsource.engine.stimulus import stimulus_of
 from skinsource.limbs.limb_import import LimbSource, import_limb
 from skinsource.limbs.limb_layout import export_limb
 from skinsource.limbs.own_limbs import facts_of

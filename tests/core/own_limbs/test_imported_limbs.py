@@ -7,9 +7,8 @@ import numpy as np
 import pytest
 import scipy.io
 
-from skinsource.base.errors import SkinSourceError
+from skinsource import SkinSourceError, load_limb
 from skinsource.cli.command_line import main
-from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.limb_import import LimbSource, import_limb, prepare_limb
 from skinsource.limbs.limb_layout import export_limb
 from skinsource.limbs.own_limbs import facts_of, own_limb_names
@@ -27,14 +26,7 @@ VALUES = {"name": "ours", "axes": "xz", "sample_rate_hz": RATE_HZ, "hand_length_
 def layout_file(path: Path, **attributes) -> Path:
     """A file as docs/limbs.md describes it, written by h5py alone."""
     with h5py.File(path, "w") as file:
-        file.attrs["format"] = "skinsource limb"
-        file.attrs["format_version"] = 1
-        file.attrs["name"] = "ours"
-        file.attrs["axes"] = "xz"
-        file.attrs["sample_rate_hz"] = RATE_HZ
-        file.attrs["hand_length_mm"] = 180.0
-        for name, value in attributes.items():
-            file.attrs[name] = value
+        file.attrs.update(format="skinsource limb", format_version=1, **VALUES, **attributes)
         file["responses"] = ALL.astype("f4")
         file["map/outline"] = np.array(OUTLINE, float)
         file["map/inputs"] = INPUTS
@@ -73,33 +65,26 @@ def test_what_is_exported_is_imported_again_with_the_same_digest(lab, tmp_path):
     assert after.title == before.title
 
 
-def saved_npy(path, array):
-    np.save(path.with_suffix(".npy"), array)
-    return path.with_suffix(".npy")
-
-
-def saved_npz(path, array):
-    np.savez(path.with_suffix(".npz"), small=np.zeros((2, 2, 2)), ir=array)
-    return path.with_suffix(".npz")
-
-
-def saved_mat(path, array):
-    scipy.io.savemat(path.with_suffix(".mat"), {"ir": array})
-    return path.with_suffix(".mat")
-
-
 def saved_h5(path, array):
-    with h5py.File(path.with_suffix(".h5"), "w") as file:
+    with h5py.File(path, "w") as file:
         file["deep/ir"] = array
-    return path.with_suffix(".h5")
 
 
-@pytest.mark.parametrize("saved", [saved_npy, saved_npz, saved_mat, saved_h5])
+SAVED = {
+    "npy": np.save,
+    "npz": lambda path, array: np.savez(path, small=np.zeros((2, 2, 2)), ir=array),
+    "mat": lambda path, array: scipy.io.savemat(path, {"ir": array}),
+    "h5": saved_h5,
+}
+
+
+@pytest.mark.parametrize("ending", SAVED)
 @pytest.mark.parametrize("order", ["ioat", "taoi"])
-def test_any_array_becomes_a_limb_in_whatever_order(user_data, tmp_path, saved, order):
-    array = ALL.transpose(["ioat".index(letter) for letter in order])
+def test_any_array_becomes_a_limb_in_whatever_order(user_data, tmp_path, ending, order):
+    path = tmp_path / f"a.{ending}"
+    SAVED[ending](path, ALL.transpose(["ioat".index(letter) for letter in order]))
     source = LimbSource(
-        responses=saved(tmp_path / "a", array),
+        responses=path,
         order=order,
         outline=table(tmp_path / "outline.csv", OUTLINE),
         inputs=table(tmp_path / "in.csv", INPUTS),

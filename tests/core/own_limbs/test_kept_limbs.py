@@ -7,17 +7,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from skinsource import Design, View, edits, evaluate, export_stimulus, track
 from skinsource.base.errors import FileFormatError, InvalidInputError, UnknownLimbError
 from skinsource.cli.command_line import main
-from skinsource.design import edits
-from skinsource.design.design import Design, track
 from skinsource.design.design_file import open_design, save_design
 from skinsource.design.labels import limb_label
-from skinsource.design.view import View
-from skinsource.design.waveforms.pulses import Impulse
-from skinsource.design.waveforms.tones import Tone
-from skinsource.engine.evaluation import evaluate
-from skinsource.export.stimulus_export.export import export_stimulus
+from skinsource.design.waveforms import Impulse, Tone
 from skinsource.export.tables import export_field, export_levels, export_map, export_traces
 from skinsource.limbs.catalog import available_limbs, load_limb
 from skinsource.limbs.locations import input_name, output_name

@@ -75,49 +75,72 @@ class SyntheticStream:
         self.asked["finished_callback"]()
 
 
-class SyntheticSoundLibrary:
-    """Devices by name, with their outputs; the first is what the system plays on.
-
-    One that ``is_stuck`` asks for nothing any more, and tells nobody.
-    """
+class SoundLibrary:
+    """Answers as sounddevice does; a row is name, host, outputs, inputs, usual rate of a device."""
 
     PortAudioError, CallbackStop = PortAudioError, CallbackStop
+    hosts: tuple[str, ...] = ("Made up",)
+    rows: tuple = ()
+    #: Words and number of what it raises where a stream is opened.
+    refusal: tuple = ()
+    #: Rates that it takes; none: all.
+    rates: tuple[int, ...] = ()
 
-    def __init__(self, **outputs) -> None:
-        self.outputs = outputs
-        self.default = SimpleNamespace(device={"output": 0 if outputs else -1})
-        self.streams: list[SyntheticStream] = []
-        self.refuses_to_start = self.is_stuck = False
-        self.rates = (44_100, 48_000)
+    def __init__(self, default_output=0, default_input=0) -> None:
+        self.default = SimpleNamespace(device={"input": default_input, "output": default_output})
+        self.streams: list = []
 
     def query_hostapis(self):
-        return ({"name": "Made up", "default_output_device": self.default.device["output"]},)
+        usual = {f"default_{way}_device": row for way, row in self.default.device.items()}
+        return tuple({"name": name, **usual} for name in self.hosts)
 
     def query_devices(self):
-        return [
-            {"name": name, "hostapi": 0, "max_output_channels": n, "default_samplerate": 48_000.0}
-            for name, n in self.outputs.items()
-        ]
+        names = "name", "hostapi", "max_output_channels", "max_input_channels", "default_samplerate"
+        return [dict(zip(names, row, strict=True)) for row in self.rows]
 
     def check_output_settings(self, *, device, channels, dtype, samplerate):
-        if samplerate not in self.rates:
+        assert channels <= self.rows[device][2]
+        if self.rates and samplerate not in self.rates:
             raise PortAudioError("Invalid sample rate", -9997)
 
-    def OutputStream(self, **asked):
-        if asked["samplerate"] not in self.rates:
-            raise PortAudioError("Invalid sample rate", -9997)
-        self.streams.append(SyntheticStream(self, asked))
-        return self.streams[-1]
+    def open(self, stream):
+        if self.refusal:
+            raise PortAudioError(*self.refusal)
+        self.streams.append(stream)
+        return stream
 
     def _terminate(self):
         assert not any(stream.active for stream in self.streams)
 
     def _initialize(self):
-        pass
+        """Nothing is to be done."""
 
 
-def use(monkeypatch, library) -> SyntheticSoundLibrary:
+class SyntheticSoundLibrary(SoundLibrary):
+    """Devices by name, with their outputs; the first is what the system plays on.
+
+    One that ``is_stuck`` asks for nothing any more, and tells nobody.
+    """
+
+    rates = (44_100, 48_000)
+
+    def __init__(self, **outputs) -> None:
+        super().__init__(0 if outputs else -1)
+        self.outputs = outputs
+        self.refuses_to_start = self.is_stuck = False
+
+    @property
+    def rows(self):
+        return tuple((name, 0, n, 0, 48_000.0) for name, n in self.outputs.items())
+
+    def OutputStream(self, **asked):
+        if asked["samplerate"] not in self.rates:
+            raise PortAudioError("Invalid sample rate", -9997)
+        return self.open(SyntheticStream(self, asked))
+
+
+def use(monkeypatch, library, modules=("playing.devices", "playing.stream")):
     """Let all that plays use ``library``."""
-    for module in ("devices", "stream"):
-        monkeypatch.setattr(f"skinsource.lab.playing.{module}.sound_library", lambda: library)
+    for module in modules:
+        monkeypatch.setattr(f"skinsource.lab.{module}.sound_library", lambda: library)
     return library

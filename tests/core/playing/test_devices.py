@@ -3,7 +3,6 @@
 import importlib
 import re
 import sys
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -17,44 +16,26 @@ from skinsource.lab.playing import devices, stream
 from skinsource.lab.playing import devices as portaudio
 from skinsource.lab.playing.devices import DeviceRows, Output, output_from_text
 from skinsource.lab.playing.mix import PlayQueue
+from tests.core.playing.synthetic_sound import SoundLibrary
 
-CARDS = (("Built-in", 0, 2, 44100.0), ("Microphone", 0, 0, 44100.0), ("Eight", 1, 8, 48000.0))
+CARDS = (
+    ("Built-in", 0, 2, 0, 44100.0),
+    ("Microphone", 0, 0, 2, 44100.0),
+    ("Eight", 1, 8, 0, 48000.0),
+)
 
 
-class PortAudioError(Exception):
-    pass
-
-
-class Library:
+class Library(SoundLibrary):
     """Three devices, of which one only hears."""
 
-    PortAudioError = PortAudioError
+    hosts = ("ALSA", "JACK")
 
-    def __init__(self, cards=CARDS, default=2, refusal=None, rates=(44_100, 48_000)):
-        self.cards, self.refusal, self.rates = cards, refusal, rates
-        self.default = SimpleNamespace(device={"output": default})
-        self.looked = 0
-
-    def query_hostapis(self):
-        return ({"name": "ALSA", "default_output_device": 0}, {"name": "JACK"})
-
-    def query_devices(self):
-        names = ("name", "hostapi", "max_output_channels", "default_samplerate")
-        return [dict(zip(names, card, strict=True)) for card in self.cards]
-
-    def check_output_settings(self, *, device, channels, dtype, samplerate):
-        assert channels <= self.cards[device][2]
-        if samplerate not in self.rates:
-            raise PortAudioError("Invalid sample rate", -9997)
+    def __init__(self, rows=CARDS, refusal=(), rates=(44_100, 48_000)):
+        super().__init__(default_output=2)
+        self.rows, self.refusal, self.rates = rows, refusal, rates
 
     def OutputStream(self, **asked):  # as sounddevice calls it
-        raise PortAudioError(*self.refusal)
-
-    def _terminate(self):
-        self.looked -= 1
-
-    def _initialize(self):
-        self.looked += 2
+        return self.open(None)
 
 
 @pytest.fixture
@@ -78,7 +59,7 @@ def test_what_the_system_plays_on_comes_first_and_what_cannot_play_not_at_all(li
 
 
 def test_a_device_is_found_by_its_name_and_its_host(library):
-    library(cards=(*CARDS, ("Built-in", 1, 2, 48000.0)))
+    library(rows=(*CARDS, ("Built-in", 1, 2, 0, 48000.0)))
     listed = devices.devices()
     assert devices.device_of(Output(), listed).name == "Eight"
     output = Output(device="Built-in", host_api="JACK")

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.actuators.measured_response import MeasuredResponse
-from skinsource.actuators.prediction import Limits
+from skinsource.actuators import Limits, MeasuredResponse
 from skinsource.actuators.rigs import Rig, RigChannel, highest_gain, rig_breaches
 from skinsource.base.errors import InvalidInputError, PlaybackError
 from skinsource.lab.playing.devices import Output

@@ -11,7 +11,8 @@ from scipy.signal import fftconvolve
 
 import skinsource as ss
 from skinsource.lab.rig_measuring.measurement import MeasuringSetup
-from tests.core.playing.synthetic_sound import CallbackStop, PortAudioError
+from tests.core.playing import synthetic_sound
+from tests.core.playing.synthetic_sound import CallbackStop, SoundLibrary
 
 RATE_HZ = 8_000
 COIL = ss.actuators.load("example-voice-coil")
@@ -96,51 +97,24 @@ class Duplex:
         self.asked["finished_callback"]()
 
 
-class Card:
+class Card(SoundLibrary):
     """One card of 4 outputs and 2 inputs; ``paths``: impulse responses to its inputs."""
 
-    PortAudioError, CallbackStop = PortAudioError, CallbackStop
+    n_inputs, n_outputs = 2, 4
 
     def __init__(self, *paths, noise=1e-5, output=3) -> None:
+        super().__init__()
         self.paths, self.noise, self.output = paths, noise, output
         self.offset, self.pulled_after, self.loses_at = 0.01, 100_000, -1
-        self.n_inputs, self.n_outputs = 2, 4
-        self.refusal: tuple = ()
-        self.streams: list[Duplex] = []
-        self.default = SimpleNamespace(device={"input": 0, "output": 0})
 
-    def query_hostapis(self):
-        return ({"name": "Made up", "default_output_device": 0, "default_input_device": 0},)
-
-    def query_devices(self):
-        return [
-            {
-                "name": "Bench card",
-                "hostapi": 0,
-                "max_output_channels": self.n_outputs,
-                "max_input_channels": self.n_inputs,
-                "default_samplerate": 48_000.0,
-            }
-        ]
-
-    def check_output_settings(self, **asked):
-        """All rates are taken."""
-
-    def _terminate(self):
-        assert not any(stream.active for stream in self.streams)
-
-    def _initialize(self):
-        """Nothing is to be done."""
+    @property
+    def rows(self):
+        return (("Bench card", 0, self.n_outputs, self.n_inputs, 48_000.0),)
 
     def Stream(self, **asked):  # as sounddevice calls it
-        if self.refusal:
-            raise PortAudioError(*self.refusal)
-        self.streams.append(Duplex(self, asked))
-        return self.streams[-1]
+        return self.open(Duplex(self, asked))
 
 
-def use(monkeypatch, card: Card) -> Card:
+def use(monkeypatch, card):
     """Let all that measures use ``card``."""
-    for module in ("playing.devices", "rig_measuring.duplex"):
-        monkeypatch.setattr(f"skinsource.lab.{module}.sound_library", lambda: card)
-    return card
+    return synthetic_sound.use(monkeypatch, card, ("playing.devices", "rig_measuring.duplex"))

@@ -7,7 +7,7 @@ import numpy as np
 import scipy
 from scipy.signal import czt
 
-from tests.core.playing.synthetic_sound import CallbackStop, PortAudioError
+from tests.core.playing.synthetic_sound import CallbackStop, PortAudioError, SoundLibrary
 from tests.core.rig_measuring.bench_top import RATE_HZ
 
 #: What is played reaches the sensor's device so many of its samples later, beside the path's delay.
@@ -99,24 +99,23 @@ class In(_Way):
         self.active = False
 
 
-class TwoCards:
+class TwoCards(SoundLibrary):
     """``Plays`` has outputs; ``Hears`` has inputs and a clock ``ratio`` times as quick."""
 
-    PortAudioError, CallbackStop = PortAudioError, CallbackStop
+    hosts = ("Made up", "Elsewhere")
+    rows = (("Plays", 0, 4, 0, 44_100.0), ("Hears", 1, 0, 2, 44_100.0))
 
     def __init__(self, *paths, ratio=1.0, noise=1e-5, output=3) -> None:
+        super().__init__(default_input=1)
         self.paths, self.ratio, self.noise, self.output = paths, ratio, noise, output
         self.pulled_after = self.deaf_after = 100_000
         self.loses_at = -1
-        self.refusal: tuple = ()
         self.before_closing = lambda: None
         # Streams of this kind do not begin.
         self.busy: tuple | type = ()
-        self.streams: list[_Way] = []
         self.answers, self.began, self.listening = None, False, threading.Event()
         # Who has it goes on; the other waits.
         self.turn = threading.Lock()
-        self.default = SimpleNamespace(device={"input": 1, "output": 0})
 
     def hear(self, played) -> None:
         """Make what is recorded of what was played."""
@@ -124,30 +123,13 @@ class TwoCards:
         self.answers = np.stack([by_another_clock(row, self.ratio, BEGUN_LATER) for row in rows])
         self.began = True
 
-    def query_hostapis(self):
-        return tuple(
-            {"name": name, "default_output_device": 0, "default_input_device": 1}
-            for name in ("Made up", "Elsewhere")
-        )
-
-    def query_devices(self):
-        rows = (("Plays", 0, 4, 0), ("Hears", 1, 0, 2))
-        names = ("name", "hostapi", "max_output_channels", "max_input_channels")
-        return [
-            {**dict(zip(names, row, strict=True)), "default_samplerate": 44_100.0} for row in rows
-        ]
-
     def OutputStream(self, **asked):  # as sounddevice calls it
-        return self._open(Out, asked)
+        self.streams.append(Out(self, asked))
+        return self.streams[-1]
 
     def InputStream(self, **asked):  # as sounddevice calls it
-        if self.refusal:
-            raise PortAudioError(*self.refusal)
+        stream = self.open(In(self, asked))
         assert asked["samplerate"] == RATE_HZ
         self.answers, self.began = None, False
         self.listening.clear()
-        return self._open(In, asked)
-
-    def _open(self, kind, asked):
-        self.streams.append(kind(self, asked))
-        return self.streams[-1]
+        return stream

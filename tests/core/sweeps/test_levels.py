@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource import actuators
-from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource import Actuation, ActuatorAt, actuators
 from skinsource.actuators.equalising import RegularisedInverse, equalised
 from skinsource.actuators.prediction import Limits
 from skinsource.base.errors import InvalidInputError
@@ -22,25 +21,16 @@ FREQUENCIES = (50.0, 80.0, 150.0, 250.0)
 
 
 def design_at(design, frequency_hz, factor=1.0):
-    inputs = tuple(
-        ss.track(
-            track.location,
-            ss.waveforms.Tone(frequency_hz=frequency_hz, duration_s=0.3),
-            amplitude=track.amplitude * factor,
-        )
-        for track in design.inputs
+    tone = ss.waveforms.Tone(frequency_hz=frequency_hz, duration_s=0.3)
+    tracks = (
+        ss.track(each.location, tone, amplitude=each.amplitude * factor) for each in design.inputs
     )
-    return ss.Design(limb="synthetic-1", inputs=inputs)
+    return replace(design, inputs=tuple(tracks))
 
 
 def highest_above_threshold(design):
-    field = ss.predict(
-        ss.load_limb("synthetic-1"),
-        [track.clips[0].waveform.samples(1300.0) * track.amplitude for track in design.inputs],
-        [track.location for track in design.inputs],
-        [1.0] * len(design.inputs),
-        "probe",
-    )
+    view = ss.View(axes="xyz", outputs=tuple(range(1, 73)))
+    field = ss.evaluate(design, "axis_traces", view=view)["axis_traces"]
     return max(of_channel.max() for of_channel in sensation_levels_db(field, 1300.0).values())
 
 
