@@ -45,15 +45,18 @@ def test_a_saved_design_comes_back_with_its_view_in_ones_panels(window, settle, 
     assert not window.document.undo_stack.canUndo()
 
 
-def test_unsaved_work_is_not_lost_by_opening_closing_or_starting_over(window, answers, tmp_path):
+def test_unsaved_work_is_not_lost_by_opening_closing_a_scene_or_starting_over(
+    window, answers, tmp_path
+):
     place(window)
     assert window.isWindowModified()
     design = window.document.design
     save_design(tmp_path / "other.skinsource", design)
     window.do("new_design")
     window.files.open(tmp_path / "other.skinsource")
+    window.scenes.open("2F")
     window.close()
-    assert len(answers["asked"]) == 3
+    assert len(answers["asked"]) == 4
     assert window.document.design == design
     assert window.isVisible()
 

@@ -110,6 +110,8 @@ def test_other_words_for_an_action_find_it(window, qtbot):
         "noise": "Waveform: Noise",
         "wave speed": "Analysis: Wave speed",
         "sensation level": "Analysis: Perception",
+        "difference": "Compare side by side",
+        "people": "Compare side by side",
     }.items():
         assert expected in listed_for(window, qtbot, letters), letters
 

@@ -158,26 +158,3 @@ def test_the_readout_follows_the_mouse(window):
     assert window.panel.readout.toolTip().endswith(" mm/s² RMS, whole record)")
     QTest.mouseMove(view, QPoint(5, 5))
     assert window.panel.readout.toolTip().startswith("No output selected")
-
-
-def test_everything_that_can_be_used_is_reached_by_tab_and_named(window):
-    panel = window.panel
-    reached, widget = [], panel.nextInFocusChain()
-    while widget is not panel:
-        stops = widget.focusPolicy() & Qt.FocusPolicy.TabFocus and widget.focusProxy() is None
-        if stops and widget.isEnabled() and widget.isVisibleTo(panel):
-            reached.append(widget)
-        widget = widget.nextInFocusChain()
-    names = [widget.objectName() for widget in reached]
-    assert names == [
-        "measure_quantity",
-        "measure_axes",
-        "measure_span",
-        "measure_unit",
-        "map_arm",
-        "skin_map",
-        "range_low_field",
-        "colour_strip",
-        "range_high_field",
-    ]
-    assert all(widget.accessibleName() or widget.text() for widget in reached)

@@ -53,6 +53,7 @@ def test_escape_gives_up_a_rubber_band_and_then_the_selection(window):
     QTest.mousePress(view, LEFT, PLAIN, QPoint(10, 10))
     QTest.mouseMove(view, QPoint(300, 500))
     QTest.keyClick(view, Qt.Key.Key_Escape)
+    assert view.picker.band is None
     QTest.mouseRelease(view, LEFT, PLAIN, QPoint(300, 500))
     assert window.views == []
     QTest.keyClick(view, Qt.Key.Key_Escape)
