@@ -48,7 +48,7 @@ def test_the_line_is_there_until_what_its_key_runs_is_done(qtbot):
 
 def test_every_action_of_the_table_stands_in_its_menu_under_its_words(window):
     menus = {menu.title().replace("&", ""): menu for menu in window.menuBar().findChildren(QMenu)}
-    for name, menu in (("undo", "Edit"), ("save_design", "File"), ("play", "Play")):
+    for name, menu in (("undo", "Edit"), ("compare_side_by_side", "Edit"), ("play", "Play")):
         assert window.actions_by_name[name] in menus[menu].actions()
     for spec in ACTIONS:
         action = window.actions_by_name[spec.name]

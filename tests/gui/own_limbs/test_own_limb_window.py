@@ -17,6 +17,7 @@ from skinsource.design.waveforms.tones import Tone
 from skinsource.limbs.own_limbs import facts_of, mirror_limb, remove_limb
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.state.compared import SILENT
+from skinsource_gui.state.engine import Purpose
 from tests.core.own_limbs.lab_bench import N_INPUTS, N_OUTPUTS, installed
 from tests.gui.own_limbs.limb_page_bench import rested
 from tests.gui.skin.bench import entries
@@ -176,6 +177,8 @@ def test_a_limb_too_large_to_follow_edits_shows_its_own_places_and_why_there_is_
     document.look(replace(document.view, outputs=(3,)))
     assert skin.map.content.limb == "synthetic-1"
     edit = edits.change_limb(document.design, document.view, "lab-1")
+    computed = []
+    window.engine.finished.connect(computed.append)
     with monkeypatch.context() as fewer:
         fewer.setattr("skinsource.limbs.limb.LIVE_INPUTS", 5)
         document.apply(edit)
@@ -188,6 +191,12 @@ def test_a_limb_too_large_to_follow_edits_shows_its_own_places_and_why_there_is_
         assert not content.synthetic
         assert content.px_per_mm == pytest.approx(lab.hand_length_px / lab.hand_length_mm)
         assert not skin.grab().isNull()
+        # No response is read for it, and nothing is judged.
+        window.conditions._judge()
+        rested(window, qtbot)
+        assert {result.request.purpose for result in computed} == {Purpose.SHOW}
+        assert sum(result.work.bytes_read for result in computed) == 0
+        assert (window.conditions.chip.findings, window.notice.text) == ((), "")
     document.edit("Softer", document.design.with_input(0, amplitude=0.5))
     qtbot.waitUntil(lambda: skin.map.content.coloured_values is not None, timeout=30_000)
     assert skin.map.content.coloured_values.shape == (N_OUTPUTS,)
