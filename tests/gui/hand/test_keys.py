@@ -76,23 +76,23 @@ def test_a_number_is_typed_within_a_pause(studio):
 
 def test_the_cursor_follows_what_is_selected_elsewhere_unless_keys_are_used_here(studio, qtbot):
     first, second = track(location=7), track(location=13)
-    studio.show(first, second, selected=0)
+    studio.put(first, second, selected=0)
     assert studio.diagram.cursor_site == 7
     with qtbot.waitActive(studio.panel):
         studio.panel.activateWindow()
     studio.diagram.setFocus()
     assert studio.diagram.hasFocus()
     studio.keys(KEY.Key_8)
-    studio.panel.show_state(studio.design, View(selected_inputs=(2,)))
+    studio.show(selected_inputs=(2,))
     assert studio.diagram.cursor_site == 8
     studio.diagram.clearFocus()
-    studio.panel.show_state(studio.design, View(selected_inputs=(1,)))
+    studio.show(selected_inputs=(1,))
     assert studio.diagram.cursor_site == 7
 
 
 @pytest.mark.parametrize("key", [KEY.Key_Return, KEY.Key_Enter, KEY.Key_Space])
 def test_enter_and_space_place_and_then_select(studio, key):
-    studio.show(track(location=7), selected=0)
+    studio.put(track(location=7), selected=0)
     studio.keys(KEY.Key_1, KEY.Key_2, key)
     assert studio.sites == [7, 12]
     assert studio.view.selected_input == 2
@@ -106,14 +106,14 @@ def test_enter_and_space_place_and_then_select(studio, key):
     [(KEY.Key_Insert, NONE), (KEY.Key_Plus, NONE), (KEY.Key_Plus, SHIFT), (KEY.Key_Return, SHIFT)],
 )
 def test_a_further_input_can_be_added_by_keyboard(studio, key, modifier):
-    studio.show(track(location=7), selected=0)
+    studio.put(track(location=7), selected=0)
     studio.keys(KEY.Key_7)
     studio.keys(key, modifier=modifier)
     assert studio.sites == [7, 7]
 
 
 def test_shift_and_arrows_move_the_selected_input_in_one_gesture_per_hold(studio):
-    studio.show(track(location=18), track(location=8), selected=1)
+    studio.put(track(location=18), track(location=8), selected=1)
     QTest.keyPress(studio.diagram, KEY.Key_Shift)
     for _ in range(2):
         event = QKeyEvent(QEvent.Type.KeyPress, KEY.Key_Down, SHIFT)
@@ -143,14 +143,14 @@ def test_space_is_left_to_the_window_until_keys_are_used_here(studio, qtbot):
 
 
 def test_an_input_that_is_not_on_this_hand_is_named_and_keys_bring_it_there_or_remove_it(studio):
-    studio.show(track(location=7), selected=0)
+    studio.put(track(location=7), selected=0)
     on_hand = studio.diagram.grab().toImage()
-    studio.show(track(location=7), track(location=25), selected=1)
+    studio.put(track(location=7), track(location=25), selected=1)
     assert studio.diagram.grab().toImage() != on_hand, "the caption names it"
     assert studio.diagram.stage.layout.has(studio.diagram.cursor_site)
     studio.keys(KEY.Key_3)
     studio.keys(KEY.Key_Right, modifier=SHIFT)
     assert studio.sites == [7, 3]
-    studio.show(track(location=10_000), selected=0)
+    studio.put(track(location=10_000), selected=0)
     studio.keys(KEY.Key_Delete)
     assert studio.sites == []

@@ -36,8 +36,7 @@ def test_a_switch_shows_the_palm_through_the_hand_and_is_stored_in_the_view(stud
 def test_a_place_under_the_pointer_is_marked_on_hand_and_skin(studio, limb, mirrored):
     if mirrored:
         mirror(studio)
-    studio.design = type(studio.design)(limb=limb)
-    studio.panel.show_state(studio.design, studio.view)
+    studio.show(type(studio.design)(limb=limb))
     limb_data, told = load_limb(limb), []
     studio.panel.place_pointed_at.connect(told.append)
     QTest.mouseMove(studio.diagram, studio.diagram.site_centre(13))

@@ -19,17 +19,17 @@ def test_each_site_is_hit_at_the_smallest_size_and_a_click_places_an_input_there
         for off in (QPoint(0, 11), QPoint(0, -11), QPoint(11, 0), QPoint(-11, 0)):
             assert studio.diagram.stage.layout.site_at(QPointF(point + off)) == site
             assert studio.diagram.rect().contains(point + off)
-        studio.show()
-        studio.order.clear()
+        studio.put()
+        studio.views.clear()
         studio.click(site)
         assert studio.sites == [site]
         assert studio.view.selected_input == 1
-        assert studio.order == ["design"]
+        assert studio.views == []
         assert studio.edits[-1][0].startswith(f"Place input at {site} (")
 
 
 def test_repeated_clicks_cycle_through_the_inputs_of_a_site(studio):
-    studio.show(track(location=7), track(location=3), track(location=3), track(location=3))
+    studio.put(track(location=7), track(location=3), track(location=3), track(location=3))
     selected = []
     for _ in range(5):
         studio.click(3)
@@ -40,7 +40,7 @@ def test_repeated_clicks_cycle_through_the_inputs_of_a_site(studio):
 
 @pytest.mark.parametrize("modifier", [SHIFT, CONTROL])
 def test_shift_or_control_adds_a_site_to_the_selected_ones_or_takes_it_out(studio, modifier):
-    studio.show(track(location=3), track(location=7), selected=0)
+    studio.put(track(location=3), track(location=7), selected=0)
     studio.click(7, modifier)
     studio.click(9, modifier)
     assert studio.sites == [3, 7, 9]
@@ -54,7 +54,7 @@ def test_shift_or_control_adds_a_site_to_the_selected_ones_or_takes_it_out(studi
 
 
 def test_ctrl_a_selects_all_and_delete_removes_all_in_one_step(studio):
-    studio.show(*(track(location=site) for site in (7, 8, 9)), selected=1)
+    studio.put(*(track(location=site) for site in (7, 8, 9)), selected=1)
     studio.keys(KEY.Key_A, modifier=CONTROL)
     assert studio.view.selected_inputs == (1, 3, 2)
     studio.keys(KEY.Key_Delete)
@@ -63,7 +63,7 @@ def test_ctrl_a_selects_all_and_delete_removes_all_in_one_step(studio):
 
 
 def test_the_menu_of_a_site_selects_mutes_solos_removes_and_adds(studio):
-    studio.show(track(location=7), track(location=3), selected=0)
+    studio.put(track(location=7), track(location=3), selected=0)
     studio.keys(KEY.Key_3)
     studio.menu(3, KEYBOARD)["Mute"].trigger()
     assert studio.view.selected_input == 2
@@ -86,7 +86,7 @@ def test_the_menu_of_a_site_selects_mutes_solos_removes_and_adds(studio):
 
 
 def test_a_drag_moves_the_input_live_in_one_gesture(studio):
-    studio.show(track(location=7), track(location=18), selected=0)
+    studio.put(track(location=7), track(location=18), selected=0)
     studio.press(18)
     studio.drag_to(studio.diagram.site_centre(16))
     assert studio.sites == [7, 16]
@@ -107,7 +107,7 @@ def test_a_drag_moves_the_input_live_in_one_gesture(studio):
 
 @pytest.mark.parametrize("end", ["escape", "away", "hidden"])
 def test_a_drag_that_is_given_up_restores_the_design(studio, end):
-    studio.show(track(location=18), selected=0)
+    studio.put(track(location=18), selected=0)
     before, away = studio.design, QPoint(4, 300)
     studio.press(18)
     studio.drag_to(studio.diagram.site_centre(13))
@@ -127,10 +127,10 @@ def test_a_drag_that_is_given_up_restores_the_design(studio, end):
 
 @pytest.mark.parametrize("tracks", [(), (track(location=3),)])
 def test_a_drag_ends_when_its_input_is_taken_away_or_moved(studio, tracks):
-    studio.show(track(location=18), selected=0)
+    studio.put(track(location=18), selected=0)
     studio.press(18)
     studio.drag_to(studio.diagram.site_centre(13))
-    studio.show(*tracks)
+    studio.put(*tracks)
     edits = len(studio.edits)
     studio.drag_to(studio.diagram.site_centre(8))
     studio.release(studio.diagram.site_centre(8))
@@ -139,7 +139,7 @@ def test_a_drag_ends_when_its_input_is_taken_away_or_moved(studio, tracks):
 
 
 def test_a_shaky_click_is_no_drag(studio):
-    studio.show(track(location=18), selected=0)
+    studio.put(track(location=18), selected=0)
     point = studio.diagram.site_centre(18)
     studio.press(18)
     studio.drag_to(point + QPoint(2, 2))

@@ -7,7 +7,6 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolTip
 
 from skinsource.design.design import track
-from skinsource.design.edits.edit import Refusal
 from skinsource.design.waveforms.pulses import Tap
 from skinsource_gui.plots.outputs import output_at
 from tests.gui.skin.bench import LEFT, PLAIN, SHIFT, click, place
@@ -18,8 +17,7 @@ KEY = Qt.Key
 @pytest.fixture
 def map_(window):
     """The map, over two inputs; the first one is selected."""
-    window.design = window.design.adding(track(location=16, waveform=Tap()))
-    window.show()
+    window.show(window.design.adding(track(location=16, waveform=Tap())))
     return window.panel.map
 
 
@@ -54,8 +52,7 @@ def test_without_a_selected_input_delete_says_so_and_removes_nothing(window, map
     window.show(selected_inputs=(), outputs=(8,))
     before = window.design
     QTest.keyClick(map_, KEY.Key_Delete)
-    assert isinstance(window.outcomes[-1], Refusal)
-    assert window.outcomes[-1].sentence.startswith("No input is selected")
+    assert window.refusals[-1].startswith("No input is selected")
     assert (window.design, window.view.outputs) == (before, (8,))
 
 
@@ -64,7 +61,7 @@ def test_where_outputs_were_selected_last_delete_removes_no_input_that_was_befor
     click(window, 8)
     before = window.design
     QTest.keyClick(map_, KEY.Key_Delete)
-    assert window.outcomes[-1].sentence.startswith("Outputs cannot be removed")
+    assert window.refusals[-1].startswith("Outputs cannot be removed")
     assert window.design == before
     # Once another input is selected, wherever, that is meant.
     window.show(selected_inputs=window.design.ids[:1])
@@ -93,8 +90,9 @@ def test_escape_after_a_click_on_an_output_leaves_the_inputs_selected(window, ma
 
 
 def test_of_inputs_at_one_place_each_click_selects_the_next(window, map_):
-    window.design = window.design.adding(track(location=16)).adding(track(location=16))
-    window.show(selected_inputs=())
+    window.show(
+        window.design.adding(track(location=16)).adding(track(location=16)), selected_inputs=()
+    )
     _, *here = window.design.ids
     chosen = []
     for _ in range(4):
@@ -115,8 +113,9 @@ def test_an_input_under_an_output_is_selected_by_a_second_click(window, map_):
     points = map_.stage.layout.points
     under = [(k, output_at(points, QPointF(place_of(map_, k)))) for k in range(1, 21)]
     location, output = next((k, output) for k, output in under if output is not None)
-    window.design = window.design.adding(track(location=location))
-    window.show(selected_inputs=window.design.ids[:1])
+    window.show(
+        window.design.adding(track(location=location)), selected_inputs=window.design.ids[:1]
+    )
     first, _, third = window.design.ids
     click_input(map_, location)
     assert (window.view.outputs, window.view.selected_inputs) == ((output,), (first,))
@@ -138,8 +137,7 @@ def test_a_tooltip_names_the_inputs_at_a_place(window, map_):
     assert tooltip_at(map_, place_of(map_, 16)).startswith("Input 2: 16 · ")
     assert "Click again" not in QToolTip.text()
     for _ in range(4):
-        window.design = window.design.adding(track(location=16))
-    window.show()
+        window.show(window.design.adding(track(location=16)))
     lines = tooltip_at(map_, place_of(map_, 16)).split("\n")
     assert [line.partition(":")[0] for line in lines[:3]] == ["Input 6", "Input 5", "Input 4"]
     assert lines[3:] == ["…", "Click again for the next one here"]
