@@ -58,35 +58,25 @@ def test_a_stroke_stays_within_one_and_escape_takes_it_back(flat):
     assert len(set(flat.gestures)) == 1
 
 
-def test_a_tone_becomes_samples_after_one_question(tone, monkeypatch):
-    asked = []
-    answers = [QMessageBox.StandardButton.Cancel, QMessageBox.StandardButton.Ok]
-    monkeypatch.setattr(
-        QMessageBox, "question", lambda *args: asked.append(args[2]) or answers[len(asked) - 1]
-    )
+def test_a_tone_becomes_samples_after_one_question(tone, answers):
     tone.panel.use("pen")
     assert tone.canvas.tool is tone.panel._tools["look"]
+    answers["question"] = QMessageBox.StandardButton.Ok
     tone.panel.use("pen")
     assert tone.canvas.tool is tone.panel._tools["pen"]
     tone.drag((0.05, 0.0), (0.06, 0.0))
     tone.panel.use("look")
     tone.panel.use("pen")
-    assert len(asked) == 2
-    assert "Tone 100 Hz" in asked[0]
+    assert len(answers["asked"]) == 2
+    assert "Tone 100 Hz" in answers["asked"][0]
     assert isinstance(tone.clip.waveform, Drawn)
     np.testing.assert_array_equal(tone.drawn[100:], Tone(100.0, 0.0, 0.2).samples(RATE_HZ)[100:])
 
 
 @pytest.fixture
-def questions(monkeypatch):
-    asked = []
-
-    def answer(*arguments):
-        asked.append(arguments[2])
-        return QMessageBox.StandardButton.Ok
-
-    monkeypatch.setattr(QMessageBox, "question", answer)
-    return asked
+def questions(answers):
+    answers["question"] = QMessageBox.StandardButton.Ok
+    return answers["asked"]
 
 
 def test_the_clip_of_another_design_is_asked_about_though_it_has_the_same_number(qtbot, questions):

@@ -116,22 +116,16 @@ def test_an_opened_rig_is_shown_and_what_is_none_is_refused(page, answer):
     assert "bench.skinrig" in page.message.text()
 
 
-def test_changes_are_not_lost_unasked(page, monkeypatch, tmp_path):
-    asked, answers = [], [QMessageBox.StandardButton.Cancel, QMessageBox.StandardButton.Save]
-    monkeypatch.setattr(
-        QMessageBox,
-        "question",
-        lambda *arguments: asked.append(arguments[2]) or answers[len(asked) - 1],
-    )
+def test_changes_are_not_lost_unasked(page, answers, tmp_path):
     press(page, "add")
     press(page, "close")
     assert page.isVisible()
-    assert "not saved" in asked[0]
-    path = tmp_path / "bench.skinrig"
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
+    assert "not saved" in answers["asked"][0]
+    answers["question"] = QMessageBox.StandardButton.Save
+    answers["save"] = str(tmp_path / "bench.skinrig")
     press(page, "close")
     assert not (isValid(page) and page.isVisible())
-    assert path.exists()
+    assert (tmp_path / "bench.skinrig").exists()
 
 
 def test_a_saved_rig_is_that_of_the_design_with_its_actuators(page, window, answer):
