@@ -3,7 +3,6 @@
 from dataclasses import replace
 
 from skinsource.design.edits.edit import Refusal
-from skinsource.design.edits.motions import with_whole_motions
 from skinsource.design.view import View
 
 
@@ -61,7 +60,6 @@ class PanelHost:
         if isinstance(outcome, Refusal):
             self.refusals.append(outcome.sentence)
             return
-        outcome = with_whole_motions(self.design, outcome)
         if outcome.design is self.design:
             self.look(outcome.view)
             return

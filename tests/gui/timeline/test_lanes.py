@@ -6,7 +6,6 @@ from PySide6.QtWidgets import QInputDialog, QMenu, QToolButton
 
 from skinsource.design import edits
 from skinsource.design.clips import Clip
-from skinsource.design.motions import Sweep
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.panels.timeline.content import overlapping, overlaps_of
 from skinsource_gui.panels.timeline.gestures import GesturePreview
@@ -147,20 +146,6 @@ def test_a_key_and_the_menu_reach_clips_that_overlap(over):
     assert [line.text() for line in lines] == ["Tone · 0 ms", "Tone · 200 ms"]
     lines[0].trigger()
     assert over.view.selected_clips == (ids[0],)
-
-
-def test_a_clip_of_a_motion_follows_the_mouse_and_all_of_them_stay_a_motion(lanes):
-    lanes.show(edits.add_motion(lanes.design, lanes.view, Sweep(path=(16, 18, 20))).design)
-    ids = lanes.design.motions[0].clips
-    lanes.lanes.select(*ids)
-    first_s, last_s = lanes.onset(ids[0]), lanes.onset(ids[2])
-    lanes.drag(lanes.middle(ids[2]), lanes.middle(ids[2]) + lanes.px(0.3), SHIFT)
-    assert lanes.onset(ids[0]) - first_s == pytest.approx(0.3, abs=0.004)
-    assert lanes.design.motions[0].motion.onset_s == pytest.approx(0.3, abs=0.004)
-    lanes.lanes.select(ids[2])
-    lanes.drag(lanes.middle(ids[2]), lanes.middle(ids[2]) - lanes.px(0.2), SHIFT)
-    assert lanes.onset(ids[2]) - last_s == pytest.approx(0.1, abs=0.006)
-    assert lanes.design.motions == ()
 
 
 def test_what_the_clip_panel_edits_is_outlined_on_every_selected_track(lanes):
