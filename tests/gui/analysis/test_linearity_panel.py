@@ -260,15 +260,9 @@ def test_outputs_are_drawn_band_by_band_over_logarithmic_axes(show, qtbot):
     assert "In the band (m/s²)" in panel.picture.read(origin + axes.frame.center())
 
 
-def test_the_switches_compute_no_prediction_and_are_about_strengths(show, qtbot, monkeypatch):
+def test_the_switches_compute_no_prediction_and_are_about_strengths(show, requests, qtbot):
     window, panel = show(STRENGTHS)
-    asked = []
-    ask = window.engine.request
-    monkeypatch.setattr(
-        window.engine,
-        "request",
-        lambda request: (asked.append(request.slot.name), ask(request)),
-    )
+    requests.clear()
     traces = panel._drawn[-len(STRENGTHS) :]
     for name in ("velocity", "bands", "velocity", "bands"):
         before = panel.picture.diagrams
@@ -276,7 +270,7 @@ def test_the_switches_compute_no_prediction_and_are_about_strengths(show, qtbot,
         assert panel.picture.diagrams is not before
         drawn = panel._drawn[-len(STRENGTHS) :]
         assert all(trace is other for trace, other in zip(traces, drawn, strict=True))
-    assert not any("snapshot" in request for request in asked)
+    assert not any("snapshot" in request.slot.name for request in requests)
     window.document.look(replace(window.document.view, snapshots=snapshots_of(*PARTS)))
     window.document.edit("Both", PARTS[2])
     qtbot.waitUntil(lambda: len(panel.picture.diagrams) == 2, timeout=30_000)
