@@ -1,8 +1,8 @@
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import QMimeData, QPointF, Qt, QTimer, QUrl
-from PySide6.QtGui import QColor, QDragEnterEvent, QDropEvent, QImage
+from PySide6.QtCore import QTimer
+from PySide6.QtGui import QColor, QDragEnterEvent, QImage
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
 from skinsource.design.design import track
@@ -11,8 +11,7 @@ from skinsource_gui.plots.pictures import PictureOptions
 from skinsource_gui.qt.questions import ask_to_save
 from skinsource_gui.qt.theme import DARK
 from tests.gui.exporting import press, shown
-
-NO_KEYS = Qt.KeyboardModifier.NoModifier
+from tests.gui.importing.test_placing import drop
 
 
 def place(window, location=3):
@@ -131,14 +130,9 @@ def test_a_file_dropped_on_the_window_is_opened(window, settle, answers, tmp_pat
     window.do("save_design")
     design = window.document.design
     window.do("new_design")
-    data = QMimeData()
-    data.setUrls([QUrl.fromLocalFile(str(tmp_path / "a.skinsource"))])
     middle = window.panel("traces").mapTo(window, window.panel("traces").rect().center())
-    arguments = (Qt.DropAction.CopyAction, data, Qt.MouseButton.LeftButton, NO_KEYS)
-    entering = QDragEnterEvent(middle, *arguments)
-    QApplication.sendEvent(window, entering)
-    assert entering.isAccepted()
-    QApplication.sendEvent(window, QDropEvent(QPointF(middle), *arguments))
+    assert drop(window, tmp_path / "a.skinsource", middle, QDragEnterEvent).isAccepted()
+    drop(window, tmp_path / "a.skinsource", middle)
     assert window.document.design == design
 
 
