@@ -220,6 +220,17 @@ def settle(window):
     return partial(rest, window)
 
 
+@pytest.fixture
+def requests(window, monkeypatch):
+    """What is asked of the engine from now on."""
+    asked = []
+    ask = window.engine.request
+    monkeypatch.setattr(
+        window.engine, "request", lambda request: (asked.append(request), ask(request))
+    )
+    return asked
+
+
 @pytest.fixture(scope="module", autouse=True)
 def _nothing_outlives_the_tests_of_a_file(qapp):
     """See that no window, dialog or thread is left once the tests of a file are done."""

@@ -2,8 +2,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QMimeData, QPointF, Qt, QTimer, QUrl
-from PySide6.QtGui import QColor, QDragEnterEvent, QDropEvent, QImage
+from PySide6.QtCore import QTimer
+from PySide6.QtGui import QColor, QDragEnterEvent, QImage
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
 from skinsource.design.design import track
@@ -12,8 +12,7 @@ from skinsource_gui.plots.pictures import PictureOptions
 from skinsource_gui.qt.questions import ask_to_save
 from skinsource_gui.qt.theme import DARK
 from tests.gui.exporting import press, shown
-
-NO_KEYS = Qt.KeyboardModifier.NoModifier
+from tests.gui.importing.test_placing import drop
 
 
 def place(window, location=3):
@@ -46,15 +45,18 @@ def test_a_saved_design_comes_back_with_its_view_in_ones_panels(window, settle, 
     assert not window.document.undo_stack.canUndo()
 
 
-def test_unsaved_work_is_not_lost_by_opening_closing_or_starting_over(window, answers, tmp_path):
+def test_unsaved_work_is_not_lost_by_opening_closing_a_scene_or_starting_over(
+    window, answers, tmp_path
+):
     place(window)
     assert window.isWindowModified()
     design = window.document.design
     save_design(tmp_path / "other.skinsource", design)
     window.do("new_design")
     window.files.open(tmp_path / "other.skinsource")
+    window.scenes.open("2F")
     window.close()
-    assert len(answers["asked"]) == 3
+    assert len(answers["asked"]) == 4
     assert window.document.design == design
     assert window.isVisible()
 
@@ -129,14 +131,9 @@ def test_a_file_dropped_on_the_window_is_opened(window, settle, answers, tmp_pat
     window.do("save_design")
     design = window.document.design
     window.do("new_design")
-    data = QMimeData()
-    data.setUrls([QUrl.fromLocalFile(str(tmp_path / "a.skinsource"))])
     middle = window.panel("traces").mapTo(window, window.panel("traces").rect().center())
-    arguments = (Qt.DropAction.CopyAction, data, Qt.MouseButton.LeftButton, NO_KEYS)
-    entering = QDragEnterEvent(middle, *arguments)
-    QApplication.sendEvent(window, entering)
-    assert entering.isAccepted()
-    QApplication.sendEvent(window, QDropEvent(QPointF(middle), *arguments))
+    assert drop(window, tmp_path / "a.skinsource", middle, QDragEnterEvent).isAccepted()
+    drop(window, tmp_path / "a.skinsource", middle)
     assert window.document.design == design
 
 

@@ -1,19 +1,23 @@
-"""Other programs, and other windows, have a hand in files too."""
+"""Other programs, windows and studios have a hand in files too; settings lie in their folder."""
 
 import os
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QEvent
+from PySide6.QtCore import QByteArray, QEvent
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
-from skinsource.base import files
+from skinsource.base import files, lock
+from skinsource.base.assets import config_folder
+from skinsource.base.lock import Lock, read_owner, this_process, to_bytes
 from skinsource.design import design_file
-from skinsource.design.design import Design, track
+from skinsource.design.design import Design, Input, track
 from skinsource.design.design_file import open_design, save_design
 from skinsource_gui.pages.files import file_actions
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.state.document import Document
+from skinsource_gui.state.preferences import Preferences, settings_path
 
 OTHER = Design(limb="synthetic-2", inputs=(track(location=13),))
 
@@ -116,3 +120,128 @@ def test_closing_looks_once_more_whether_the_file_is_there(window, opened, answe
     answers["question"] = QMessageBox.StandardButton.Discard
     window.close()
     assert not window.isVisible()
+
+
+HOLDER = replace(this_process(), pid=4_000_000, user="ana")
+
+
+ELSEWHERE = replace(HOLDER, host="lab-3")
+
+
+SAVED = Design(limb="synthetic-1", inputs=(Input(location=4),))
+
+
+@pytest.fixture
+def path(tmp_path):
+    path = tmp_path / "tap.skinsource"
+    save_design(path, SAVED)
+    return path
+
+
+@pytest.fixture
+def other_runs(monkeypatch):
+    """Let the other process run, as long as the value is true."""
+    state = {"runs": True}
+
+    def still_runs(holder):
+        return {HOLDER.pid: state["runs"]}.get(holder.pid) if holder.host == HOLDER.host else None
+
+    monkeypatch.setattr(lock, "still_runs", still_runs)
+    monkeypatch.setattr("skinsource.base.lock.still_runs", still_runs)
+    monkeypatch.setattr(file_actions, "still_runs", still_runs)
+    return state
+
+
+def test_an_open_file_is_held_until_another_is_opened_or_the_window_closes(window, path, tmp_path):
+    second = tmp_path / "second.skinsource"
+    save_design(second, SAVED)
+    window.files.open(path)
+    assert read_owner(Lock(path).path) == this_process()
+    window.files.open(second)
+    assert not Lock(path).path.exists()
+    assert read_owner(Lock(second).path) == this_process()
+    window.close()
+    assert not Lock(second).path.exists()
+
+
+def test_the_second_studio_opens_it_read_only_and_says_who_has_it(
+    window, path, other_runs, answers, tmp_path
+):
+    Lock(path).path.write_bytes(to_bytes(HOLDER))
+    window.files.open(path)
+    assert window.document.design == SAVED
+    assert window.document.read_only
+    assert "read-only" in window.windowTitle()
+    assert f"tap.skinsource is open in another studio (ana on {HOLDER.host}" in window.notice.text
+    place(window)
+    answers["save"] = str(tmp_path / "mine.skinsource")
+    assert window.files.save()
+    assert open_design(path).design == SAVED
+    assert open_design(tmp_path / "mine.skinsource").design == window.document.design
+    assert not window.document.read_only
+    assert "read-only" not in window.windowTitle()
+    assert read_owner(Lock(path).path) == HOLDER
+
+
+def test_once_the_other_studio_has_ended_the_file_is_ours(window, path, other_runs, answers):
+    Lock(path).path.write_bytes(to_bytes(HOLDER))
+    window.files.open(path)
+    place(window)
+    other_runs["runs"] = False
+    assert window.files.save()
+    assert answers["asked"] == []
+    assert open_design(path).design == window.document.design
+    assert not window.document.read_only
+
+
+def test_a_studio_elsewhere_may_have_ended_and_only_the_user_knows(
+    window, path, other_runs, answers
+):
+    Lock(path).path.write_bytes(to_bytes(ELSEWHERE))
+    window.files.open(path)
+    place(window)
+    answers["save"] = str(path)
+    assert not window.files.save()
+    assert "ana on lab-3" in answers["asked"][0]
+    assert read_owner(Lock(path).path) == ELSEWHERE
+    answers["question"] = QMessageBox.StandardButton.Yes
+    assert window.files.save()
+    assert read_owner(Lock(path).path) == this_process()
+    assert open_design(path).design == window.document.design
+
+
+def test_a_file_that_cannot_be_saved_keeps_the_lock_of_the_one_that_is_open(
+    window, path, answers, tmp_path
+):
+    window.files.open(path)
+    place(window)
+    answers["save"] = str(tmp_path / "absent" / "a.skinsource")
+    assert not window.files.ask_and_save()
+    assert read_owner(Lock(path).path) == this_process()
+
+
+@pytest.fixture
+def config(tmp_path, monkeypatch) -> Path:
+    folder = tmp_path / "config"
+    monkeypatch.setenv("SKINSOURCE_CONFIG", str(folder))
+    return folder
+
+
+def test_a_folder_for_settings_of_its_own_isolates_them(config):
+    assert settings_path() == config / "studio.ini"
+    assert not config.exists()
+
+
+def test_whoever_sets_the_data_folder_has_everything_in_it(user_data, monkeypatch):
+    monkeypatch.delenv("SKINSOURCE_CONFIG", raising=False)
+    assert user_data in config_folder().parents
+    monkeypatch.delenv("SKINSOURCE_DATA")
+    assert config_folder().name == "skinsource"
+
+
+@pytest.mark.parametrize("stored", [QByteArray(b"abc"), 5, {"a": 1}, None])
+def test_recent_files_that_are_no_list_of_names_are_none(tmp_path, stored):
+    preferences = Preferences(tmp_path / "studio.ini")
+    preferences.settings.setValue("recent", stored)
+    assert all(isinstance(name, str) for name in preferences.recent_names)
+    assert len(preferences.recent_names) <= 1

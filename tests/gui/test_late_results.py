@@ -34,7 +34,6 @@ COMPUTED = sorted(
 )
 #: What is known of limbs and snapshots is forgotten, or held against what it is of.
 OF_LIMBS = ["analysis/regions"]
-OF_SNAPSHOTS = ["compare", "analysis/linearity"]
 
 
 @contextmanager

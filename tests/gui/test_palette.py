@@ -48,7 +48,7 @@ def test_the_line_is_there_until_what_its_key_runs_is_done(qtbot):
 
 def test_every_action_of_the_table_stands_in_its_menu_under_its_words(window):
     menus = {menu.title().replace("&", ""): menu for menu in window.menuBar().findChildren(QMenu)}
-    for name, menu in (("undo", "Edit"), ("save_design", "File"), ("play", "Play")):
+    for name, menu in (("undo", "Edit"), ("compare_side_by_side", "Edit"), ("play", "Play")):
         assert window.actions_by_name[name] in menus[menu].actions()
     for spec in ACTIONS:
         action = window.actions_by_name[spec.name]
@@ -87,15 +87,26 @@ def test_every_action_of_the_table_does_what_its_line_says(qapp):
     parent.deleteLater()
 
 
-def listed_for(window, qtbot, letters):
+def palette_with(window, qtbot, letters):
+    """The palette, opened, with letters typed into its line."""
     window.do("find_action")
     palette = next(palette for palette in window.findChildren(Palette) if palette.isVisible())
     qtbot.keyClicks(palette.line, letters)
+    return palette
+
+
+def listed_for(window, qtbot, letters):
+    palette = palette_with(window, qtbot, letters)
     texts = [
         palette.list.topLevelItem(row).text(0) for row in range(palette.list.topLevelItemCount())
     ]
     palette.reject()
     return texts
+
+
+def run_from_palette(window, qtbot, letters):
+    palette = palette_with(window, qtbot, letters)
+    qtbot.keyClick(palette.line, Qt.Key.Key_Return)
 
 
 def test_other_words_for_an_action_find_it(window, qtbot):
@@ -110,6 +121,8 @@ def test_other_words_for_an_action_find_it(window, qtbot):
         "noise": "Waveform: Noise",
         "wave speed": "Analysis: Wave speed",
         "sensation level": "Analysis: Perception",
+        "difference": "Compare side by side",
+        "people": "Compare side by side",
     }.items():
         assert expected in listed_for(window, qtbot, letters), letters
 
@@ -117,10 +130,7 @@ def test_other_words_for_an_action_find_it(window, qtbot):
 def test_a_gesture_of_the_mouse_is_found_and_leads_to_where_the_keys_page_says_it(window, qtbot):
     texts = listed_for(window, qtbot, "stretch")
     assert any(text.startswith("Mouse: stretch a clip") and "Shift" in text for text in texts)
-    window.do("find_action")
-    palette = next(palette for palette in window.findChildren(Palette) if palette.isVisible())
-    qtbot.keyClicks(palette.line, "stretch a clip")
-    qtbot.keyClick(palette.line, Qt.Key.Key_Return)
+    run_from_palette(window, qtbot, "stretch a clip")
     text = window.findChild(QTextBrowser, "page_text")
     assert text.isVisible()
     pan = text.verticalScrollBar()
@@ -131,10 +141,7 @@ def test_a_gesture_of_the_mouse_is_found_and_leads_to_where_the_keys_page_says_i
 
 def test_a_view_of_analysis_is_found_and_opened(window, qtbot):
     for letters, name in (("time windows", "windowed"), ("wave speed", "wave")):
-        window.do("find_action")
-        palette = next(palette for palette in window.findChildren(Palette) if palette.isVisible())
-        qtbot.keyClicks(palette.line, letters)
-        qtbot.keyClick(palette.line, Qt.Key.Key_Return)
+        run_from_palette(window, qtbot, letters)
         qtbot.waitUntil(window.panel("analysis").isVisible)
         assert window.panel("analysis").view.name == name
 
@@ -143,9 +150,7 @@ def test_where_nothing_is_found_the_palette_says_so_and_enter_does_nothing(windo
     texts = listed_for(window, qtbot, "qqqq")
     assert texts[0] == "Nothing found"
     assert "F1" in texts[-1]
-    window.do("find_action")
-    palette = next(palette for palette in window.findChildren(Palette) if palette.isVisible())
-    qtbot.keyClicks(palette.line, "qqqq")
+    palette = palette_with(window, qtbot, "qqqq")
     qtbot.keyClick(palette.line, Qt.Key.Key_Return)
     assert palette.isVisible()
 
@@ -162,13 +167,6 @@ def test_the_colours_in_use_are_checked_however_they_were_chosen(window):
     grey = SkinSettings(colours="CET-L1")
     window.document.look(with_settings(view, "skin", grey))
     assert actions["use_cet_l1_colours"].isChecked()
-
-
-def run_from_palette(window, qtbot, letters):
-    window.do("find_action")
-    palette = next(palette for palette in window.findChildren(Palette) if palette.isVisible())
-    qtbot.keyClicks(palette.line, letters)
-    qtbot.keyClick(palette.line, Qt.Key.Key_Return)
 
 
 def test_a_frequency_is_set_by_keys_on_an_input_that_was_placed_by_keys(window, qtbot):

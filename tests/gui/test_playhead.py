@@ -3,8 +3,7 @@
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import QEvent, QPointF, Qt
-from PySide6.QtGui import QMouseEvent
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
@@ -45,21 +44,19 @@ def x_of(plot, time_s):
     return plot.places.left + plot.x_window.part(time_s) * plot.places.area.width()
 
 
-def mouse(plot, kind, x, button=LEFT, buttons=LEFT):
-    at = QPointF(x, plot.places.area.center().y())
-    event = QMouseEvent(kind, at, QPointF(plot.mapToGlobal(at)), button, buttons, NONE)
-    QApplication.sendEvent(plot.viewport(), event)
+def at(plot, time_s):
+    return QPoint(round(x_of(plot, time_s)), round(plot.places.area.center().y()))
 
 
-def drag(plot, start, end, *, release=True):
+def drag(plot, start_s, end_s, *, release=True):
     """Press, move in steps, and let go; pyqtgraph learns of drags from moves alone."""
-    mouse(plot, QEvent.Type.MouseMove, start, Qt.MouseButton.NoButton, Qt.MouseButton.NoButton)
-    mouse(plot, QEvent.Type.MouseButtonPress, start)
+    view, start, end = plot.viewport(), at(plot, start_s), at(plot, end_s)
+    QTest.mouseMove(view, start)
+    QTest.mousePress(view, LEFT, NONE, start)
     for step in range(1, 5):
-        between = start + (end - start) * step / 4
-        mouse(plot, QEvent.Type.MouseMove, between, Qt.MouseButton.NoButton)
+        QTest.mouseMove(view, start + (end - start) * (step / 4))
     if release:
-        mouse(plot, QEvent.Type.MouseButtonRelease, end, LEFT, Qt.MouseButton.NoButton)
+        QTest.mouseRelease(view, LEFT, NONE, end)
 
 
 def shown_in_lanes(lanes):
@@ -67,7 +64,7 @@ def shown_in_lanes(lanes):
 
 
 def test_it_is_dragged_in_the_traces_and_stands_there_in_the_timeline(window, plot, lanes):
-    drag(plot, x_of(plot, 0.25), x_of(plot, 0.5))
+    drag(plot, 0.25, 0.5)
     assert window.document.view.playhead_s == pytest.approx(0.5, abs=0.01)
     assert plot.playhead.position == window.document.view.playhead_s
     assert shown_in_lanes(lanes) == pytest.approx(window.document.view.playhead_s, abs=1e-9)
@@ -78,12 +75,12 @@ def test_it_is_dragged_in_the_traces_and_stands_there_in_the_timeline(window, pl
 
 def test_escape_gives_up_a_drag_in_the_traces(window, plot, lanes):
     plot.setFocus()
-    drag(plot, x_of(plot, 0.25), x_of(plot, 0.5), release=False)
+    drag(plot, 0.25, 0.5, release=False)
     assert window.document.view.playhead_s > 0.4
     QTest.keyClick(plot, Qt.Key.Key_Escape)
     assert window.document.view.playhead_s == 0.25
-    mouse(plot, QEvent.Type.MouseMove, x_of(plot, 0.7), Qt.MouseButton.NoButton)
-    mouse(plot, QEvent.Type.MouseButtonRelease, x_of(plot, 0.7), LEFT, Qt.MouseButton.NoButton)
+    QTest.mouseMove(plot.viewport(), at(plot, 0.7))
+    QTest.mouseRelease(plot.viewport(), LEFT, NONE, at(plot, 0.7))
     assert window.document.view.playhead_s == 0.25
     assert plot.playhead.position == 0.25
     assert shown_in_lanes(lanes) == pytest.approx(0.25)

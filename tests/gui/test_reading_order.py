@@ -25,22 +25,6 @@ def window(open_window, qtbot):
     return window
 
 
-def tops(panel):
-    return [stop.mapTo(panel, QPoint()).y() for stop in tab_stops(panel, (panel,))]
-
-
-def names(panel):
-    return [stop.objectName() for stop in tab_stops(panel, (panel,))]
-
-
-def test_the_inspector_is_walked_from_top_to_bottom(window):
-    panel = window.panel("inspector")
-    stop_names = names(panel)
-    assert stop_names[:3] == ["draw_button", "location_field", "amplitude_field"]
-    assert stop_names[-2:] == ["add_effect", "track_fold"]
-    assert tops(panel) == sorted(tops(panel))
-
-
 @pytest.mark.parametrize("unfolded", [False, True])
 def test_the_output_too(window, settle, unfolded):
     window.docks["output"].bring_forward()

@@ -3,13 +3,13 @@
 import pytest
 from PySide6.QtCore import QMargins, QRect
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.qt.windows import fit_by_guess, fitted
 from skinsource_gui.shell.appearance import place_in_sight
-from skinsource_gui.shell.presenting import NotesWindow
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import start_design
+from tests.gui.presenting.test_presented_scenes import notes_window
 
 WIDEST = QMargins(8, 31, 8, 8)
 FRAMES = [QMargins(1, 24, 1, 5), WIDEST, QMargins(0, 37, 0, 0)]
@@ -86,9 +86,7 @@ def test_a_window_is_moved_as_little_as_brings_it_into_sight(frame, rooms, place
 
 def test_notes_come_back_when_their_screen_is_gone(window, qtbot):
     window.do("show_notes")
-    (notes,) = [
-        widget for widget in QApplication.topLevelWidgets() if isinstance(widget, NotesWindow)
-    ]
+    notes = notes_window()
     stood = window.frameGeometry()
     notes.move(5000, 300)
     assert not any(

@@ -43,16 +43,6 @@ def test_the_first_window_shows_a_prediction_of_the_start_design(window, settle,
     )
 
 
-def test_a_limb_that_is_not_installed_says_so_and_empties_the_pictures(window, settle):
-    design = replace(window.document.design, limb="measured-1")
-    window.document.edit("Change limb", design)
-    settle()
-    assert "skinsource dataset" in window.notice.text
-    window.do("undo")
-    settle()
-    assert window.notice.text == ""
-
-
 def test_every_control_says_what_it_is(window):
     silent = [
         child

@@ -4,7 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QFont, QFontMetricsF, QImage, QPainter
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
@@ -16,11 +17,21 @@ from skinsource.design.view import View
 from skinsource.engine.evaluation import evaluate
 from skinsource.perception.validity import probe_velocity
 from skinsource.studies.checking import Proportion, Superposition
-from skinsource_gui.panels.analysis.linearity_diagram import diagrams_of_proportion, of_amplitudes
+from skinsource_gui.panels.analysis.linearity_diagram import (
+    Curve,
+    diagrams_of_proportion,
+    of_amplitudes,
+    places_of_labels,
+    x_with_room_for_labels,
+)
 from skinsource_gui.panels.analysis.settings import LinearitySettings
+from skinsource_gui.plots.figure import Axis, fitted_axes, legend_texts
+from skinsource_gui.plots.pictures import save_drawing
+from skinsource_gui.qt.theme import LIGHT
 from skinsource_gui.state.compared import Compared
 from tests.gui.analysis.analysis_bench import analysis
 from tests.gui.analysis.test_linearity_content import ROWS, TIME_S, bent
+from tests.gui.test_pictures_out import texts_of
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.1)
 
@@ -171,9 +182,6 @@ def test_strengths_on_a_limb_that_is_missing_say_so(show):
     assert "lab-9" in panel.figure.message
 
 
-__all__ = ["show"]
-
-
 def test_adjusted_r2_is_told_of_all_outputs(show, qtbot):
     window, panel = show(STRENGTHS)
     assert [curve.rank for curve in panel.picture.diagrams[2].curves] == [0, 1]
@@ -260,15 +268,9 @@ def test_outputs_are_drawn_band_by_band_over_logarithmic_axes(show, qtbot):
     assert "In the band (m/s²)" in panel.picture.read(origin + axes.frame.center())
 
 
-def test_the_switches_compute_no_prediction_and_are_about_strengths(show, qtbot, monkeypatch):
+def test_the_switches_compute_no_prediction_and_are_about_strengths(show, requests, qtbot):
     window, panel = show(STRENGTHS)
-    asked = []
-    ask = window.engine.request
-    monkeypatch.setattr(
-        window.engine,
-        "request",
-        lambda request: (asked.append(request.slot.name), ask(request)),
-    )
+    requests.clear()
     traces = panel._drawn[-len(STRENGTHS) :]
     for name in ("velocity", "bands", "velocity", "bands"):
         before = panel.picture.diagrams
@@ -276,9 +278,81 @@ def test_the_switches_compute_no_prediction_and_are_about_strengths(show, qtbot,
         assert panel.picture.diagrams is not before
         drawn = panel._drawn[-len(STRENGTHS) :]
         assert all(trace is other for trace, other in zip(traces, drawn, strict=True))
-    assert not any("snapshot" in request for request in asked)
+    assert not any("snapshot" in request.slot.name for request in requests)
     window.document.look(replace(window.document.view, snapshots=snapshots_of(*PARTS)))
     window.document.edit("Both", PARTS[2])
     qtbot.waitUntil(lambda: len(panel.picture.diagrams) == 2, timeout=30_000)
     assert not panel.velocity.isVisible()
     assert not panel.bands.isVisible()
+
+
+X = Axis(shown=(0.5, 8.0), title="Strength (m/s²)", log=True)
+
+
+Y = Axis(shown=(1e-3, 1.0), title="In the band (m/s²)", log=True)
+
+
+CURVES = tuple(
+    Curve(
+        x=np.array([0.75, 6.0]),
+        y=np.array([0.1, 0.8]) / 1.3**k,
+        rank=k % 2,
+        width_px=1.0,
+        label=f"{50 * 2 ** (k // 2)} Hz",
+    )
+    for k in range(8)
+)
+
+
+@pytest.fixture
+def painter(qapp):
+    del qapp
+    image = QImage(400, 300, QImage.Format.Format_RGB32)
+    painter = QPainter(image)
+    yield painter
+    painter.end()
+
+
+@pytest.mark.parametrize("size", [(160, 90), (230, 130), (500, 400)])
+@pytest.mark.parametrize("letters_px", [11, 14])
+@pytest.mark.parametrize("height", [1.0, 0.008], ids=["high", "at the bottom"])
+def test_labels_of_bands_are_whole_inside_the_plot_and_apart(painter, size, letters_px, height):
+    curves = tuple(replace(curve, y=height * curve.y) for curve in CURVES)
+    font = QFont(painter.font())
+    font.setPixelSize(letters_px)
+    metrics, room = QFontMetricsF(font), QRectF(0, 0, *size)
+    axes = fitted_axes(room, X, Y, metrics)
+    axes = fitted_axes(room, x_with_room_for_labels(axes, curves, metrics), Y, metrics)
+    letters, places = places_of_labels(axes, curves, font)
+    line = QFontMetricsF(letters).height()
+    if size[1] > 200:
+        assert len(places) == len(curves)
+    for place, curve in places:
+        assert QFontMetricsF(letters).horizontalAdvance(curve.label) <= place.width()
+        assert place.right() <= axes.frame.right()
+        assert axes.frame.top() - 0.1 * line <= place.top()
+        assert place.bottom() <= axes.frame.bottom() + 0.1 * line
+    assert np.diff([place.top() for place, _ in places]).min() >= 0.85 * line
+    # They stand in the order of their curves.
+    ends = [curve.y[-1] for _, curve in places]
+    assert ends == sorted(ends, reverse=True)
+
+
+def test_a_legend_has_all_outputs_or_counts_those_without_room(painter):
+    assert legend_texts((20,), 400.0, painter) == ["Output", "20"]
+    assert legend_texts((20, 26), 400.0, painter) == ["Outputs", "20", "26"]
+    few = legend_texts(tuple(range(1, 60)), 300.0, painter)
+    assert few[-1] == f"+{59 - len(few) + 2}"
+
+
+def test_the_picture_says_which_output_has_which_colour(show, tmp_path):
+    window, panel = show(STRENGTHS)
+    assert panel.picture.outputs == OUTPUTS
+    path = tmp_path / "a.svg"
+    save_drawing(path, window.pictures.picture_of("analysis/linearity").draw, 900, 500)
+    texts = texts_of(path)
+    for word in ("Outputs", *map(str, OUTPUTS)):
+        assert word in texts
+    drawing = path.read_text("utf-8").lower()
+    for rank in range(len(OUTPUTS)):
+        assert LIGHT.output_colour(rank).name() in drawing

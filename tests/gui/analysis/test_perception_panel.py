@@ -50,10 +50,6 @@ def test_the_panel_shows_levels_limits_and_the_contact(window, settle, tmp_path)
     panel.model.click()
     settle()
     assert panel.table.model().columnCount() == 5
-    document.look(replace(document.view, outputs=()))
-    settle()
-    assert not panel.table.isVisible()
-    assert "on the skin map" in panel.message
 
 
 @pytest.mark.parametrize("style", ["interpolated", "sensors"])

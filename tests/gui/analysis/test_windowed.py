@@ -3,11 +3,19 @@
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QPointF, QRectF, Qt
 
 import skinsource as ss
 from skinsource.design.design import Design, track
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
+from skinsource_gui.panels.analysis.windowed import (
+    CURVES,
+    curve_names,
+    least_height,
+    strip_layout,
+    window_titles,
+)
+from skinsource_gui.shell.appearance import LARGEST_TEXT
 from tests.gui.analysis.analysis_bench import analysis
 
 TRAIN = Design(limb="synthetic-4", inputs=(track(7, WaveletTrain()),))
@@ -107,3 +115,108 @@ def test_where_there_is_nothing_to_show_it_says_why(panel, studio, qtbot, design
     assert text in panel.strip.message
     assert panel.strip.text_at(panel.strip.rect().toRectF().center()) == ""
     panel.strip.grab()
+
+
+def width_of(text):
+    return 8.0 * len(text)
+
+
+def bounds_s(count, length_s=0.05):
+    return [(k * length_s, (k + 1) * length_s) for k in range(count)]
+
+
+def cells(count, width, columns=None):
+    columns = columns or count
+    return [QRectF(width * (k % columns), 90.0 * (k // columns), width, 90.0) for k in range(count)]
+
+
+def test_above_each_map_stands_when_its_window_begins():
+    assert window_titles(bounds_s(3), cells(3, 40.0), width_of) == ("0", "50", "100")
+
+
+def test_where_begins_have_no_room_each_second_or_third_of_a_row_has_one():
+    assert window_titles(bounds_s(5), cells(5, 20.0), width_of) == ("0", "", "100", "", "200")
+    rows = window_titles(bounds_s(8), cells(8, 12.0, columns=4), width_of)
+    assert rows == ("0", "", "", "150", "200", "", "", "350")
+
+
+@pytest.mark.parametrize("count", [1, 5, 24, 60])
+@pytest.mark.parametrize("width", [240.0, 1300.0])
+def test_neither_two_maps_nor_two_times_lie_on_each_other(count, width):
+    room = QRectF(0, 0, width, 400.0)
+    layout = strip_layout(room, count, 16.0)
+    places, areas = layout.cells, [*layout.cells, layout.scale, layout.plot]
+    assert len(places) == count
+    for k, area in enumerate(areas):
+        assert room.contains(area)
+        assert not any(area.adjusted(1, 1, -1, -1).intersects(other) for other in areas[k + 1 :])
+    texts = window_titles(bounds_s(count, 0.6 / count), places, width_of)
+    assert texts[0]
+    ends = {}
+    for cell, text in zip(places, texts, strict=True):
+        half = width_of(text) / 2
+        if text:
+            assert cell.center().x() - half >= ends.get(cell.top(), -20.0)
+            ends[cell.top()] = cell.center().x() + half
+
+
+def test_how_long_windows_are_is_said_where_only_their_begins_are(open_window, qtbot):
+    window = open_window(TRAIN, ss.View(method="mag", windows_cut="count", window_count=24))
+    strip = analysis(window, "windowed").strip
+    settle(window, qtbot)
+    assert "24.6 ms" in strip.head_text
+    levels_db = strip.content.levels_db
+    assert "traces" in strip.content.begin_phrases[0]
+    window.document.look(replace(window.document.view, delay_removed=True))
+    qtbot.waitUntil(lambda: not any("traces" in each for each in strip.content.begin_phrases))
+    # Only texts change.
+    assert strip.content.levels_db is levels_db
+
+
+@pytest.fixture
+def window(open_window):
+    return open_window(TRAIN, ss.View(outputs=(29, 30)))
+
+
+@pytest.fixture
+def large(window, settle):
+    window.resize(800, 600)
+    window.appearance._scale_text(LARGEST_TEXT)
+    settle()
+    yield window
+    window.appearance.reset_text()
+
+
+def assert_apart(places, line):
+    for cell in places.cells:
+        assert cell.height() >= line + 60
+        assert cell.bottom() <= places.scale.top()
+    assert places.scale.bottom() <= places.plot.top() - line
+    # Three numbers stand beside it, a line each.
+    assert places.plot.height() >= 2 * line
+
+
+@pytest.mark.parametrize("line", [15.0, 46.0])
+@pytest.mark.parametrize("height", [0.0, 120.0, 290.0, 600.0])
+def test_nothing_lies_on_anything_else_in_too_little_room(line, height):
+    places = strip_layout(QRectF(0, 0, 600, height), 5, line)
+    assert_apart(places, line)
+    assert places.plot.bottom() <= max(height, least_height(line))
+
+
+@pytest.mark.parametrize("arrangement", ["arrange_analysis", "arrange_presentation"])
+def test_in_the_largest_letters_windows_are_drawn_and_the_rest_scrolls(
+    large, settle, qtbot, arrangement
+):
+    large.do(arrangement)
+    dock, strip = large.docks["analysis"], analysis(large, "windowed").strip
+    settle()
+    qtbot.waitUntil(lambda: strip.content is not None, timeout=30_000)
+    assert_apart(strip.places, strip.fontMetrics().height())
+    assert strip.places.plot.bottom() <= strip.height()
+    assert dock.widget().verticalScrollBar().maximum() > 0
+
+
+def test_names_of_curves_are_as_long_as_they_fit():
+    for room, names in ((500.0, ("mean distance", "90 % of the energy within")), (9.0, CURVES[1])):
+        assert curve_names(room, lambda text: 10.0 * len(text), 20.0) == names

@@ -5,9 +5,8 @@ from PySide6.QtTest import QTest
 
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
-from skinsource.design.edits.edit import Refusal
-from skinsource.design.view import View
 from skinsource_gui.panels.clip_editor.panel import ClipEditorPanel
+from tests.gui.panel_host import PanelHost, clip_results
 
 LEFT, RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton
 NONE, SHIFT, ALT = (
@@ -18,21 +17,13 @@ NONE, SHIFT, ALT = (
 RATE_HZ = 1300.0
 
 
-class Bench:
-    """The panel with one clip, and the little of a document that it needs."""
+class Bench(PanelHost):
+    """The editor with one clip, and what that plays."""
 
     def __init__(self, qtbot, waveform):
-        self.panel = ClipEditorPanel()
-        qtbot.addWidget(self.panel)
-        self.design = Design(
-            limb="synthetic-1", inputs=(Input(location=7, clips=(Clip(waveform=waveform),)),)
-        )
-        self.view, self.steps, self.refusals = View(), [], []
-        self.panel.edited.connect(self._edit)
-        self.panel.resize(700, 420)
-        self.panel.show()
-        qtbot.waitExposed(self.panel)
-        self.show()
+        inputs = (Input(location=7, clips=(Clip(waveform=waveform),)),)
+        super().__init__(ClipEditorPanel(), Design(limb="synthetic-1", inputs=inputs))
+        self.appear(qtbot, 700, 420)
 
     @property
     def clip(self):
@@ -46,15 +37,9 @@ class Bench:
     def drawn(self):
         return self.clip.waveform.samples(RATE_HZ)
 
-    def show(self):
-        self.panel.show_state(self.design, self.view)
-        played = tuple(
-            tuple(clip.waveform.samples(RATE_HZ) for clip in track.clips)
-            for track in self.design.inputs
-        )
-        self.panel.show_results(
-            {"inputs": self.design.inputs, "clip_waveforms": played, "sample_rate_hz": RATE_HZ}
-        )
+    def show(self, design=None, **looking):
+        super().show(design, **looking)
+        self.panel.show_results(clip_results(self.design))
 
     def at(self, time_s, value):
         return self.canvas.content.at(time_s, value)
@@ -74,14 +59,6 @@ class Bench:
 
     def key(self, key, held=NONE):
         QTest.keyClick(self.canvas, key, held)
-
-    def _edit(self, outcome, gesture):
-        if isinstance(outcome, Refusal):
-            self.refusals.append(outcome.sentence)
-            return
-        self.steps.append(gesture)
-        self.design, self.view = outcome.design, outcome.view
-        self.show()
 
 
 def whole(at):

@@ -13,8 +13,7 @@ from tests.gui.menus import lines_at
 
 def shaped(bench, *places):
     """Give the clip an envelope with these points."""
-    bench.design = bench.design.with_clip(1, effects=(Envelope(places),))
-    bench.show()
+    bench.show(bench.design.with_clip(1, effects=(Envelope(places),)))
 
 
 def points(bench):
@@ -62,7 +61,7 @@ def test_keys_move_the_chosen_point_by_one_step_or_ten_and_remove_it(tone):
     tone.key(Qt.Key.Key_Right)
     tone.key(Qt.Key.Key_Up, SHIFT)
     assert points(tone)[1][:2] == pytest.approx((0.101, 0.6))
-    assert len(set(tone.steps)) == 1
+    assert len(set(tone.gestures)) == 1
     tone.key(Qt.Key.Key_Delete)
     assert len(points(tone)) == 1
     assert tone.panel._envelope.tool.chosen == (0,)  # the next Delete is for it
@@ -72,7 +71,7 @@ def test_a_rectangle_chooses_points(tone):
     shaped(tone, (0.02, 0.5), (0.1, 0.5), (0.18, 0.5))
     tone.drag((0.05, 0.9), (0.19, 0.1))
     assert tone.panel._envelope.tool.chosen == (1, 2)
-    assert tone.steps == []
+    assert tone.gestures == []
 
 
 def handles(tone):
@@ -88,8 +87,7 @@ def pull(tone, handle, by_s, by_value, **more):
 
 def test_the_handles_of_the_box_around_chosen_points_scale_them(tone):
     before = Envelope(((0.0, 0.2), (0.06, 0.4), (0.08, 0.8), (0.1, 0.6), (0.17, 0.5))).points
-    tone.design = tone.design.with_clip(1, effects=(Envelope(before),))
-    tone.show()
+    tone.show(tone.design.with_clip(1, effects=(Envelope(before),)))
     assert handles(tone) == {}
     tone.panel._envelope.tool.chosen = (1, 2, 3)
     pull(tone, (1, 0), 0.04, 0.1)
@@ -104,7 +102,7 @@ def test_the_handles_of_the_box_around_chosen_points_scale_them(tone):
     pull(tone, (-1, -1), 0.04, 0.1)
     assert points(tone)[1][:2] == pytest.approx((0.1, 0.5), abs=0.01)
     assert points(tone)[2][:2] == pytest.approx((0.12, 0.6), abs=0.01)
-    assert len(set(tone.steps)) == 3
+    assert len(set(tone.gestures)) == 3
     there = points(tone)
     pull(tone, (1, 1), 0.05, 0.3, release=False)
     assert points(tone) != there
@@ -116,7 +114,7 @@ def test_a_drag_of_the_level_end_pulls_a_new_point_and_not_all(tone):
     tone.drag((0.1, 1.0), (0.1, 0.4))
     assert points(tone)[0][:2] == (0.0, 1.0)
     assert points(tone)[1][1] == pytest.approx(0.4, abs=0.02)
-    assert len(set(tone.steps)) == 1
+    assert len(set(tone.gestures)) == 1
 
 
 def test_insert_adds_a_point_that_changes_nothing_and_arrows_move_it(tone):

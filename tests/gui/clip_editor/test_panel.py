@@ -28,10 +28,10 @@ def test_only_the_tool_that_is_taken_shows_and_changes_points(tone, monkeypatch)
     tone.panel.use("envelope")
     tone.key(Qt.Key.Key_Home)
     tone.panel.use("look")
-    shaped, steps = tone.design, len(tone.steps)
+    shaped, steps = tone.design, len(tone.gestures)
     for key in (Qt.Key.Key_Insert, Qt.Key.Key_PageDown, Qt.Key.Key_Delete, Qt.Key.Key_Up):
         tone.key(key)
-    assert (tone.design, len(tone.steps)) == (shaped, steps)
+    assert (tone.design, len(tone.gestures)) == (shaped, steps)
     tools = []
 
     def ask(*_):
@@ -122,7 +122,7 @@ def test_a_point_of_the_frequency_is_dragged_and_the_amplitude_stays(glide):
     assert times == pytest.approx((0.0, 0.25, 0.4), abs=0.002)
     assert values == pytest.approx((100.0, 400.0, 300.0), abs=3.0)
     same(curve(glide, "amplitude"), amplitude)
-    assert len(set(glide.steps)) == 1
+    assert len(set(glide.gestures)) == 1
 
 
 def test_a_point_of_the_amplitude_is_dragged_and_goes_no_higher_than_one(glide):
@@ -168,7 +168,7 @@ def test_keys_choose_points_change_curves_and_move_and_remove(glide):
     glide.key(Qt.Key.Key_Right)
     glide.key(Qt.Key.Key_Up)
     assert curve(glide, "frequency")[1] == pytest.approx((0.201, 301.0))
-    assert len(set(glide.steps)) == 1
+    assert len(set(glide.gestures)) == 1
     glide.key(Qt.Key.Key_F)
     glide.key(Qt.Key.Key_PageUp)
     glide.key(Qt.Key.Key_Down)
@@ -181,8 +181,7 @@ def test_keys_choose_points_change_curves_and_move_and_remove(glide):
 def test_only_a_glide_offers_the_tool_and_elsewhere_the_key_says_why_not(qtbot, glide):
     button = glide.panel.findChild(QToolButton, "clip_glide")
     assert button.isVisible()
-    glide.design = glide.design.with_clip(1, waveform=Tone(100.0, 0.0, 0.2))
-    glide.show()
+    glide.show(glide.design.with_clip(1, waveform=Tone(100.0, 0.0, 0.2)))
     assert not button.isVisible()
     assert glide.panel._canvas.tool is glide.panel._view_tool
     glide.key(Qt.Key.Key_G)

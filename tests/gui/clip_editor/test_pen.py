@@ -30,7 +30,7 @@ def test_a_stroke_becomes_samples_in_one_step(flat):
     assert (values[117:130] > 0.45).all()
     assert not values[:60].any()
     assert not values[160:].any()
-    assert len(set(flat.steps)) == 1
+    assert len(set(flat.gestures)) == 1
 
 
 def test_with_shift_a_stroke_is_a_straight_line(flat):
@@ -46,7 +46,7 @@ def test_the_right_button_draws_back_to_zero(flat):
     values = flat.drawn
     assert not values[105:129].any()
     assert values[95] == pytest.approx(0.6, abs=0.02)
-    assert len(set(flat.steps)) == 2
+    assert len(set(flat.gestures)) == 2
 
 
 def test_a_stroke_stays_within_one_and_escape_takes_it_back(flat):
@@ -55,38 +55,28 @@ def test_a_stroke_stays_within_one_and_escape_takes_it_back(flat):
     assert np.abs(flat.drawn).max() == 1.0
     flat.key(Qt.Key.Key_Escape)
     assert flat.design == before
-    assert len(set(flat.steps)) == 1
+    assert len(set(flat.gestures)) == 1
 
 
-def test_a_tone_becomes_samples_after_one_question(tone, monkeypatch):
-    asked = []
-    answers = [QMessageBox.StandardButton.Cancel, QMessageBox.StandardButton.Ok]
-    monkeypatch.setattr(
-        QMessageBox, "question", lambda *args: asked.append(args[2]) or answers[len(asked) - 1]
-    )
+def test_a_tone_becomes_samples_after_one_question(tone, answers):
     tone.panel.use("pen")
     assert tone.canvas.tool is tone.panel._tools["look"]
+    answers["question"] = QMessageBox.StandardButton.Ok
     tone.panel.use("pen")
     assert tone.canvas.tool is tone.panel._tools["pen"]
     tone.drag((0.05, 0.0), (0.06, 0.0))
     tone.panel.use("look")
     tone.panel.use("pen")
-    assert len(asked) == 2
-    assert "Tone 100 Hz" in asked[0]
+    assert len(answers["asked"]) == 2
+    assert "Tone 100 Hz" in answers["asked"][0]
     assert isinstance(tone.clip.waveform, Drawn)
     np.testing.assert_array_equal(tone.drawn[100:], Tone(100.0, 0.0, 0.2).samples(RATE_HZ)[100:])
 
 
 @pytest.fixture
-def questions(monkeypatch):
-    asked = []
-
-    def answer(*arguments):
-        asked.append(arguments[2])
-        return QMessageBox.StandardButton.Ok
-
-    monkeypatch.setattr(QMessageBox, "question", answer)
-    return asked
+def questions(answers):
+    answers["question"] = QMessageBox.StandardButton.Ok
+    return answers["asked"]
 
 
 def test_the_clip_of_another_design_is_asked_about_though_it_has_the_same_number(qtbot, questions):
@@ -96,8 +86,7 @@ def test_the_clip_of_another_design_is_asked_about_though_it_has_the_same_number
         limb="synthetic-1", inputs=(Input(location=3, clips=(Clip(waveform=Tone(50.0)),)),)
     )
     assert other.clips[0].id == bench.clip.id
-    bench.design = other
-    bench.show()
+    bench.show(other)
     bench.drag((0.05, 0.0), (0.06, 0.5))
     assert len(questions) == 2
     assert bench.clip.waveform == Tone(50.0)
@@ -110,8 +99,7 @@ def test_draw_stays_on_when_a_step_is_taken_back(flat):
     flat.panel.use("pen")
     for before in (flat.design, flat.design.with_clip(1, waveform=Tone(50.0))):
         flat.drag((0.05, 0.0), (0.08, 0.5))
-        flat.design = before
-        flat.show()
+        flat.show(before)
         assert flat.canvas.tool is flat.panel._tools["pen"]
 
 
@@ -158,8 +146,7 @@ def test_the_pen_draws_what_plays_of_a_trimmed_or_stretched_clip(
 ):
     bench = Bench(qtbot, waveform)
     before = replace(bench.clip, effects=(effect, FADE))
-    bench.design = bench.design.with_clip(before.id, effects=before.effects)
-    bench.show()
+    bench.show(bench.design.with_clip(before.id, effects=before.effects))
     plays = played(waveform, (effect,), RATE_HZ)
     bench.panel.use("pen")
     assert effect.title.lower() in questions[0]

@@ -2,9 +2,8 @@
 
 from dataclasses import replace
 
-from PySide6.QtCore import QEvent, QPointF, Qt
-from PySide6.QtGui import QMouseEvent
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtTest import QTest
 
 import skinsource as ss
 from skinsource.design.design import track
@@ -68,15 +67,6 @@ def shown(panel, qtbot, n):
 
 
 def point_at(maps, index, output):
-    at = QPointF(*maps.points_of(index)[output - 1])
-    no = Qt.MouseButton.NoButton
-    event = QMouseEvent(
-        QEvent.Type.MouseMove,
-        at,
-        QPointF(maps.mapToGlobal(at.toPoint())),
-        no,
-        no,
-        Qt.KeyboardModifier.NoModifier,
-    )
-    QApplication.sendEvent(maps, event)
-    return at.toPoint()
+    at = QPointF(*maps.points_of(index)[output - 1]).toPoint()
+    QTest.mouseMove(maps, at)
+    return at

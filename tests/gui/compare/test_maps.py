@@ -24,7 +24,6 @@ from skinsource_gui.panels.compare.content import (
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.plots.small_map import paint_small_map, tick_text
 from skinsource_gui.qt.theme import LIGHT
-from skinsource_gui.shell.menus import Palette
 from skinsource_gui.state.compared import Compared
 from skinsource_gui.state.engine import Purpose
 from tests.core.own_limbs.lab_bench import installed
@@ -87,26 +86,6 @@ def test_four_limbs_have_their_own_levels_one_scale_one_pointer_and_one_selectio
     rows = [line for line in copied if not line.startswith("# ")]
     assert len(rows) == 73
     assert float(rows[23].split("\t")[2]) == pytest.approx(expected[1][22])
-
-
-def test_the_panel_is_found_by_what_it_is_for_and_where_snapshots_are_stored(window):
-    palette = Palette(list(window.actions_by_name.values()))
-    action = window.actions_by_name["compare_side_by_side"]
-    for words in ("side by side", "snapshots", "people", "difference"):
-        palette.line.setText(words)
-        found = [
-            palette.list.topLevelItem(row).text(0)
-            for row in range(palette.list.topLevelItemCount())
-        ]
-        assert any(text.startswith(action.text()) for text in found)
-    palette.close()
-    menus = [
-        entry.text() for entry in window.menuBar().actions() if action in entry.menu().actions()
-    ]
-    assert menus == ["&Edit", "&View"]
-    window.docks["compare"].close()
-    action.trigger()
-    assert window.panel("compare").isVisible()
 
 
 def test_low_maps_show_hands_with_words_beside_them_and_a_whole_scale(window, panel, qtbot):

@@ -5,11 +5,11 @@ from PySide6.QtGui import QAction, QContextMenuEvent
 from PySide6.QtTest import QTest
 
 from skinsource.design.design import Design, Input
-from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.view import View
 from skinsource.limbs.locations import INPUTS
 from skinsource_gui.panels.hand.panel import HandPanel
 from tests.gui.menus import MOUSE, lines_at
+from tests.gui.panel_host import PanelHost
 
 KEY, LEFT = Qt.Key, Qt.MouseButton.LeftButton
 
@@ -20,43 +20,20 @@ NONE, SHIFT = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier
 CONTROL = Qt.KeyboardModifier.ControlModifier
 
 
-class Studio:
-    """A panel whose wishes come true, and what it wished."""
+class Studio(PanelHost):
+    """The hand on a design without inputs."""
 
-    def __init__(self, panel: HandPanel) -> None:
-        self.panel = panel
-        self.diagram = panel.diagram
-        self.design = Design(limb="synthetic-1")
-        self.view = View(selected_inputs=())
-        self.edits: list[tuple[str, Design, int | None]] = []
-        self.refusals: list[str] = []
-        self.order: list[str] = []
-        panel.edited.connect(self._edit)
-        panel.view_changed.connect(self._look)
+    def __init__(self, qtbot, width=260, height=330, limb="synthetic-1") -> None:
+        super().__init__(HandPanel(), Design(limb=limb), View(selected_inputs=()))
+        self.diagram = self.panel.diagram
+        self.appear(qtbot, width, height)
 
-    def show(self, *inputs: Input, selected: int | None = None) -> None:
-        self.design = Design(limb="synthetic-1")
+    def put(self, *inputs: Input, selected: int | None = None) -> None:
+        """Show these inputs alone."""
+        design = Design(limb="synthetic-1")
         for track in inputs:
-            self.design = self.design.adding(track)
-        self.view = View(selected_inputs=() if selected is None else (selected + 1,))
-        self.panel.show_state(self.design, self.view)
-
-    def _edit(self, outcome: Edit | Refusal, gesture: int | None) -> None:
-        if isinstance(outcome, Refusal):
-            self.refusals.append(outcome.sentence)
-            return
-        if outcome.design is self.design:
-            self._look(outcome.view)
-            return
-        self.edits.append((outcome.label, outcome.design, gesture))
-        self.order.append("design")
-        self.design, self.view = outcome.design, outcome.view
-        self.panel.show_state(self.design, self.view)
-
-    def _look(self, view: View) -> None:
-        self.order.append("view")
-        self.view = view
-        self.panel.show_state(self.design, view)
+            design = design.adding(track)
+        self.show(design, selected_inputs=() if selected is None else (selected + 1,))
 
     @property
     def sites(self) -> list[int]:

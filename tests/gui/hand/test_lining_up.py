@@ -1,19 +1,15 @@
 """Hand and skin side by side: the palm seen through the hand, and one ring on both."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF
 from PySide6.QtTest import QTest
 
 import skinsource as ss
-from skinsource.design.edits.edit import Edit
 from skinsource.limbs.catalog import load_limb
 from skinsource_gui.panels.hand.settings import HandSettings
 from skinsource_gui.qt.theme import current_theme
 from tests.gui.hand.bench import LEFT
-from tests.gui.shared_window import rest
 
 
 def mirror(studio):
@@ -40,8 +36,7 @@ def test_a_switch_shows_the_palm_through_the_hand_and_is_stored_in_the_view(stud
 def test_a_place_under_the_pointer_is_marked_on_hand_and_skin(studio, limb, mirrored):
     if mirrored:
         mirror(studio)
-    studio.design = type(studio.design)(limb=limb)
-    studio.panel.show_state(studio.design, studio.view)
+    studio.show(type(studio.design)(limb=limb))
     limb_data, told = load_limb(limb), []
     studio.panel.place_pointed_at.connect(told.append)
     QTest.mouseMove(studio.diagram, studio.diagram.site_centre(13))
@@ -108,21 +103,3 @@ def test_the_place_under_the_pointer_is_marked_on_the_other_drawing_and_read(ope
     QTest.mouseMove(hand, QPoint(2, hand.height() - 2))
     assert skin.map.ring is None
     assert "selected" in skin.readout.toolTip()
-
-
-def test_colours_stay_while_snapshots_are_shown_in_turn(open_window):
-    window = open_window(DESIGN)
-    window.comparison.store("1")
-    louder = replace(DESIGN, inputs=(replace(DESIGN.inputs[0], amplitude=10.0),))
-    window.document.apply(Edit(label="Louder", design=louder, view=window.document.view))
-    window.comparison.store("2")
-    rest(window)
-    ranges, loudest_db = set(), set()
-    for _ in range(4):
-        window.comparison.toggle()
-        rest(window)
-        content = window.panel("skin").map.content
-        ranges.add(content.value_range)
-        loudest_db.add(round(float(content.values.max())))
-    assert len(loudest_db) == 2
-    assert len(ranges) == 1

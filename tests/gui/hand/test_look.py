@@ -7,13 +7,11 @@ from PySide6.QtGui import QColor, QHelpEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolTip
 
-from skinsource.design.design import Design, track
-from skinsource.design.view import View
+from skinsource.design.design import track
 from skinsource.engine import evaluation
 from skinsource.limbs.own_limbs import install_limb
 from skinsource_gui.panels.hand import layout as site_marker
 from skinsource_gui.panels.hand.layout import HandState, Mark
-from skinsource_gui.panels.hand.panel import HandPanel
 from skinsource_gui.panels.hand.picture import caption_of
 from skinsource_gui.qt.buttons import text_colour_on
 from skinsource_gui.qt.theme import DARK, LIGHT, Theme
@@ -24,7 +22,7 @@ from tests.gui.skin.bench import wheel
 
 
 def test_an_input_has_its_own_colour_on_the_hand_in_both_themes(studio, use_theme):
-    studio.show(track(location=20), track(location=16), selected=1)
+    studio.put(track(location=20), track(location=16), selected=1)
     for theme in (LIGHT, DARK):
         use_theme(theme)
         image = studio.diagram.grab().toImage()
@@ -32,11 +30,11 @@ def test_an_input_has_its_own_colour_on_the_hand_in_both_themes(studio, use_them
             point = studio.diagram.site_centre(site) + QPoint(0, 8)
             assert image.pixelColor(point).name() == theme.inputs[index]
         # A silent input is hollow.
-        studio.show(track(location=20, muted=True), track(location=16), selected=1)
+        studio.put(track(location=20, muted=True), track(location=16), selected=1)
         image = studio.diagram.grab().toImage()
         point = studio.diagram.site_centre(20) + QPoint(0, 7)
         assert image.pixelColor(point).name() != theme.inputs[0]
-        studio.show(track(location=20), track(location=16), selected=1)
+        studio.put(track(location=20), track(location=16), selected=1)
 
 
 @pytest.mark.parametrize("theme", [LIGHT, DARK], ids=lambda theme: theme.name)
@@ -47,7 +45,7 @@ def test_numbers_are_readable_on_every_input_colour(theme: Theme):
 
 
 def test_the_tooltip_names_place_contact_and_inputs(studio):
-    studio.show(track(location=2, muted=True), selected=0)
+    studio.put(track(location=2, muted=True), selected=0)
     point = studio.diagram.site_centre(2)
     event = QHelpEvent(QEvent.Type.ToolTip, point, studio.diagram.mapToGlobal(point))
     QApplication.sendEvent(studio.diagram, event)
@@ -56,7 +54,7 @@ def test_the_tooltip_names_place_contact_and_inputs(studio):
         assert expected in text
     QToolTip.hideText()
     # What the cursor reaches is announced.
-    studio.show(track(location=7), selected=4)
+    studio.put(track(location=7), selected=4)
     assert studio.diagram.state.selected is None
     studio.keys(KEY.Key_7)
     text = studio.diagram.accessibleDescription()
@@ -98,15 +96,7 @@ def with_places(user_data, qtbot):
         places = np.asarray(points, float)
         limb = own_limb(input_positions=places, input_names=(), axes="z", n_taps=8)
         install_limb(limb, (response(1, "z")[..., :8] for _ in places))
-        panel = HandPanel()
-        qtbot.addWidget(panel)
-        panel.resize(*size)
-        with qtbot.waitExposed(panel):
-            panel.show()
-        studio = Studio(panel)
-        studio.design, studio.view = Design(limb="lab-1"), View(selected_inputs=())
-        panel.show_state(studio.design, studio.view)
-        return studio
+        return Studio(qtbot, *size, limb="lab-1")
 
     return make
 

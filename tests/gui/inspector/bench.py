@@ -1,45 +1,30 @@
 """What the tests of this folder share."""
 
-from dataclasses import replace
-
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
 from skinsource.design.design import Design, track
-from skinsource.design.edits.edit import Refusal
 from skinsource.design.view import View
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.inspector.panel import InspectorPanel
 from skinsource_gui.plots.preview import WaveformPreview
 from skinsource_gui.qt.buttons import Fold
+from tests.gui.panel_host import PanelHost, clip_results
 
 
-class Bench:
-    """A panel and the little of a document that it needs."""
+class Bench(PanelHost):
+    """The inspector, with the keyboard."""
 
-    def __init__(self, qtbot, design, selected=0):
-        self.panel = InspectorPanel()
-        qtbot.addWidget(self.panel)
-        self.design, self.view = design, View(selected_inputs=(selected + 1,))
-        self.edits = []
-        self.refusals = []
-        self.panel.edited.connect(self._edit)
-        self.panel.resize(320, 460)
-        self.panel.show_state(self.design, self.view)
-        self.panel.show()
-        qtbot.waitExposed(self.panel)
-        self.panel.activateWindow()
-        qtbot.waitUntil(self.panel.isActiveWindow)
+    def __init__(self, qtbot, design):
+        super().__init__(InspectorPanel(), design, View(selected_inputs=(1,)))
+        self.appear(qtbot, 320, 460)
+        self.activate(qtbot)
 
     @property
     def track(self):
         return self.design.input(self.view.selected_input)
-
-    @property
-    def labels(self):
-        return [label for label, _, _ in self.edits]
 
     def number(self, name):
         return self.panel.findChild(NumberField, f"{name}_field")
@@ -58,11 +43,6 @@ class Bench:
         """Unfold a part of the panel."""
         self.panel.findChild(Fold, fold).setChecked(True)
 
-    def show(self, design=None, **looking):
-        self.design = design or self.design
-        self.view = replace(self.view, **looking)
-        self.panel.show_state(self.design, self.view)
-
     def type(self, name, text):
         field = self.number(name)
         field.setFocus()
@@ -75,20 +55,7 @@ class Bench:
         QTest.keyClicks(box, text)
 
     def results(self):
-        waveforms = tuple(
-            tuple(clip.waveform.samples(1300.0) for clip in track.clips)
-            for track in self.design.inputs
-        )
-        inputs = self.design.inputs
-        return {"clip_waveforms": waveforms, "inputs": inputs, "sample_rate_hz": 1300.0}
-
-    def _edit(self, outcome, gesture):
-        if isinstance(outcome, Refusal):
-            self.refusals.append(outcome.sentence)
-            return
-        self.edits.append((outcome.label, outcome.design, gesture))
-        self.view = outcome.view
-        self.show(outcome.design)
+        return clip_results(self.design)
 
 
 def design_of(*waveforms):

@@ -45,17 +45,6 @@ def test_the_preview_shows_the_selected_input_and_its_length(bench):
     assert bench.preview.message == "No limb of that name"
 
 
-def test_an_old_preview_turns_pale_only_after_a_while(bench, qtbot):
-    bench.panel.show_results(bench.results())
-    fresh = bench.preview.grab().toImage()
-    bench.panel.show_stale(True)
-    assert bench.preview.grab().toImage() == fresh
-    qtbot.waitUntil(lambda: bench.preview.grab().toImage() != fresh)
-    bench.panel.show_results(bench.results())
-    bench.panel.show_stale(False)
-    assert bench.preview.grab().toImage() == fresh
-
-
 def test_a_recording_has_a_button_that_asks_for_its_file(bench):
     actions = []
     bench.panel.action_requested.connect(actions.append)

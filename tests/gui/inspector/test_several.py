@@ -75,17 +75,6 @@ def test_a_mixed_number_that_is_left_without_typing_stays_as_it_is(qtbot):
     assert field.placeholderText() == "mixed"
 
 
-def test_a_typed_value_sets_all_in_one_step(qtbot):
-    bench = two(qtbot)
-    bench.type("frequency_hz", "240")
-    assert [clip.waveform.frequency_hz for clip in bench.design.clips[::2]] == [
-        240.0,
-        240.0,
-    ]
-    assert bench.labels == ["Change frequency of 2 inputs"]
-    assert bench.number("frequency_hz").text() == "240"
-
-
 def test_steps_move_all_by_the_same_factor(qtbot):
     bench = two(qtbot)
     field = bench.number("frequency_hz")

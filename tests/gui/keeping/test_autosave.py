@@ -77,9 +77,9 @@ def test_saved_or_taken_back_work_has_no_copies(work, qtbot, user_data, tmp_path
 
 
 def test_a_copy_is_kept_before_another_file_is_read_and_a_window_that_closes_leaves_none(
-    window, qtbot, user_data, tmp_path, monkeypatch
+    window, qtbot, user_data, tmp_path, answers
 ):
-    monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Discard)
+    answers["question"] = QMessageBox.StandardButton.Discard
     edit(window, 2.5)
     assert copies(user_data) == []
     path = tmp_path / "hostile.skinsource"

@@ -6,27 +6,17 @@ from skinsource.design.design import Design, track
 from skinsource.design.presets import presets
 from skinsource.design.view import View
 from skinsource_gui.panels.library.panel import LibraryPanel
+from tests.gui.panel_host import PanelHost
 
 
-class Bench:
-    """The panel, with a design of one track; ``labels`` are those of its edits."""
+class Bench(PanelHost):
+    """The library, on a design of one track."""
 
     def __init__(self, qtbot):
-        self.panel, self.outcomes = LibraryPanel(), []
-        qtbot.addWidget(self.panel)
-        self.panel.edited.connect(lambda outcome, gesture: self.outcomes.append(outcome))
-        self.show(View(selected_inputs=(1,)))
-        self.panel.resize(300, 560)
-        with qtbot.waitActive(self.panel):
-            self.panel.show()
-            self.panel.activateWindow()
-
-    def show(self, view):
-        self.panel.show_state(Design(limb="synthetic-1", inputs=(track(7),)), view)
-
-    @property
-    def labels(self):
-        return [outcome.label for outcome in self.outcomes]
+        design = Design(limb="synthetic-1", inputs=(track(7),))
+        super().__init__(LibraryPanel(), design, View(selected_inputs=(1,)))
+        self.appear(qtbot, 300, 560)
+        self.activate(qtbot)
 
     @property
     def names(self):

@@ -9,21 +9,19 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from skinsource.design.presets.presets import read_preset_folder, shipped_folder
-from skinsource.design.view import View
 
 SHIPPED = read_preset_folder(shipped_folder()).entries
 KEY, LEFT, NONE = Qt.Key, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
 
 
 def test_enter_places_at_the_playhead_on_the_selected_track_in_one_step(bench):
-    bench.show(View(selected_inputs=(1,), playhead_s=0.25))
+    bench.show(playhead_s=0.25)
     bench.go_to("Double tap")
     QTest.keyClick(bench.panel.rows, KEY.Key_Return)
-    (outcome,) = bench.outcomes
-    assert outcome.label == "Place Double tap"
-    (track,) = outcome.design.inputs
+    assert bench.labels == ["Place Double tap"]
+    (track,) = bench.design.inputs
     assert [clip.onset_s for clip in track.clips[1:]] == [0.25, 0.37]
-    assert set(outcome.view.selected_clips) == {clip.id for clip in track.clips[1:]}
+    assert set(bench.view.selected_clips) == {clip.id for clip in track.clips[1:]}
     # Enter in the search places what is listed first.
     bench.panel.search.line.setText("heart")
     QTest.keyClick(bench.panel.search.line, KEY.Key_Return)

@@ -122,10 +122,9 @@ def test_own_presets_are_renamed_in_place_and_shipped_ones_are_not(bench, qtbot)
 
 
 @pytest.mark.parametrize("yes", [True, False])
-def test_own_presets_are_deleted_after_a_question_and_shipped_ones_never(bench, monkeypatch, yes):
-    answer = QMessageBox.StandardButton.Yes if yes else QMessageBox.StandardButton.No
-    asked = []
-    monkeypatch.setattr(QMessageBox, "question", lambda *args: asked.append(args[2]) or answer)
+def test_own_presets_are_deleted_after_a_question_and_shipped_ones_never(bench, answers, yes):
+    kinds = QMessageBox.StandardButton
+    answers["question"] = kinds.Yes if yes else kinds.No
     path = bench.save(MINE)
     for name in ("My tap", "Tap"):
         bench.go_to(name)
@@ -133,4 +132,4 @@ def test_own_presets_are_deleted_after_a_question_and_shipped_ones_never(bench, 
     assert path.exists() is not yes
     assert ("My tap" in bench.names) is not yes
     assert "Tap" in bench.names
-    assert len(asked) == 1
+    assert len(answers["asked"]) == 1

@@ -14,20 +14,14 @@ from PySide6.QtWidgets import QDialog, QMessageBox
 from skinsource.base.errors import RecordingError
 from skinsource.base.job import Job, stop_if
 from skinsource.base.run_limited import LimitedProcess
-from skinsource.design import edits
-from skinsource.design.design import Design, track
-from skinsource.design.view import View
-from skinsource.design.waveforms.pulses import Noise
-from skinsource.design.waveforms.tones import Tone
 from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.limb_import import LimbSource, import_limb
 from skinsource.limbs.limb_layout import export_limb
-from skinsource.limbs.own_limbs import facts_of, install_limb, own_limb_names, remove_limb
+from skinsource.limbs.own_limbs import facts_of, own_limb_names, remove_limb
 from skinsource_gui.pages.limbs import photograph
-from skinsource_gui.state.engine import FIRST_SLOT, Purpose
 from skinsource_gui.state.job_runner import JobProgress, JobRunner, PageJobs
-from tests.core.own_limbs.lab_bench import N_TAPS, RATE_HZ, installed, own_limb, response
-from tests.gui.own_limbs.limb_page_bench import button, imported, opened, rested, text_of_page
+from tests.core.own_limbs.lab_bench import N_TAPS, RATE_HZ, installed
+from tests.gui.own_limbs.limb_page_bench import button, imported, opened, text_of_page
 
 YES, NO = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.No
 
@@ -317,38 +311,3 @@ def test_nothing_is_said_of_a_job_of_another_page(qtbot):
     qtbot.waitUntil(lambda: ended == [1])
     assert not page.busy
     runner.close()
-
-
-PLAYED = Design(
-    limb="synthetic-1",
-    inputs=(track(5, Tone(frequency_hz=1500.0, duration_s=0.1)), track(2, Noise(seed=1))),
-)
-
-
-@pytest.fixture
-def large(user_data):
-    """A limb with a place too many; returns how PLAYED is put onto it."""
-    rng = np.random.default_rng(1)
-    places = rng.uniform(-30, 30, (65, 2))
-    limb = own_limb(input_positions=places, input_names=(), axes="z", n_taps=20)
-    install_limb(limb, (response(1, "z")[..., :20] for _ in range(65)))
-    return edits.change_limb(PLAYED, View(outputs=(3,)), "lab-1")
-
-
-def test_no_response_is_read_for_it_and_nothing_is_judged(large, open_window, qtbot):
-    results, judged = [], []
-    window = open_window(large.design, large.view)
-    window.engine.finished.connect(results.append)
-    rested(window, qtbot)
-    window.conditions._judge()
-    window.document.edit("Softer", window.document.design.with_input(0, amplitude=0.5))
-    rested(window, qtbot)
-    window.conditions._judge()
-    rested(window, qtbot)
-    judged = [result for result in results if result.request.purpose is Purpose.JUDGE]
-    shown = [result for result in results if result.request.place == (FIRST_SLOT, Purpose.SHOW)]
-    assert shown
-    assert sum(result.work.bytes_read for result in shown) == 0
-    assert judged == []
-    assert window.conditions.chip.findings == ()
-    assert window.notice.text == ""

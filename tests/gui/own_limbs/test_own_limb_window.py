@@ -1,4 +1,4 @@
-"""A limb of 7 places and 31 outputs along x and z at 4 kHz, in the whole window."""
+"""A limb of 7 places and 31 outputs along x and z at 4 kHz, in the whole window; missing limbs."""
 
 from dataclasses import replace
 
@@ -9,13 +9,15 @@ from PySide6.QtWidgets import QApplication, QLabel
 
 from skinsource.design import edits
 from skinsource.design.design import Design, track
-from skinsource.design.design_file import save_design
+from skinsource.design.design_file import open_design, save_design
 from skinsource.design.labels import AXES
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Noise
 from skinsource.design.waveforms.tones import Tone
 from skinsource.limbs.own_limbs import facts_of, mirror_limb, remove_limb
 from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.state.compared import SILENT
+from skinsource_gui.state.engine import Purpose
 from tests.core.own_limbs.lab_bench import N_INPUTS, N_OUTPUTS, installed
 from tests.gui.own_limbs.limb_page_bench import rested
 from tests.gui.skin.bench import entries
@@ -24,12 +26,6 @@ PLAYED = Design(
     limb="synthetic-1",
     inputs=(track(5, Tone(frequency_hz=1500.0, duration_s=0.1)), track(2, Noise(seed=1))),
 )
-
-
-@pytest.fixture
-def open_window(make_window):
-    """Each test has a window of its own."""
-    return make_window
 
 
 @pytest.fixture
@@ -125,7 +121,6 @@ def test_a_limb_that_goes_locks_its_design_until_it_is_back(lab_window, qtbot):
     before = window.document.design
     remove_limb("lab-1")
     QApplication.sendEvent(window, QEvent(QEvent.Type.WindowActivate))
-    window.do("mute") if "mute" in window.actions_by_name else None
     window.document.edit("Mute", before.with_input(0, muted=True))
     assert window.document.design is before
     assert "This design is read-only. The limb 'lab-1' of this design is not here" in (
@@ -138,20 +133,6 @@ def test_a_limb_that_goes_locks_its_design_until_it_is_back(lab_window, qtbot):
     installed()
     window.document.edit("Mute", before.with_input(0, muted=True))
     assert window.document.design.inputs[0].muted
-
-
-def test_a_design_whose_limb_is_gone_opens_read_only_and_says_so_wherever_results_would_be(
-    lab, window, tmp_path, qtbot
-):
-    path = tmp_path / "lab.skinsource"
-    edit = edits.change_limb(PLAYED, View(), "lab-1")
-    save_design(path, edit.design, edit.view)
-    remove_limb("lab-1")
-    window.files.open(path)
-    missing = "The limb 'lab-1' of this design is not here. Import it (File > Own limbs…)"
-    qtbot.waitUntil(lambda: window.notice.text.startswith(missing), timeout=30_000)
-    assert window.panel("skin").map.content.message.startswith(missing)
-    assert "(read-only)" in window.windowTitle()
 
 
 def test_a_left_hand_is_mirrored_in_every_panel_on_request(lab_window, lab, qtbot):
@@ -196,6 +177,8 @@ def test_a_limb_too_large_to_follow_edits_shows_its_own_places_and_why_there_is_
     document.look(replace(document.view, outputs=(3,)))
     assert skin.map.content.limb == "synthetic-1"
     edit = edits.change_limb(document.design, document.view, "lab-1")
+    computed = []
+    window.engine.finished.connect(computed.append)
     with monkeypatch.context() as fewer:
         fewer.setattr("skinsource.limbs.limb.LIVE_INPUTS", 5)
         document.apply(edit)
@@ -208,6 +191,12 @@ def test_a_limb_too_large_to_follow_edits_shows_its_own_places_and_why_there_is_
         assert not content.synthetic
         assert content.px_per_mm == pytest.approx(lab.hand_length_px / lab.hand_length_mm)
         assert not skin.grab().isNull()
+        # No response is read for it, and nothing is judged.
+        window.conditions._judge()
+        rested(window, qtbot)
+        assert {result.request.purpose for result in computed} == {Purpose.SHOW}
+        assert sum(result.work.bytes_read for result in computed) == 0
+        assert (window.conditions.chip.findings, window.notice.text) == ((), "")
     document.edit("Softer", document.design.with_input(0, amplitude=0.5))
     qtbot.waitUntil(lambda: skin.map.content.coloured_values is not None, timeout=30_000)
     assert skin.map.content.coloured_values.shape == (N_OUTPUTS,)
@@ -235,12 +224,13 @@ def test_an_input_at_a_place_that_the_limb_lacks_is_said_with_what_to_do(lab, wi
     message = "lab-1 has the places 1 to 7, and there is an input at place 12."
     assert window.notice.text == message
     assert lane(window).problem.startswith(f"{message} Move the input, or")
+    assert window.panel("skin").map.content.message == SILENT
     document.edit("Move", document.design.with_input(0, location=7))
     rested(window, qtbot)
     assert (window.notice.text, lane(window).problem) == ("", "")
 
 
-GONE = Design(limb="lab-9", inputs=(track(6),))
+GONE = Design(limb="lab-9", limb_digest="0" * 64, inputs=(track(6),))
 
 
 @pytest.fixture
@@ -261,7 +251,9 @@ def test_nothing_of_another_limb_is_shown_and_the_window_says_what_is_missing(go
     assert "Place 6" in gone.panel("inspector").findChild(QLabel, "inspector_heading").toolTip()
     content = gone.panel("skin").map.content
     assert (content.limb_map, content.limb) == (None, "lab-9")
-    assert "lab-9" in content.message
+    missing = "The limb 'lab-9' of this design is not here. Import it (File > Own limbs…)"
+    assert content.message.startswith(missing)
+    assert gone.notice.text.startswith(missing)
     assert not gone.panel("skin").grab().isNull()
     limb = gone.setup_bar.findChild(ChoiceField, "limb")
     assert limb.shown_text == "lab-9 (not available)"
@@ -286,3 +278,42 @@ def test_a_new_design_on_a_limb_whose_file_has_come_back_tells_its_name(user_dat
     rested(window, qtbot)
     assert window.document.design.limb == "lab-1"
     assert box.shown_text == there
+
+
+STRANGE = Design(limb="foot-1", inputs=(track(location=7),))
+
+
+def message(window):
+    return window.panel("skin").map.content.message
+
+
+def test_a_design_for_a_limb_that_is_not_here_opens_is_kept_and_may_have_another_limb(
+    window, tmp_path, qtbot
+):
+    path = tmp_path / "strange.skinsource"
+    save_design(path, STRANGE)
+    window.files.open(path)
+    rested(window, qtbot)
+    assert window.document.design == STRANGE
+    assert "limb 'foot-1' is not available here" in message(window)
+    assert window.panel("skin").map.content.coloured_values is None
+    limb = window.findChild(ChoiceField, "limb")
+    assert limb.shown_text == "foot-1 (not available)"
+    assert "(read-only)" in window.windowTitle()
+    window.document.edit("Mute", STRANGE.with_input(0, muted=True))
+    assert window.document.design == STRANGE
+    assert "read-only" in window.notice.text
+    assert "'foot-1' of this design is not here" in window.notice.text
+    assert window.files.save()
+    assert open_design(path).design == STRANGE
+    limb.choose("synthetic-2")
+    rested(window, qtbot)
+    assert (window.document.design.limb, message(window)) == ("synthetic-2", "")
+    assert np.isfinite(window.panel("skin").map.content.values).all()
+
+
+def test_outputs_that_the_limb_does_not_have_are_not_selected_on_it(window, qtbot):
+    window.document.start_over(window.document.design, View(outputs=(29, 80)), None)
+    rested(window, qtbot)
+    assert window.document.view.outputs == (29,)
+    assert message(window) == ""

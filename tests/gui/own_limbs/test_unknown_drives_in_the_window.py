@@ -53,12 +53,14 @@ def tooltip_of_scaling(window):
 
 
 def shown_unit(window):
-    """The unit of amplitudes as the panel in front says it, and what is always in sight."""
+    """The unit of amplitudes as panels and captions say it."""
     caption = caption_of(window.document.design)
+    played = window.panel("output").findChild(QLabel, "output_words").text()
+    assert window.docks["inspector"].in_sight
     return {
         "clip": checked_unit(window.panel("inspector")._fields._amplitude.field),
         "caption": caption.partition("Place 3, 0.5 ")[2].partition(":")[0],
-        window.front: IN_FRONT[window.front](window),
+        "played": played.partition("an amplitude of 1 ")[2].partition(" is full scale")[0],
     }
 
 
@@ -69,18 +71,6 @@ def checked_unit(field):
     return symbol_of(field)
 
 
-def played_unit(window):
-    text = window.panel("output").findChild(QLabel, "output_words").text()
-    return text.partition("an amplitude of 1 ")[2].partition(" is full scale")[0]
-
-
-#: Panels that say it, which stand behind each other.
-IN_FRONT = {
-    "inspector": lambda window: checked_unit(window.panel("inspector")._fields._amplitude.field),
-    "output": played_unit,
-}
-
-
 def shows(window, qtbot, unit):
     rested(window, qtbot)
     assert set(shown_unit(window).values()) == {unit}, shown_unit(window)
@@ -89,23 +79,13 @@ def shows(window, qtbot, unit):
     assert ("of the probe" in hint) is (unit == "m/s²")
 
 
-def opened_with(front, open_window, qtbot, monkeypatch):
+@pytest.fixture
+def opened(limbs, open_window, qtbot, monkeypatch):
     use(monkeypatch, SyntheticSoundLibrary(Two=2))
     window = open_window(*on(DRIVE))
-    window.front = front
-    window.docks[front].bring_forward()
+    window.docks["output"].bring_forward()
     rested(window, qtbot)
     return window
-
-
-@pytest.fixture(params=IN_FRONT)
-def opened(request, limbs, open_window, qtbot, monkeypatch):
-    return opened_with(request.param, open_window, qtbot, monkeypatch)
-
-
-@pytest.fixture
-def playback_in_front(limbs, open_window, qtbot, monkeypatch):
-    return opened_with("output", open_window, qtbot, monkeypatch)
 
 
 def test_another_limb_changes_the_unit_everywhere_at_once(opened, qtbot):
@@ -116,20 +96,19 @@ def test_another_limb_changes_the_unit_everywhere_at_once(opened, qtbot):
         shows(opened, qtbot, unit)
 
 
-def test_a_transfer_function_is_per_what_is_driven(playback_in_front, qtbot):
-    opened = playback_in_front
+def test_a_transfer_function_is_per_what_is_driven(opened, qtbot):
     analysis(opened, "transfer")
-    rested(playback_in_front, qtbot)
+    rested(opened, qtbot)
     picture, limb = opened.panel("analysis").view.picture, opened.findChild(ChoiceField, "limb")
     assert picture.content.unit == "1 m/s² per sample of 1"
     limb.choose(PROBE)
-    rested(playback_in_front, qtbot)
+    rested(opened, qtbot)
     assert picture.content.unit == "1 (m/s²)/(m/s²)"
     coil = ActuatorAt(model=load("example-voice-coil"))
     for equaliser, unit in ((None, "V"), (RegularisedInverse(), "(m/s²)")):
         through = Actuation(actuators=(coil,), equaliser=equaliser)
         opened.document.edit("Drive", replace(opened.document.design, actuation=through))
-        rested(playback_in_front, qtbot)
+        rested(opened, qtbot)
         assert picture.content.unit == f"1 (m/s²)/{unit}"
 
 
@@ -183,17 +162,11 @@ def test_pages_ask_for_drives_in_it(limbs, make_desk, qtbot, monkeypatch, limb, 
 WIDE_BAND = Design(limb="synthetic-1", inputs=(track(5, Tone(frequency_hz=900.0, duration_s=0.1)),))
 
 
-@pytest.fixture
-def open_window(make_window):
-    """Each test has a window of its own."""
-    return make_window
-
-
 @pytest.mark.parametrize("band", [None, (40.0, 1500.0), (40.0, 800.0)])
-def test_the_advice_beside_fields_asks_the_limb(user_data, open_window, qtbot, band):
+def test_the_advice_beside_fields_asks_the_limb(user_data, make_window, qtbot, band):
     installed(band_hz=band)
     edit = edits.change_limb(WIDE_BAND, View(selected_inputs=(1,), outputs=(3,)), "lab-1")
-    window = open_window(edit.design, edit.view)
+    window = make_window(edit.design, edit.view)
     for name in ("inspector", "clip_editor", "spectra"):
         window.docks[name].bring_forward()
     analysis(window, "spectrogram")

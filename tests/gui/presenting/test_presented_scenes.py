@@ -97,11 +97,15 @@ def test_work_that_was_done_in_a_scene_is_not_lost_unasked(open_window, answers,
     window.document.mark_saved(window.document.path)
 
 
+def notes_window():
+    widgets = QApplication.topLevelWidgets()
+    (notes,) = (widget for widget in widgets if isinstance(widget, NotesWindow))
+    return notes
+
+
 def test_notes_follow_the_scenes(studio):
     studio.do("show_notes")
-    (notes,) = [
-        widget for widget in QApplication.topLevelWidgets() if isinstance(widget, NotesWindow)
-    ]
+    notes = notes_window()
     assert notes.notes.toPlainText() == "Say 2 tone"
     studio.do("next_scene")
     assert notes.heading.text() == "3 both"
@@ -118,9 +122,7 @@ def test_notes_follow_the_scenes(studio):
 def test_keys_of_presenting_work_on_the_notes_too_whichever_came_first(studio, qtbot, first, leave):
     for name in (first, *({"show_notes", "present"} - {first})):
         studio.do(name)
-    (notes,) = [
-        widget for widget in QApplication.topLevelWidgets() if isinstance(widget, NotesWindow)
-    ]
+    notes = notes_window()
     notes.activateWindow()
     notes.notes.setFocus()
     qtbot.waitUntil(notes.isActiveWindow)

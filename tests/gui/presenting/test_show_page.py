@@ -60,11 +60,10 @@ def test_designs_files_and_scenes_are_put_into_an_order_and_saved(studio, made, 
     assert not made.isVisible()
 
 
-def test_changes_that_are_not_saved_are_asked_about(made, monkeypatch):
-    answers = [QMessageBox.StandardButton.Cancel, QMessageBox.StandardButton.Discard]
-    monkeypatch.setattr(QMessageBox, "question", lambda *_: answers.pop(0))
+def test_changes_that_are_not_saved_are_asked_about(made, answers):
     made.reject()
     assert made.isVisible()
+    answers["question"] = QMessageBox.StandardButton.Discard
     made.reject()
     assert not made.isVisible()
 

@@ -72,6 +72,8 @@ def test_maps_side_by_side_move_together_in_one_scale(stage, qtbot, of):
     after = stage.maps.content.cells
     for one, other in zip(before, after, strict=True):
         assert not np.array_equal(one.values_db, other.values_db)
+    # Axes that move are captioned with none of them.
+    assert of != "axes" or "normal" not in stage.maps.content.common_scale.text_below
 
 
 def test_maps_and_traces_move_along_the_axis_of_the_view_and_say_it(stage, qtbot):
@@ -303,12 +305,6 @@ def test_the_time_axis_shows_all_of_a_motion_that_no_longer_loops(stage, qtbot):
     assert stage.strip.ends[0][1] == pytest.approx(loop.duration_s)
     tick(stage)
     assert stage.strip.marked is not None
-
-
-def test_the_caption_of_axes_that_move_names_none_of_them(stage, qtbot):
-    show(stage.window(), StageSettings(compared=True), of="axes")
-    complete(stage, qtbot, 3)
-    assert "normal" not in stage.maps.content.common_scale.text_below
 
 
 def test_keys_of_the_stage_work_in_the_window_too(stage, qtbot):

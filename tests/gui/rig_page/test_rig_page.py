@@ -1,5 +1,7 @@
 """Play > Rig…: a rig is described, saved, opened, played for, and predicted through."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
@@ -12,9 +14,22 @@ from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.rigs import Rig, RigChannel, open_rig, save_rig
 from skinsource.design import edits
 from skinsource.design.view import View
+from skinsource.lab.playing.devices import Output
+from skinsource.lab.rig_measuring.measurement import MeasuringSetup
 from skinsource.limbs.locations import input_name
+from skinsource_gui.pages.rig.measuring import MeasurePage, setup_of, setup_text
 from skinsource_gui.pages.rig.page import RigPage, title_of
 from tests.core.own_limbs.lab_bench import N_INPUTS, installed
+from tests.core.rig_measuring.bench_top import (
+    COIL,
+    INPUT_VOLTS,
+    RATE_HZ,
+    SENSITIVITY,
+    Card,
+    ears,
+    sensed,
+    use,
+)
 
 WAIT = {"timeout": 30_000}
 
@@ -116,22 +131,16 @@ def test_an_opened_rig_is_shown_and_what_is_none_is_refused(page, answer):
     assert "bench.skinrig" in page.message.text()
 
 
-def test_changes_are_not_lost_unasked(page, monkeypatch, tmp_path):
-    asked, answers = [], [QMessageBox.StandardButton.Cancel, QMessageBox.StandardButton.Save]
-    monkeypatch.setattr(
-        QMessageBox,
-        "question",
-        lambda *arguments: asked.append(arguments[2]) or answers[len(asked) - 1],
-    )
+def test_changes_are_not_lost_unasked(page, answers, tmp_path):
     press(page, "add")
     press(page, "close")
     assert page.isVisible()
-    assert "not saved" in asked[0]
-    path = tmp_path / "bench.skinrig"
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
+    assert "not saved" in answers["asked"][0]
+    answers["question"] = QMessageBox.StandardButton.Save
+    answers["save"] = str(tmp_path / "bench.skinrig")
     press(page, "close")
     assert not (isValid(page) and page.isVisible())
-    assert path.exists()
+    assert (tmp_path / "bench.skinrig").exists()
 
 
 def test_a_saved_rig_is_that_of_the_design_with_its_actuators(page, window, answer):
@@ -179,3 +188,81 @@ def test_what_was_measured_goes_before_what_is_listed():
     assert actuation.at(7).model == FLAT
     assert actuation.at(3).model == ss.actuators.load("example-piezo")
     assert actuation.rig == "Bench"
+
+
+@pytest.fixture(scope="module")
+def recording():
+    return ears(sensed(COIL))
+
+
+@pytest.fixture
+def card(monkeypatch, recording):
+    return use(monkeypatch, Card(recording, output=1))
+
+
+@pytest.fixture
+def measuring(card, window, page, qtbot):
+    window.playback.player.settings.choose(Output(sample_rate_hz=RATE_HZ))
+    press(page, "add")
+    channel = replace(page.rig.channels[0], actuator="example-voice-coil", full_scale_v=3.0)
+    page.take_channel(0, channel)
+    page.fields.measure.click()
+    measure_page = page.findChild(MeasurePage)
+    qtbot.waitUntil(lambda: not measure_page._looking, **WAIT)
+    assert not measure_page.start.isEnabled()
+    measure_page.arm.click()
+    qtbot.waitUntil(measure_page.start.isEnabled, **WAIT)
+    values = {
+        "sensitivity_v_per_m_per_s2": SENSITIVITY,
+        "input_full_scale_v": INPUT_VOLTS,
+        "level_db": -20.0,
+        "sweep_s": 1.5,
+        "repeats": 2,
+    }
+    for name, value in values.items():
+        measure_page.cells[name].edited.emit(name, value, None)
+    yield measure_page
+    if isValid(measure_page) and measure_page.isVisible():
+        measure_page.reject()
+
+
+def test_what_is_measured_is_drawn_beside_the_model_and_kept(measuring, page, qtbot):
+    assert not measuring.keep.isEnabled()
+    measuring.start.click()
+    assert measuring.stop.isEnabled()
+    assert not measuring.start.isEnabled()
+    qtbot.waitUntil(measuring.start.isEnabled, **WAIT)
+    assert measuring.keep.isEnabled(), measuring.message.text()
+    curves = measuring.plot.plot.curves
+    assert [name.short for name in curves.names] == ["Measured", "Model"]
+    assert np.abs(curves.y[0] - curves.y[1])[curves.x < 800.0].max() < 0.3
+    assert "240 points from 20 to 1000 Hz" in measuring.message.text()
+    assert "dB from the model, at" in measuring.message.text()
+    assert page.rig.channels[0].measured is None
+    measuring.keep.click()
+    channel = page.rig.channels[0]
+    assert np.abs(channel.measured.response(100.0) / COIL.response(100.0) - 1.0) < 0.03
+    assert channel.measured_on
+    assert "240 points" in page.fields.measured.text()
+    # The next channel is measured with the same sensor, on this machine on another day too.
+    page.fields.measure.click()
+    again = page.findChildren(MeasurePage)[-1]
+    assert again.setup.sweep_s == 1.5
+    again.reject()
+    assert setup_of(setup_text(again.setup)) == again.setup
+    for odd in ("", "[", "[1]", '{"sweep_s": -1}', '{"other": 1}'):
+        assert setup_of(odd) == MeasuringSetup()
+
+
+def test_what_cannot_be_measured_says_why(measuring, card, qtbot):
+    measuring.cells["loopback_input"].edited.emit("loopback_input", 1, None)
+    assert "expected two inputs" in measuring.message.text()
+    assert measuring.setup.loopback_input == 0
+    for highest_hz, can_start in ((3900.0, False), (1000.0, True)):
+        measuring.cells["highest_hz"].edited.emit("highest_hz", highest_hz, None)
+        assert measuring.start.isEnabled() is can_start
+    measuring.cells["input_number"].edited.emit("input_number", 5, None)
+    measuring.start.click()
+    qtbot.waitUntil(measuring.start.isEnabled, **WAIT)
+    assert "has 2 inputs, and input 5 is to be recorded" in measuring.message.text()
+    assert not measuring.keep.isEnabled()

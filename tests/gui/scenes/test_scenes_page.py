@@ -5,7 +5,7 @@ import struct
 import pytest
 from PySide6.QtCore import QRect, QSize, Qt
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QDialogButtonBox, QMessageBox, QScrollArea
+from PySide6.QtWidgets import QDialogButtonBox, QScrollArea
 
 import skinsource as ss
 from benchmarks.gallery import MARK, mark_of, page_of, synthetic_scene
@@ -118,21 +118,6 @@ def test_each_opens_with_the_panels_that_show_it_and_nothing_to_complain_of(wind
         assert stage.maps.content.cells, scene.name
         assert window.notice.text == "", scene.name
         assert messages[-1].startswith(f"Opened {scene.heading}, on a SYNTHETIC limb")
-
-
-@pytest.mark.parametrize(
-    ("answer", "opened"),
-    [(QMessageBox.StandardButton.Discard, True), (QMessageBox.StandardButton.Cancel, False)],
-)
-def test_unsaved_work_is_asked_for_first(window, monkeypatch, answer, opened):
-    window.document.edit("Softer", window.document.design.with_input(0, amplitude=0.25))
-    asked = []
-    monkeypatch.setattr(
-        QMessageBox, "question", lambda *arguments: asked.append(arguments) or answer
-    )
-    window.scenes.open("2F")
-    assert len(asked) == 1
-    assert (window.document.design == ss.scenes.open_scene("2F").design) == opened
 
 
 #: As high as 1920x1080 at scale 2, less the frame of a window.

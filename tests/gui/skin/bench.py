@@ -6,11 +6,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 
-from skinsource.design.edits.edit import Edit
 from skinsource.design.panel_settings import settings_of, with_settings
-from skinsource.design.view import View
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.state.preferences import start_design
+from tests.gui.panel_host import PanelHost
 from tests.gui.wheel import NOTCH, turn_wheel
 
 LEFT, MIDDLE = Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton
@@ -25,38 +24,23 @@ CONTROL = Qt.KeyboardModifier.ControlModifier
 SEED = 7
 
 
-class Window:
-    """Gives a panel's wishes back to it, as the application does."""
+class Window(PanelHost):
+    """The skin panel on the start design."""
 
     def __init__(self, panel, results):
-        self.panel, self.results = panel, results
-        self.design, self.view = start_design("synthetic-1"), View()
-        self.views, self.outcomes = [], []
-        panel.view_changed.connect(self.take)
-        panel.edited.connect(self.do)
-
-    def do(self, outcome, _gesture):
-        self.outcomes.append(outcome)
-        if isinstance(outcome, Edit):
-            self.design = outcome.design
-            self.take(outcome.view)
-
-    def take(self, view):
-        self.views.append(view)
-        self.view = view
-        self.panel.show_state(self.design, view)
+        super().__init__(panel, start_design("synthetic-1"))
+        self.results = results
 
     @property
     def settings(self):
         return settings_of(self.view, "skin", SkinSettings)
 
-    def show(self, **changes):
+    def show(self, design=None, **changes):
         known = {field.name for field in fields(SkinSettings)}
         own = {name: changes.pop(name) for name in known & changes.keys()}
-        self.view = replace(self.view, **changes)
         if own:
             self.view = with_settings(self.view, "skin", replace(self.settings, **own))
-        self.panel.show_state(self.design, self.view)
+        super().show(design, **changes)
 
     def deliver(self, **changes):
         needed = {name: self.results[name] for name in self.panel.needs}

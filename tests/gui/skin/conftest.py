@@ -26,13 +26,8 @@ def results():
 
 @pytest.fixture
 def window(qtbot, results):
-    panel = SkinPanel()
-    qtbot.addWidget(panel)
-    panel.resize(420, 640)
-    window = Window(panel, results)
-    window.show()
-    panel.show()
-    qtbot.waitExposed(panel)
+    window = Window(SkinPanel(), results)
+    window.appear(qtbot, 420, 640)
     window.deliver()
-    panel.map.stage.show_arm(shown=True)
+    window.panel.map.stage.show_arm(shown=True)
     return window

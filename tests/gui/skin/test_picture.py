@@ -139,21 +139,10 @@ def test_a_problem_empties_the_map_and_is_told_there(window):
     assert window.panel.map.content.message == ""
 
 
-def test_something_outdated_is_marked_after_a_while(window, qtbot):
-    plain = window.panel.map.grab().toImage()
-    window.panel.show_stale(True)
-    assert window.panel.map.grab().toImage() == plain
-    qtbot.waitUntil(lambda: window.panel.is_stale)
-    assert window.panel.map.grab().toImage() != plain
-    window.deliver()
-    assert window.panel.map.grab().toImage() == plain
-
-
 def test_a_synthetic_limb_is_named_so_on_the_map_and_in_pictures(window):
     assert window.panel.map.content.synthetic
     marked = window.panel.picture(400, 600)
-    window.design = replace(window.design, limb="measured-1")
-    window.show()
+    window.show(replace(window.design, limb="measured-1"))
     # The picture on screen is still that of the synthetic limb.
     assert window.panel.map.content.synthetic
     limb = copy(window.results["limb_data"])

@@ -1,17 +1,27 @@
 """File > Export…, Stimulus: what is written is what was looked at."""
 
 import json
+from threading import Event
 
 import pytest
 import soundfile
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QCheckBox, QMessageBox, QPushButton
+from PySide6.QtWidgets import (
+    QApplication,
+    QCheckBox,
+    QLabel,
+    QMessageBox,
+    QProgressBar,
+    QPushButton,
+)
 
 import skinsource as ss
+from skinsource.base.job import stop_if
 from skinsource.design.view import View
 from skinsource.engine import stimulus
-from skinsource.export.stimulus_export import sidecar
+from skinsource.export.stimulus_export import preparing, sidecar
+from skinsource_gui.pages.stimulus import page as preparing_worker
 from tests.gui.stimulus.conftest import opened
 from tests.gui.stimulus.stimulus_bench import WAIT_MS, choose, export, label
 
@@ -90,38 +100,17 @@ def test_what_would_clip_is_shown_and_must_be_confirmed(page, desk, qtbot, save_
     assert json.loads((path.parent / "loud.wav.json").read_text())["clip_count"] > 0
 
 
-_Answer = QMessageBox.StandardButton
-
-
-@pytest.fixture
-def asked(monkeypatch):
-    """Questions that were asked; each was answered with the last of ``answers``."""
-    questions, answers = [], [_Answer.Cancel]
-
-    def question(_parent, _title, text, *_):
-        questions.append(text)
-        return answers[-1]
-
-    monkeypatch.setattr(QMessageBox, "question", question)
-    return questions, answers
-
-
-def contents(folder):
-    return {path.name: path.read_bytes() for path in folder.iterdir() if path.is_file()}
-
-
 def test_the_file_of_another_channel_is_replaced_only_if_the_user_says_so(
-    page, desk, qtbot, save_as, asked, tmp_path
+    page, desk, qtbot, save_as, answers, tmp_path
 ):
-    questions, answers = asked
     choose(page, qtbot, "format", "pwle")
     path = save_as("twenty.pwle.json")
     mine = tmp_path / "twenty_channel-2.pwle.json"
     mine.write_text("mine")
     export(desk, page, qtbot)
-    assert questions == ["twenty_channel-2.pwle.json exists already. Replace it?"]
+    assert answers["asked"] == ["twenty_channel-2.pwle.json exists already. Replace it?"]
     assert (mine.read_text(), path.exists()) == ("mine", False)
-    answers.append(_Answer.Yes)
+    answers["question"] = QMessageBox.StandardButton.Yes
     # The dialog stayed open.
     export(desk, page, qtbot)
     assert path.exists()
@@ -129,13 +118,13 @@ def test_the_file_of_another_channel_is_replaced_only_if_the_user_says_so(
 
 
 def test_a_sidecar_that_is_there_without_its_file_is_not_lost_unasked(
-    page, desk, qtbot, save_as, asked, tmp_path
+    page, desk, qtbot, save_as, answers, tmp_path
 ):
     save_as("drive.wav")
     (tmp_path / "drive.wav.json").write_text("mine")
     export(desk, page, qtbot)
-    assert asked[0] == ["drive.wav.json exists already. Replace it?"]
-    assert contents(tmp_path).get("drive.wav.json") == b"mine"
+    assert answers["asked"] == ["drive.wav.json exists already. Replace it?"]
+    assert (tmp_path / "drive.wav.json").read_text() == "mine"
 
 
 def test_a_lossy_rate_keeps_the_button_off_until_it_is_ticked(make_desk, qtbot, save_as):
@@ -158,3 +147,63 @@ def test_a_lossy_rate_keeps_the_button_off_until_it_is_ticked(make_desk, qtbot, 
     export(desk, low, qtbot)
     assert "loses 5.8 dB" in json.loads((path.parent / "lossy.wav.json").read_text())["loses"]
     desk.exports.end()
+
+
+@pytest.fixture
+def gate(monkeypatch):
+    """Set it, and a stimulus is prepared; nothing is before."""
+    gate, whole = Event(), preparing.prepare_stimulus
+
+    def held(*arguments, progress, stop, **options):
+        progress(1, 4, "Computing")
+        while not gate.wait(0.01):
+            stop_if(stop)
+        return whole(*arguments, progress=progress, stop=stop, **options)
+
+    monkeypatch.setattr(preparing_worker, "prepare_stimulus", held)
+    yield gate
+    gate.set()
+
+
+def bar_of(page):
+    return page.findChild(QProgressBar, "stimulus_progress")
+
+
+def pale(page, name):
+    effect = page.findChild(QLabel, f"stimulus_{name}").graphicsEffect()
+    return effect is not None and effect.isEnabled()
+
+
+def test_the_page_says_that_it_computes_and_how_far_it_is(desk, qtbot, gate):
+    desk.exports.show("stimulus")
+    page = desk.exports.page.part
+    qtbot.waitExposed(page)
+    bar = bar_of(page)
+    qtbot.waitUntil(lambda: bar.isVisible() and bar.text() == "Computing… 25 %")
+    assert (bar.value(), bar.maximum()) == (1, 4)
+    gate.set()
+    qtbot.waitUntil(lambda: page.ready, timeout=WAIT_MS)
+    assert not bar.isVisible()
+    desk.exports.end()
+
+
+def test_escape_leaves_the_page_while_it_computes(desk, qtbot, gate):
+    desk.exports.show("stimulus")
+    page = desk.exports.page.part
+    qtbot.waitUntil(lambda: bar_of(page).isVisible())
+    with qtbot.waitSignal(page.window().finished):
+        QTest.keyClick(page.window(), Qt.Key.Key_Escape)
+    assert not gate.is_set()
+
+
+def test_what_is_said_of_another_order_is_as_pale_as_its_picture(page, qtbot, gate):
+    assert not pale(page, "summary")
+    page.form.field("rate").choose("8000")
+    assert page.busy
+    assert "48 kHz" in label(page, "summary")
+    assert pale(page, "summary")
+    assert pale(page, "loses")
+    gate.set()
+    qtbot.waitUntil(lambda: page.ready, timeout=WAIT_MS)
+    assert not pale(page, "summary")
+    assert "8 kHz" in label(page, "summary")

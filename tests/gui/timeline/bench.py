@@ -10,14 +10,13 @@ from PySide6.QtWidgets import QApplication
 
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, track
-from skinsource.design.edits.edit import Refusal
-from skinsource.design.edits.motions import with_whole_motions
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.panels.timeline.heads import Heads
 from skinsource_gui.panels.timeline.panel import TimelinePanel
 from tests.gui.menus import lines_of
+from tests.gui.panel_host import PanelHost, clip_results
 
 LEFT, NONE = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
 CONTROL, SHIFT, ALT = (
@@ -29,23 +28,14 @@ TONE = Tone(100.0, 0.0, 0.2)
 PLACES = (7, 2, 15)
 
 
-class Bench:
-    """A panel and the little of a document and a window that it needs."""
+class Bench(PanelHost):
+    """The timeline, whose heads have the keyboard."""
 
-    def __init__(self, qtbot, design, selected=0):
-        self.panel = TimelinePanel()
-        qtbot.addWidget(self.panel)
-        self.design = design
-        self.view = View(selected_inputs=() if selected < 0 else (selected + 1,))
-        self.edits, self.refusals, self.requests = [], [], []
-        self.panel.edited.connect(self._edit)
-        self.panel.view_changed.connect(self.look)
+    def __init__(self, qtbot, design):
+        super().__init__(TimelinePanel(), design, View(selected_inputs=(1,)))
         self.panel.playhead_requested.connect(self._put_playhead)
-        self.panel.resize(760, 300)
-        self.panel.show_state(self.design, self.view)
-        self.panel.show()
-        qtbot.waitExposed(self.panel)
-        self.panel.activateWindow()
+        self.appear(qtbot, 760, 300)
+        self.activate(qtbot)
         self.rows.setFocus()
         qtbot.waitUntil(self.rows.hasFocus)
 
@@ -69,37 +59,11 @@ class Bench:
         return self.panel.lanes.content
 
     @property
-    def labels(self):
-        return [label for label, _, _ in self.edits]
-
-    @property
     def places(self):
         return [track.location for track in self.design.inputs]
 
-    def show(self, design):
-        self.design = design
-        self.panel.show_state(self.design, self.view)
-
-    def look(self, view):
-        self.requests.append("view")
-        self.view = view
-        self.panel.show_state(self.design, self.view)
-
     def key(self, key, modifiers=NONE):
         QTest.keyClick(QApplication.focusWidget(), key, modifiers)
-
-    def _edit(self, outcome, gesture):
-        if isinstance(outcome, Refusal):
-            self.refusals.append(outcome.sentence)
-            return
-        outcome = with_whole_motions(self.design, outcome)
-        if outcome.design is self.design:
-            self.look(outcome.view)
-            return
-        self.edits.append((outcome.label, outcome.design, gesture))
-        self.requests.append("edit")
-        self.view = outcome.view
-        self.show(outcome.design)
 
     def _put_playhead(self, time_s):
         self.view = replace(self.view, playhead_s=time_s)
@@ -115,17 +79,10 @@ def design_of(*places, **changes):
 
 def results_of(design):
     """What the engine would tell of a design, so far as the panel needs it."""
-    waveforms = tuple(
-        tuple(clip.waveform.samples(1300.0) for clip in track.clips) for track in design.inputs
-    )
+    known = clip_results(design)
     # One clip behind the other is as loud as they are in their places.
-    tracks = tuple(np.concatenate((np.zeros(1), *played)) for played in waveforms)
-    return {
-        "clip_waveforms": waveforms,
-        "input_waveforms": tracks,
-        "inputs": design.inputs,
-        "sample_rate_hz": 1300.0,
-    }
+    tracks = (np.concatenate((np.zeros(1), *played)) for played in known["clip_waveforms"])
+    return known | {"input_waveforms": tuple(tracks)}
 
 
 CLIPS = (

@@ -1,21 +1,25 @@
-"""The Clip menu does with the selected clips what keys do on the timeline, wherever these are."""
+"""The Clip menu does with selected clips what keys do; clips come from the head and go to places."""
 
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QGuiApplication, QMouseEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QAbstractButton, QApplication, QInputDialog
+from PySide6.QtWidgets import QAbstractButton, QApplication, QInputDialog, QToolButton
 
 from skinsource.design import edits
-from skinsource.design.design import Design, track
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input, track
 from skinsource.design.effects.level import BandLimit, Fade
 from skinsource.design.view import View
+from skinsource.design.waveforms.samples import Drawn
 from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.panels.clip_editor.tools import Pen
 from skinsource_gui.qt.keys import key_text
-from tests.gui.timeline.bench import CONTROL
+from tests.gui.timeline.bench import CONTROL, LEFT, NONE, TWO_TRACKS
 
 
 @pytest.fixture
@@ -155,3 +159,129 @@ def test_the_menu_says_the_keys_of_the_timeline(two_clips):
     view = replace(two_clips.document.view, selected_inputs=(), selected_clips=())
     two_clips.document.look(view)
     assert not two_clips.actions_by_name["match_tracks"].isEnabled()
+
+
+@pytest.fixture
+def empty(open_window):
+    return open_window(Design(limb="synthetic-1"), View(selected_inputs=()))
+
+
+def button(studio, name):
+    found = studio.panel("timeline").findChild(QToolButton, f"timeline_{name}")
+    assert found.isVisible()
+    return found
+
+
+def press(studio, name):
+    QTest.mouseClick(button(studio, name), Qt.MouseButton.LeftButton)
+
+
+def played(studio):
+    return [type(clip.waveform) for clip in studio.document.design.clips]
+
+
+def test_the_menu_of_the_button_adds_clips_and_tracks(empty):
+    popup = button(empty, "add").popupMode()
+    assert popup == QToolButton.ToolButtonPopupMode.InstantPopup
+    entries = {entry.text(): entry for entry in button(empty, "add").menu().actions()}
+    names = ["Tone", "Wavelet train", "Pulse", "Sweep", "Noise", "Draw", "File…", "", "Track"]
+    assert list(entries) == names
+    entries["Tone"].trigger()
+    assert played(empty) == [Tone]
+    assert empty.document.design.inputs[0].location == 7
+    entries["Wavelet train"].trigger()
+    assert played(empty) == [Tone, WaveletTrain]
+    tone, train = empty.document.design.inputs[0].clips
+    assert train.onset_s == tone.end_s
+    entries["Track"].trigger()
+    assert played(empty) == [Tone, WaveletTrain]
+    assert [track.location for track in empty.document.design.inputs] == [7, 8]
+    assert empty.document.view.selected_inputs == (2,)
+
+
+def test_a_first_drawn_waveform_takes_one_click_and_the_pen_lies_ready(empty):
+    press(empty, "draw")
+    assert played(empty) == [Drawn]
+    (clip,) = empty.document.design.clips
+    assert clip.waveform.samples.peak == 0.0
+    editor = empty.panel("clip_editor")
+    assert editor.isVisible()
+    assert isinstance(editor._canvas.tool, Pen)
+
+
+def test_a_new_clip_begins_at_the_playhead_or_behind_the_last_one_of_its_track():
+    tone = Tone(duration_s=0.2)
+    tracks = (
+        Input(location=3, clips=(Clip(waveform=tone), Clip(waveform=tone, onset_s=0.5))),
+        Input(location=4),
+    )
+    design = Design(limb="synthetic-1", inputs=tracks)
+
+    def onset(playhead_s, track=1):
+        view = View(selected_inputs=(1,), playhead_s=playhead_s)
+        after = edits.add_waveform(design, view, tone, track).design
+        return after.input(track).clips[-1].onset_s
+
+    assert onset(0.25) == 0.25
+    assert onset(0.1) == onset(0.4) == 0.7
+    assert onset(0.1, track=2) == 0.1
+
+
+NO_BUTTON = Qt.MouseButton.NoButton
+
+
+@pytest.fixture
+def studio(open_window):
+    return open_window(TWO_TRACKS, View(selected_inputs=(1,), selected_clips=(1,)))
+
+
+@pytest.fixture
+def lanes(studio):
+    return studio.panel("timeline").lanes
+
+
+@pytest.fixture
+def stage(studio):
+    return studio.panel("hand").diagram.stage
+
+
+def send(lanes, kind, at):
+    """A real event of the mouse, which the lanes hold wherever it goes."""
+    button = NO_BUTTON if kind == QEvent.Type.MouseMove else LEFT
+    buttons = NO_BUTTON if kind == QEvent.Type.MouseButtonRelease else LEFT
+    event = QMouseEvent(kind, at, QPointF(lanes.mapToGlobal(at)), button, buttons, NONE)
+    QApplication.sendEvent(lanes.viewport(), event)
+
+
+def carry(studio, lanes, clip, site):
+    """Press on a clip and go to a place, and on to it again as hands tremble."""
+    start = next(box.rect.center() for box in lanes.content.boxes if box.clip.id == clip)
+    diagram = studio.panel("hand").diagram
+    end = QPointF(lanes.mapFromGlobal(diagram.mapToGlobal(diagram.site_centre(site))))
+    send(lanes, QEvent.Type.MouseButtonPress, start)
+    for part in (0.02, 0.3, 0.7, 1.0, 1.0):
+        send(lanes, QEvent.Type.MouseMove, start + part * (end - start))
+    return end
+
+
+def tracks(studio):
+    return [
+        (track.location, [clip.id for clip in track.clips])
+        for track in studio.document.design.inputs
+    ]
+
+
+def test_a_clip_is_dragged_onto_a_place_with_a_track_in_one_step(studio, lanes, stage):
+    document = studio.document
+    end = carry(studio, lanes, 2, 3)
+    assert stage.state.target == 3
+    # Until it is dropped everything is as it was.
+    assert document.design == TWO_TRACKS
+    send(lanes, QEvent.Type.MouseButtonRelease, end)
+    assert tracks(studio) == [(7, [1, 3]), (3, [4, 2])]
+    assert document.design.clip(2).onset_s == 0.3
+    assert stage.state.target is None
+    assert document.undo_stack.count() == 1
+    document.undo_stack.undo()
+    assert document.design == TWO_TRACKS
+    assert document.view.selected_clips == (2,)

@@ -1,16 +1,23 @@
-"""Keys and menus of the lanes, and clips that lie over each other."""
+"""Keys and menus of the lanes, clips that lie over each other, and gain curves."""
+
+from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import QPointF, Qt
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QInputDialog, QMenu, QToolButton
 
 from skinsource.design import edits
 from skinsource.design.clips import Clip
-from skinsource.design.motions import Sweep
 from skinsource.design.waveforms.tones import Tone
-from skinsource_gui.panels.timeline.content import overlapping, overlaps_of
+from skinsource_gui.panels.timeline.content import (
+    overlapping,
+    overlaps_of,
+    show_gain_curves,
+    shown_gain_curves,
+)
 from skinsource_gui.panels.timeline.gestures import GesturePreview
-from tests.gui.timeline.bench import NONE, SHIFT
+from tests.gui.timeline.bench import ALT, CONTROL, LEFT, NONE, SHIFT, LanesBench
 
 _Key = Qt.Key
 
@@ -149,20 +156,6 @@ def test_a_key_and_the_menu_reach_clips_that_overlap(over):
     assert over.view.selected_clips == (ids[0],)
 
 
-def test_a_clip_of_a_motion_follows_the_mouse_and_all_of_them_stay_a_motion(lanes):
-    lanes.show(edits.add_motion(lanes.design, lanes.view, Sweep(path=(16, 18, 20))).design)
-    ids = lanes.design.motions[0].clips
-    lanes.lanes.select(*ids)
-    first_s, last_s = lanes.onset(ids[0]), lanes.onset(ids[2])
-    lanes.drag(lanes.middle(ids[2]), lanes.middle(ids[2]) + lanes.px(0.3), SHIFT)
-    assert lanes.onset(ids[0]) - first_s == pytest.approx(0.3, abs=0.004)
-    assert lanes.design.motions[0].motion.onset_s == pytest.approx(0.3, abs=0.004)
-    lanes.lanes.select(ids[2])
-    lanes.drag(lanes.middle(ids[2]), lanes.middle(ids[2]) - lanes.px(0.2), SHIFT)
-    assert lanes.onset(ids[2]) - last_s == pytest.approx(0.1, abs=0.006)
-    assert lanes.design.motions == ()
-
-
 def test_what_the_clip_panel_edits_is_outlined_on_every_selected_track(lanes):
     lanes.click(lanes.middle(2))
     lanes.press(1, held=SHIFT)
@@ -181,3 +174,127 @@ def test_a_drag_whose_edit_is_undone_meanwhile_ends_with_its_label(lanes):
     assert not lanes.lanes.mouse.busy
     assert lanes.lanes.overlay.preview == GesturePreview()
     assert lanes.design is before
+
+
+@pytest.fixture
+def curved(qtbot):
+    """Two tracks, the first of which shows its gain curve."""
+    bench = LanesBench(qtbot)
+    bench.look(show_gain_curves(bench.view, (1,)))
+    return bench
+
+
+def with_curve(bench, *points):
+    bench.show(bench.design.with_input(0, gain_curve=points))
+
+
+def strip(bench):
+    return next(strip for strip in bench.content.strips if strip.lane.track.id == 1)
+
+
+def curve(bench):
+    return bench.design.inputs[0].gain_curve
+
+
+def on_line(bench, time_s):
+    return strip(bench).at(time_s, strip(bench).gain_at(time_s))
+
+
+def px(bench, seconds=0.0, gain=0.0):
+    gain_strip = strip(bench)
+    return QPointF(
+        bench.content.scale.px_per_s * seconds, -gain * gain_strip.height_px / gain_strip.top
+    )
+
+
+def test_it_is_shown_and_hidden_by_a_key_on_lane_and_head_and_caught_only_where_it_is_shown(curved):
+    with_curve(curved, (0.1, 1.0), (0.5, 0.4))
+    curved.key(_Key.Key_G)
+    assert shown_gain_curves(curved.view) == frozenset()
+    (hint,) = curved.content.strips
+    assert not hint.shown
+    curved.drag(on_line(curved, 0.4), on_line(curved, 0.4) + px(curved, gain=0.3))
+    assert curve(curved) == ((0.1, 1.0), (0.5, 0.4))
+    curved.rows.setFocus()
+    curved.key(_Key.Key_G)
+    assert shown_gain_curves(curved.view) == {1}
+
+
+def test_shift_keeps_to_one_direction_and_ctrl_is_fine(curved):
+    with_curve(curved, (0.1, 1.0), (0.3, 0.5), (0.9, 1.0))
+    start = on_line(curved, 0.3)
+    curved.drag(start, start + px(curved, 0.2, 0.1), SHIFT)
+    assert curve(curved)[1][1] == 0.5
+    assert curve(curved)[1][0] == pytest.approx(0.5, abs=0.005)
+    start = on_line(curved, curve(curved)[1][0])
+    curved.drag(start, start + px(curved, 0.2), CONTROL)
+    assert curve(curved)[1][0] == pytest.approx(0.52, abs=0.002)
+    start = on_line(curved, curve(curved)[1][0])
+    curved.drag(start, start + px(curved, 0.6))
+    # Others give it no more than room.
+    assert curve(curved)[1][0] == 0.9
+    assert curved.edits[-1][0] == "Change gain curve of input at 7 (II pad)"
+
+
+def test_a_point_rests_on_a_gain_of_one_and_on_ends_of_clips_unless_alt_is_held(curved):
+    curved.lanes.set_snaps(True)
+    with_curve(curved, (0.1, 1.0), (0.45, 0.5), (0.9, 1.0))
+    way = px(curved, 0.053, 0.5) + QPointF(0, 2)
+    start = on_line(curved, 0.45)
+    curved.drag(start, start + way)
+    assert curve(curved)[1] == (0.5, 1.0)
+    with_curve(curved, (0.1, 1.0), (0.45, 0.5), (0.9, 1.0))
+    curved.drag(start, start + way, ALT)
+    assert curve(curved)[1] != (0.5, 1.0)
+    assert curve(curved)[1] == pytest.approx((0.5, 1.0), abs=0.15)
+
+
+def test_keys_choose_move_and_remove_points(curved):
+    with_curve(curved, (0.1, 1.0), (0.5, 0.4), (0.9, 0.2))
+    curved.key(_Key.Key_PageDown, CONTROL)
+    curved.key(_Key.Key_PageDown, CONTROL)
+    assert "Point 2 of the gain curve" in curved.lanes.accessibleDescription()
+    curved.key(_Key.Key_Right)
+    curved.key(_Key.Key_Right, SHIFT)
+    curved.key(_Key.Key_Up)
+    curved.key(_Key.Key_Up, SHIFT)
+    assert curve(curved)[1] == pytest.approx((0.511, 0.51))
+    assert len({gesture for _, _, gesture in curved.edits}) == 1
+    curved.key(_Key.Key_Delete)
+    assert curve(curved) == ((0.1, 1.0), (0.9, 0.2))
+    assert len(curved.design.clips) == 4
+    # Now the keys are about clips again.
+    curved.key(_Key.Key_Right)
+    assert curved.onset(1) == pytest.approx(0.001)
+    curved.key(_Key.Key_PageUp, CONTROL)
+    assert curved.content.chosen_point == (1, 1)
+    curved.key(_Key.Key_Escape)
+    assert curved.content.chosen_point is None
+    assert curved.lanes.accessibleDescription() == ""
+
+
+def test_insert_adds_a_point_at_the_playhead_and_shows_the_curve(curved):
+    with_curve(curved, (0.1, 1.0), (0.5, 0.2))
+    curved.look(show_gain_curves(replace(curved.view, playhead_s=0.3), ()))
+    curved.key(_Key.Key_Insert)
+    assert curve(curved) == ((0.1, 1.0), (0.3, 0.6), (0.5, 0.2))
+    assert curved.content.chosen_point == (1, 1)
+    assert shown_gain_curves(curved.view) == {1}
+
+
+def test_the_menu_on_a_point_removes_it_or_the_curve(curved):
+    with_curve(curved, (0.1, 1.0), (0.5, 0.4))
+    curved.menu_at(on_line(curved, 0.5))["Remove point"].trigger()
+    assert curve(curved) == ((0.1, 1.0),)
+    curved.menu_at(on_line(curved, 0.3))["Remove gain curve"].trigger()
+    assert curve(curved) == ()
+
+
+def test_a_lane_gives_higher_gains_room_only_once_the_button_is_up(curved):
+    with_curve(curved, (0.1, 1.0), (0.5, 1.0))
+    start = on_line(curved, 0.5)
+    curved.drag(start, start + px(curved, gain=2.0), release=False)
+    assert curve(curved)[1][1] == pytest.approx(3.0, abs=0.1)
+    assert strip(curved).top == 2.0
+    QTest.mouseRelease(curved.lanes.viewport(), LEFT)
+    assert strip(curved).top > 3.0
