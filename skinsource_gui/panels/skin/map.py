@@ -130,12 +130,15 @@ def selection_hint(outputs: tuple[int, ...]) -> str:
     return f"{counted(len(outputs), 'output')} selected · Shift+click adds or removes one"
 
 
-def strongest_readout(content: MapContent) -> str:
-    """Return the strongest output and its value; empty for a wave that moves."""
+def strongest_readout(content: MapContent) -> tuple[str, str]:
+    """Return the strongest output, and the same with its value; empty for a wave that moves."""
     values = content.coloured_values
     if values is None or content.quantity.moves or not np.isfinite(values).any():
-        return ""
-    return f"Strongest: {output_readout(content, int(np.nanargmax(values)) + 1)}"
+        return "", ""
+    number = int(np.nanargmax(values)) + 1
+    # The value changes with each step of a drag.
+    place = output_text(number, content.limb)
+    return f"Strongest: {place}", f"Strongest: {output_readout(content, number)}"
 
 
 SYNTHETIC_MARK = "SYNTHETIC"

@@ -277,9 +277,10 @@ class SkinPanel(Panel):
             self._staleness.set_stale(True)
 
     def _show_readout(self, text: str) -> None:
-        hint, strongest = selection_hint(self.content.outputs), strongest_readout(self.content)
-        whole = text or "\n".join(filter(None, (strongest, hint)))
-        text = whole.partition("\n")[0]
+        hint, whole = selection_hint(self.content.outputs), text
+        if not text:
+            strongest, value = strongest_readout(self.content)
+            text, whole = strongest or hint, f"{value}\n{hint}".strip()
         value, _, place = text.rpartition(" · ")
         self.readout.show_phrases((text, f"{value} · {place.partition(',')[0]}" if value else text))
         self.readout.setToolTip(whole)
