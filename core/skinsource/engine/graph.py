@@ -55,10 +55,6 @@ class Graph:
         except CycleError as error:
             circle = " -> ".join(error.args[1])
             raise ValueError(f"rules need each other: {circle}") from error
-        self._users: dict[str, list[str]] = {}
-        for name, needs in self._needs.items():
-            for need in needs:
-                self._users.setdefault(need, []).append(name)
         self._orders: dict[tuple[frozenset[str], frozenset[str]], tuple[_Step, ...]] = {}
         self._memo: dict[str, tuple[list[Any], Any]] = {}
         self.runs: Counter[str] = Counter()
@@ -160,8 +156,8 @@ class Graph:
         """Drop a result with all that was made of it, and may hold it; small arrays hold little."""
         _, result = self._memo.pop(name)
         if not isinstance(result, np.ndarray) or result.nbytes >= _LARGE_BYTES:
-            for user in self._users.get(name, ()):
-                if user in self._memo:
+            for user, needs in self._needs.items():
+                if name in needs and user in self._memo:
                     self._drop(user)
 
     def _forget_outdated(self, known: dict[str, Any]) -> None:
