@@ -99,6 +99,8 @@ class Monkey:
     def __init__(self, window, seed: int, folder: Path, recordings: tuple[Path, ...] = ()) -> None:
         #: What gives the levels to compare with; another process may.
         self.levels = plain_levels
+        #: Is told now and then how many deeds are done.
+        self.tell = lambda count: None
         self.window, self.document = window, window.document
         self.hands = Hands(window, seed, folder, recordings)
         self.tally, self._watch = Tally(), Watch()
@@ -118,6 +120,7 @@ class Monkey:
                     self._compare_muted()
                     self._check_history()
                     self._check_file()
+                    self.tell(k)
                 if k in (count // 2, count):
                     self._count_objects()
                 if self._watch.faults or self.tally.faults:
