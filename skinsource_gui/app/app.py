@@ -16,7 +16,7 @@ from skinsource.base.allocation import give_freed_memory_back, keep_freed_memory
 from skinsource.base.assets import user_folder
 from skinsource.base.crash_log import CrashLog
 from skinsource.base.files import make_folder
-from skinsource.engine.evaluation import forget_unused
+from skinsource.engine.evaluation import forget_evaluated
 from skinsource.limbs.catalog import available_limbs, default_limb
 from skinsource_gui.qt.accessible import tell_items
 from skinsource_gui.qt.windows import fit_by_guess
@@ -70,6 +70,8 @@ def end_if_stuck(result: int) -> None:
 _LOOK_EVERY_MS = 1000
 #: It takes milliseconds, and so does the edit after it, which gets new pages from the system.
 _GIVE_BACK_EVERY_MS = 2000
+#: Exports evaluate beside the engine, and import modules whose sources PySide has read.
+_FORGET_EVERY_MS = 10_000
 #: As Python has it: so many new objects are looked through, and of so many times one time older
 #: ones too.
 _NEW_OBJECTS, _TIMES = 700, 10
@@ -108,8 +110,8 @@ class GarbageCollector(QObject):
         self._young, self._middle = 0, 0
         for interval_ms, work in (
             (_LOOK_EVERY_MS, self.collect_what_is_due),
-            # Exports evaluate beside the engine.
-            (_GIVE_BACK_EVERY_MS, forget_unused),
+            (_FORGET_EVERY_MS, linecache.clearcache),
+            (_FORGET_EVERY_MS, forget_evaluated),
             (_GIVE_BACK_EVERY_MS, give_freed_memory_back),
         ):
             timer = QTimer(self, interval=interval_ms)

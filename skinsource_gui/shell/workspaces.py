@@ -7,7 +7,7 @@ from functools import partial, reduce
 from itertools import pairwise
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QByteArray, QEvent, QObject, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QByteArray, QEvent, QObject, QPointF, QSize, Qt, QTimer, Signal
 
 from skinsource.design.panel_settings import STAGE
 from skinsource_gui.qt.windows import WindowEvents
@@ -423,6 +423,9 @@ class Workspaces(QObject):
 
     @contextmanager
     def _arranging(self) -> Iterator[None]:
+        # Qt looks for the edge that was below the mouse at the next key, and ends if it is gone.
+        left = QtGui.QHoverEvent(QEvent.Type.HoverLeave, QPointF(), QPointF(), QPointF())
+        QtWidgets.QApplication.sendEvent(self._window, left)
         self._is_arranging = True
         try:
             yield

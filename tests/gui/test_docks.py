@@ -3,8 +3,9 @@
 import random
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QContextMenuEvent
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QContextMenuEvent, QHoverEvent
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
 from skinsource_gui.shell.workspaces import WORKSPACES
@@ -235,6 +236,35 @@ def test_the_library_folds_out_of_the_lower_edge(window, settle):
     assert in_sight(window) == before | {"library"}
     assert library.width() == window.width()
     assert 0.2 * window.height() <= library.height() <= library.panel.sizeHint().height()
+
+
+@pytest.mark.parametrize("workspace", [workspace.name for workspace in WORKSPACES[1:]])
+def test_a_key_after_the_edge_below_the_mouse_has_gone_with_its_docks_does_no_harm(
+    window, settle, workspace
+):
+    content = window.workspaces.content()
+    for change in (
+        lambda: window.do(f"arrange_{workspace}"),
+        lambda: window.workspaces.put(content),
+    ):
+        window.do("arrange_design")
+        settle()
+        hover_edge(window)
+        change()
+        # Otherwise Qt would end the studio at the key.
+        assert window.cursor().shape() == Qt.CursorShape.ArrowCursor
+        QTest.keyClick(window, Qt.Key.Key_F9)
+
+
+def hover_edge(window):
+    """Let the mouse rest between two docks that stand side by side."""
+    for x in range(window.width()):
+        here = QPointF(x, window.docks["hand"].geometry().center().y())
+        moved = QHoverEvent(QEvent.Type.HoverMove, here, window.mapToGlobal(here), here)
+        QApplication.sendEvent(window, moved)
+        if window.cursor().shape() == Qt.CursorShape.SplitHCursor:
+            return
+    pytest.fail("no edge was found")
 
 
 def test_a_second_analysis_opens_beside_the_first(window, settle):

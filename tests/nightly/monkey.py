@@ -3,6 +3,7 @@
 Prints the seed, and what was found.  Ends with 1 if anything was wrong; ``--seed`` repeats it.
 """
 
+import faulthandler
 import os
 import resource
 import sys
@@ -30,6 +31,7 @@ _MOST_MB = 1000
 def main() -> None:
     # A quarter of an hour.
     options = read_options(__doc__, 20_000)
+    faulthandler.enable()
     make_application()
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -47,8 +49,11 @@ def main() -> None:
         with ProcessPoolExecutor(1, get_context("spawn")) as apart:
             monkey = Monkey(window, options.seed, folder, (recording(folder),))
             monkey.levels = lambda *seen: apart.submit(plain_levels, *seen).result()
+            monkey.tell = lambda count: (
+                count % 1000 or print(f"{count}: {_most_mb():.0f} MB", flush=True)
+            )
             tally = monkey.play(options.count)
-        most_mb = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1.024e-3
+        most_mb = _most_mb()
         print(
             f"{tally.deeds.total()} deeds; levels compared {tally.compared} times, at most "
             f"{tally.largest_difference_db:.1e} dB off; {tally.undone} steps undone and redone; "
@@ -64,6 +69,10 @@ def main() -> None:
         sys.stdout.flush()
     # Python would take a thousand widgets apart in any order.
     os._exit(1 if tally.faults else 0)
+
+
+def _most_mb() -> float:
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1.024e-3
 
 
 if __name__ == "__main__":

@@ -40,8 +40,6 @@ class Evaluator:
     ----------
     work
         Work done by the latest evaluation.
-    used
-        Whether it was called since this was set to False.
     """
 
     def __init__(self) -> None:
@@ -49,13 +47,11 @@ class Evaluator:
         self._shared = Shared()
         self._cached: list[_CachedGraph] = []  # the latest last
         self.work = Work()
-        self.used = False
 
     def evaluate(
         self, design: Design, quantities: tuple[str, ...], view: View | None = None
     ) -> dict[str, Any]:
         """Return the quantities by name; see `skinsource.evaluate`."""
-        self.used = True
         with self._lock:
             cached = self._closest(design, View() if view is None else view)
             try:
@@ -136,11 +132,9 @@ def evaluate(design: Design, *quantities: str, view: View | None = None) -> dict
     return _evaluator().evaluate(design, quantities, view)
 
 
-def forget_unused() -> None:
-    """Drop what `evaluate` remembers, unless it was called since this was called last."""
-    if not _evaluator().used:
-        _evaluator.cache_clear()
-    _evaluator().used = False
+def forget_evaluated() -> None:
+    """Drop what `evaluate` remembers."""
+    _evaluator.cache_clear()
 
 
 @cache

@@ -55,10 +55,6 @@ class Graph:
         except CycleError as error:
             circle = " -> ".join(error.args[1])
             raise ValueError(f"rules need each other: {circle}") from error
-        self._users: dict[str, list[str]] = {}
-        for name, needs in self._needs.items():
-            for need in needs:
-                self._users.setdefault(need, []).append(name)
         self._orders: dict[tuple[frozenset[str], frozenset[str]], tuple[_Step, ...]] = {}
         self._memo: dict[str, tuple[list[Any], Any]] = {}
         self.runs: Counter[str] = Counter()
@@ -157,20 +153,12 @@ class Graph:
         return result
 
     def _drop(self, name: str) -> None:
-        """Drop a result, and where it is a large array all that was made of it and holds it."""
+        """Drop a result with all that was made of it, and may hold it; small arrays hold little."""
         _, result = self._memo.pop(name)
-        if isinstance(result, np.ndarray) and result.nbytes < _LARGE_BYTES:
-            return
-        for user in self._users.get(name, ()):
-            if user not in self._memo:
-                continue
-            _, made = self._memo[user]
-            # What is equal to nothing but itself will be another one.
-            is_unique = made is not None and made.__class__.__eq__ is object.__eq__
-            if is_unique or isinstance(made, np.ndarray):
-                self._drop(user)
-            else:
-                self._memo[user] = [_GONE] * len(self.needs_of(user)), made
+        if not isinstance(result, np.ndarray) or result.nbytes >= _LARGE_BYTES:
+            for user, needs in self._needs.items():
+                if name in needs and user in self._memo:
+                    self._drop(user)
 
     def _forget_outdated(self, known: dict[str, Any]) -> None:
         """Drop results of other rules that were computed from what has changed since.

@@ -177,33 +177,6 @@ def superpose(
         tally(inverse_transforms=n_outputs * n_axes)
 
 
-class _Places:
-    """Spectra of responses at one length, those that were added first first.
-
-    Each is an array of its own: whoever uses one that is dropped here holds no others.
-    """
-
-    def __init__(self, limb: Limb, n_fft: int) -> None:
-        self._n_fft = n_fft
-        self._shape = limb.n_outputs, limb.n_axes, n_fft // 2 + 1
-        self.each_bytes = 16 * prod(self._shape)
-        self.known: dict[int, ResponseSpectrum] = {}
-
-    @property
-    def held_bytes(self) -> int:
-        return len(self.known) * self.each_bytes
-
-    def transformed(self, taps: dict[int, Floats]) -> dict[int, ResponseSpectrum]:
-        """Return the spectra of responses by location."""
-        spectra = {
-            location: ResponseSpectrum(samples, self._n_fft, untouched_array(self._shape))
-            for location, samples in taps.items()
-        }
-        run_on_two_threads(partial(_transform, response) for response in spectra.values())
-        tally(forward_transforms=len(taps) * prod(self._shape[:2]))
-        return spectra
-
-
 def _transform(response: ResponseSpectrum) -> None:
     n_outputs, n_axes, n_taps = response.taps.shape
     for part in parts_of(n_outputs, n_axes * n_taps):
@@ -225,14 +198,9 @@ class Stack:
     values: Complexes
     responses: dict[int, ResponseSpectrum]
 
-    @property
-    def held_bytes(self) -> int:
-        """Memory that the spectra take."""
-        return self.values.nbytes
 
-
-# Length of the transforms, whether responses are calibrated, and the locations of a stack.
-_Key = tuple[int, bool, tuple[int, ...]]
+# Length of the transforms, whether responses are calibrated, and the location, or those of a stack.
+_Key = tuple[int, bool, int | tuple[int, ...]]
 # Far more than anybody requests in turn.
 _MOST_REQUESTED = 10_000
 
@@ -252,8 +220,10 @@ class ResponseSpectra:
         self._budget_bytes = budget_bytes
         self._lock = Lock()
         # Limbs, and the spectra of each, are in order of use, the latest last.
-        self._cached: WeakKeyDictionary[Limb, dict[_Key, _Places | Stack]] = WeakKeyDictionary()
-        self._requested: WeakKeyDictionary[Limb, set[tuple[int, _Key]]] = WeakKeyDictionary()
+        self._cached: WeakKeyDictionary[Limb, dict[_Key, ResponseSpectrum | Stack]] = (
+            WeakKeyDictionary()
+        )
+        self._requested: WeakKeyDictionary[Limb, set[_Key]] = WeakKeyDictionary()
 
     @property
     def held_bytes(self) -> int:
@@ -268,39 +238,41 @@ class ResponseSpectra:
 
         Under ``"probe"`` scaling they are the calibrated ones.
         """
-        key: _Key = n_fft, scaling == "probe", ()
         with self._lock:
-            places = self._find(limb, key)
-            if not isinstance(places, _Places):
-                places = _Places(limb, n_fft)
-            known = places.known
-            new = [each for each in dict.fromkeys(locations) if each not in known]
-            taps = {location: scaled_taps(limb, location, scaling) for location in new}
+            known = self._latest(limb)
+            keys: dict[int, _Key] = {each: (n_fft, scaling == "probe", each) for each in locations}
+            found: dict[int, Any] = {
+                each: known.pop(key) for each, key in keys.items() if key in known
+            }
+            known |= {keys[each]: spectrum for each, spectrum in found.items()}
+            taps = {each: scaled_taps(limb, each, scaling) for each in keys if each not in found}
+            shape = limb.n_outputs, limb.n_axes, n_fft // 2 + 1
+            each_bytes = 16 * prod(shape)
+            kept = list(taps)[: max(self._budget_bytes // each_bytes - len(found), 0)]
             # What has no room goes first: old and new ones together would be twice as much.
-            most = min(limb.n_inputs, self._budget_bytes // places.each_bytes)
-            unused = [each for each in known if each not in locations]
-            for each in unused[: max(len(known) + len(new) - most, 0)]:
-                del known[each]
-            kept = new[: most - len(known)]
-            self._remember(limb, key, places, len(kept) * places.each_bytes)
-            added = places.transformed(taps) if new else {}
-            known |= {location: added[location] for location in kept}
-            return [added[each] if each in added else known[each] for each in locations]
+            self._make_room(len(kept) * each_bytes)
+            added = {
+                location: ResponseSpectrum(samples, n_fft, untouched_array(shape))
+                for location, samples in taps.items()
+            }
+            run_on_two_threads(partial(_transform, response) for response in added.values())
+            tally(forward_transforms=len(added) * prod(shape[:2]))
+            known |= {keys[each]: added[each] for each in kept}
+            found |= added
+            return [found[each] for each in locations]
 
     def of_one(self, limb: Limb, location: int, scaling: Scaling, n_fft: int) -> Response:
         """Return the responses to ``location``; spectra are remembered from the second time on.
 
         Whoever predicts once does not pay for remembered spectra.
         """
-        key: _Key = n_fft, scaling == "probe", ()
+        key: _Key = n_fft, scaling == "probe", location
         with self._lock:
-            places = self._find(limb, key)
-            is_known = isinstance(places, _Places) and location in places.known
             requested = self._requested.setdefault(limb, set())
-            if not is_known and (location, key) not in requested:
+            if key not in self._cached.get(limb, {}) and key not in requested:
                 if len(requested) >= _MOST_REQUESTED:
                     requested.clear()
-                requested.add((location, key))
+                requested.add(key)
                 tally(forward_transforms=limb.n_outputs * limb.n_axes)
                 return Response(scaled_taps(limb, location, scaling), n_fft)
         return self.of(limb, [location], scaling, n_fft)[0]
@@ -309,32 +281,30 @@ class ResponseSpectra:
         """Return the responses to ``locations`` for matrix products."""
         key: _Key = n_fft, scaling == "probe", locations
         with self._lock:
-            stack = self._find(limb, key)
+            known = self._latest(limb)
+            stack = known.pop(key, None)
             if not isinstance(stack, Stack):
                 stack = _stack(limb, locations, scaling, n_fft)
-            self._remember(limb, key, stack)
+                self._make_room(stack.values.nbytes)
+            known[key] = stack
             return stack
 
-    def _find(self, limb: Limb, key: _Key) -> _Places | Stack | None:
-        return self._cached.get(limb, {}).get(key)
+    def _latest(self, limb: Limb) -> dict[_Key, ResponseSpectrum | Stack]:
+        """Return what is remembered of a limb, which becomes the latest."""
+        self._cached[limb] = known = self._cached.pop(limb, {})
+        return known
 
-    def _remember(
-        self, limb: Limb, key: _Key, latest: _Places | Stack, coming_bytes: int = 0
-    ) -> None:
-        of_limb = self._cached.pop(limb, {})
-        of_limb.pop(key, None)
-        of_limb[key] = latest
-        self._cached[limb] = of_limb
+    def _make_room(self, coming_bytes: int) -> None:
         excess = self._sum() + coming_bytes - self._budget_bytes
-        for of_limb in list(self._cached.values()):
-            for oldest in list(of_limb):
-                if excess <= 0 or of_limb[oldest] is latest:
+        for known in list(self._cached.values()):
+            for oldest in list(known):
+                if excess <= 0:
                     return
-                excess -= of_limb.pop(oldest).held_bytes
+                excess -= known.pop(oldest).values.nbytes
 
     def _sum(self) -> int:
         known = list(self._cached.values())
-        return sum(spectra.held_bytes for of_limb in known for spectra in of_limb.values())
+        return sum(spectra.values.nbytes for of_limb in known for spectra in of_limb.values())
 
 
 #: Of all engines of the process: each has its own limbs, and so its own spectra.

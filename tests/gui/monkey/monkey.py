@@ -36,7 +36,7 @@ _IMPORTED_EVERY = 150
 _PAINTED_EVERY = 5
 #: Each panel in sight takes its time.
 _TIDIED_EVERY = 20
-_STEPS_AT_ONCE = 50
+_STEPS_AT_ONCE = 100
 #: Larger designs are taken back: what is tried is what can be done, not how long it may take.
 _LONGEST_S, _MOST_INPUTS, _MOST_CLIPS = 8.0, 8, 60
 _TOLERANCE_DB = 1e-6
@@ -99,6 +99,8 @@ class Monkey:
     def __init__(self, window, seed: int, folder: Path, recordings: tuple[Path, ...] = ()) -> None:
         #: What gives the levels to compare with; another process may.
         self.levels = plain_levels
+        #: Is told now and then how many deeds are done.
+        self.tell = lambda count: None
         self.window, self.document = window, window.document
         self.hands = Hands(window, seed, folder, recordings)
         self.tally, self._watch = Tally(), Watch()
@@ -118,6 +120,7 @@ class Monkey:
                     self._compare_muted()
                     self._check_history()
                     self._check_file()
+                    self.tell(k)
                 if k in (count // 2, count):
                     self._count_objects()
                 if self._watch.faults or self.tally.faults:
@@ -259,12 +262,12 @@ class Monkey:
         self.tally.undone += index
 
     def _go_to(self, index: int) -> None:
-        """Show each step on the way; no event loop deletes meanwhile what they leave."""
+        """Show each step on the way, and let Qt delete now and then what they leave."""
         stack = self.document.undo_stack
         while stack.index() != index:
             by = index - stack.index()
             stack.setIndex(stack.index() + max(-_STEPS_AT_ONCE, min(by, _STEPS_AT_ONCE)))
-            QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+            self.window.catch_up()
 
     def _check_file(self) -> None:
         design, view = self.document.design, self.document.view
