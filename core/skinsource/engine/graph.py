@@ -7,7 +7,7 @@ quantities it needs.  That is all the wiring there is.
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from difflib import get_close_matches
-from graphlib import TopologicalSorter
+from graphlib import CycleError, TopologicalSorter
 from inspect import signature
 from operator import is_
 from typing import Any, NamedTuple
@@ -50,7 +50,11 @@ class Graph:
         self._needs = {
             name: tuple(signature(rule).parameters) for name, rule in self._rules.items()
         }
-        self._sorted = tuple(TopologicalSorter(self._needs).static_order())
+        try:
+            self._sorted = tuple(TopologicalSorter(self._needs).static_order())
+        except CycleError as error:
+            circle = " -> ".join(error.args[1])
+            raise ValueError(f"rules need each other: {circle}") from error
         self._orders: dict[tuple[frozenset[str], frozenset[str]], tuple[_Step, ...]] = {}
         self._memo: dict[str, tuple[list[Any], Any]] = {}
         self.runs: Counter[str] = Counter()
