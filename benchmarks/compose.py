@@ -1,12 +1,11 @@
-"""Compose stimuli from the empty studio, by mouse alone or by keyboard alone.
+"""Compose stimuli from the empty studio, by keyboard alone.
 
 The wavelet train of Fig. 2H, an envelope over an imported recording, a sweep along the digits, and
 four channels of a WAV file through an equalised voice coil.
 Nothing is done that a user cannot do.  Each scene prints how long it took; sentences about the
 design and its levels that do not hold are printed, and counted in the exit status.
 
-    python benchmarks/compose.py --by keyboard
-    python benchmarks/compose.py --by mouse --screen    (DISPLAY names a screen, xdotool moves)
+    python benchmarks/compose.py
 """
 
 import argparse
@@ -16,14 +15,12 @@ import tempfile
 from pathlib import Path
 from time import perf_counter
 
-os.environ.setdefault("QT_QPA_PLATFORM", "xcb" if "--screen" in sys.argv else "offscreen")
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
 
 import compose_by_keyboard
-import compose_by_mouse
 import compose_export
 from compose_checks import write_recording
-from compose_hands import EventHands, ScreenHands
 from composer import Composer
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -34,25 +31,20 @@ from skinsource_gui.app.app import make_application, manage_garbage_collection
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences, start_design
 
-SCENES = {
-    "mouse": (*compose_by_mouse.SCENES, compose_export.by_mouse),
-    "keyboard": (*compose_by_keyboard.SCENES, compose_export.by_keyboard),
-}
+SCENES = (*compose_by_keyboard.SCENES, compose_export.by_keyboard)
 
 
 def main() -> int:
     """Compose; return how many sentences did not hold."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--by", choices=sorted(SCENES), default="mouse")
     parser.add_argument("--only", help="name of one scene")
-    parser.add_argument("--screen", action="store_true", help="real mouse and keys on DISPLAY")
     parser.add_argument("--size", default="1366x718")
     parser.add_argument("--folder", type=Path, default=Path("build/compose"))
     options = parser.parse_args()
     make_application()
-    if not options.screen:  # a quick hand: what is typed next begins anew sooner
-        QApplication.setKeyboardInputInterval(100)
-        QApplication.setDoubleClickInterval(100)
+    # A quick hand: what is typed next begins anew sooner.
+    QApplication.setKeyboardInputInterval(100)
+    QApplication.setDoubleClickInterval(100)
     # A file dialog of the desktop belongs to another program, which a script cannot look into.
     QApplication.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
     options.folder.mkdir(parents=True, exist_ok=True)
@@ -68,21 +60,21 @@ def main() -> int:
         window.resize(*map(int, options.size.split("x")))
         window.show()
         window.activateWindow()
-        you = Composer(window, ScreenHands() if options.screen else EventHands(), options.folder)
+        you = Composer(window, options.folder)
         QTest.qWait(500)
         you.settle()
         try:
-            for scene in SCENES[options.by]:
+            for scene in SCENES:
                 if options.only not in (None, scene.__name__):
                     continue
                 began_s, steps = perf_counter(), you.steps
                 scene(you, scratch)
                 took_s = perf_counter() - began_s
                 print(
-                    f"{scene.__doc__} By {options.by}: {you.steps - steps} steps, {took_s:.1f} s",
+                    f"{scene.__doc__} By keyboard: {you.steps - steps} steps, {took_s:.1f} s",
                     flush=True,
                 )
-                you.picture(f"{scene.__name__} by {options.by}")
+                you.picture(f"{scene.__name__} by keyboard")
         finally:
             window.close_unasked()
     return len(you.disappointments)

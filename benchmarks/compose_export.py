@@ -4,11 +4,10 @@ import json
 from pathlib import Path
 
 import compose_by_keyboard
-import compose_by_mouse
 import numpy as np
 import soundfile
 from composer import Composer
-from PySide6.QtWidgets import QCheckBox, QDialogButtonBox, QFileDialog, QWidget
+from PySide6.QtWidgets import QCheckBox, QFileDialog
 
 from skinsource.actuators.actuation import Actuation
 from skinsource.actuators.catalog import load, names
@@ -19,32 +18,6 @@ from skinsource.signals.resampling import resample
 PLACES = (7, 8, 9, 10)
 #: Of the largest acceleration: between 25 and 600 Hz a boost of 20 dB leaves so much undone.
 _MISSED = 0.02
-
-
-def by_mouse(you: Composer, folder: Path) -> None:
-    """Four tones through an equalised voice coil to a WAV file: all clicked."""
-    compose_by_mouse.reset_range(you)
-    hand = you.window.panel("hand").diagram
-    for place in PLACES:
-        you.click(hand, hand.site_centre(place))
-        you.settle()
-    you.click(you.widget("output_button"), at=None)
-    you.settle()
-    you.key("Down", times=1 + names().index("example-voice-coil"))
-    you.settle()
-    you.click(you.widget("actuator_through"), at=None)
-    you.settle()
-    you.choose("File", "Export…")
-    page = you.page()
-    you.wait(lambda: page.part.ready, "the stimulus is looked at")
-    you.picture("export by mouse")
-
-    def agree(dialog: QWidget) -> None:
-        box = dialog.findChild(QDialogButtonBox)
-        you.click(box.button(QDialogButtonBox.StandardButton.Save))
-
-    you.answer(lambda: you.click(you.widget("export_button", page)), QFileDialog, agree)
-    check(you, folder / "stimulus.wav")
 
 
 def by_keyboard(you: Composer, folder: Path) -> None:

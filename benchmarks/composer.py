@@ -1,54 +1,47 @@
-"""Somebody who composes by mouse and keys, and counts what it takes."""
+"""Somebody who composes by keys alone, and counts what it takes."""
 
-import os
 from collections.abc import Callable
 from pathlib import Path
 from time import monotonic
 
-from compose_hands import EventHands, ScreenHands
-from PySide6.QtCore import QPoint, QTimer
-from PySide6.QtGui import QAction
+from PySide6.QtCore import QTimer
+from PySide6.QtGui import QKeySequence
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractButton,
-    QAbstractScrollArea,
     QApplication,
     QDialog,
-    QMenu,
-    QScrollArea,
     QWidget,
 )
 
 from skinsource_gui.shell.window import MainWindow
 
 _PATIENCE_S = 30.0
-#: How often it is looked whether something holds; events that Qt is handed need no time.
-_LOOK_MS = 4 if os.environ.get("QT_QPA_PLATFORM") == "offscreen" else 20
+#: How often it is looked whether something holds.
+_LOOK_MS = 4
 
 
 class Composer:
-    """Uses a window by mouse and keys, and counts what it takes.
+    """Uses a window by keys, as events that Qt is handed, and counts what it takes.
 
     Parameters
     ----------
     window
         The studio.
-    hands
-        What moves mouse and keys.
     pictures
         Where a picture goes after each scene.
 
     Attributes
     ----------
     steps
-        Clicks, drags, turns of the wheel and keys so far; a typed text counts by its letters.
+        Keys so far; a typed text counts by its letters.
     disappointments
         Sentences that did not hold.
     """
 
-    def __init__(self, window: MainWindow, hands: EventHands | ScreenHands, pictures: Path) -> None:
+    def __init__(self, window: MainWindow, pictures: Path) -> None:
         self.window, self.document = window, window.document
-        self._hands, self._pictures = hands, pictures
+        self._pictures = pictures
         self.steps = 0
         self.disappointments: list[str] = []
 
@@ -81,14 +74,16 @@ class Composer:
     def key(self, keys: str, times: int = 1) -> None:
         """Press a key, wherever the keyboard is."""
         for _ in range(times):
-            self._hands.press_key(keys)
+            pressed = QKeySequence(keys)[0]
+            QTest.keyClick(_with_keyboard(), pressed.key(), pressed.keyboardModifiers())
             self.steps += 1
         QTest.qWait(_LOOK_MS)
 
     def type(self, text: str) -> None:
         """Type, after the moment that ends what was typed before."""
         QTest.qWait(QApplication.keyboardInputInterval() + 50)
-        self._hands.type(text)
+        for letter in text:
+            QTest.keyClick(_with_keyboard(), letter)
         self.steps += len(text)
         QTest.qWait(_LOOK_MS)
 
@@ -110,42 +105,6 @@ class Composer:
                 return
             self.key("F6")
         raise SystemExit(f"F6 does not lead to {name}")
-
-    def click(self, widget: QWidget, at: QPoint | None = None, *, double: bool = False) -> None:
-        """Click, in the middle if no place is named; what is out of sight is scrolled into it."""
-        self._scroll_to(widget)
-        surface = _surface(widget)
-        self._hands.click(surface, at or surface.rect().center(), double=double)
-        self.steps += 2 if double else 1
-        QTest.qWait(_LOOK_MS)
-
-    def drag(self, widget: QWidget, start: QPoint, end: QPoint) -> None:
-        """Press, move, and let go."""
-        self._hands.drag(_surface(widget), start, end)
-        self.steps += 1
-        QTest.qWait(_LOOK_MS)
-
-    def wheel(self, widget: QWidget, notches: int) -> None:
-        """Turn the wheel over the middle."""
-        self._scroll_to(widget)
-        self._hands.wheel(widget, widget.rect().center(), notches)
-        self.steps += abs(notches)
-        QTest.qWait(_LOOK_MS)
-
-    def choose(self, *text: str) -> None:
-        """Choose in a menu of the menu bar, and in the menus that open from there, by mouse."""
-        bar = self.window.menuBar()
-        first = next(action for action in bar.actions() if _plain(action.text()) == text[0])
-        self.click(bar, bar.actionGeometry(first).center())
-        self.choose_of_popup(*text[1:])
-
-    def choose_of_popup(self, *text: str) -> None:
-        """Choose in the menu that is open, by mouse."""
-        for word in text:
-            # A menu within a menu opens a moment later.
-            self.wait(lambda w=word: _line(w) is not None, f"a menu opens that has {word}")
-            menu, line = QApplication.activePopupWidget(), _line(word)
-            self.click(menu, menu.actionGeometry(line).center())
 
     def answer(self, begin: Callable[[], None], kind: type, how: Callable[[QWidget], None]) -> None:
         """Begin something that waits for a dialog or menu of that kind, and deal with it there."""
@@ -181,33 +140,22 @@ class Composer:
         widgets = (inside or self.window).findChildren(QWidget, name)
         return next(widget for widget in widgets if widget.isVisible())
 
-    def _scroll_to(self, widget: QWidget) -> None:
-        area = widget.parentWidget()
-        while area is not None and not isinstance(area, QScrollArea):
-            area = area.parentWidget()
-        if area is None:
-            return
-        for _ in range(40):
-            middle = widget.mapTo(area.viewport(), widget.rect().center())
-            if area.viewport().rect().contains(middle):
-                return
-            down = middle.y() > area.viewport().rect().center().y()
-            # Beside the fields, where the wheel turns no number.
-            edge = QPoint(2, area.viewport().height() // 2)
-            self._hands.wheel(area.viewport(), edge, -1 if down else 1)
-            self.steps += 1
-            QTest.qWait(_LOOK_MS)
+
+def _is_studio(widget: QWidget) -> bool:
+    return isinstance(widget, MainWindow)
 
 
-def _line(word: str) -> QAction | None:
-    """The line of the open menu with these words."""
-    menu = QApplication.activePopupWidget()
-    lines = menu.actions() if isinstance(menu, QMenu) else ()
-    return next((line for line in lines if _plain(line.text()) == word), None)
-
-
-def _surface(widget: QWidget) -> QWidget:
-    return widget.viewport() if isinstance(widget, QAbstractScrollArea) else widget
+def _with_keyboard() -> QWidget:
+    if QApplication.activeWindow() is None and QApplication.activePopupWidget() is None:
+        # As a window manager does when a dialog has closed.
+        next(filter(_is_studio, QApplication.topLevelWidgets())).activateWindow()
+        QApplication.processEvents()
+    return (
+        QApplication.activePopupWidget()
+        or QApplication.focusWidget()
+        or QApplication.activeModalWidget()
+        or QApplication.activeWindow()
+    )
 
 
 def _text(widget: QWidget) -> str:

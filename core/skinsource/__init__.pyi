@@ -19,12 +19,12 @@ from .design.clips import Marker as Marker
 from .design.design import Design as Design
 from .design.design import Input as Input
 from .design.design import track as track
+from .design.design_file import ShowEntry as ShowEntry
+from .design.design_file import UnreadEntry as UnreadEntry
 from .design.design_file import open_design as open_design
+from .design.design_file import open_show as open_show
 from .design.design_file import save_design as save_design
-from .design.show_file import ShowEntry as ShowEntry
-from .design.show_file import UnreadEntry as UnreadEntry
-from .design.show_file import open_show as open_show
-from .design.show_file import save_show as save_show
+from .design.design_file import save_show as save_show
 from .design.signal_path import actuation_of_rig as actuation_of_rig
 from .design.view import View as View
 from .engine.evaluation import Quantity as Quantity

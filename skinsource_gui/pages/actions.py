@@ -15,7 +15,7 @@ from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
 from skinsource.base.errors import SkinSourceError
 from skinsource.design import edits
 from skinsource.design.design import Design
-from skinsource.design.design_file import SUFFIX
+from skinsource.design.design_file import SHOW_SUFFIX, SUFFIX
 from skinsource.design.edits.edit import (
     Edit,
     Refusal,
@@ -27,7 +27,6 @@ from skinsource.design.edits.edit import (
 from skinsource.design.edits.inputs import free_location, usual_location
 from skinsource.design.labels import limb_label
 from skinsource.design.presets import presets
-from skinsource.design.show_file import SHOW_SUFFIX
 from skinsource.design.view import View
 from skinsource.design.waveforms.samples import Recording
 from skinsource.limbs.own_limbs import facts_of

@@ -9,9 +9,16 @@ from PySide6 import QtWidgets
 from PySide6.QtCore import Qt, Signal
 
 from skinsource.base.errors import SkinSourceError
-from skinsource.design.design_file import SUFFIX, open_design
+from skinsource.design.design_file import (
+    SENTENCE,
+    SHOW_SUFFIX,
+    SUFFIX,
+    ShowEntry,
+    UnreadEntry,
+    open_design,
+    save_show,
+)
 from skinsource.design.panel_settings import CONTROL
-from skinsource.design.show_file import SENTENCE, SHOW_SUFFIX, ShowEntry, UnreadEntry, save_show
 from skinsource.studies import scenes
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.page import ToolPage

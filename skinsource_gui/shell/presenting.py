@@ -13,9 +13,8 @@ from shiboken6 import isValid
 
 from skinsource.base.errors import DesignFileError, SkinSourceError
 from skinsource.design.design import Design
-from skinsource.design.design_file import SUFFIX, open_design
+from skinsource.design.design_file import SUFFIX, ShowEntry, UnreadEntry, open_design, open_show
 from skinsource.design.panel_settings import STAGE, stage_settings
-from skinsource.design.show_file import ShowEntry, UnreadEntry, open_show
 from skinsource.design.view import View
 from skinsource.studies import scenes
 from skinsource_gui import pages

@@ -37,7 +37,7 @@ def test_every_benchmark_can_be_imported():
 
 def test_four_stimuli_are_composed_by_keyboard_alone(tmp_path):
     folders = ("--folder", tmp_path / "pictures")
-    done = run(ROOT / "benchmarks" / "compose.py", "--by", "keyboard", *folders)
+    done = run(ROOT / "benchmarks" / "compose.py", *folders)
     assert done.returncode == 0, done.stdout + done.stderr
     assert done.stdout.count("By keyboard: ") == 4
     assert "NOT SO" not in done.stdout

@@ -324,8 +324,11 @@ def _discard(temporary: Path) -> None:
 
 def _flush_file(path: Path) -> None:
     """Send the content of a file to the disk."""
-    with path.open("r+b") as file:
-        os.fsync(file.fileno())
+    handle = os.open(path, os.O_RDWR)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
 
 
 def _flush_folder(path: Path) -> None:

@@ -44,13 +44,8 @@ def add_to(subparsers: Any) -> None:
         "report hold what was measured so far.",
     )
     bench.add_argument("--quick", action="store_true", help="fewer cases, fewer runs of each")
-    bench.add_argument(
-        "--out",
-        type=Path,
-        default=Path("bench"),
-        metavar="FOLDER",
-        help="where to write (default: %(default)s)",
-    )
+    where = "where to write (default: %(default)s)"
+    bench.add_argument("--out", type=Path, default=Path("bench"), metavar="FOLDER", help=where)
     bench.add_argument(
         "--limb",
         default="",

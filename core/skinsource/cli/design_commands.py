@@ -69,13 +69,8 @@ def add_to(subparsers: Any) -> None:
     film.set_defaults(run=_film)
     for parser in (show, render, film):
         parser.add_argument("design", type=Path, metavar="DESIGN", help="a .skinsource file")
-    render.add_argument(
-        "--out",
-        type=Path,
-        default=Path(),
-        metavar="FOLDER",
-        help="where to write (default: here)",
-    )
+    where = "where to write (default: here)"
+    render.add_argument("--out", type=Path, default=Path(), metavar="FOLDER", help=where)
     show.set_defaults(run=_show)
     render.set_defaults(run=_render)
     _add_pack(subparsers)

@@ -128,7 +128,9 @@ def _add_numbers(add: Any, *numbers: tuple[str, str, str, str]) -> None:
 
 
 def _import(arguments: argparse.Namespace) -> int:
-    parts, values = given(arguments, LimbSource), given(arguments, OwnLimb)
+    parts = given(arguments, LimbSource)
+    # The outline is a part of both: here it is a file.
+    values = {key: value for key, value in given(arguments, OwnLimb).items() if key not in parts}
     source = LimbSource(responses=arguments.file, **parts, values=values)
     with ProgressBar(sys.stderr) as bar:
         facts = import_limb(source, replace=arguments.replace, progress=bar)

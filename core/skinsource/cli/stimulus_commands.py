@@ -81,12 +81,10 @@ def add_to(subparsers: Any) -> None:
         "and their polarity, gain and actuator, for the wall beside the setup. Needs the extra "
         "plot.",
     )
-    add_wiring = wiring.add_argument
-    add_wiring("design", type=Path, metavar="DESIGN", help="a .skinsource file")
-    add_wiring(
-        "--out", type=Path, required=True, metavar="FILE", help="a .pdf, .svg or .png to write"
-    )
-    add_wiring("--rig", type=Path, metavar="FILE", help="a .skinrig file: what is wired")
+    add = wiring.add_argument
+    add("design", type=Path, metavar="DESIGN", help="a .skinsource file")
+    add("--out", type=Path, required=True, metavar="FILE", help="a .pdf, .svg or .png to write")
+    add("--rig", type=Path, metavar="FILE", help="a .skinrig file: what is wired")
     _add_channels(wiring.add_argument_group("channels").add_argument)
     wiring.set_defaults(run=_wiring)
     _add_sweep(subparsers)
@@ -251,14 +249,11 @@ def _add_sweep(subparsers: Any) -> None:
             "stopped."
         ),
     )
-    sweep.add_argument("sweep", type=Path, metavar="SWEEP", help="a .toml file")
-    sweep.add_argument(
-        "--out", type=Path, required=True, metavar="FOLDER", help="folder to write or continue in"
-    )
-    sweep.add_argument(
-        "--processes", type=int, metavar="N", help="number of processes (default: all cores)"
-    )
-    sweep.add_argument(
+    add = sweep.add_argument
+    add("sweep", type=Path, metavar="SWEEP", help="a .toml file")
+    add("--out", type=Path, required=True, metavar="FOLDER", help="folder to write or continue in")
+    add("--processes", type=int, metavar="N", help="number of processes (default: all cores)")
+    add(
         "--scheduler",
         metavar="ADDRESS",
         help="address of a Dask cluster that computes instead: tcp://host:8786",

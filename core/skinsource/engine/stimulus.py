@@ -220,18 +220,13 @@ def faded(stimulus: Stimulus, fade_in_s: float = 0.0, fade_out_s: float = 0.0) -
             most=duration_s,
         )
         n = round(given_s * stimulus.sample_rate_hz)
-        part[:n] *= _rise(n)
+        # From 0 at the first sample to 1 at sample n.
+        part[:n] *= 0.5 - 0.5 * np.cos(np.pi * np.arange(n) / max(n, 1))
     if np.all(factor == 1.0):
         return stimulus
     samples = stimulus.samples.copy()
     samples[list(stimulus.driving)] *= factor
     return stimulus.with_samples(samples)
-
-
-def _rise(n: int) -> Floats:
-    """Return a rise from 0 at the first sample to 1 at sample n, (n,)."""
-    rise: Floats = 0.5 - 0.5 * np.cos(np.pi * np.arange(n) / max(n, 1))
-    return rise
 
 
 def full_scale_factor(stimulus: Stimulus) -> float:

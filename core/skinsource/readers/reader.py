@@ -121,7 +121,7 @@ def from_tree(tree: Mapping[str, Any]) -> Found:
 Block = Floats | NDArray[np.float32]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class Reader:
     """Reads files of one format.
 

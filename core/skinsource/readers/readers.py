@@ -20,37 +20,19 @@ def _begins(*signatures: bytes) -> Callable[[bytes], bool]:
     return lambda beginning: beginning.startswith(signatures)
 
 
-def _is_matlab_7_3(beginning: bytes) -> bool:
-    return beginning[512:520] == _HDF5
-
-
 def _is_hdf5(beginning: bytes) -> bool:
     return any(beginning[at : at + 8] == _HDF5 for at in (0, 512, 1024, 2048))
 
 
 def _array_reader(
-    name: str,
-    endings: tuple[str, ...],
-    recognises: Callable[[bytes], bool],
-    opened: arrays.Open,
+    name: str, endings: tuple[str, ...], recognises: Callable[[bytes], bool], opened: arrays.Open
 ) -> Reader:
-    return Reader(
-        name=name,
-        endings=endings,
-        recognises=recognises,
-        look=partial(arrays.look, file_format=name, opened=opened),
-        blocks=partial(arrays.blocks, opened=opened),
-    )
+    look = partial(arrays.look, file_format=name, opened=opened)
+    return Reader(name, endings, recognises, look, partial(arrays.blocks, opened=opened))
 
 
 def _sound_reader(name: str, endings: tuple[str, ...], *signatures: bytes) -> Reader:
-    return Reader(
-        name=name,
-        endings=endings,
-        recognises=_begins(*signatures),
-        look=audio.look,
-        blocks=audio.blocks,
-    )
+    return Reader(name, endings, _begins(*signatures), audio.look, audio.blocks)
 
 
 # A file goes to the first one that recognises it; the last one takes all other files.
@@ -61,16 +43,12 @@ _READERS: tuple[Reader, ...] = (
     _sound_reader("OGG", (".ogg", ".oga", ".opus"), b"OggS"),
     _array_reader("NPY", (".npy",), _begins(b"\x93NUMPY"), arrays.opened_npy),
     _array_reader("NPZ", (".npz",), _begins(b"PK\x03\x04", b"PK\x05\x06"), arrays.opened_npz),
-    _array_reader("MATLAB 7.3", (".mat",), _is_matlab_7_3, arrays.opened_hdf5),
+    _array_reader(
+        "MATLAB 7.3", (".mat",), lambda begin: begin[512:520] == _HDF5, arrays.opened_hdf5
+    ),
     _array_reader("HDF5", (".h5", ".hdf5", ".hdf", ".nwb"), _is_hdf5, arrays.opened_hdf5),
     _array_reader("MATLAB", (".mat",), _begins(b"MATLAB 5.0"), arrays.opened_matlab),
-    Reader(
-        name="text",
-        endings=(".csv", ".tsv", ".txt", ".dat"),
-        recognises=lambda _: True,
-        look=text.look,
-        blocks=text.blocks,
-    ),
+    Reader("text", (".csv", ".tsv", ".txt", ".dat"), lambda _: True, text.look, text.blocks),
 )
 
 

@@ -5,10 +5,9 @@ responses from files of other programs.
 """
 
 import os
-from collections.abc import Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass
-from itertools import permutations
+from itertools import permutations, product
 from math import prod
 from pathlib import Path
 from typing import Any
@@ -187,7 +186,7 @@ def straight_lines(x: Floats, y: Floats) -> tuple[Floats, Floats, Floats]:
 # Rates that differ by less are the same.
 _SAME_HZ = 1e-3
 # Time, outputs and axes of an array of three dimensions, the usual order first.
-_ORDERS = ("toa", *(order for order in map("".join, permutations("toa")) if order != "toa"))
+_ORDERS = tuple(map("".join, permutations("toa")))
 
 
 def open_recorded(
@@ -254,9 +253,9 @@ def _read_responses(
         stop=stop,
     )
     arrays = [array for array in offered["arrays"] if len(array["shape"]) == 3]
-    for array in arrays:
-        order = _order_of([int(n) for n in array["shape"]], n_outputs, n_axes)
-        if order:
+    for array, order in product(arrays, _ORDERS):
+        n_in_order = dict(zip(order, array["shape"], strict=True))
+        if n_in_order["o"] == n_outputs and n_in_order["a"] == n_axes:
             rate_hz = array["rate_hz"] or offered["rate_hz"]
             field = _from_array(reader, file, array, order, stop)
             return field, None if rate_hz is None else float(rate_hz)
@@ -272,14 +271,6 @@ def _read_responses(
             f"{counted(n_axes, 'axis', 'axes')}",
         ) from None
     return _from_columns(reader, file, contents, n_outputs, n_axes, stop)
-
-
-def _order_of(shape: Sequence[int], n_outputs: int, n_axes: int) -> str:
-    """Return which dimension is time, outputs and axes; empty where none fits."""
-    for order in _ORDERS:
-        if shape[order.index("o")] == n_outputs and shape[order.index("a")] == n_axes:
-            return order
-    return ""
 
 
 def _from_array(

@@ -19,6 +19,7 @@ from skinsource.base.quoting import printable
 from skinsource.design import edits
 from skinsource.design.design import Design
 from skinsource.design.design_file import (
+    SHOW_SUFFIX,
     SUFFIX,
     DesignFile,
     open_design,
@@ -26,7 +27,6 @@ from skinsource.design.design_file import (
     save_design,
 )
 from skinsource.design.edits.edit import Refusal
-from skinsource.design.show_file import SHOW_SUFFIX
 from skinsource.limbs.catalog import available_limbs, default_limb
 from skinsource.specs.image import MAX_IMAGE_BYTES
 from skinsource_gui.qt.questions import ask_open, ask_to_replace, ask_to_save, ask_yes

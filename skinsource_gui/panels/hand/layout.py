@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from PySide6 import QtGui
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 
-from skinsource.limbs.hand import HandShape
 from skinsource.limbs.locations import DIGITS
+from skinsource.limbs.synthetic import HandShape
 from skinsource_gui.qt.buttons import text_colour_on
 from skinsource_gui.qt.frames import Frame
 from skinsource_gui.qt.theme import Theme, tabular, translucent

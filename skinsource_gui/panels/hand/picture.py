@@ -10,10 +10,10 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QPointF, QRectF, QSize, QSizeF, Qt, Signal
 
 from skinsource.base.arrays import Floats
-from skinsource.limbs.hand import drawn_hand
 from skinsource.limbs.limb import LimbFacts, LimbMap
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of, own_map
+from skinsource.limbs.synthetic import drawn_hand
 from skinsource_gui.panels.hand.layout import (
     HandDrawing,
     HandLayout,

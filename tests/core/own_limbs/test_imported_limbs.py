@@ -209,6 +209,16 @@ def test_the_command_imports_lists_mirrors_exports_and_removes(user_data, tmp_pa
     assert "expected small letters" in capsys.readouterr().err
 
 
+def test_options_of_the_command_go_before_what_the_file_says(user_data, tmp_path):
+    path = layout_file(tmp_path / "ours.h5")
+    options = "--hand-length 181 --hand-length-units 90 --delay 0.01 --band 20 300 --pulse"
+    assert main(["limb", "import", str(path), "--mirrored", *options.split()]) == 0
+    limb, facts = load_limb("ours"), facts_of("ours")
+    lengths = limb.hand_length_mm, limb.map.hand_length_px, limb.pre_trigger_delay_s
+    assert lengths == (181, 90, 0.01)
+    assert (limb.band_hz, limb.per_unit_drive, facts.mirrored) == ((20, 300), False, True)
+
+
 def test_an_own_limb_is_replaced_only_where_that_is_asked_for(user_data, tmp_path, capsys):
     path = layout_file(tmp_path / "ours.h5")
     assert main(["limb", "import", str(path)]) == 0

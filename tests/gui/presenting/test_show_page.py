@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QPushButton
 
 import skinsource as ss
-from skinsource.design.show_file import ShowEntry
+from skinsource.design.design_file import ShowEntry
 
 
 def titles(page):
