@@ -37,7 +37,10 @@ def tab_stops(
     stops = [
         widget for widget in _focus_chain(top) if top.isAncestorOf(widget) and _takes_tab(widget)
     ]
-    _restore_parents(top.window())
+    # PySide takes a widget for a child of the one that was asked for it - its neighbour in the
+    # chain, what hands its focus on, a group - and takes it for deleted as soon as that one is.
+    # What a window finds among its children it takes for a child of the window again.
+    top.window().findChildren(QtWidgets.QWidget)
 
     def region_of(stop: QtWidgets.QWidget) -> int:
         inside = (k for k, part in enumerate(regions) if part is stop or part.isAncestorOf(stop))
@@ -117,13 +120,6 @@ def _place(
     # A widget that holds other stops comes before them, not half way down.
     holds = any(stop is not other and stop.isAncestorOf(other) for other in stops)
     return QRect(stop.mapTo(part, QPoint()), QSize() if holds else stop.size())
-
-
-def _restore_parents(window: QtWidgets.QWidget) -> None:
-    # PySide takes a widget for a child of the one that was asked for it - its neighbour in the
-    # chain, what hands its focus on, a group - and takes it for deleted as soon as that one is.
-    # What a window finds among its children it takes for a child of the window again.
-    window.findChildren(QtWidgets.QWidget)
 
 
 def _takes_tab(widget: QtWidgets.QWidget) -> bool:
