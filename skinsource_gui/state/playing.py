@@ -94,7 +94,6 @@ class Played:
 
 #: Digits behind the decimal point: nobody hears, or reads, more.
 DECIMALS = 2
-_STEP_DB = 1.0
 
 
 class GainSetting(QObject):
@@ -121,13 +120,9 @@ class GainSetting(QObject):
         """Set the gain to its first value."""
         self.put(START_DB)
 
-    def turn_up(self) -> None:
-        """Raise the gain by 1 dB."""
-        self.put(self.gain_db + _STEP_DB)
-
-    def turn_down(self) -> None:
-        """Lower the gain by 1 dB."""
-        self.put(self.gain_db - _STEP_DB)
+    def turn(self, by_db: str) -> None:
+        """Raise the gain, or lower it."""
+        self.put(self.gain_db + float(by_db))
 
 
 #: Returns the session, which is made with the first call: the studio starts without audio modules.
