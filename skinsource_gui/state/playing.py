@@ -343,8 +343,7 @@ class SoundSettings(QObject):
     changed = Signal()
     #: Another output or rig was chosen.
     output_changed = Signal()
-    #: Another device or rig was chosen: the gain of the one may be too high for the
-    #: is_other_device.
+    #: Another device or rig was chosen: the gain of the one may be too high for the other.
     device_changed = Signal()
     #: Why a rig was not opened.
     refused = Signal(str)
