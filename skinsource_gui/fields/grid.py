@@ -206,10 +206,6 @@ class FieldGrid(QtWidgets.QWidget):
             self, self._fold, _Event.Resize, _Event.LayoutRequest, _Event.FontChange
         )
 
-    def set_margins(self, left: int, top: int, right: int, bottom: int) -> None:
-        """Set the margins around the cells, px."""
-        self._grid.setContentsMargins(left, top, right, bottom)
-
     def show_cells(self, cells: Sequence[LabelledCell]) -> None:
         """Show these cells, in reading order; others are removed but not deleted."""
         for cell in self._cells:
@@ -231,7 +227,7 @@ class FieldGrid(QtWidgets.QWidget):
     def minimumSizeHint(self) -> QSize:
         # The grid must be able to become so narrow that it folds.
         fields = max((cell.minimumSizeHint().width() for cell in self._cells), default=0)
-        margins = self._grid.contentsMargins()
+        margins = self.contentsMargins()
         least = fields + margins.left() + margins.right()
         return super().minimumSizeHint().boundedTo(QSize(least, _ANY_HEIGHT_PX))
 
@@ -251,7 +247,7 @@ class FieldGrid(QtWidgets.QWidget):
         paired = [cell for cell in self._cells if not cell.across]
         labels = max((cell.label.sizeHint().width() for cell in paired), default=0)
         fields = max((cell.minimumSizeHint().width() for cell in paired), default=0)
-        margins = self._grid.contentsMargins()
+        margins = self.contentsMargins()
         beside = max(labels, self._labels_px) + self._grid.horizontalSpacing() + fields
         return beside + margins.left() + margins.right()
 

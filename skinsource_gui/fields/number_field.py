@@ -288,7 +288,9 @@ class NumberField(Editor, QtWidgets.QLineEdit):
     def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         if makes_step(event):
             if self.commit():
-                self._step_by_key(event)
+                size = COARSE if meaning_of("number", event) == "page" else _size(event.modifiers())
+                direction = _DIRECTIONS[Qt.Key(event.key())]
+                self._step_to(stepped(self.value_si, direction, self.spec, size))
         elif event.key() == Qt.Key.Key_Escape and self._drag is not None:
             self._cancel_drag(self._drag)
         elif self.editing:
@@ -415,11 +417,6 @@ class NumberField(Editor, QtWidgets.QLineEdit):
             painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
             painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().error), 2))
             painter.drawRoundedRect(QRectF(self.rect()).adjusted(1, 1, -1, -1), 4, 4)
-
-    def _step_by_key(self, event: QtGui.QKeyEvent) -> None:
-        size = COARSE if meaning_of("number", event) == "page" else _size(event.modifiers())
-        direction = _DIRECTIONS[Qt.Key(event.key())]
-        self._step_to(stepped(self.value_si, direction, self.spec, size))
 
     def _step_to(self, value_si: float) -> None:
         if value_si != self.value_si:

@@ -400,7 +400,7 @@ class PartRow(FieldsRow):
         self.fields: PartFields | None = None
         super().__init__(RowTitle("", PLACE, "in the list"), (), 0)
         # The indent tells whose fields they are.
-        self.grid.set_margins(UNIT_PX, 0, 0, UNIT_PX // 2)
+        self.grid.setContentsMargins(UNIT_PX, 0, 0, UNIT_PX // 2)
 
     @property
     def cells(self) -> tuple[EditedCell, ...]:

@@ -98,22 +98,16 @@ class BoxFigure(Figure):
             self._paint_box(painter, axes, rank, box)
 
     def read(self, at: QPointF) -> str:
-        rank = self._rank_at(at)
-        if rank is None:
+        position = None if self.axes is None else self.axes.value_at(at)
+        if position is None or not self.groups:
             return ""
+        rank = min(max(int(position[0]), 0), len(self.groups) - 1)
         label, values = self.groups[rank]
         first, low, middle, high, last = (minus(f"{value:.3g}") for value in quartiles(values))
         return (
             f"{label} Hz: median {middle}, quartiles {low} to {high}, whiskers {first} to {last}, "
             f"{values.size} channels"
         )
-
-    def _rank_at(self, at: QPointF) -> int | None:
-        """Return the index of the group under a point."""
-        position = None if self.axes is None else self.axes.value_at(at)
-        if position is None or not self.groups:
-            return None
-        return min(max(int(position[0]), 0), len(self.groups) - 1)
 
     def _paint_box(
         self, painter: QtGui.QPainter, axes: Axes, rank: int, levels: tuple[float, ...]

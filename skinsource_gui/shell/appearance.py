@@ -47,13 +47,9 @@ class Appearance(QObject):
         self._preferences.theme_name = name
         self.apply()
 
-    def enlarge_text(self) -> None:
-        """Make all words larger."""
-        self._scale_text(self._preferences.text_scale * TEXT_STEP)
-
-    def shrink_text(self) -> None:
-        """Make all words smaller."""
-        self._scale_text(self._preferences.text_scale / TEXT_STEP)
+    def enlarge_text(self, steps: str) -> None:
+        """Make all words larger; "-1": smaller."""
+        self._scale_text(self._preferences.text_scale * TEXT_STEP ** int(steps))
 
     def reset_text(self) -> None:
         """Make words as large as the desktop has them."""

@@ -174,13 +174,11 @@ class DockTabs(QObject):
         # Qt makes a bar when it needs one, and says nothing else of it.
         WindowEvents.follow(window, self._note_child, QEvent.Type.ChildPolished)
 
-    def next(self) -> None:
-        """Bring the tab after the one in front to the front, where the keyboard is."""
-        self._go(1)
-
-    def previous(self) -> None:
-        """Bring the tab before the one in front to the front, where the keyboard is."""
-        self._go(-1)
+    def go(self, step: str) -> None:
+        """Bring the tab after the one in front to the front, or the one before: "-1"."""
+        bar = self._bar_in_use()
+        if bar is not None:
+            self._bring(bar.tabText((bar.currentIndex() + int(step)) % bar.count()))
 
     def _note_child(self, event: QChildEvent) -> None:
         bar = event.child()
@@ -200,11 +198,6 @@ class DockTabs(QObject):
         dock = self._dock_titled(title)
         if dock.in_sight:
             self._enter(dock, Qt.FocusReason.MouseFocusReason)
-
-    def _go(self, step: int) -> None:
-        bar = self._bar_in_use()
-        if bar is not None:
-            self._bring(bar.tabText((bar.currentIndex() + step) % bar.count()))
 
     def _open_menu(self, at: QPoint) -> None:
         # Of the bar nothing is kept: Qt may delete it.

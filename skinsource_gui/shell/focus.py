@@ -37,7 +37,10 @@ def tab_stops(
     stops = [
         widget for widget in _focus_chain(top) if top.isAncestorOf(widget) and _takes_tab(widget)
     ]
-    _restore_parents(top.window())
+    # PySide takes a widget for a child of the one that was asked for it - its neighbour in the
+    # chain, what hands its focus on, a group - and takes it for deleted as soon as that one is.
+    # What a window finds among its children it takes for a child of the window again.
+    top.window().findChildren(QtWidgets.QWidget)
 
     def region_of(stop: QtWidgets.QWidget) -> int:
         inside = (k for k, part in enumerate(regions) if part is stop or part.isAncestorOf(stop))
@@ -119,13 +122,6 @@ def _place(
     return QRect(stop.mapTo(part, QPoint()), QSize() if holds else stop.size())
 
 
-def _restore_parents(window: QtWidgets.QWidget) -> None:
-    # PySide takes a widget for a child of the one that was asked for it - its neighbour in the
-    # chain, what hands its focus on, a group - and takes it for deleted as soon as that one is.
-    # What a window finds among its children it takes for a child of the window again.
-    window.findChildren(QtWidgets.QWidget)
-
-
 def _takes_tab(widget: QtWidgets.QWidget) -> bool:
     tab = Qt.FocusPolicy.TabFocus
     if widget.focusPolicy() & tab != tab or widget.focusProxy() is not None:
@@ -162,13 +158,17 @@ class PanelFocus(QObject):
         self._return_to: str | None = None
         self._covered: frozenset[str] = frozenset()
 
-    def next(self) -> None:
-        """Go to the next panel."""
-        self._go(1)
-
-    def previous(self) -> None:
-        """Go to the panel before."""
-        self._go(-1)
+    def go(self, by: str) -> None:
+        """Go to the next panel; "-1": to the one before."""
+        # A panel that only says what to do has nothing for the keyboard.
+        panels, step = [panel for panel in self._panels if tab_stops(panel, ())], int(by)
+        focused = QtWidgets.QApplication.focusWidget()
+        here = [k for k, panel in enumerate(panels) if focused and panel.isAncestorOf(focused)]
+        if panels:
+            start = here[0] if here else -min(step, 0) - 1
+            panel = panels[(start + step) % len(panels)]
+            panel.activateWindow()
+            focus_into(panel, Qt.FocusReason.ShortcutFocusReason)
 
     def show(self, name: str) -> None:
         """Bring a panel into sight and go there; if it has the keyboard, go back."""
@@ -202,17 +202,6 @@ class PanelFocus(QObject):
         focused = QtWidgets.QApplication.focusWidget()
         names = (panel.name for panel in self._panels if focused and panel.isAncestorOf(focused))
         return next(names, None)
-
-    def _go(self, step: int) -> None:
-        # A panel that only says what to do has nothing for the keyboard.
-        panels = [panel for panel in self._panels if tab_stops(panel, ())]
-        focused = QtWidgets.QApplication.focusWidget()
-        here = [k for k, panel in enumerate(panels) if focused and panel.isAncestorOf(focused)]
-        if panels:
-            start = here[0] if here else -min(step, 0) - 1
-            panel = panels[(start + step) % len(panels)]
-            panel.activateWindow()
-            focus_into(panel, Qt.FocusReason.ShortcutFocusReason)
 
 
 class KeyboardFilter(QObject):

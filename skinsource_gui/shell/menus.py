@@ -99,8 +99,6 @@ _NOTHING_FOUND = "Nothing found"
 _HINT = "Try another word, such as export, limb, mute or theme"
 #: Property of an action: keywords by which it is found.
 KEYWORDS = "keywords"
-#: Property of an action that only explains something: it is listed after all others.
-BESIDES = "besides"
 
 
 class Palette(QtWidgets.QDialog):
@@ -200,18 +198,13 @@ def matching(actions: Sequence[QtGui.QAction], letters: str) -> list[QtGui.QActi
 
     First come those that say the letters in one piece: as their whole name, at its beginning, at
     the beginning of a word, elsewhere.  Then come those that have a keyword which begins with them.
-    What only explains comes last.
     """
     typed = letters.strip().lower()
-    besides = [
-        action for action in actions if action.property(BESIDES) and typed in _label(action).lower()
-    ]
-    actions = [action for action in actions if not action.property(BESIDES)]
     by_name = [action for action in actions if typed in _label(action).lower()]
     by_keyword = [
         action for action in actions if action not in by_name and _is_keyword(action, typed)
     ]
-    return [*sorted(by_name, key=lambda action: _nearness(action, typed)), *by_keyword, *besides]
+    return [*sorted(by_name, key=lambda action: _nearness(action, typed)), *by_keyword]
 
 
 def _label(action: QtGui.QAction) -> str:

@@ -462,7 +462,7 @@ def _title(limb: str) -> str:
 
 
 class RunningJobs(QObject):
-    """Cancels running jobs, and asks before the window closes while they run.
+    """Says that jobs run, and asks before the window closes meanwhile.
 
     Parameters
     ----------
@@ -484,10 +484,6 @@ class RunningJobs(QObject):
 
         self._runner.changed.connect(show)
         show()
-
-    def cancel(self) -> None:
-        """Stop the running job; the next one begins."""
-        self._runner.cancel()
 
     def may_close(self) -> bool:
         """Return whether the window may close: no job runs, or the user gives it up."""

@@ -1,12 +1,11 @@
 """The pages that open in front of the window, and the two of help that are made here."""
 
 from collections.abc import Callable, Iterable
-from functools import partial
 from html import escape
 from typing import Any
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QObject, Qt, QTimer, QUrl
+from PySide6.QtCore import QObject, Qt, QUrl
 
 from skinsource.base.assets import manual_file
 from skinsource.base.measurement_conditions import PRE_TRIGGER_DELAY_S
@@ -18,7 +17,7 @@ from skinsource_gui import pages
 from skinsource_gui.qt.keys import KEYS, MOUSE, native_text
 from skinsource_gui.qt.layouts import in_column, named
 from skinsource_gui.shell.actions import ACTIONS, ActionSpec
-from skinsource_gui.shell.menus import BESIDES, Palette
+from skinsource_gui.shell.menus import Palette
 from skinsource_gui.shell.status import StatusLine
 from skinsource_gui.state.services import Services
 
@@ -40,10 +39,8 @@ pre-trigger delay brings it back. Tables and files keep the record.</p>
 _PICTURE_PX = 640
 
 
-def keys_page(
-    actions: Iterable[ActionSpec], parent: QtWidgets.QWidget, heading: str = ""
-) -> QtWidgets.QDialog:
-    """Return the page of all shortcuts and of what the mouse does, scrolled to ``heading``."""
+def keys_page(actions: Iterable[ActionSpec], parent: QtWidgets.QWidget) -> QtWidgets.QDialog:
+    """Return the page of all shortcuts and of what the mouse does."""
     rows: list[tuple[str, str | None]] = []
     for group in (*MOUSE.values(), *KEYS.values()):
         rows += [(group.heading, None)]
@@ -55,21 +52,12 @@ def keys_page(
         if action.keys
     ]
     cells = "".join(
-        f'<tr><td colspan=2><h3><a name="{escape(left)}"></a>{escape(left)}</h3></td></tr>'
+        f"<tr><td colspan=2><h3>{escape(left)}</h3></td></tr>"
         if right is None
         else f"<tr><td><b>{escape(left)}</b>&nbsp;&nbsp;</td><td>{escape(right)}</td></tr>"
         for left, right in rows
     )
-    page = _page("Keys and mouse", f"<table cellpadding=2>{cells}</table>", parent)
-    # A heading has its place once the page has its size.
-    QTimer.singleShot(0, page, partial(_scroll_to, page, heading))
-    return page
-
-
-def _scroll_to(page: QtWidgets.QDialog, heading: str) -> None:
-    if heading:
-        for text in page.findChildren(QtWidgets.QTextBrowser, "page_text"):
-            text.scrollToAnchor(heading)
+    return _page("Keys and mouse", f"<table cellpadding=2>{cells}</table>", parent)
 
 
 class _Text(QtWidgets.QTextBrowser):
@@ -136,7 +124,7 @@ class Pages(QObject):
 
     def search(self) -> None:
         """Open the palette."""
-        Palette([*self._findable(), *self._gestures()], self._window).open()
+        Palette(self._findable(), self._window).open()
 
     def show_accuracy(self) -> None:
         """Open the page on errors and times, a window of its own."""
@@ -149,9 +137,9 @@ class Pages(QObject):
         self.accuracy.raise_()
         self.accuracy.activateWindow()
 
-    def show_keys(self, heading: str = "") -> None:
-        """Open the page of keys and mouse, with a heading at its top."""
-        keys_page(ACTIONS, self._window, heading).open()
+    def show_keys(self) -> None:
+        """Open the page of keys and mouse."""
+        keys_page(ACTIONS, self._window).open()
 
     def show_dataset(self) -> None:
         """Open the page on the measured limbs."""
@@ -182,19 +170,6 @@ class Pages(QObject):
         """Open the page on version, licence and citation."""
         text = _ABOUT + _checksums(self._document.design)
         _page("About SkinSource studio", text, self._window).open()
-
-    def _gestures(self) -> list[QtGui.QAction]:
-        """Return an action for each gesture of the mouse, which opens the keys page there."""
-        entries = []
-        for group in MOUSE.values():
-            for gesture in group.gestures.values():
-                movement = f"{gesture.shown[:1].lower()}{gesture.shown[1:]}"
-                entry = QtGui.QAction(f"Mouse: {gesture.effect} – {movement}")
-                entry.setToolTip(f"{group.heading}; Enter shows all of them")
-                entry.setProperty(BESIDES, True)
-                entry.triggered.connect(lambda _=False, to=group.heading: self.show_keys(to))
-                entries.append(entry)
-        return entries
 
     def end(self) -> None:
         """Close the page on errors and times."""

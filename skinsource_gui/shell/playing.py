@@ -80,15 +80,12 @@ class EscapeTwice(KeyboardFilter):
             and isinstance(event, QtGui.QKeyEvent)
             and not event.isAutoRepeat()
         ):
-            self._press(event.key() == Qt.Key.Key_Escape)
+            escape, now_s = event.key() == Qt.Key.Key_Escape, monotonic()
+            twice = escape and now_s - self._last_s <= _WITHIN_S
+            self._last_s = now_s if escape and not twice else -_WITHIN_S
+            if twice:
+                self.pressed.emit()
         return super().eventFilter(watched, event)
-
-    def _press(self, escape: bool) -> None:
-        now_s = monotonic()
-        twice = escape and now_s - self._last_s <= _WITHIN_S
-        self._last_s = now_s if escape and not twice else -_WITHIN_S
-        if twice:
-            self.pressed.emit()
 
 
 # The panel of all that is played on, and the longest title of an actuator.
@@ -153,7 +150,7 @@ class Transport(QtWidgets.QWidget):
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("transport")
-        self._played = Played()
+        self._playing = False
         self.play = self._button("play_button", "play", *_PLAY)
         self.repeat = self._button("repeat_button", "repeat", *_REPEAT)
         self.repeat.setCheckable(True)
@@ -163,10 +160,9 @@ class Transport(QtWidgets.QWidget):
 
     def show_played(self, played: Played) -> None:
         """Take over the state of playback."""
-        if played.playing != self._played.playing:
-            self._played = played
+        if played.playing != self._playing:
+            self._playing = played.playing
             self._show_icons()
-        self._played = played
         self.repeat.setChecked(played.loops)
 
     def changeEvent(self, event: QEvent) -> None:
@@ -175,9 +171,8 @@ class Transport(QtWidgets.QWidget):
             self._show_icons()
 
     def _show_icons(self) -> None:
-        playing = self._played.playing
-        self.play.setIcon(icon_of("stop" if playing else "play"))
-        self.play.setAccessibleName("Stop" if playing else "Animate")
+        self.play.setIcon(icon_of("stop" if self._playing else "play"))
+        self.play.setAccessibleName("Stop" if self._playing else "Animate")
         self.repeat.setIcon(icon_of("repeat"))
 
     def _button(self, name: str, action: str, title: str, hint: str) -> QtWidgets.QToolButton:

@@ -349,14 +349,6 @@ class Presenter(QObject):
             self._asks = False
             self.open_show(entries, at)
 
-    def next_scene(self) -> None:
-        """Go to the next scene."""
-        self._go(1)
-
-    def previous_scene(self) -> None:
-        """Go to the scene before."""
-        self._go(-1)
-
     def note_scene(self, name: str) -> None:
         """A scene of the paper was opened elsewhere: the next one comes after it."""
         self._steps, self._entries = self._steps_of_paper(), ()
@@ -401,13 +393,14 @@ class Presenter(QObject):
             here = watched is self._window or stage.isAncestorOf(cast(QtWidgets.QWidget, watched))
             return on_stage if here and stage.isVisible() else {}
         return {
-            "next": self.next_scene,
-            "previous": self.previous_scene,
+            "next": partial(self.go, "1"),
+            "previous": partial(self.go, "-1"),
             "leave": self.end,
             **on_stage,
         }
 
-    def _go(self, by: int) -> None:
+    def go(self, by: str) -> None:
+        """Go to the next scene; "-1": to the one before."""
         if not self._steps:
             path = self._document.path
             self._steps = (
@@ -416,9 +409,9 @@ class Presenter(QObject):
             stems = [step.title for step in self._steps]
             here = "" if path is None else path.stem
             self._at = stems.index(here) if here in stems else -1
-        target = self._at + by
+        target = self._at + int(by)
         if not 0 <= target < len(self._steps):
-            self.done.emit("This is the last scene" if by > 0 else "This is the first scene")
+            self.done.emit("This is the last scene" if int(by) > 0 else "This is the first scene")
             return
         if self._may_leave():
             self._open(target)

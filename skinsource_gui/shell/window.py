@@ -166,7 +166,7 @@ class MainWindow(QtWidgets.QMainWindow):
             "library": self.library,
             "keeping": self.keeping,
             "comparison": self.comparison,
-            "jobs": self.running_jobs,
+            "jobs": self.runner,
             "levelling": self.levelling,
             **self.playback.capabilities(),
             "steps": self.document.undo_stack,

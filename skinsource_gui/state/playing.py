@@ -94,7 +94,6 @@ class Played:
 
 #: Digits behind the decimal point: nobody hears, or reads, more.
 DECIMALS = 2
-_STEP_DB = 1.0
 
 
 class GainSetting(QObject):
@@ -121,13 +120,9 @@ class GainSetting(QObject):
         """Set the gain to its first value."""
         self.put(START_DB)
 
-    def turn_up(self) -> None:
-        """Raise the gain by 1 dB."""
-        self.put(self.gain_db + _STEP_DB)
-
-    def turn_down(self) -> None:
-        """Lower the gain by 1 dB."""
-        self.put(self.gain_db - _STEP_DB)
+    def turn(self, by_db: str) -> None:
+        """Raise the gain, or lower it."""
+        self.put(self.gain_db + float(by_db))
 
 
 #: Returns the session, which is made with the first call: the studio starts without audio modules.
@@ -348,8 +343,7 @@ class SoundSettings(QObject):
     changed = Signal()
     #: Another output or rig was chosen.
     output_changed = Signal()
-    #: Another device or rig was chosen: the gain of the one may be too high for the
-    #: is_other_device.
+    #: Another device or rig was chosen: the gain of the one may be too high for the other.
     device_changed = Signal()
     #: Why a rig was not opened.
     refused = Signal(str)
@@ -566,12 +560,7 @@ class Player(QObject):
     def animate(self) -> None:
         """Move the playhead through the design, again and again, in the slow motion of the view."""
         design, view = played_of(self._document), self._document.view
-        animate = partial(
-            self._session().animate,
-            design,
-            view,
-            loops=True,
-        )
+        animate = partial(self._session().animate, design, view, loops=True)
         self._begin(animate, partial(self._run, design, None))
 
     @property
@@ -633,7 +622,7 @@ class Player(QObject):
 
     def _run(self, design: Design, rig: "Rig | None") -> None:
         """Have playhead and edits follow what began."""
-        self.playhead.run(self._position)
+        self.playhead.run(lambda: None if self.now is None else self.now.position_s())
         self.edits.end()
         if self.now is not None:
             self.edits.begin(self.now, design, self.settings.output, rig, loops=self._repeats)
@@ -745,9 +734,6 @@ class Player(QObject):
             self.now.stream.queue.set_gain(gain_db)
         self.changed.emit()
 
-    def _position(self) -> float | None:
-        return None if self.now is None else self.now.position_s()
-
     def _replace(self, playing: "Playing") -> None:
         self.now = playing
         self.changed.emit()
@@ -757,7 +743,9 @@ class Player(QObject):
         if now is not None and now.over:
             self._end_playing()
             if now.stream is not None:
-                self._thread.run(partial(self._session().close_stream, now.stream), _ignore_result)
+                # That it cannot be closed either is nothing to report.
+                close = partial(self._session().close_stream, now.stream)
+                self._thread.run(close, lambda *_: None)
                 self.failed.emit(_DEVICE_LOST)
 
     def _note_end(self, stream: "Stream") -> None:
@@ -787,10 +775,6 @@ class Player(QObject):
         self.changed.emit()
 
 
-def _ignore_result(_result: object, _error: Exception | None) -> None:
-    """Do nothing: there is nothing to report."""
-
-
 #: Choices of slow motion: real time, and how many times slower.
 PACES = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0)
 # From here it goes on where the automatic one is not known: of a tone of 100 Hz.
@@ -813,24 +797,14 @@ class PlaybackPace(QObject):
         else:
             self._player.play_or_stop()
 
-    def slower(self) -> None:
-        """Play at the next slower pace."""
-        self._set_slow_motion(next((pace for pace in PACES if pace > self._now + 1e-9), PACES[-1]))
-
-    def faster(self) -> None:
-        """Play at the next faster pace."""
-        self._set_slow_motion(
-            next((pace for pace in reversed(PACES) if pace < self._now - 1e-9), PACES[0])
-        )
-
-    @property
-    def _now(self) -> float:
-        now = self._player.now
+    def slow_down(self, steps: str) -> None:
+        """Play at the next slower pace; "-1": at the next faster one."""
+        design, view, now = self._document.design, self._document.view, self._player.now
         running = _USUAL if now is None or now.silent is None else now.silent.slow_motion
-        return self._document.view.slow_motion or running
-
-    def _set_slow_motion(self, slow_motion: float) -> None:
-        design, view = self._document.design, self._document.view
+        pace = view.slow_motion or running
+        slower = [each for each in PACES if each > pace + 1e-9] or PACES[-1:]
+        faster = [each for each in PACES if each < pace - 1e-9] or PACES[:1]
+        slow_motion = slower[0] if int(steps) > 0 else faster[-1]
         self._document.apply(edits.play_slower(design, view, slow_motion))
 
     def _seek(self, time_s: float) -> None:

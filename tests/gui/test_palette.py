@@ -4,13 +4,12 @@ from unittest.mock import Mock
 
 from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtGui import QAction, QKeySequence
-from PySide6.QtWidgets import QApplication, QMenu, QTextBrowser, QWidget
+from PySide6.QtWidgets import QApplication, QMenu, QWidget
 from shiboken6 import isValid
 
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.skin.settings import SkinSettings
-from skinsource_gui.qt.keys import MOUSE
 from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.menus import ActionSet, Palette, matching
 from skinsource_gui.state.document import Document
@@ -125,18 +124,6 @@ def test_other_words_for_an_action_find_it(window, qtbot):
         "people": "Compare side by side",
     }.items():
         assert expected in listed_for(window, qtbot, letters), letters
-
-
-def test_a_gesture_of_the_mouse_is_found_and_leads_to_where_the_keys_page_says_it(window, qtbot):
-    texts = listed_for(window, qtbot, "stretch")
-    assert any(text.startswith("Mouse: stretch a clip") and "Shift" in text for text in texts)
-    run_from_palette(window, qtbot, "stretch a clip")
-    text = window.findChild(QTextBrowser, "page_text")
-    assert text.isVisible()
-    pan = text.verticalScrollBar()
-    qtbot.waitUntil(
-        lambda: text.toPlainText().startswith(MOUSE["clips"].heading) or pan.value() > 0
-    )
 
 
 def test_a_view_of_analysis_is_found_and_opened(window, qtbot):

@@ -18,6 +18,7 @@ from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.panels.hand.picture import spacing_of
 from skinsource_gui.qt.buttons import page_button
 from skinsource_gui.qt.frames import fitted
 from skinsource_gui.qt.layouts import add_row, form_of, in_row, named
@@ -282,14 +283,6 @@ class PlacesCanvas(QtWidgets.QWidget):
             return QtGui.QTransform()
         up = not self._draft.y_down and self._photograph.isNull()
         return fitted(bounds, room, up=up).transform()
-
-
-def spacing_of(points: Floats) -> Floats:
-    """Return the distance of each point to the nearest other, (n,); infinite where none is."""
-    distances = np.linalg.norm(points[:, None] - points[None], axis=-1)
-    distances[np.isnan(distances)] = np.inf
-    np.fill_diagonal(distances, np.inf)
-    return np.asarray(distances.min(axis=1, initial=np.inf))
 
 
 _AXES = ChoiceSpec(

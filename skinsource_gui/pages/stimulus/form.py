@@ -6,7 +6,6 @@ Rows that do not apply to the chosen format, rig or actuator are hidden.
 import json
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -380,7 +379,7 @@ class StimulusForm(QtWidgets.QWidget):
             else:
                 field.edited.connect(self.emit_order)
         for name, number in self._numbers.items():
-            number.edited.connect(partial(self._note_typed, name))
+            number.edited.connect(lambda *_, name=name: self.typed.add(name))
             number.edited.connect(self.emit_order)
         self.rigs.changed.connect(self.emit_order)
         self.rigs.refused.connect(self.refused)
@@ -409,9 +408,6 @@ class StimulusForm(QtWidgets.QWidget):
         self.setTabOrder(before, self._fields["rate"])
         self._about.setText(f"{format.hint}.")
         self.emit_order()
-
-    def _note_typed(self, name: str, *_: object) -> None:
-        self.typed.add(name)
 
     def _show_rows(self) -> None:
         format, fields, rigs = self.format, self._fields, self.rigs

@@ -139,7 +139,11 @@ def diagrams_of_proportion(
     """
     growth = _growth_in_bands if bands else _growth
     highest = float(result.frequency_hz[-1]) if result.frequency_hz.size else 1.0
-    title, straightness = "Adjusted R²", _straightness_dots(result, rows)
+    title = "Adjusted R²"
+    straightness = tuple(
+        Curve(x=result.frequency_hz, y=result.adjusted_r2[row], rank=rank, width_px=0.0)
+        for rank, row in enumerate(rows)
+    )
     if all_outputs is not None:
         title, straightness = f"{title}, all outputs", _worst_and_median(result, all_outputs)
     return (
@@ -150,13 +154,6 @@ def diagrams_of_proportion(
             y=Axis(shown=(0.0, 1.1), title=title),
             curves=straightness,
         ),
-    )
-
-
-def _straightness_dots(result: Proportion, rows: tuple[int, ...]) -> tuple[Curve, ...]:
-    return tuple(
-        Curve(x=result.frequency_hz, y=result.adjusted_r2[row], rank=rank, width_px=0.0)
-        for rank, row in enumerate(rows)
     )
 
 
@@ -189,11 +186,10 @@ def _overlay(
     part = part_of(time_s, result.divided[:, rows], zoom)
     x, y = finer(time_s, result.divided[:, rows] / unit.factor, *part)
     n = len(result.strengths)
-    widths = np.linspace(_WIDEST_PX, _NARROWEST_PX, n)
+    # The widest line is palest, so that all are visible.
+    widths, pale = np.linspace(_WIDEST_PX, _NARROWEST_PX, n), np.linspace(0.75, 0.0, n)
     over = tuple(
-        Curve(
-            x=x, y=y[k, rank], rank=rank, width_px=_width_over_time(x, widths[k]), pale=_pale(k, n)
-        )
+        Curve(x=x, y=y[k, rank], rank=rank, width_px=_width_over_time(x, widths[k]), pale=pale[k])
         for rank in range(len(rows))
         for k in range(n)
     )
@@ -210,7 +206,7 @@ def _growth(result: Proportion, rows: tuple[int, ...], unit: StrengthUnit) -> Di
         lines.append(Curve(x=at, y=level, rank=rank, width_px=0.0))
     return Diagram(
         x=Axis(shown=(0.0, 1.05 * float(at[-1])), title=unit.title),
-        y=Axis(shown=(0.0, _top(result.rms[:, rows])), title="RMS (m/s²)"),
+        y=Axis(shown=(0.0, 1.1 * float(result.rms[:, rows].max()) or 1.0), title="RMS (m/s²)"),
         curves=tuple(lines),
     )
 
@@ -306,11 +302,6 @@ def _difference_text(difference: float) -> str:
     return f"differences up to {difference:.0e} of the peak" if difference else "no difference"
 
 
-def _pale(k: int, n: int) -> float:
-    """Return how pale line ``k`` of ``n`` is: the widest one is palest, so that all are visible."""
-    return 0.75 * (1.0 - k / (n - 1))
-
-
 def _time_axis(x: Floats) -> Axis:
     margin_s = 0.0 if x.size > 1 else _MARGIN_OF_ONE_S
     shown = float(x[0]) - margin_s, float(x[-1]) + margin_s
@@ -325,10 +316,6 @@ def _width_over_time(x: Floats, width_px: float) -> float:
 def _symmetric_axis(values: Floats, title: str) -> Axis:
     peak = float(np.abs(values).max()) or 1.0
     return Axis(shown=(-1.1 * peak, 1.1 * peak), title=title)
-
-
-def _top(values: Floats) -> float:
-    return 1.1 * float(values.max()) or 1.0
 
 
 # So much higher than a line of letters is the place of a label, and so small they become.

@@ -10,7 +10,6 @@ from PySide6.QtCore import QPointF
 from skinsource.base.arrays import Booleans, Floats
 from skinsource.design.comparing import match_text
 from skinsource.design.design import Design
-from skinsource.design.signal_path import Voice
 from skinsource.design.view import View
 from skinsource.engine.analysis_rules import LineWave
 from skinsource.signals.analysis.wave_speed import LEAST_EXPLAINED, LEAST_STRAIGHT, TravellingWave
@@ -143,7 +142,9 @@ class WaveView(FigureView):
         left_out = len(outputs) - len(line.outputs)
         note = f" · {left_out} not on the map" if left_out else ""
         synthetic = " · synthetic limb" if results["limb_data"].synthetic else ""
-        several = f" · {_OVERLAP}" if _has_several_places(results["voices"]) else ""
+        # Waves from several places: none of them is seen alone.
+        audible = [voice for voice in results["voices"] if voice.audible and voice.amplitude != 0.0]
+        several = f" · {_OVERLAP}" if len({voice.location for voice in audible}) > 1 else ""
         self.show_result(f"{wave_text(line.wave)}{several}{note}{synthetic}")
 
     def table_text(self) -> str:
@@ -194,11 +195,6 @@ def wave_text(wave: TravellingWave) -> str:
     unsure = ". Choose three outputs or more to estimate the uncertainty" if alone else ""
     text = f"{speed} · attenuation {loss} dB/cm, spreading included{unsure}".replace("-", "−")
     return f"{text} · ±: standard deviation of the fit" if "±" in text else text
-
-
-def _has_several_places(voices: Sequence[Voice]) -> bool:
-    """Return whether waves come from several places: then none of them is seen alone."""
-    return len({voice.location for voice in voices if voice.audible and voice.amplitude != 0.0}) > 1
 
 
 def _spread(deviation: float, decimals: int) -> str:

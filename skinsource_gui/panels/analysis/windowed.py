@@ -323,9 +323,8 @@ def _paint_extent(
 ) -> None:
     """Paint mean distance and the distance of 90 % of the energy, a dot for each window."""
     extents = [extent for extent in content.shown_extents if extent is not None]
-    top = _rounded_up(
-        max((max(extent.mean_distance_mm, extent.d90_mm) for extent in extents), default=1.0)
-    )
+    far = max((max(extent.mean_distance_mm, extent.d90_mm) for extent in extents), default=1.0)
+    top = max(ceil(far / 20.0) * 20.0, 20.0)
     line = painter.fontMetrics().height()
     _paint_axis(painter, area, top, content.origin, theme)
     n = max(len(content.extents), 1)
@@ -375,11 +374,6 @@ def _paint_axis(
     text = f"mm from {origin}"
     fits = painter.fontMetrics().horizontalAdvance(text) <= below.width()
     painter.drawText(below, _CENTRE, text if fits else "mm")
-
-
-def _rounded_up(value: float) -> float:
-    """Return the next multiple of 20 mm."""
-    return max(ceil(value / 20.0) * 20.0, 20.0)
 
 
 _SYNTHETIC = "SYNTHETIC"

@@ -14,6 +14,7 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 
 from skinsource.limbs.locations import DIGITS
 from skinsource.limbs.synthetic import HandShape
+from skinsource_gui.plots.outputs import output_beyond
 from skinsource_gui.qt.buttons import text_colour_on
 from skinsource_gui.qt.frames import Frame
 from skinsource_gui.qt.theme import Theme, tabular, translucent
@@ -460,13 +461,7 @@ class HandLayout:
 
     def neighbour(self, site: int, direction: tuple[int, int]) -> int:
         """Return the nearest site in ``direction`` (x right, y down), else ``site``."""
-        x, y = (self.centres - self.centres[site - 1]).T
-        along = x * direction[0] + y * direction[1]
-        across = np.abs(x * direction[1] - y * direction[0])
-        ahead = (along > 1.0) & (across < 2.0 * along)
-        if not ahead.any():
-            return site
-        return int(np.argmin(np.where(ahead, along + 2.0 * across, np.inf))) + 1
+        return output_beyond(self.centres, site, *direction)
 
     def _nearest(self, position: QPointF, reach_px: NDArray[np.float64]) -> int | None:
         distances = np.hypot(*(self.centres - (position.x(), position.y())).T)

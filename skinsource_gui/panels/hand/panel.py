@@ -507,7 +507,12 @@ class HandDiagram(QtWidgets.QWidget):
 
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QtGui.QHelpEvent) and event.type() == QEvent.Type.ToolTip:
-            self._show_tooltip(event)
+            site = self.stage.site_at(QPointF(event.pos()))
+            if site is None or self.state.moving is not None:
+                QtWidgets.QToolTip.hideText()
+            else:
+                area = self.stage.layout.marker_area(site).toAlignedRect()
+                QtWidgets.QToolTip.showText(event.globalPos(), self.stage.text(site), self, area)
             return True
         return claims_shortcut(event, self._overrides) or super().event(event)
 
@@ -519,14 +524,6 @@ class HandDiagram(QtWidgets.QWidget):
         if event.key() == Qt.Key.Key_Space and self.state.cursor is None:
             return False
         return bool(meaning_of(_PLACE, event))
-
-    def _show_tooltip(self, event: QtGui.QHelpEvent) -> None:
-        site = self.stage.site_at(QPointF(event.pos()))
-        if site is None or self.state.moving is not None:
-            QtWidgets.QToolTip.hideText()
-        else:
-            area = self.stage.layout.marker_area(site).toAlignedRect()
-            QtWidgets.QToolTip.showText(event.globalPos(), self.stage.text(site), self, area)
 
     def describe(self, site: int) -> None:
         """Say what is at a site to assistive technology."""

@@ -165,7 +165,7 @@ def _own(limb_map: LimbMap, facts: LimbFacts) -> HandDrawing:
         anchors=palmar(limb_map.outline)[:: _step(limb_map.outline)],
         limb=facts.name,
         side=f"{side} hand,{swapped}\npalm side",
-        spacing=_spacing(sites),
+        spacing=spacing_of(sites),
         contacts=False,
         # Where a long arm goes on it fades, as the project's own.
         fade=(bounds.bottom() - _FADE_PX, bounds.bottom()) if below > 1.0 else None,
@@ -208,11 +208,12 @@ def _separated(sites: Floats) -> Floats:
     return separated
 
 
-def _spacing(sites: Floats) -> Floats:
-    """Return the distance from each site to the nearest other one, (n_sites,)."""
+def spacing_of(sites: Floats) -> Floats:
+    """Return the distance of each site to the nearest other, (n,); infinite where none is."""
     distances = np.linalg.norm(sites[:, None] - sites[None], axis=-1)
+    distances[np.isnan(distances)] = np.inf
     np.fill_diagonal(distances, np.inf)
-    return distances.min(axis=1, initial=np.inf)
+    return np.asarray(distances.min(axis=1, initial=np.inf))
 
 
 # Radius of the ring at the place under the pointer.

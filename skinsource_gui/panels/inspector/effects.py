@@ -33,16 +33,14 @@ class EffectRow(FieldsRow):
 
     def __init__(self, effect: Effect) -> None:
         self.part = effect
-        self._cells = tuple(self._cell(name) for name in specs_of(effect) if name != "on")
         self._switch = named(
             QtWidgets.QCheckBox(), "effect_switch", f"{effect.title} on", tooltip(ON.label, ON.hint)
         )
         title = RowTitle(effect.title, "effects", "in the chain")
         super().__init__(title, (self._switch,), UNIT_PX // 2)
         self.remove_button.setToolTip(tooltip(f"Remove {effect.title.lower()}"))
+        self._cells = tuple(self._cell(name) for name in specs_of(effect) if name != "on")
         self.grid.show_cells(self._cells)
-        for cell in self._cells:
-            cell.edited.connect(self.edited)
         self._switch.clicked.connect(self.switched)
         self.show_effect(effect)
 
@@ -79,7 +77,7 @@ class EffectRow(FieldsRow):
             super().press(name)
 
     def _cell(self, name: str) -> FieldCell:
-        cell = FieldCell(name, specs_of(self.part)[name])
+        cell = FieldCell(name, specs_of(self.part)[name], edited=self.edited)
         # Waveforms may have a field of the same name.
         cell.field.setObjectName(f"effect_{name}_field")
         return cell

@@ -217,7 +217,7 @@ class LibraryPanel(Panel):
         self.folders.changed.connect(self._show_presets)
         self.folders.failed.connect(self.failed)
         self.search.changed.connect(self._show_presets)
-        self.search.line.returnPressed.connect(self._place_current)
+        self.search.line.returnPressed.connect(lambda: self.place(self.rows.current))
         self.search.left_downwards.connect(self.rows.setFocus)
         self.rows.place_requested.connect(self.place)
         self.rows.delete_requested.connect(self._delete)
@@ -225,7 +225,7 @@ class LibraryPanel(Panel):
         self.rows.preview_changed.connect(self._preview)
         self.rows.customContextMenuRequested.connect(self._open_menu)
         self.model.rename_requested.connect(self._rename)
-        self.buttons.place.clicked.connect(self._place_current)
+        self.buttons.place.clicked.connect(lambda: self.place(self.rows.current))
         self.buttons.save.clicked.connect(lambda: self.action_requested.emit("save_to_library"))
         self.buttons.rename.clicked.connect(self.rows.rename)
         self.buttons.delete.clicked.connect(self._delete_current)
@@ -294,9 +294,6 @@ class LibraryPanel(Panel):
     def _search(self) -> None:
         self.search.line.setFocus()
         self.search.line.selectAll()
-
-    def _place_current(self) -> None:
-        self.place(self.rows.current)
 
     def _delete_current(self) -> None:
         if self.rows.current is not None:
