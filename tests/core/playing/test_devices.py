@@ -98,7 +98,9 @@ def test_what_a_device_refuses_is_said_in_plain_words(library, refusal, message)
 
 def test_without_the_extra_the_line_to_type_is_said(monkeypatch):
     monkeypatch.setitem(sys.modules, "sounddevice", None)
-    with pytest.raises(NothingToPlayOnError, match=re.escape(extra_line("audio"))):
+    with pytest.raises(
+        NothingToPlayOnError, match=f"^To play, type: {re.escape(extra_line('audio'))} and "
+    ):
         devices.sound_library()
 
 
