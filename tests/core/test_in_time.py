@@ -143,10 +143,8 @@ def dense_extremes(dense):
     """Extremes of the points from each sample to before the next."""
     cells = dense[..., :-1].reshape(*dense.shape[:-1], -1, FINER)
     last = dense[..., -1:]
-    return (
-        np.concatenate((cells.min(axis=-1), last), axis=-1),
-        np.concatenate((cells.max(axis=-1), last), axis=-1),
-    )
+    ends = (cells.min(axis=-1), cells.max(axis=-1))
+    return tuple(np.concatenate((end, last), axis=-1) for end in ends)
 
 
 @pytest.mark.parametrize("frequency_hz", [30.0, 130.0, 325.0, 1300 / 3, 520.0, 599.0])

@@ -176,10 +176,8 @@ def test_a_line_leaves_out_what_is_not_on_the_map():
     view = replace(VIEW, outputs=(20, 61, 24))
     line_wave = ss.evaluate(DESIGN, "line_wave", view=view)["line_wave"]
     assert line_wave.outputs == (20, 24)
-    limb = ss.load_limb("synthetic-1")
-    a, b = limb.map.output_positions[[19, 23]]
-    px_to_mm = limb.hand_length_mm / limb.map.hand_length_px
-    assert line_wave.wave.distance_m[1] * 1e3 == pytest.approx(np.hypot(*(a - b)) * px_to_mm)
+    a, b = ss.load_limb("synthetic-1").output_positions_mm[[19, 23]]
+    assert line_wave.wave.distance_m[1] * 1e3 == pytest.approx(np.hypot(*(a - b)))
     alone = replace(VIEW, outputs=(61, 24))
     assert ss.evaluate(DESIGN, "line_wave", view=alone)["line_wave"] is None
 

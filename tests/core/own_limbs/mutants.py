@@ -21,24 +21,20 @@ _LONGEST = 600
 _CRASHED = ("crashed", "too long", "too much memory")
 
 
-def whole_file(path: Path) -> Path:
-    """A limb of two places and four outputs in the layout, with all that may be said."""
+def whole_file(path: Path, responses: np.ndarray | None = None, **attributes) -> Path:
+    """A limb in the layout of docs/limbs.md, by h5py alone: two places and four outputs, if any."""
+    rng = np.random.default_rng(1)
+    responses = rng.standard_normal((2, 4, 2, 8)) if responses is None else responses
+    n_inputs, n_outputs = responses.shape[:2]
     with h5py.File(path, "w") as file:
-        file.attrs.update(
-            format="skinsource limb",
-            format_version=1,
-            name="ours",
-            axes="xz",
-            sample_rate_hz=4000.0,
-            hand_length_mm=180.0,
-            band_hz=(30.0, 1200.0),
-        )
-        rng = np.random.default_rng(1)
-        file["responses"] = rng.standard_normal((2, 4, 2, 8))
+        file.attrs.update(format="skinsource limb", format_version=1, name="ours", axes="xz")
+        file.attrs.update(sample_rate_hz=4000.0, hand_length_mm=180.0, band_hz=(30.0, 1200.0))
+        file.attrs.update(attributes)
+        file["responses"] = responses
         file["map/outline"] = [[0.0, 0.0], [60.0, 0.0], [60.0, 100.0], [0.0, 100.0]]
-        file["map/inputs"] = rng.uniform(0, 50, (2, 2))
-        file["map/outputs"] = rng.uniform(0, 50, (4, 2))
-        file["names/inputs"] = ["a", "b"]
+        file["map/inputs"] = rng.uniform(0, 50, (n_inputs, 2))
+        file["map/outputs"] = rng.uniform(0, 50, (n_outputs, 2))
+        file["names/inputs"] = [f"site {k}" for k in range(1, n_inputs + 1)]
     return path
 
 
