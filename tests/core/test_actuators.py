@@ -8,8 +8,11 @@ import pytest
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError
 from skinsource.specs.models import specs_of
-from tests.core.actuators_bench import COIL, PIEZO, RECOIL
 
+#: An actuator of each kind, with parameters of ordinary ones.
+COIL = ss.actuators.VoiceCoil(8.0, 8e-4, 0.8, 1e-3, 0.07, 1209.0)
+RECOIL = ss.actuators.RecoilVoiceCoil(4.0, 5e-4, 1.5, 4e-3, 0.5, 1280.0, 1.1e-2, 700.0, 1.0)
+PIEZO = ss.actuators.Piezo(1e-7, 1e-2, 1e-3, 0.1, 2000.0)
 PARAMETERS = [(kind, name) for kind in (COIL, RECOIL, PIEZO) for name in specs_of(kind)]
 
 

@@ -13,12 +13,6 @@ RATE_HZ = 1300.0
 EDGES = (*SECTIONS, N_TAPS)
 
 
-def pulse(n_times: int, at: int) -> np.ndarray:
-    samples = np.zeros(n_times)
-    samples[at] = -1.0
-    return samples
-
-
 DRIVES = {
     "low tone": sinusoid(30.0, duration_s=0.5),
     "high tone": sinusoid(590.0, duration_s=0.5),
@@ -28,8 +22,8 @@ DRIVES = {
     "short noise": white_noise(0.03, 4),
     "steady": np.ones(700),
     "one sample": np.ones(1),
-    "pulse": pulse(300, 120),
-    "last sample": pulse(300, 299),
+    "pulse": -np.eye(1, 300, 120)[0],
+    "last sample": -np.eye(1, 300, 299)[0],
 }
 
 

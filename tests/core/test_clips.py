@@ -86,13 +86,6 @@ def test_the_order_of_clips_changes_no_bit(clips):
     np.testing.assert_array_equal(Layers(clips).samples(RATE_HZ), expected)
 
 
-def test_clips_on_one_track_are_those_on_several_tracks_of_one_place():
-    several = tuple(Input(location=7, clips=(clip,)) for clip in CLIPS)
-    np.testing.assert_allclose(levels(*several), ALONE, rtol=1e-12)
-    louder = tuple(replace(clip, gain=3.0 * clip.gain) for clip in CLIPS)
-    np.testing.assert_allclose(levels(Input(location=7, clips=louder)), 3.0 * ALONE, rtol=1e-12)
-
-
 def test_a_gain_curve_lies_over_the_time_of_the_design():
     curve = ((0.12, 1.0), (0.2, 3.0), (0.2, 0.5))
     samples, plain = played(*CLIPS, gain_curve=curve), played(*CLIPS)
@@ -108,15 +101,6 @@ def test_a_track_without_clips_that_sound_is_silent(clips):
     assert levels(silent).max() == 0.0
     np.testing.assert_array_equal(levels(Input(location=7, clips=CLIPS), silent), ALONE)
     assert played(*clips).size == 0
-
-
-@pytest.mark.parametrize(("onset_s", "times"), [(0.0, 4.0), (600.0, 2.0)])
-def test_clips_far_apart_are_summed_block_by_block(onset_s, times):
-    far = Input(location=7, clips=(Clip(waveform=TONE), Clip(waveform=TONE, onset_s=onset_s)))
-    once = levels(Input(location=7, clips=(Clip(waveform=TONE),)))
-    n_once, n_far = 130 + 521, round(onset_s * RATE_HZ) + 130 + 521
-    energy = levels(far) ** 2 * n_far / (once**2 * n_once)
-    np.testing.assert_allclose(energy, times, rtol=1e-9)
 
 
 def test_clips_get_the_smallest_free_ids_and_keep_them():

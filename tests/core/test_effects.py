@@ -186,20 +186,3 @@ def test_effects_work_one_after_the_other_and_lengths_follow_them():
     assert limited == pytest.approx(np.tanh(3.0 * np.maximum(tone, 0.0)))
     chain = (Trim(start_s=0.03), Rectify(), Trim(start_s=0.05), Trim(start_s=1.0, on=False))
     assert played_s(TONE, chain) == pytest.approx(0.12)
-
-
-@pytest.mark.parametrize("shift", [0.0, 0.25, 0.7])
-def test_each_effect_takes_samples_at_the_instants_that_it_needs(shift):
-    asked = []
-
-    def draw(waveform, sample_rate_hz, shift_s):
-        asked.append(shift_s * sample_rate_hz)
-        n = round(waveform.duration_s * sample_rate_hz) + (shift_s > 0)
-        return np.arange(n) / sample_rate_hz - shift_s  # the own time, as a signal
-
-    chain = (Trim(start_s=10.5 / RATE_HZ), Rectify(), Trim(start_s=20.25 / RATE_HZ))
-    samples = played(TONE, chain, RATE_HZ, shift / RATE_HZ, draw=draw)
-    assert asked == [pytest.approx((shift - 30.75) % 1.0)]
-    own = (np.arange(samples.size) - shift) / RATE_HZ
-    expected = np.where(own >= 0.0, own + 30.75 / RATE_HZ, 0.0)
-    assert samples == pytest.approx(expected, abs=1e-12)

@@ -322,18 +322,9 @@ def test_an_axis_that_was_not_measured_is_refused_by_name(limb_of_designs, measu
 
 
 @pytest.mark.parametrize("axes", ["", "zx", "xx", "q", "xyz", None])
-def test_a_limb_whose_axes_are_not_those_of_its_responses_is_refused(axes):
-    limb = limb_of_taps(9, "xz")
+def test_a_limb_whose_axes_are_not_those_of_its_responses_is_refused(limb_of, axes):
     with pytest.raises(InvalidInputError, match="expected 2 of x, y and z"):
-        Limb(
-            name="odd",
-            hand_length_mm=100.0,
-            synthetic=True,
-            map=limb.map,
-            read_response=limb.response_to,
-            axes=axes,
-            shape=(N_INPUTS, N_OUTPUTS, 2, 9),
-        )
+        limb_of(lambda _: np.zeros((N_OUTPUTS, 2, 9)), axes=axes, shape=(N_INPUTS, N_OUTPUTS, 2, 9))
 
 
 def test_probe_scaling_divides_by_the_pulse_only_where_a_pulse_was_played():

@@ -1,6 +1,5 @@
 """Tables and fields of designs: what was computed, how, how wrong, and whole or not at all."""
 
-import csv
 import hashlib
 import os
 import re
@@ -26,6 +25,7 @@ from skinsource.engine.transforms import BLOCK_FFT
 from skinsource.export import exported_design
 from skinsource.export.tables import export_field, export_levels, export_traces, export_windows
 from skinsource.limbs.locations import OUTPUTS
+from tests.core.exporting.export_bench import commented
 
 SHORT = Design(
     limb="synthetic-2",
@@ -54,15 +54,7 @@ def about(path) -> list[str]:
     if path.suffix == ".npz":
         with np.load(path, allow_pickle=False) as archive:
             return str(archive["about"]).splitlines()
-    lines = path.read_text(encoding="utf-8").splitlines()
-    return [line.removeprefix("# ") for line in lines if line.startswith("#")]
-
-
-def read(path) -> tuple[list[str], list[list[str]]]:
-    """Names of the columns, and the rows."""
-    lines = path.read_text(encoding="utf-8").splitlines()
-    names, *rows = csv.reader(line for line in lines if not line.startswith("#"))
-    return names, rows
+    return commented(path)[0]
 
 
 def field_of(path) -> np.ndarray:
@@ -85,12 +77,12 @@ def test_tables_and_fields_read_back_as_what_is_computed(tmp_path, design):
         export(tmp_path / name, design, VIEW)
     names = ("selected_traces", "response_time_s", "output_rms", "rms_of_windows", "axis_traces")
     values = ss.evaluate(design, *names, "extents_of_windows", view=VIEW)
-    columns, rows = read(tmp_path / "traces.csv")
+    _, columns, rows = commented(tmp_path / "traces.csv")
     assert columns == ["time_s", *(f"output_{number}_m_per_s2" for number in VIEW.outputs)]
     table = np.array(rows, float)
     np.testing.assert_array_equal(table[:, 0], values["response_time_s"])
     np.testing.assert_array_equal(table[:, 1:].T, values["selected_traces"])
-    columns, rows = read(tmp_path / "levels.csv")
+    _, columns, rows = commented(tmp_path / "levels.csv")
     assert columns == ["output", "rms_m_per_s2", "level_db_re_1_m_per_s2", "side", "place"]
     table = np.array([row[:3] for row in rows], float)
     np.testing.assert_array_equal(table[:, 0], np.arange(1, 73))
@@ -98,7 +90,7 @@ def test_tables_and_fields_read_back_as_what_is_computed(tmp_path, design):
     np.testing.assert_allclose(table[:, 2], 20 * np.log10(table[:, 1]), rtol=0, atol=1e-12)
     assert [row[4] for row in rows] == [place.name for place in OUTPUTS]
     assert [int(row[0]) for row in rows if row[3] == "palm"] == list(VOLAR_OUTPUTS)
-    columns, rows = read(tmp_path / "windows.csv")
+    _, columns, rows = commented(tmp_path / "windows.csv")
     assert columns[:4] == ["from_s", "to_s", "mean_distance_mm", "d90_mm"]
     table = np.array(rows, float)
     np.testing.assert_array_equal(table[:, 7:], values["rms_of_windows"])
@@ -139,7 +131,7 @@ def test_exports_say_what_was_computed_how_and_how_wrong_it_can_be(tmp_path, nam
     assert 0.0 < estimate <= 1e-14
     assert estimate < bound < 1e-10
     if name == "levels.csv":
-        loudest = np.argmax([float(row[1]) for row in read(tmp_path / name)[1]]) + 1
+        loudest = np.argmax([float(row[1]) for row in commented(tmp_path / name)[2]]) + 1
         assert any(f"the traces of output {loudest}, the loudest" in line for line in lines)
 
 
@@ -150,7 +142,7 @@ def test_a_table_says_whether_the_delay_is_in_its_times_and_a_single_axis_has_no
         words = f"52 ms: {'removed' if removed else 'contained'}"
         assert any(words in line for line in about(path))
         assert not any("pca" in line for line in about(path))
-        assert float(read(path)[1][0][0]) == start
+        assert float(commented(path)[2][0][0]) == start
 
 
 def test_a_measured_limb_is_not_called_synthetic_and_its_note_stands_in_every_export(
@@ -170,15 +162,15 @@ def test_silence_has_an_rms_of_0_and_no_level_and_no_extent_in_a_table(tmp_path)
     for name, export in EXPORTS.items():
         export(tmp_path / name, Design(limb="synthetic-1"), View(outputs=()))
         assert any("there is nothing to check" in line for line in about(tmp_path / name))
-    table = np.array([row[:3] for row in read(tmp_path / "levels.csv")[1]], float)
+    table = np.array([row[:3] for row in commented(tmp_path / "levels.csv")[2]], float)
     assert not table[:, 1].any()
     assert np.isnan(table[:, 2]).all()
-    assert read(tmp_path / "windows.csv")[1][0][2] == "nan"
+    assert commented(tmp_path / "windows.csv")[2][0][2] == "nan"
     assert field_of(tmp_path / "field.npz").shape == (72, 3, 522)
     assert not field_of(tmp_path / "field.npz").any()
     # Without selected outputs there are the times alone.
-    assert read(tmp_path / "traces.csv")[0] == ["time_s"]
-    assert len(read(tmp_path / "traces.csv")[1]) == 522
+    assert commented(tmp_path / "traces.csv")[1] == ["time_s"]
+    assert len(commented(tmp_path / "traces.csv")[2]) == 522
 
 
 @NAMES
@@ -229,7 +221,7 @@ def test_traces_that_are_too_many_to_be_held_are_the_same(tmp_path, monkeypatch,
     view, tables = replace(VIEW, method=method), []
     for name in ("held.csv", "traces.csv"):
         export_traces(tmp_path / name, LONG, view)
-        tables.append(np.array(read(tmp_path / name)[1], float))
+        tables.append(np.array(commented(tmp_path / name)[2], float))
         monkeypatch.setattr(exported_design, "_MOST_HELD_BYTES", 500_000)
     peak = np.abs(tables[0][:, 1:]).max()
     np.testing.assert_allclose(tables[1], tables[0], rtol=0, atol=1e-14 * peak)

@@ -5,8 +5,7 @@ import sys
 import pytest
 
 from skinsource.base import extras
-from skinsource.base.errors import MissingExtraError, NothingToPlayOnError
-from skinsource.lab.playing.devices import sound_library
+from skinsource.base.errors import MissingExtraError
 
 
 @pytest.mark.parametrize("editable", [True, False])
@@ -22,10 +21,3 @@ def test_the_line_fits_how_the_studio_is_installed(monkeypatch, tmp_path, editab
     with pytest.raises(MissingExtraError) as error:
         extras.package_of_extra("no_package_of_this_name", "audio")
     assert extras.extra_line("audio") in str(error.value)
-
-
-def test_without_sound_what_to_type_comes_first(monkeypatch):
-    monkeypatch.setitem(sys.modules, "sounddevice", None)
-    with pytest.raises(NothingToPlayOnError) as error:
-        sound_library()
-    assert str(error.value).startswith(f"To play, type: {extras.extra_line('audio')} and ")

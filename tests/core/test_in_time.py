@@ -131,7 +131,6 @@ def test_a_limb_without_z_says_what_can_be_seen_of_it():
         _z_axis(Flat())
 
 
-RATE_HZ = 1300.0
 # The filter alone.
 FILTER_ERROR = 0.003
 
@@ -151,18 +150,16 @@ def dense_extremes(dense):
     """Extremes of the points from each sample to before the next."""
     cells = dense[..., :-1].reshape(*dense.shape[:-1], -1, FINER)
     last = dense[..., -1:]
-    return (
-        np.concatenate((cells.min(axis=-1), last), axis=-1),
-        np.concatenate((cells.max(axis=-1), last), axis=-1),
-    )
+    ends = (cells.min(axis=-1), cells.max(axis=-1))
+    return tuple(np.concatenate((end, last), axis=-1) for end in ends)
 
 
 @pytest.mark.parametrize("frequency_hz", [30.0, 130.0, 325.0, 1300 / 3, 520.0, 599.0])
 @pytest.mark.parametrize("phase", [0.0, np.pi / 4, 1.1])
 def test_within_every_period_a_tone_reaches_its_peak_whatever_its_samples_miss(frequency_hz, phase):
-    tone = np.sin(2 * np.pi * frequency_hz * np.arange(1300) / RATE_HZ + phase)
+    tone = np.sin(2 * np.pi * frequency_hz * np.arange(1300) / RATE + phase)
     low, high = of(extremes_between(tone[np.newaxis]))
-    n_period = int(np.ceil(RATE_HZ / frequency_hz)) + 1
+    n_period = int(np.ceil(RATE / frequency_hz)) + 1
     # Where the record begins and ends hard, it rings.
     for reached in (high[0, 40:-40], -low[0, 40:-40]):
         highest = np.lib.stride_tricks.sliding_window_view(reached, n_period).max(axis=-1)
@@ -173,7 +170,7 @@ def test_within_every_period_a_tone_reaches_its_peak_whatever_its_samples_miss(f
 def test_they_are_those_of_the_wave_that_is_drawn_from_close_by():
     signals = band_limited(3, 1001)
     extremes = extremes_between(signals)
-    expected = dense_extremes(finer(np.arange(1001) / RATE_HZ, signals)[1])
+    expected = dense_extremes(finer(np.arange(1001) / RATE, signals)[1])
     peak = np.abs(signals).max()
     for got, expected_values in zip(of(extremes), expected, strict=True):
         np.testing.assert_allclose(got, expected_values, rtol=0, atol=FILTER_ERROR * peak)
@@ -182,7 +179,7 @@ def test_they_are_those_of_the_wave_that_is_drawn_from_close_by():
 
 def test_of_signals_along_several_axes_the_wave_is_the_length_of_the_vector():
     axes = band_limited(2, 3, 700)
-    dense = finer(np.arange(700) / RATE_HZ, axes)[1]
+    dense = finer(np.arange(700) / RATE, axes)[1]
     expected = dense_extremes(np.sqrt(np.square(dense).sum(axis=1)))
     for got, expected_values in zip(of(extremes_between(axes)), expected, strict=True):
         np.testing.assert_allclose(

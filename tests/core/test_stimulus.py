@@ -10,7 +10,6 @@ from skinsource import Clip, Design, Input, effects, stimulus_of, track
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.waveforms import Gabor, Impulse, Noise, Tone
 from skinsource.engine import stimulus
-from skinsource.engine import stimulus as of_design
 
 RATE_HZ = 1300.0
 
@@ -145,7 +144,7 @@ def test_what_cannot_be_played_is_refused(call, message):
 
 
 def test_more_than_can_be_held_is_refused_before_it_is_made(monkeypatch):
-    monkeypatch.setattr(of_design, "MOST_SAMPLES", 10_000)
+    monkeypatch.setattr(stimulus, "MOST_SAMPLES", 10_000)
     with pytest.raises(InvalidInputError, match="lower rate") as refused:
         stimulus_of(SEVERAL, 48_000)
     assert "at most 0.1 s for 2 channels at 48000 Hz" in str(refused.value)

@@ -144,17 +144,12 @@ SPECIAL = {
 
 
 def outcome_of(function, parameters, arguments):
-    positional = [
-        arguments[name]
-        for name, parameter in parameters.items()
-        if name in arguments and parameter.kind is not parameter.KEYWORD_ONLY
-    ]
     named = {
         name: arguments[name]
         for name, parameter in parameters.items()
-        if name in arguments and parameter.kind is parameter.KEYWORD_ONLY
+        if parameter.kind is parameter.KEYWORD_ONLY
     }
-    return function(*positional, **named)
+    return function(*(arguments[name] for name in parameters if name not in named), **named)
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)

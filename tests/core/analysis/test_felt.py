@@ -50,15 +50,17 @@ def test_the_hand_arm_weighting_is_that_of_the_table(frequency_hz, gain):
     assert np.abs(hand_arm_weighting(frequency_hz)) == pytest.approx(gain, rel=0.006)
 
 
-def test_the_contact_alone_is_weighted_and_in_probe_scaling_only():
+def test_the_contact_alone_is_weighted_in_probe_scaling_and_behind_no_actuator():
     design = ss.Design(limb="synthetic-1", inputs=(tone(100.0, amplitude=3.0, onset_s=0.5),))
     [(place, weighted)] = ss.evaluate(design, "contact_weighted_rms")["contact_weighted_rms"]
     assert place == 8
     # The tone's ends are faded: a little below that of a steady one.
     steady = 3.0 / np.sqrt(2) * np.abs(hand_arm_weighting(100.0))
     assert 0.8 * steady < weighted < steady
-    relative = replace(design, scaling="relative")
-    assert ss.evaluate(relative, "contact_weighted_rms")["contact_weighted_rms"] is None
+    coil = ss.ActuatorAt(model=ss.actuators.load("example-voice-coil"))
+    for changes in ({"scaling": "relative"}, {"actuation": ss.Actuation(actuators=(coil,))}):
+        other = ss.evaluate(replace(design, **changes), "contact_weighted_rms")
+        assert other["contact_weighted_rms"] is None
 
 
 def test_what_lies_outside_the_measured_band_counts_for_nothing():

@@ -21,10 +21,6 @@ def band_rms(signals, band_hz=BAND_HZ):
     return statistics.band_rms(np.fft.rfft(signals), signals.shape[-1], RATE, band_hz)
 
 
-def tone(frequency_hz, n_times):
-    return np.sin(2.0 * np.pi * frequency_hz * np.arange(n_times) / RATE + 0.3)
-
-
 @pytest.mark.parametrize("n_times", [1300, 1301, 7])
 def test_bins_hold_all_the_energy_together(n_times):
     signals = np.random.default_rng(3).normal(size=(2, 3, n_times))
@@ -43,7 +39,8 @@ def test_only_whole_bins_are_told():
 
 def test_a_frequency_where_a_bin_begins_is_in_that_one():
     # 51 / 300 of the rate is 221 Hz, less the rounding of a float.
-    frequency_hz, rms = band_rms(tone(221.0, 300))
+    tone = np.sin(2.0 * np.pi * 221.0 * np.arange(300) / RATE + 0.3)
+    frequency_hz, rms = band_rms(tone)
     assert frequency_hz[np.argmax(rms)] == 222.0
 
 
@@ -61,10 +58,6 @@ def test_equal_levels_make_no_line():
     assert r2 == pytest.approx(1.0, abs=1e-3)
 
 
-def power_of(signals):
-    return np.abs(np.fft.rfft(signals)) ** 2
-
-
 def test_the_crest_factor_of_a_sine_is_the_root_of_two_and_silence_has_none():
     wave = np.sin(2 * np.pi * 0.0213 * np.arange(5000))
     rms = np.sqrt(np.mean(wave**2))
@@ -78,7 +71,7 @@ def test_the_dominant_frequency_is_that_of_the_finest_transform(frequency_hz):
     time = np.arange(900) / RATE
     burst = np.exp(-(((time - 0.3) / 0.08) ** 2)) * np.sin(2 * np.pi * frequency_hz * time)
     whole = np.stack([burst, 3.0 + 0.2 * burst])
-    frequencies_hz = dominant_frequency(power_of(whole), RATE / 900)
+    frequencies_hz = dominant_frequency(np.abs(np.fft.rfft(whole)) ** 2, RATE / 900)
     fine = np.abs(np.fft.rfft(burst, 2**20))
     expected = np.argmax(fine) * RATE / 2**20
     assert frequencies_hz == pytest.approx([expected, expected], abs=0.1)

@@ -71,16 +71,19 @@ def test_the_adjusted_share_is_that_of_its_formula():
     assert fit[0, k] == pytest.approx(1 - (1 - r2) * 3 / 2)
 
 
+def write_csv(path, time_s):
+    table = np.column_stack([time_s, FIELD.reshape(18, -1).T])
+    head = ",".join(["time_s", *(f"s{k}" for k in range(18))])
+    np.savetxt(path, table, delimiter=",", header=head, comments="", fmt="%.12g")
+
+
 @pytest.mark.parametrize("suffix", [".csv", ".npz"])
 def test_recorded_responses_are_read_output_by_output(tmp_path, suffix):
     path = tmp_path / f"field{suffix}"
-    table = FIELD.reshape(18, -1).T
     if suffix == ".csv":
-        time = np.arange(400) / 1300.0
-        head = ",".join(["time_s", *(f"s{k}" for k in range(18))])
-        np.savetxt(path, np.column_stack([time, table]), delimiter=",", header=head, comments="")
+        write_csv(path, np.arange(400) / 1300.0)
     else:
-        np.savez(path, field=table, fs=1300.0)
+        np.savez(path, field=FIELD.reshape(18, -1).T, fs=1300.0)
     assert open_recorded(path, 6, 3, 1300.0) == pytest.approx(FIELD)
     with pytest.raises(RecordingError, match="18 signals, expected 12"):
         open_recorded(path, 4, 3, 1300.0)
@@ -112,18 +115,15 @@ def test_an_array_of_three_dimensions_is_read_in_any_order_with_the_rate_of_its_
 
 
 def test_the_rate_is_that_of_the_file_of_its_times_or_else_the_one_given(tmp_path):
-    table, time = FIELD.reshape(18, -1).T, np.arange(400) / 650.0
+    time = np.arange(400) / 650.0
     expected = resample(FIELD, 650, 1300)
-    head = ",".join(["time_s", *(f"s{k}" for k in range(18))])
     stamped, plain = tmp_path / "stamped.csv", tmp_path / "plain.npz"
-    both = np.column_stack([time, table])
-    np.savetxt(stamped, both, delimiter=",", header=head, comments="", fmt="%.12g")
-    np.savez(plain, field=table)
+    write_csv(stamped, time)
+    np.savez(plain, field=FIELD.reshape(18, -1).T)
     assert open_recorded(stamped, 6, 3, 1300.0, rate_hz=99.0) == pytest.approx(expected)
     assert open_recorded(plain, 6, 3, 1300.0, rate_hz=650.0) == pytest.approx(expected)
     assert open_recorded(plain, 6, 3, 1300.0) == pytest.approx(FIELD)
-    both[100:, 0] += 0.01
-    np.savetxt(stamped, both, delimiter=",", header=head, comments="")
+    write_csv(stamped, np.where(time < time[100], time, time + 0.01))
     with pytest.raises(RecordingError, match="not steady"):
         open_recorded(stamped, 6, 3, 1300.0)
 

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource import Actuation, ActuatorAt, View, load_limb
+from skinsource import View
 from skinsource.base.job import never
-from skinsource.engine.analysis_rules import contact_weighted_rms, line_wave, output_noise_rms
+from skinsource.engine.analysis_rules import line_wave, output_noise_rms
 from skinsource.engine.moments import Projection
 from skinsource.perception.validity import drive_findings
 from skinsource.signals.analysis.wave_speed import travelling_wave
@@ -86,14 +86,6 @@ def test_noise_along_a_direction_is_that_of_independent_axes():
     assert noise_rms == pytest.approx(drawn.std(axis=-1), rel=0.01)
     length = output_noise_rms(energy, Projection((0, 1, 2), None), 10)
     assert length == pytest.approx(np.sqrt([2.9, 2.9]))
-
-
-def test_the_weighted_acceleration_of_a_contact_is_not_told_behind_an_actuator():
-    drives, limb = ((8, sine(100.0)),), load_limb("synthetic-1")
-    ((place, weighted),) = contact_weighted_rms(drives, limb, "probe", None)
-    assert (place, weighted > 0.0) == (8, True)
-    bench = Actuation(actuators=(ActuatorAt(model=ss.actuators.load("example-voice-coil")),))
-    assert contact_weighted_rms(drives, limb, "probe", bench) is None
 
 
 @pytest.mark.parametrize(("share", "state"), [(0.04, "kept"), (0.06, "left"), (0.15, "left")])

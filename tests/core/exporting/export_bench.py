@@ -1,10 +1,19 @@
-"""An export as WAV, and what was written."""
+"""Exports, and what was written."""
 
+import csv
 import json
 
 import soundfile
 
 import skinsource as ss
+
+
+def commented(path):
+    """Lines about the content, names of the columns, and rows of texts of a table."""
+    lines = path.read_text("utf-8").splitlines()
+    about = [line.removeprefix("# ") for line in lines if line.startswith("#")]
+    names, *rows = csv.reader(line for line in lines if not line.startswith("#"))
+    return about, names, rows
 
 
 def sidecar(path):

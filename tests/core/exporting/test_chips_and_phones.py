@@ -26,6 +26,11 @@ def arrays_of(path):
     return arrays, dict(re.findall(r"#define (STIM_\w+) (\S+)", text))
 
 
+def content_of(design, path):
+    ss.export_stimulus(design, path)
+    return json.loads(path.read_text())
+
+
 @pytest.fixture
 def tone():
     """One place: 175 Hz for 0.5 s at full strength, then 0.2 s at half of it."""
@@ -127,9 +132,7 @@ def test_bos1901_gets_12_bits_that_begin_and_end_at_0_volts(design, tmp_path):
 
 
 def test_a_haptic_file_keeps_the_rules_of_its_format(tone, tmp_path):
-    path = tmp_path / "a.haptic"
-    ss.export_stimulus(tone, path, "haptic", 48_000)
-    content = json.loads(path.read_text())
+    content = content_of(tone, tmp_path / "a.haptic")
     assert content["version"] == {"major": 1, "minor": 0, "patch": 0}
     envelopes = content["signals"]["continuous"]["envelopes"]
     amplitude, frequency = envelopes["amplitude"], envelopes["frequency"]
@@ -147,9 +150,7 @@ def test_a_haptic_file_keeps_the_rules_of_its_format(tone, tmp_path):
 
 
 def test_an_ahap_file_keeps_the_rules_of_its_format(tone, tmp_path):
-    path = tmp_path / "a.ahap"
-    ss.export_stimulus(tone, path)
-    content = json.loads(path.read_text())
+    content = content_of(tone, tmp_path / "a.ahap")
     assert content["Version"] == 1.0
     assert all(len(entry) == 1 for entry in content["Pattern"])
     kinds = [next(iter(entry)) for entry in content["Pattern"]]
@@ -174,9 +175,7 @@ def test_long_ahap_files_have_several_events_with_times_of_their_own(tmp_path):
         for at in (0.0, 40.0, 69.9)
     )
     long = ss.Design(limb="synthetic-1", inputs=(ss.Input(location=7, clips=tones),))
-    path = tmp_path / "a.ahap"
-    ss.export_stimulus(long, path)
-    pattern = json.loads(path.read_text())["Pattern"]
+    pattern = content_of(long, tmp_path / "a.ahap")["Pattern"]
     events = [entry["Event"] for entry in pattern if "Event" in entry]
     assert [event["Time"] for event in events] == [0.0, 30.0, 60.0]
     assert all(event["EventDuration"] <= 30.0 for event in events)
@@ -190,10 +189,7 @@ def test_long_ahap_files_have_several_events_with_times_of_their_own(tmp_path):
 
 
 def test_control_points_for_android_add_up_to_the_length(tone, tmp_path):
-    path = tmp_path / "a.pwle.json"
-    ss.export_stimulus(tone, path)
-    content = json.loads(path.read_text())
-    points = content["controlPoints"]
+    points = content_of(tone, tmp_path / "a.pwle.json")["controlPoints"]
     assert sum(point["durationMillis"] for point in points) == 800
     assert all(point["durationMillis"] > 0 for point in points)
     assert all(0.0 <= point["amplitude"] <= 1.0 for point in points)

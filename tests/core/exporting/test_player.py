@@ -12,55 +12,44 @@ import soundfile
 
 import skinsource as ss
 from skinsource.base.errors import StorageError
+from tests.core.playing.synthetic_sound import CallbackStop, SoundLibrary
 
 LATENCY_S = 0.0125
 DELAY = 321
 
 
-class SyntheticCard(types.ModuleType):
+class SyntheticCard(SoundLibrary):
     """What of sounddevice the player uses; output 1 is wired to input 1, ``DELAY`` samples late."""
 
-    class CallbackStop(Exception):
-        """As in sounddevice."""
-
-    class PortAudioError(Exception):
-        """As in sounddevice."""
-
-    def __init__(self):
-        super().__init__("sounddevice")
-        self.streams = []
-        card = self
-
-        class OutputStream:
-            def __init__(self, *, samplerate, channels, callback, **_):
-                self.shape, self.callback, self.rate_hz = channels, callback, samplerate
-                self.played, self.active = [], False
-
-            def __enter__(self):
-                card.streams.append(self)
-                at, status = 100.0, types.SimpleNamespace(output_underflow=False)
-                while True:
-                    block = np.full((256, self.shape), np.nan, np.float32)
-                    about = types.SimpleNamespace(
-                        currentTime=at, outputBufferDacTime=at + LATENCY_S
-                    )
-                    try:
-                        self.callback(block, 256, about, status)
-                    except card.CallbackStop:
-                        self.played.append(block)
-                        return self
-                    self.played.append(block)
-                    at += 256 / self.rate_hz
-
-            def __exit__(self, *_):
-                return None
-
-        self.OutputStream = OutputStream
+    def OutputStream(self, **asked):  # as sounddevice calls it
+        return self.open(SyntheticStream(**asked))
 
     def playrec(self, samples, *_, **__):
         late = np.zeros_like(samples[:, :1])
         late[DELAY:] = samples[:-DELAY, :1]
         return late
+
+
+class SyntheticStream:
+    """Asks for all blocks as soon as it is opened."""
+
+    def __init__(self, *, samplerate, channels, callback, **_):
+        self.shape, self.callback, self.rate_hz = channels, callback, samplerate
+        self.played, self.active = [], False
+
+    def __enter__(self):
+        at, status = 100.0, types.SimpleNamespace(output_underflow=False)
+        while True:
+            self.played.append(np.full((256, self.shape), np.nan, np.float32))
+            about = types.SimpleNamespace(currentTime=at, outputBufferDacTime=at + LATENCY_S)
+            try:
+                self.callback(self.played[-1], 256, about, status)
+            except CallbackStop:
+                return self
+            at += 256 / self.rate_hz
+
+    def __exit__(self, *_):
+        return None
 
 
 @pytest.fixture

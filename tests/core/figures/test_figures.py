@@ -1,6 +1,5 @@
 """The figures of the scenes as files, what is in them, and their scales."""
 
-import csv
 import re
 
 import numpy as np
@@ -13,6 +12,7 @@ from skinsource.engine import evaluation
 from skinsource.studies.figures import writing
 from skinsource.studies.figures.figures import FIGURES
 from skinsource.studies.figures.writing import draw_figure, write_figures
+from tests.core.exporting.export_bench import commented
 from tests.core.own_limbs.lab_bench import keep
 
 #: Scenes that leave the condition on the spacing of outputs, and whether their figures show maps.
@@ -20,11 +20,9 @@ SPACED = {"1C": True, "2B": True, "1D": False, "2D": False, "5F": False}
 
 
 def table(path):
-    """Comment lines, names of the columns, and rows of numbers."""
-    lines = path.read_text("utf-8").splitlines()
-    about = [line for line in lines if line.startswith("#")]
-    rows = list(csv.reader(line for line in lines if not line.startswith("#")))
-    return about, rows[0], np.array(rows[1:], float)
+    """Lines about the content, names of the columns, and rows of numbers."""
+    about, names, rows = commented(path)
+    return about, names, np.array(rows, float)
 
 
 def test_every_scene_has_a_figure():
@@ -53,7 +51,7 @@ def test_each_figure_is_written_as_picture_and_numbers(name, tmp_path, monkeypat
             assert rows.shape[1] == len(header)
             assert np.isfinite(rows).all()
             assert any("SYNTHETIC" in line for line in about)
-            assert sum(line.startswith("# inferred:") for line in about) == len(known.inferred)
+            assert sum(line.startswith("inferred:") for line in about) == len(known.inferred)
             if name in SPACED:
                 assert any("spacing of the outputs" in line for line in about) == SPACED[name]
 
@@ -102,7 +100,7 @@ def test_figures_say_on_which_limb_and_which_conditions_are_not_kept(measured, t
     assert "Hatched: less than 6 dB above the noise of the measurement." in drawing
     of_noise = [line for line in about if "validity, noise: CAUTION" in line]
     assert [line.split(":")[0] for line in of_noise] == [
-        f"# {frequency} Hz" for frequency in (50, 100, 200, 400)
+        f"{frequency} Hz" for frequency in (50, 100, 200, 400)
     ]
     # What holds of all designs is said once.
     assert sum("validity, scaling: CAUTION" in line for line in about) == 1

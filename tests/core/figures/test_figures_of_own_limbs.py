@@ -1,37 +1,19 @@
 """Figures of scenes on a limb of a lab: all that a limb has is asked of it."""
 
-from dataclasses import replace
-
 import pytest
 
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError
 from skinsource.studies.figures.figures import swept_hz
 from skinsource.studies.figures.writing import draw_figure
-from tests.core.own_limbs.lab_bench import N_INPUTS, N_OUTPUTS, installed
+from tests.core.own_limbs.lab_bench import N_OUTPUTS, installed
 
 BAND = (40.0, 1500.0)
 
 
 def on_lab(name):
-    """A scene on the limb of the lab, at places and outputs that this has."""
-    opened = ss.scenes.open_scene(name, available=())
-
-    def moved(design):
-        inputs = tuple(
-            replace(track, location=1 + track.location % N_INPUTS) for track in design.inputs
-        )
-        return replace(design, limb="lab-1", inputs=inputs)
-
-    outputs = tuple(number for number in opened.view.outputs if number <= N_OUTPUTS)
-    return replace(
-        opened,
-        design=moved(opened.design),
-        view=replace(opened.view, outputs=outputs, time_range_s=None),
-        conditions=tuple(
-            replace(condition, design=moved(condition.design)) for condition in opened.conditions
-        ),
-    )
+    """A scene on the limb of the lab."""
+    return ss.scenes.open_scene(name, limb="lab-1")
 
 
 def test_a_pulse_is_shown_as_late_as_the_limb_answers_along_the_axes_that_it_has(user_data):

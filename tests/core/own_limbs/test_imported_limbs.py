@@ -14,6 +14,7 @@ from skinsource.limbs.limb_layout import export_limb
 from skinsource.limbs.own_limbs import facts_of, own_limb_names
 from skinsource.limbs.svg_path import outline_of, path_lines
 from tests.core.own_limbs.lab_bench import N_INPUTS, N_OUTPUTS, RATE_HZ, response
+from tests.core.own_limbs.mutants import whole_file
 
 OUTLINE = [[0, 0], [60, 0], [60, 100], [0, 100]]
 ALL = np.stack([response(place) for place in range(1, N_INPUTS + 1)])
@@ -24,15 +25,7 @@ VALUES = {"name": "ours", "axes": "xz", "sample_rate_hz": RATE_HZ, "hand_length_
 
 
 def layout_file(path: Path, **attributes) -> Path:
-    """A file as docs/limbs.md describes it, written by h5py alone."""
-    with h5py.File(path, "w") as file:
-        file.attrs.update(format="skinsource limb", format_version=1, **VALUES, **attributes)
-        file["responses"] = ALL.astype("f4")
-        file["map/outline"] = np.array(OUTLINE, float)
-        file["map/inputs"] = INPUTS
-        file["map/outputs"] = OUTPUTS
-        file["names/inputs"] = [f"site {k}" for k in range(1, N_INPUTS + 1)]
-    return path
+    return whole_file(path, ALL.astype("f4"), **attributes)
 
 
 def table(path: Path, rows, header: str = "") -> Path:

@@ -25,6 +25,7 @@ from skinsource.limbs.own_limbs import (
     own_limb_path,
     remove_limb,
 )
+from tests.core.exporting.export_bench import commented
 from tests.core.own_limbs.lab_bench import (
     N_INPUTS,
     N_OUTPUTS,
@@ -216,9 +217,7 @@ def test_a_design_is_rendered_and_packed_that_was_saved_without_a_view(user_data
     save_design(path, Design(limb="lab-1", inputs=(track(2, Tone(duration_s=0.02)),)))
     assert View().outputs == (29, 52)
     assert main(["render", str(path), "--out", str(tmp_path)]) == 0
-    lines = (tmp_path / "traces.csv").read_text().splitlines()
-    (header,) = [line for line in lines if line.startswith("time_s")]
-    assert header == "time_s,output_29_m_per_s2"
+    assert commented(tmp_path / "traces.csv")[1] == ["time_s", "output_29_m_per_s2"]
     assert main(["pack", str(path), "--out", str(tmp_path / "lab.zip")]) == 0
     assert capsys.readouterr().err == ""
 

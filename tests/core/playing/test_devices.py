@@ -13,7 +13,6 @@ import skinsource as ss
 from skinsource.base.errors import InvalidInputError, NothingToPlayOnError, PlaybackError
 from skinsource.base.extras import extra_line
 from skinsource.lab.playing import devices, stream
-from skinsource.lab.playing import devices as portaudio
 from skinsource.lab.playing.devices import DeviceRows, Output, output_from_text
 from skinsource.lab.playing.mix import PlayQueue
 from tests.core.playing.synthetic_sound import SoundLibrary
@@ -99,8 +98,10 @@ def test_what_a_device_refuses_is_said_in_plain_words(library, refusal, message)
 
 def test_without_the_extra_the_line_to_type_is_said(monkeypatch):
     monkeypatch.setitem(sys.modules, "sounddevice", None)
-    with pytest.raises(NothingToPlayOnError, match=re.escape(extra_line("audio"))):
-        portaudio.sound_library()
+    with pytest.raises(
+        NothingToPlayOnError, match=f"^To play, type: {re.escape(extra_line('audio'))} and "
+    ):
+        devices.sound_library()
 
 
 def test_without_portaudio_the_package_of_the_system_is_said(monkeypatch):
@@ -109,7 +110,7 @@ def test_without_portaudio_the_package_of_the_system_is_said(monkeypatch):
 
     monkeypatch.setattr(importlib, "import_module", fail)
     with pytest.raises(NothingToPlayOnError, match=r"apt install libportaudio2.*library not found"):
-        portaudio.sound_library()
+        devices.sound_library()
 
 
 FROM_HZ = 1300

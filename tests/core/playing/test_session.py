@@ -1,4 +1,5 @@
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -113,20 +114,18 @@ def test_a_device_that_does_not_begin_is_let_go(sound, session):
     assert play(session).stream is not None
 
 
-class Clock:
-    now_s = 50.0
-
-    def __call__(self):
-        return self.now_s
-
-
 @pytest.fixture
 def clock():
-    return Clock()
+    """A clock that is turned by hand."""
+    return SimpleNamespace(now_s=50.0)
+
+
+def silent_run(clock, *about):
+    return SilentRun(*about, lambda: clock.now_s)
 
 
 def test_it_runs_as_fast_as_the_clock_and_is_over_at_the_end(clock):
-    run = SilentRun(2.0, None, 0.5, clock)
+    run = silent_run(clock, 2.0, None, 0.5)
     clock.now_s += 1.0
     assert (run.position_s(), run.over) == (1.5, False)
     clock.now_s += 0.5
@@ -134,7 +133,7 @@ def test_it_runs_as_fast_as_the_clock_and_is_over_at_the_end(clock):
 
 
 def test_a_loop_is_never_over(clock):
-    run = SilentRun(2.0, (0.5, 1.0), 0.75, clock)
+    run = silent_run(clock, 2.0, (0.5, 1.0), 0.75)
     clock.now_s += 1.0
     assert run.position_s() == pytest.approx(0.75)
     clock.now_s += 100.1
@@ -143,7 +142,7 @@ def test_a_loop_is_never_over(clock):
 
 
 def test_behind_the_loop_it_runs_to_the_end(clock):
-    run = SilentRun(2.0, (0.5, 1.0), 1.25, clock)
+    run = silent_run(clock, 2.0, (0.5, 1.0), 1.25)
     clock.now_s += 0.5
     assert (run.position_s(), run.over) == (1.75, False)
     clock.now_s += 0.5
@@ -151,7 +150,7 @@ def test_behind_the_loop_it_runs_to_the_end(clock):
 
 
 def test_a_change_goes_on_where_it_is_or_enters_the_new_loop(clock):
-    run = SilentRun(2.0, None, 0.0, clock)
+    run = silent_run(clock, 2.0, None, 0.0)
     clock.now_s += 1.0
     run.change(3.0, (0.5, 2.5))
     assert run.position_s() == 1.0

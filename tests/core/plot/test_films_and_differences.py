@@ -77,9 +77,8 @@ def test_a_film_shows_each_instant_with_rings_at_the_inputs(tmp_path, monkeypatc
     assert not np.array_equal(frames[2], frames[-1])
     (shot,) = shots
     limb = ss.load_limb("synthetic-1")
-    place = limb.map.input_positions[6] * limb.hand_length_mm / limb.map.hand_length_px
     rings = [(line.get_xdata()[0], line.get_ydata()[0]) for line in shot._ax.lines]
-    assert any(np.allclose(point, place) for point in rings)
+    assert any(np.allclose(point, limb.input_positions_mm[6]) for point in rings)
     # Sample 80 of the response lies on the time axis at this instant.
     shot.frame(80 / 1300.0 - limb.pre_trigger_delay_s)
     view = ss.View(axes="z", outputs=tuple(range(1, 73)))

@@ -47,8 +47,8 @@ def test_a_map_lies_where_the_outline_is_and_marks_inputs_and_outputs():
     scale = limb.hand_length_mm / limb.map.hand_length_px
     np.testing.assert_allclose(ax.patches[0].get_xy()[:-1], limb.map.outline * scale)
     marked = [(line.get_xdata()[0], line.get_ydata()[0]) for line in ax.lines]
-    assert any(np.allclose(point, limb.map.input_positions[6] * scale) for point in marked)
-    assert any(np.allclose(point, limb.map.output_positions[18] * scale) for point in marked)
+    assert any(np.allclose(point, limb.input_positions_mm[6]) for point in marked)
+    assert any(np.allclose(point, limb.output_positions_mm[18]) for point in marked)
     texts = [text.get_text() for text in (*ax.texts, *figure.texts)]
     assert "19" in texts
     assert "61" not in texts  # it has no place on the back
@@ -171,8 +171,8 @@ def test_what_is_mostly_noise_is_hatched_within_the_outline_on_axes_that_are_dra
     expected_outline = outline.get_transform().transform(outline.get_path().vertices)
     np.testing.assert_allclose(to_screen.transform(clip.vertices), expected_outline)
     # One disc: output 61 has no place on the back.
-    place = limb.map.output_positions[29] * limb.hand_length_mm / limb.map.hand_length_px
-    np.testing.assert_allclose(hatched.get_path().get_extents().get_points().mean(axis=0), place)
+    middle = hatched.get_path().get_extents().get_points().mean(axis=0)
+    np.testing.assert_allclose(middle, limb.output_positions_mm[29])
 
 
 # A quarter of the rate of 1300 Hz: where the phase is 45°, all samples miss its peaks by 3 dB.

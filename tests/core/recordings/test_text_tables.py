@@ -6,7 +6,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from skinsource.base.errors import RecordingError
-from skinsource.readers import text
 from skinsource.readers import text as text_table
 from skinsource.readers.timestamps import stated_rate_hz
 
@@ -175,7 +174,7 @@ def test_where_decimals_have_a_comma_a_point_parts_thousands():
 def test_what_ends_lines_elsewhere_hides_no_row(odd, tmp_path):
     path = tmp_path / "table.csv"
     path.write_text(f"# made{odd}by{odd}hand\n1\n2\n3\n", encoding="utf-8")
-    recording = text.look(path)
+    recording = text_table.look(path)
     assert recording.series[0].n_samples == 3
-    [block] = text.blocks(path, ["0"], 0, 3)
+    [block] = text_table.blocks(path, ["0"], 0, 3)
     assert np.array_equal(block[0], [1.0, 2.0, 3.0])

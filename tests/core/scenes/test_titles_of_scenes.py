@@ -11,8 +11,7 @@ from tests.core.own_limbs.lab_bench import installed
 MEASURED = tuple(f"measured-{k}" for k in range(1, 5))
 
 
-def opened(name, **how):
-    return ss.scenes.open_scene(name, **how)
+opened = ss.scenes.open_scene
 
 
 @pytest.mark.parametrize("available", [(), MEASURED], ids=["synthetic", "measured"])

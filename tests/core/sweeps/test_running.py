@@ -17,6 +17,7 @@ import soundfile
 
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError, Stopped, StorageError
+from skinsource.base.job import never, silent
 from skinsource.base.lock import Lock, read_owner
 from skinsource.cli.command_line import main
 from skinsource.studies.sweeps.plan import Order, Plan
@@ -36,6 +37,11 @@ def rows_of(table):
 def csv_rows(folder):
     with (folder / "stimuli.csv").open() as file:
         return list(csv.DictReader(file))
+
+
+def sweep(out, progress=silent, stop=never):
+    vary = {"frequency_hz": FREQUENCIES}
+    return ss.sweep(DESIGN, vary, out=out, progress=progress, stop=stop)
 
 
 def test_the_table_has_a_row_for_each_stimulus(tmp_path):
@@ -67,23 +73,12 @@ def test_a_bad_row_is_reported_and_the_rest_is_measured(tmp_path):
 def test_stopped_it_goes_on_where_it_ended(tmp_path):
     progress = []
     with pytest.raises(Stopped):
-        ss.sweep(
-            DESIGN,
-            {"frequency_hz": FREQUENCIES},
-            out=tmp_path,
-            progress=lambda done, *_: progress.append(done),
-            stop=lambda: progress[-1:] == [3],
-        )
+        sweep(tmp_path, lambda done, *_: progress.append(done), lambda: progress[-1:] == [3])
     assert not (tmp_path / "stimuli.csv").exists()
     begun = []
-    table = ss.sweep(
-        DESIGN,
-        {"frequency_hz": FREQUENCIES},
-        out=tmp_path,
-        progress=lambda done, *_: begun.append(done),
-    )
+    table = sweep(tmp_path, lambda done, *_: begun.append(done))
     assert begun[0] == 3
-    assert rows_of(table) == rows_of(ss.sweep(DESIGN, {"frequency_hz": FREQUENCIES}))
+    assert rows_of(table) == rows_of(sweep(None))
 
 
 def test_a_damaged_byte_costs_the_journal_no_line_but_its_own(tmp_path):
