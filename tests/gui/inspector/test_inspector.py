@@ -156,9 +156,7 @@ def test_a_mixed_list_is_an_empty_line_and_what_is_typed_sets_all(qtbot):
     trains = (WaveletTrain(frequencies_hz=(50.0,)), WaveletTrain(frequencies_hz=(60.0, 70.0)))
     bench = Bench(qtbot, design_of(*trains))
     bench.show(selected_inputs=(1, 2))
-    line = bench.panel.findChild(LiveText, "frequencies_hz_field") or next(
-        line for line in bench.panel.findChildren(LiveText) if line.isVisible()
-    )
+    line = next(line for line in bench.panel.findChildren(LiveText) if line.isVisible())
     assert (line.text(), line.placeholderText()) == ("", "mixed")
     line.setFocus()
     QTest.keyClicks(line, "80, 90")
