@@ -3,12 +3,10 @@
 import shutil
 from dataclasses import replace
 from types import SimpleNamespace
-
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QPushButton
-
 from skinsource.base.job import Job
 from skinsource.base.lock import Lock, this_process, to_bytes
 from skinsource.design import edits
@@ -20,7 +18,8 @@ from skinsource_gui.pages.files.autosave import Autosave
 from skinsource_gui.shell.keeping import UnsavedWorkPage
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import start_design
-from tests.gui.keeping.bench import copies, edit, saved_amplitudes
+from contextlib import suppress
+from skinsource.design.design_file import open_design
 
 ENDED = to_bytes(replace(this_process(), started_s=1000.0))
 
@@ -346,3 +345,24 @@ def test_a_file_is_given_up_when_left_over_work_takes_its_place(window, leave, t
     window.keeping.recovery.open(window.keeping.recovery.look().left[0])
     assert window.document.path is None
     assert not lock.exists()
+
+
+def edit(window, amplitude):
+    window.document.edit("a", window.document.design.with_input(0, amplitude=amplitude))
+
+
+def copies(folder):
+    while True:
+        # One may be deleted while they are looked at: look again.
+        with suppress(FileNotFoundError):
+            copies = folder.glob("unsaved/*/*.skinsource")
+            return sorted(copies, key=lambda path: path.stat().st_mtime_ns)
+
+
+def saved_amplitudes(folder):
+    return [open_design(path).design.inputs[0].amplitude for path in copies(folder)]
+
+
+@pytest.fixture
+def window(new_window):
+    return new_window
