@@ -12,7 +12,7 @@ from skinsource_gui.plots.pictures import PictureOptions
 from skinsource_gui.qt.questions import ask_to_save
 from skinsource_gui.qt.theme import DARK
 from tests.gui.exporting import press, shown
-from tests.gui.importing.test_placing import drop
+from tests.gui.importing.test_import_page import drop
 
 
 def place(window, location=3):

@@ -12,6 +12,7 @@ from skinsource_gui.panels.analysis.panel import AnalysisPanel
 from skinsource_gui.qt.questions import CopyButton
 from tests.gui.analysis.analysis_bench import analysis
 from tests.gui.output.bench import CHOSEN
+from tests.gui.shared_window import rest
 
 SELECTED = (3, 9, 15, 21)
 #: What they show is of the selected outputs, or of one of them.
@@ -63,9 +64,6 @@ def studio(open_window, qtbot):
         qtbot.waitUntil(panel.isVisible)
         return panel
 
-    def settle():
-        qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
-
     def hide(name):
         name = name.partition("/")[0]
         window.docks[name].hide()
@@ -80,7 +78,7 @@ def studio(open_window, qtbot):
         window.document.edit("Other", design.with_input(0, clips=clips, amplitude=2.5))
 
     window.look_at, window.hide_panel = look_at, hide
-    window.settled, window.edit_all = settle, make_louder
+    window.settled, window.edit_all = partial(rest, window), make_louder
     return window
 
 

@@ -3,13 +3,13 @@
 from dataclasses import replace
 
 from PySide6.QtWidgets import (
+    QAbstractButton,
     QApplication,
     QComboBox,
     QLabel,
     QStyle,
     QStyleOptionComboBox,
     QTableView,
-    QToolButton,
 )
 
 from skinsource_gui.panels.analysis.settings import VIEWS
@@ -31,8 +31,8 @@ def room_of(combo):
     return combo.style().subControlRect(control, option, field, combo).width()
 
 
-def cut_texts(panel):
-    """What of the words of a panel is not written, or lies outside of it."""
+def cut_texts(panel, but=()):
+    """What of the words of a panel is not written, or lies outside; but for those of a kind."""
     cut = []
     visible = [item for item in panel.findChildren(object) if getattr(item, "isVisible", bool)()]
     for widget in visible:
@@ -44,7 +44,7 @@ def cut_texts(panel):
         elif isinstance(widget, QComboBox) and widget.objectName() != "actuator_field":
             if widget.fontMetrics().horizontalAdvance(widget.currentText()) > room_of(widget):
                 cut.append(widget.currentText())
-        elif isinstance(widget, QLabel):
+        elif isinstance(widget, QLabel) and not isinstance(widget, but):
             needed = (
                 widget.heightForWidth(widget.width())
                 if widget.wordWrap()
@@ -53,11 +53,8 @@ def cut_texts(panel):
             wide = 0 if widget.wordWrap() else widget.sizeHint().width()
             if wide > widget.width() or needed > widget.height() + 1:
                 cut.append(widget.text())
-        elif isinstance(widget, QToolButton):
-            if (
-                widget.text()
-                and widget.fontMetrics().horizontalAdvance(widget.text()) > widget.width()
-            ):
+        elif isinstance(widget, QAbstractButton):
+            if widget.fontMetrics().horizontalAdvance(widget.text()) > max(widget.width(), 1):
                 cut.append(widget.text())
         elif isinstance(widget, QTableView):
             cut += cut_cells(widget)

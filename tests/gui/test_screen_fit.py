@@ -9,7 +9,7 @@ from skinsource_gui.qt.windows import fit_by_guess, fitted
 from skinsource_gui.shell.appearance import place_in_sight
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import start_design
-from tests.gui.presenting.test_presented_scenes import notes_window
+from tests.gui.presenting.test_presenting import notes_window
 
 WIDEST = QMargins(8, 31, 8, 8)
 FRAMES = [QMargins(1, 24, 1, 5), WIDEST, QMargins(0, 37, 0, 0)]

@@ -37,16 +37,6 @@ def window(open_window, design):
     return open_window(design, VIEW)
 
 
-@pytest.fixture
-def settle(window, qtbot):
-    def wait():
-        window.catch_up()
-        qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
-
-    wait()
-    return wait
-
-
 def content(window):
     return window.panel("timeline").lanes.content
 

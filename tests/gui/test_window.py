@@ -8,6 +8,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QTextBrowser, QWidget
 
+from benchmarks.window_figures import SCREENS, figures_of
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
@@ -89,3 +90,21 @@ def test_about_the_data_says_the_checksum_of_the_responses(open_window, monkeypa
     text = page.findChild(QTextBrowser, "page_text").toPlainText()
     page.close()
     assert f"responses.mat: SHA-256 {'ab' * 32}" in text
+
+
+@pytest.mark.parametrize("screen", SCREENS, ids=lambda screen: str(screen[0]))
+def test_the_figures_of_the_window_hold(open_window, screen):
+    figures = figures_of(open_window(), screen)
+    holds = {
+        "skin": figures.skin >= (0.06 if screen[0] < 1920 else 0.08),
+        "arm": figures.arm >= 0.04,
+        "sensors_px": figures.sensors_px >= 20.0,
+        "clicked": figures.clicked,
+        "traces_px": figures.traces_px >= 180,
+        "spectra_px": figures.spectra_px >= 180,
+        "tracks": figures.tracks >= 5,
+        "hidden": not any(figures.hidden.values()),
+        "controls": len(figures.controls) <= 25,
+    }
+    missed = {name for name, held in holds.items() if not held}
+    assert not missed, f"{missed}: {figures}"

@@ -2,20 +2,20 @@
 
 import pytest
 from PySide6.QtCore import QPoint, QRect, Qt
-from PySide6.QtGui import QFontMetrics
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel
+from PySide6.QtWidgets import QApplication
 
 from skinsource.design.design_file import save_design
 from skinsource.design.view import View
-from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.plots.axis import Axis
 from skinsource_gui.plots.plot import Plot
+from skinsource_gui.qt.labels import FittingLabel
 from skinsource_gui.shell.docks import Dock
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.shell.workspaces import WORKSPACES, shared
 from tests.gui.dock_bench import in_sight
 from tests.gui.shared_window import rest
+from tests.gui.test_panels_fit import cut_texts
 
 COMPOSE, ANALYSE, PRESENT = (f"arrange_{workspace.name}" for workspace in WORKSPACES)
 SMALL, LARGE = (1366, 688), (1920, 1000)
@@ -70,26 +70,6 @@ def drag_line(window, by_px):
     QApplication.processEvents()
 
 
-def cut(window):
-    """Buttons and labels of panels in sight that have too little room."""
-    cut = []
-    for name in in_sight(window):
-        panel = window.panel(name)
-        for button in panel.findChildren(QAbstractButton):
-            needed = QFontMetrics(button.font()).horizontalAdvance(button.text())
-            if button.isVisible() and needed > max(button.width(), 1):
-                cut.append(button.text())
-        for grid in panel.findChildren(FieldGrid):
-            cut += [
-                label.text()
-                for label in grid.findChildren(QLabel)
-                if label.isVisible()
-                and label.text()
-                and label.height() < label.fontMetrics().height()
-            ]
-    return cut
-
-
 def numbers(plot):
     """How many numbers are written at each axis."""
     axes = [item for item in plot.scene().items() if isinstance(item, Axis) and item.isVisible()]
@@ -124,7 +104,8 @@ def test_nothing_is_cut_or_scrolls_sideways(window, settle, size, scale):
         assert (window.width(), window.height()) == size
         areas = {name: window.docks[name].widget() for name in in_sight(window)}
         wide = [n for n, area in areas.items() if area.widget().width() > area.viewport().width()]
-        assert (workspace, wide, cut(window)) == (workspace, [], [])
+        cut = [text for name in areas for text in cut_texts(window.panel(name), FittingLabel)]
+        assert (workspace, wide, cut) == (workspace, [], [])
         for name in ("traces", "spectra"):
             window.docks[name].bring_forward()
             settle()

@@ -1,14 +1,51 @@
-"""Importing a recording in the studio: the page, drops, and what comes of it."""
+"""A recording, and the page opened on it."""
 
+from functools import partial
 import numpy as np
 import pytest
 import soundfile
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
+from PySide6.QtGui import QDragEnterEvent, QDragLeaveEvent, QDragMoveEvent, QDropEvent
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QWidget
-
+from skinsource.design import edits
 from skinsource.design.recordings import take
+from skinsource.design.waveforms.samples import Recording
 from skinsource_gui.pages import actions
+from skinsource_gui.panels.timeline.content import clip_name
 from skinsource_gui.qt.frames import DropPlace
+
+NO_KEYS = Qt.KeyboardModifier.NoModifier
+
+
+@pytest.fixture
+def sound(tmp_path):
+    """Half a second of 150 Hz and of its half, at 48 kHz."""
+    tone = 0.8 * np.sin(2.0 * np.pi * 150.0 * np.arange(24_000) / 48_000) * np.hanning(24_000)
+    soundfile.write(tmp_path / "tap.wav", np.stack([tone, 0.5 * tone], axis=1), 48_000)
+    return tmp_path / "tap.wav"
+
+
+@pytest.fixture
+def page_on(window, qtbot):
+    """Open the page on a file, and wait until it shows what it can."""
+    return partial(opened, window.imports, qtbot)
+
+
+@pytest.fixture
+def page_at(desk, qtbot):
+    """The same without panels."""
+    return partial(opened, desk.imports, qtbot)
+
+
+def opened(imports, qtbot, path, place=None):
+    imports.open_page(path, place)
+    page = imports.pages[-1]
+    qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
+    QApplication.processEvents()
+    return page
 
 
 def choose(page, qtbot, name, option):
@@ -217,3 +254,135 @@ def test_a_rate_that_is_assumed_is_said_so_until_it_is_typed(page_at, qtbot, tmp
     QApplication.processEvents()
     assert not warning.isVisible()
     assert page.preview.text.startswith("1 s")
+
+
+@pytest.fixture
+def placeholder(desk):
+    """A track whose only clip stands for a recording, and that clip, which is selected."""
+    document = desk.document
+    track = document.design.inputs[0]
+    document.apply(
+        edits.change_kind(document.design, document.view, (track.id,), "Recording"), None
+    )
+    clip = document.design.inputs[0].clips[0]
+    document.apply(edits.select_clips(document.design, document.view, (clip.id,)), None)
+    return track, clip
+
+
+def test_a_recording_goes_in_place_of_what_stands_for_one_and_of_another_when_that_is_said(
+    desk, page_at, sound, placeholder
+):
+    document, track, clip = desk.document, *placeholder
+    first = actions.options(document.design, document.view, None)[0]
+    assert first[0] == f"clip {clip.id}"
+    assert first[1].startswith("In place of the recording on input 1, at ")
+    page_at(sound).accept()
+    (now,) = document.design.inputs[0].clips
+    assert now.waveform.name == "tap.wav, channel 1"
+    assert (now.id, now.onset_s) == (clip.id, clip.onset_s)
+    again = [name for name, _ in actions.options(document.design, document.view, None)]
+    assert again[:2] == [f"track {track.id}", f"clip {clip.id}"]
+
+
+def test_a_recording_whose_place_went_while_its_page_was_open_is_refused(
+    desk, page_at, sound, placeholder
+):
+    document, (_, clip) = desk.document, placeholder
+    page, messages = page_at(sound), []
+    document.refused.connect(messages.append)
+    document.apply(edits.remove_clips(document.design, document.view, (clip.id,)), None)
+    without = document.design
+    page.accept()
+    assert messages == ["That recording is no longer there; import it to another place."]
+    assert document.design == without
+
+
+def drop(window, path, at, kind=QDropEvent):
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(path))])
+    where = QPointF(at) if kind is QDropEvent else at
+    event = kind(where, Qt.DropAction.CopyAction, data, Qt.MouseButton.LeftButton, NO_KEYS)
+    QApplication.sendEvent(window, event)
+    return event
+
+
+def site(window, number):
+    diagram = window.panel("hand").diagram
+    return diagram.mapTo(window, diagram.site_centre(number))
+
+
+@pytest.mark.parametrize("where", ["site", "row", "elsewhere"])
+def test_a_file_that_is_dropped_goes_where_it_was_dropped(window, qtbot, sound, where):
+    first = window.document.design.inputs[0]
+    row = window.panel("timeline").heads.viewport()
+    at = {
+        "site": site(window, 13),
+        "row": row.mapTo(window, QPoint(60, 10)),
+        "elsewhere": window.panel("traces").mapTo(window, QPoint(50, 50)),
+    }[where]
+    assert drop(window, sound, at, QDragEnterEvent).isAccepted()
+    assert drop(window, sound, at).isAccepted()
+    (page,) = window.imports.pages
+    qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
+    QApplication.processEvents()
+    page.accept()
+    inputs = window.document.design.inputs
+    if where == "site":
+        assert inputs[-1].location == 13
+        assert isinstance(inputs[-1].clips[0].waveform, Recording)
+    else:
+        # The start design's only input is the selected one.
+        assert [track.id for track in inputs] == [first.id]
+        assert isinstance(inputs[0].clips[-1].waveform, Recording)
+
+
+def test_a_site_lights_up_while_a_recording_is_held_over_it(window, sound, tmp_path):
+    stage = window.panel("hand").diagram.stage
+    at = site(window, 13)
+    drop(window, sound, at, QDragEnterEvent)
+    drop(window, sound, at, QDragMoveEvent)
+    assert stage.state.target == 13
+    QApplication.sendEvent(window, QDragLeaveEvent())
+    assert stage.state.target is None
+    drop(window, tmp_path / "a.skinsource", at, QDragEnterEvent)
+    assert stage.state.target is None
+
+
+def test_a_recording_goes_to_the_playhead_or_behind_the_last_clip_and_has_the_name_of_its_file(
+    desk, page_at, sound
+):
+    document = desk.document
+    first = document.design.inputs[0]
+    page_at(sound).accept()
+    clip = document.design.inputs[0].clips[-1]
+    assert clip.onset_s == first.clips[0].end_s
+    assert clip_name(clip).startswith("tap.wav")
+    document.apply(edits.move_playhead(document.design, document.view, 3.0))
+    page_at(sound).accept()
+    assert document.design.inputs[0].clips[-1].onset_s == 3.0
+
+
+def test_each_channel_gets_a_clip_on_a_place_of_its_own_and_keeps_its_share(
+    desk, qtbot, page_at, sound
+):
+    document = desk.document
+    document.apply(edits.move_playhead(document.design, document.view, 1.0))
+    page = page_at(sound)
+    field = page.form.findChild(QWidget, "import_axes")
+    assert field.isVisibleTo(page)
+    QTest.keyClick(field, Qt.Key.Key_Down)
+    qtbot.waitUntil(lambda: page.ready, timeout=60_000)
+    assert page.preview.text.startswith("1 of 2")
+    before, said = document.undo_stack.count(), []
+    document.message.connect(said.append)
+    page.accept()
+    assert document.undo_stack.count() == before + 1
+    assert said == ["Imported at 7 (II pad), 8 (III pad); starts at 1000 ms"]
+    tracks = document.design.inputs
+    assert [track.location for track in tracks] == [7, 8]
+    clips = [track.clips[-1] for track in tracks]
+    assert [clip.waveform.name for clip in clips] == ["tap.wav, channel 1", "tap.wav, channel 2"]
+    assert [clip.onset_s for clip in clips] == [1.0, 1.0]
+    assert [clip.waveform.samples.peak for clip in clips] == pytest.approx([1.0, 0.5], rel=1e-3)
+    assert document.view.selected_inputs == document.design.ids
+    assert document.view.selected_clips == tuple(clip.id for clip in clips)

@@ -32,25 +32,19 @@ def test_without_a_selected_input_it_says_what_to_do(bench):
 
 
 @pytest.mark.parametrize(
-    ("name", "text", "value", "label"),
+    ("of", "name", "text", "value"),
     [
-        ("frequency_hz", "240", 240.0, "Change frequency of input at 7 (II pad)"),
-        ("duration_s", "1,5 s", 1.5, "Change duration of input at 7 (II pad)"),
+        (lambda track: track.clips[0].waveform, "frequency_hz", "240", 240.0),
+        (lambda track: track.clips[0].waveform, "duration_s", "1,5 s", 1.5),
+        (lambda track: track.clips[0], "onset_s", "35", 0.035),
+        (lambda track: track, "amplitude", "-2 m/s²", -2.0),
     ],
 )
-def test_typing_into_a_field_of_the_waveform_edits_it(bench, name, text, value, label):
+def test_what_is_typed_belongs_to_the_waveform_the_clip_or_the_input(bench, of, name, text, value):
     bench.type(name, text)
-    assert getattr(bench.track.clips[0].waveform, name) == value
+    assert getattr(of(bench.track), name) == value
+    label = f"Change {name.split('_')[0]} of input at 7 (II pad)"
     assert bench.edits == [(label, bench.design, None)]
-
-
-@pytest.mark.parametrize(
-    ("name", "text", "value"), [("amplitude", "-2 m/s²", -2.0), ("onset_s", "35", 0.035)]
-)
-def test_amplitude_belongs_to_the_input_and_onset_to_its_clip(bench, name, text, value):
-    bench.type(name, text)
-    assert getattr(bench.track if name == "amplitude" else bench.track.clips[0], name) == value
-    assert bench.labels[0].endswith("of input at 7 (II pad)")
 
 
 def test_the_place_can_be_chosen_by_its_number(bench):

@@ -66,11 +66,7 @@ def test_names_places_and_axes_are_those_of_the_limb(lab_window, lab):
     assert axes.accessibleDescription().startswith("x, z")
     offered = list(entries(axes).values())[: len(AXES)]
     assert [entry.data() for entry in offered if entry.isEnabled()] == ["x", "z", "xz"]
-    place = window.panel("inspector").findChild(ChoiceField, "location") or next(
-        field
-        for field in window.panel("inspector").findChildren(ChoiceField)
-        if field.accessibleName() == "Place"
-    )
+    place = window.panel("inspector").findChild(ChoiceField, "location_field")
     assert place.count() == N_INPUTS
     assert place.shown_text == "5 · site 5"
     hand = window.panel("hand").diagram

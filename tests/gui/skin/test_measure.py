@@ -1,14 +1,18 @@
-"""The measure line: what the numbers on the map are, chosen word by word."""
+"""The measure line and the colour range: what the numbers on the map are, and their colours."""
 
+import numpy as np
 import pytest
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
+from skinsource.design.comparing import Snapshot
 from skinsource.design.labels import AXES, METHODS, SPANS
+from skinsource.signals.map_range import map_range_db
 from skinsource_gui.panels.skin.settings import LEVELS, MAGNITUDE, SENSATION, Z
 from skinsource_gui.plots.small_map import COLOURS
-from tests.gui.skin.bench import choose, entries
+from skinsource_gui.state.compared import Compared
+from tests.gui.skin.bench import CONTROL, LEFT, PLAIN, choose, drag, entries
 
 
 def words(window):
@@ -102,3 +106,132 @@ def test_keys_open_the_menu_of_a_word(window, key):
     word.menu().aboutToShow.connect(lambda: opened.append(word))
     QTest.keyClick(word, key)
     assert opened == [word]
+
+
+def test_the_automatic_range_holds_the_loudest_output(window):
+    assert window.panel.colour_bar.value_range == (-60.0, -10.0)
+    assert not window.panel.content.fixed
+
+
+def test_the_automatic_range_follows_the_loudest_output_alone(window):
+    for loudest, top in (
+        (-11.0, -10),
+        (-5.0, -5),
+        (-4.9, 0),
+        (-8.1, -5),
+        (-200.0, 0),
+        (-17.9, -15),
+        (-190.0, -150),
+        (333.0, 200),
+    ):
+        assert map_range_db(np.array([-200.0, loudest])) == (top - 50.0, top)
+    # The same levels have the same colours, whatever was shown before.
+    for by, top in ((0.9, -10.0), (-6.0, -15.0), (1.1, -5.0), (-6.0, -15.0), (-15.0, -25.0)):
+        window.deliver(output_levels_db=window.results["output_levels_db"] + by)
+        assert window.panel.colour_bar.value_range == (top - 50.0, top)
+
+
+def test_the_automatic_range_spans_snapshots_too_as_loud_as_they_are_shown(window):
+    design, levels = window.design, window.results["output_levels_db"]
+    snapshots = tuple(Snapshot(number=k, design=design) for k in (1, 2))
+    window.show(snapshots=snapshots)
+    assert window.panel.needs_of_snapshots == {"output_levels_db"}
+    louder = {"output_levels_db": levels + 12.0}
+    window.panel.show_snapshots([Compared(snapshot=snapshots[1], values=louder)])
+    assert window.panel.colour_bar.value_range == (-45.0, 5.0)
+    window.deliver(output_levels_db=louder["output_levels_db"])
+    assert window.panel.colour_bar.value_range == (-45.0, 5.0)
+    window.panel.show_snapshots([Compared(snapshot=snapshots[1], values=louder, gain=10.0)])
+    assert window.panel.colour_bar.value_range == (-25.0, 25.0)
+    window.show(snapshots=())
+    assert window.panel.needs_of_snapshots == frozenset()
+    window.deliver()
+    assert window.panel.colour_bar.value_range == (-60.0, -10.0)
+
+
+def ends(strip):
+    """Places of the lower end, the middle and the upper end of the colours."""
+    ramp = strip._ramp()
+    return [QPoint(round(x), 12) for x in (ramp.left() + 1, ramp.center().x(), ramp.right() - 1)]
+
+
+def test_an_end_is_dragged_and_stops_before_the_other(window):
+    strip = window.panel.colour_bar.strip
+    low, _, high = ends(strip)
+    drag(strip, high, high - QPoint(40, 0))
+    lowest, highest = window.settings.map_range_db
+    assert lowest == -60.0
+    assert -30.0 < highest < -10.0
+    assert window.panel.colour_bar.value_range == (lowest, highest)
+    assert window.panel.content.fixed
+    drag(strip, low, low + QPoint(2000, 0))
+    assert window.settings.map_range_db == (highest - 1.0, highest)
+
+
+def test_a_drag_between_the_ends_moves_both_from_where_they_were_and_back(window):
+    strip = window.panel.colour_bar.strip
+    _, middle, _ = ends(strip)
+    QTest.mousePress(strip, LEFT, PLAIN, middle)
+    for by, sign in ((30, 1.0), (-30, -1.0)):
+        QTest.mouseMove(strip, middle + QPoint(by, 0))
+        low, high = window.panel.colour_bar.value_range
+        assert high - low == pytest.approx(50.0)
+        assert sign * (high + 10.0) > 5.0
+    QTest.mouseMove(strip, middle)
+    assert window.panel.colour_bar.value_range == (-60.0, -10.0)
+    QTest.mouseRelease(strip, LEFT, PLAIN, middle)
+    views = len(window.views)
+    QTest.mouseMove(strip, middle + QPoint(30, 0))
+    assert len(window.views) == views
+
+
+def test_keys_move_the_range(window):
+    strip = window.panel.colour_bar.strip
+    QTest.keyClick(strip, Qt.Key.Key_Up)
+    assert window.settings.map_range_db == (-59.0, -9.0)
+    QTest.keyClick(strip, Qt.Key.Key_Down, CONTROL)
+    assert window.settings.map_range_db == pytest.approx((-59.1, -9.1))
+    QTest.keyClick(strip, Qt.Key.Key_PageUp)
+    assert window.settings.map_range_db == pytest.approx((-49.1, 0.9))
+
+
+def test_limits_of_signed_values_stay_alike(window):
+    window.show(quantity=Z, z_limits=(-2.0, 2.0))
+    bar = window.panel.colour_bar
+    assert bar.limit_field.isVisible()
+    assert not bar.low_field.isVisible()
+    QTest.keyClick(bar.strip, Qt.Key.Key_Up)
+    assert window.settings.z_limits == (-2.24, 2.24)
+    low, _, _ = ends(bar.strip)
+    drag(bar.strip, low, low + QPoint(40, 0))
+    limit = window.settings.z_limits[1]
+    assert 0.5 < limit < 2.2
+    assert window.settings.z_limits == (-limit, limit)
+
+
+@pytest.mark.parametrize(
+    ("name", "typed", "range_db"),
+    [
+        ("high_field", "-100", (-150.0, -100.0)),
+        ("high_field", "-59.5", (-109.5, -59.5)),
+        ("high_field", "-59", (-60.0, -59.0)),
+        ("high_field", "-190", (-200.0, -190.0)),
+        ("low_field", "30", (30.0, 80.0)),
+        ("low_field", "190", (190.0, 200.0)),
+    ],
+)
+def test_a_typed_end_pushes_the_other_one_before_it(window, name, typed, range_db):
+    bar = window.panel.colour_bar
+    field = getattr(bar, name)
+    QTest.keyClicks(field, typed)
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    assert window.settings.map_range_db == range_db
+    assert (bar.low_field.value_si, bar.high_field.value_si) == range_db
+
+
+def test_an_end_that_leaves_no_room_for_the_other_is_refused_with_a_sentence(window):
+    field = window.panel.colour_bar.high_field
+    QTest.keyClicks(field, "-200")
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    assert field.problem == ("Highest colour: −200 dB is too low. Allowed: −199 to 200 dB.")
+    assert window.views == []

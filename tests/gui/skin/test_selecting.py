@@ -66,6 +66,39 @@ def test_escape_gives_up_a_rubber_band_and_then_the_selection(window):
     assert window.view.outputs == ()
 
 
+def test_only_escape_twice_in_a_row_deselects_outputs(window):
+    view = window.panel.map
+    ground = QPoint(6, view.height() - 60)
+    for between in (
+        lambda: QTest.keyClick(view, Qt.Key.Key_Left),
+        lambda: QTest.mouseClick(view, LEFT, PLAIN, ground),
+    ):
+        QTest.keyClick(view, Qt.Key.Key_Escape)
+        between()
+    QTest.keyClick(view, Qt.Key.Key_Escape)
+    assert window.view.outputs == (29, 52)
+    QTest.keyClick(view, Qt.Key.Key_Escape)
+    assert window.view.outputs == ()
+
+
+def test_keys_go_on_from_a_click_and_the_pointer_is_read_before_the_cursor(window, qtbot):
+    view, readout = window.panel.map, window.panel.readout
+    window.activate(qtbot)
+    view.setFocus()
+    for _ in range(2):
+        click(window, 52)
+    # Only another selection is told.
+    assert [shown.outputs for shown in window.views] == [(52,)]
+    QTest.keyClick(view, Qt.Key.Key_Down)
+    assert "Output 54, " in readout.toolTip()
+    view.clearFocus()
+    assert view.readout() == ""
+    QTest.mouseMove(view, place(window, 29))
+    assert "Output 29, " in readout.toolTip()
+    QTest.mouseMove(view, QPoint(5, 5))
+    assert "Output 54, " not in readout.toolTip()
+
+
 def test_control_a_selects_all_dorsal_outputs(window):
     QTest.keyClick(window.panel.map, Qt.Key.Key_A, CONTROL)
     assert window.view.outputs == tuple(k for k in range(1, 73) if k not in VOLAR_OUTPUTS)

@@ -1,4 +1,4 @@
-"""The Clip menu does with selected clips what keys do; heads give clips, which go to places."""
+"""The Clip menu does with clips what keys do; clips come from the head and go to places."""
 
 from dataclasses import replace
 
