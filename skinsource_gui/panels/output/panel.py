@@ -219,7 +219,7 @@ def _about_text(actuator: ActuatorAt) -> str:
 _THROUGH = "Predict through the actuator"
 _THROUGH_HINT = "Show all levels, maps and traces through this actuator"
 _VOLTS = "Amplitude 1 = 1 V at the actuator."
-_ACCELERATIONS = "Amplitude 1 = 1 m/s² at the contactor."
+_ACCELERATIONS = "Amplitude 1 = 1 m/s² at the contactor, as far as the equaliser reaches."
 _NO_INPUTS = "No place is in use: click one on the hand."
 _NOT_WIRED = "The rig wires no place that is in use."
 _PLOT_PX = 190
