@@ -143,7 +143,7 @@ def _add_rig(add: Any) -> None:
     add(
         "--equalise",
         choices=("linear", "minimum", "none"),
-        help="convert accelerations to volts, with this phase (default: from the design)",
+        help="regularised inverse with this phase, or none (default: that of the design)",
     )
     add("--boost", type=float, metavar="DB", help="largest boost of --equalise (default: 20)")
 
