@@ -48,6 +48,7 @@ from skinsource_gui.qt.buttons import page_button, page_label, scrolled, show_or
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.overlays import PALE, Staleness
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
+from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.state.worker import fault_text
 
 _ROW_PX, _GAP_PX = 58, 6
@@ -652,7 +653,8 @@ class SetPart(StimulusPart):
 
 def _cells(condition: Condition) -> list[tuple[str, str]]:
     if condition.refused:
-        return [(f"{condition.name}: {condition.refused}", condition.refused)]
+        text = f"{condition.name}: {condition.refused}"
+        return [(text, tooltip(text))]
     unit = condition.unit if condition.unit in ("m/s²", "V") else ""
     texts = (
         condition.name,
