@@ -328,6 +328,11 @@ def test_what_the_limited_boost_takes_is_the_same_number_everywhere(tmp_path, ca
     replaced = ss.equalising.PolePairReplacement(*ss.equalising.resonance_of(model))
     done = ss.export_stimulus(design, tmp_path / "p.wav", equaliser=replaced)
     assert "limited to its resonance: at 50 Hz" in done.loses
+    # The flanks of a short wavelet are no frequencies of their own.
+    short = ss.track(7, ss.waveforms.Gabor(frequency_hz=50.0, cycles=4.0))
+    boosted = replace(chosen, equaliser=RegularisedInverse(boost_db=40.0))
+    shorter = replace(design, inputs=(short,), actuation=boosted)
+    assert ss.export_stimulus(shorter, tmp_path / "s.wav").loses == ""
 
 
 def test_the_meaning_of_equalised_samples_is_volts(design, rig, tmp_path):

@@ -213,6 +213,8 @@ def test_what_is_chosen_here_is_an_edit_of_the_design(desk, page, qtbot):
     desk.exports.show("stimulus_set")
     page = opened(desk.exports, qtbot)
     assert page.form.field("boost_db").value_si == 2.0
+    desk.exports.page.show_export("stimulus")
+    desk.exports.page.show_export("stimulus_set")
     choose(page, qtbot, "equaliser", "NoneType")
     desk.exports.page.show_export("stimulus")
     assert desk.exports.page.part.form.field("equaliser").value == "NoneType"
