@@ -663,7 +663,7 @@ def _cells(condition: Condition) -> list[tuple[str, str]]:
         minus(f"{condition.gain_db:+.1f} dB"),
         minus(f"{condition.level_db:z.1f} dB"),
     )
-    return [(text, text) for text in texts]
+    return [(text, tooltip(text, condition.weakened)) for text in texts]
 
 
 def _write_set(planned: Any, path: Path, *, largest_error: float, **job: Any) -> Path:
