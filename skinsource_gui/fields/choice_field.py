@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QPointF, Qt, Signal
+from PySide6.QtCore import QEvent, QPointF, Qt, Signal
 
 from skinsource.base.quoting import printable
 from skinsource.specs.spec import ChoiceSpec
@@ -17,8 +17,11 @@ _BESIDE_PX = 4
 class DropDown(QtWidgets.QComboBox):
     """A drop-down list with an arrow; the open list is as wide as its longest entry.
 
-    The wheel acts only while it has the focus, so that scrolling a panel changes nothing.
+    The wheel acts only while it has the focus, so that scrolling a panel changes nothing.  The
+    tooltip begins with a text that is cut off.
     """
+
+    _is_cut = False
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
@@ -57,6 +60,7 @@ class DropDown(QtWidgets.QComboBox):
             self.shown_text, Qt.TextElideMode.ElideRight, room.width() - picture_px
         )
         painter.drawControl(QtWidgets.QStyle.ControlElement.CE_ComboBoxLabel, option)
+        self._is_cut = option.currentText != self.shown_text
         # The theme's style sheet takes away the arrow of the style.
         painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
         painter.setPen(
@@ -64,6 +68,13 @@ class DropDown(QtWidgets.QComboBox):
         )
         tip = QPointF(self.width() - 13, self.height() / 2 + 2)
         painter.drawPolyline([tip + QPointF(-4, -4), tip, tip + QPointF(4, -4)])
+
+    def event(self, event: QEvent) -> bool:
+        if isinstance(event, QtGui.QHelpEvent) and self._is_cut:
+            text = f"{tooltip(self.shown_text)}\n{self.toolTip()}"
+            QtWidgets.QToolTip.showText(event.globalPos(), text.rstrip(), self)
+            return True
+        return super().event(event)
 
     def wheelEvent(self, event: QtGui.QWheelEvent) -> None:
         if self.hasFocus():

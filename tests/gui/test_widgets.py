@@ -1,10 +1,12 @@
 """Labels and buttons that adapt to their room, and pictures that are kept."""
 
 import pytest
-from PySide6.QtCore import QRectF
-from PySide6.QtGui import QColor, QImage, QPainter
-from PySide6.QtWidgets import QApplication, QScrollArea, QToolButton
+from PySide6.QtCore import QEvent, QPoint, QRectF
+from PySide6.QtGui import QColor, QHelpEvent, QImage, QPainter
+from PySide6.QtWidgets import QApplication, QScrollArea, QToolButton, QToolTip
 
+from skinsource.specs.spec import ChoiceSpec
+from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.plots.signal_view import SignalView
 from skinsource_gui.qt.frames import CachedPicture
 from skinsource_gui.qt.labels import FittingLabel
@@ -26,6 +28,20 @@ def test_a_fitting_label_shows_the_longest_phrase_that_fits_or_dots(qtbot):
     label.resize(label.minimumSizeHint().width() - 8, 20)
     assert label.text().endswith("…")
     assert label.fontMetrics().horizontalAdvance(label.text()) <= label.width()
+
+
+@pytest.mark.parametrize(("width", "begin"), [(100, "Fingertip voice coil"), (400, "Actuator")])
+def test_the_tooltip_of_a_choice_begins_with_what_is_cut_off(qtbot, width, begin):
+    options = (("a", "Fingertip voice coil, in air"),)
+    field = ChoiceField(ChoiceSpec(label="Actuator", options=options, hint="What moves the skin"))
+    qtbot.addWidget(field)
+    field.setFixedWidth(width)
+    field.show()
+    qtbot.waitUntil(lambda: not field.grab().isNull())
+    QApplication.sendEvent(field, QHelpEvent(QEvent.Type.ToolTip, QPoint(5, 5), QPoint(5, 5)))
+    assert QToolTip.text().startswith(begin)
+    assert QToolTip.text().endswith("What moves the skin")
+    QToolTip.hideText()
 
 
 def test_only_what_is_stale_for_a_while_is_called_so_and_it_ends_at_once(qapp, qtbot):

@@ -126,6 +126,20 @@ def test_an_actuator_that_is_chosen_and_not_predicted_through(window, page, writ
         np.testing.assert_allclose(row * scale, made, atol=2e-4 * np.abs(made).max())
 
 
+def test_an_actuator_that_is_chosen_on_the_page(window, page, written, qtbot):
+    part = page()
+    part.form.field("actuator").choose(COIL)
+    part.form.field("phase").choose("minimum")
+    qtbot.waitUntil(lambda: not part.busy, **WAIT)
+    _, about, said = written(part)
+    assert f"equalised for {TITLE}" in said
+    assert about["equaliser"]["phase"] == "minimum"
+    rest(window)
+    panel = brought_forward(window, qtbot)
+    shown = [panel.choices.cell(name).field.value for name in ("actuator", "equaliser", "phase")]
+    assert shown == [COIL, "RegularisedInverse", "minimum"]
+
+
 def test_an_option_of_the_command_goes_before_the_design(tmp_path, capsys):
     actuator = ss.ActuatorAt(actuator=COIL, model=ss.actuators.load(COIL))
     equaliser = ss.equalising.RegularisedInverse(boost_db=12.0)

@@ -140,7 +140,7 @@ def _add_rig(add: Any) -> None:
     add(
         "--equalise",
         choices=("linear", "minimum", "none"),
-        help="convert accelerations to volts, with this phase (default: from the design)",
+        help="regularised inverse with this phase, or none (default: that of the design)",
     )
     add("--boost", type=float, metavar="DB", help="largest boost of --equalise (default: 20)")
 
@@ -220,6 +220,9 @@ def _export_set(arguments: argparse.Namespace, made_for: dict[str, Any]) -> int:
     for number, reason in exported.refused.items():
         sys.stderr.write(f"skinsource: condition {number} left out: {reason}\n")
     sys.stdout.write(f"{arguments.out / CONDITIONS}\n  {exported.summary}.\n")
+    for condition in exported.written:
+        if condition.weakened:
+            sys.stdout.write(f"  {condition.name}: {condition.weakened}\n")
     # Programs that use the set must notice that it is incomplete.
     return int(bool(exported.refused))
 

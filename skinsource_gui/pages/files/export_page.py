@@ -37,6 +37,8 @@ class ExportPage(ToolPage):
     chosen = Signal()
     #: An `Edit` after which a stimulus can be exported.
     mended = Signal(object)
+    #: An `Edit` of what the design is made for, number of the gesture or None.
+    edited = Signal(object, object)
 
     def __init__(
         self,
@@ -78,9 +80,19 @@ class ExportPage(ToolPage):
 
     @property
     def settings(self) -> str:
-        """Settings of the stimulus, to remember; "" where it was not looked at."""
+        """Settings of the stimulus, to remember."""
         part = self._parts.get("Stimulus")
-        return part.settings if isinstance(part, StimulusPart) else ""
+        return part.settings if isinstance(part, StimulusPart) else self._last_stimulus
+
+    def show_design(self, design: Design) -> None:
+        """Export another design; other parts than the present one are made anew."""
+        self._design, self._last_stimulus = design, self.settings
+        for group, part in list(self._parts.items()):
+            if part is not self.part:
+                part.close_worker()
+                self._parts.pop(group).deleteLater()
+            elif isinstance(part, StimulusPart):
+                part.show_design(design)
 
     def show_export(self, name: str) -> None:
         """Show an entry of the table of exports."""
@@ -115,9 +127,9 @@ class ExportPage(ToolPage):
         specs = [spec for spec in exports.EXPORTS if spec.group == group]
         kind = {STIMULUS: StimulusPart, STIMULUS_SET: SetPart}.get(specs[0].name)
         if kind is not None:
-            last = self.settings or self._last_stimulus
-            stimulus = kind(self._design, self._view, last, self._stem)
+            stimulus = kind(self._design, self._view, self.settings, self._stem)
             stimulus.mended.connect(self.mended)
+            stimulus.edited.connect(self.edited)
             if isinstance(stimulus, SetPart):
                 stimulus.recall(self._picture_options)
             return stimulus
@@ -127,7 +139,7 @@ class ExportPage(ToolPage):
         return part
 
     def _wired(self) -> dict[str, Any]:
-        """Return channels, rig and actuators of the stimulus, as its part has them."""
+        """Return the channels of the stimulus, as its part has them."""
         part = self._made("Stimulus")
         return part.wired if isinstance(part, StimulusPart) else {}
 

@@ -124,7 +124,7 @@ class FilePart(ExportPart):
     picture_options
         Options of the last pictures by the name of their export; new ones are added.
     wired
-        Returns the channels, rig and actuators of the stimulus, for the wiring page.
+        Returns the channels of the stimulus, for the wiring page.
     """
 
     def __init__(

@@ -265,6 +265,7 @@ class ExportActions(QObject):
         page.show_export(name or self._last)
         page.chosen.connect(self._ask_and_write)
         page.mended.connect(self._mend)
+        page.edited.connect(self._edit)
         page.finished.connect(self._forget_page)
         page.open()
 
@@ -284,6 +285,11 @@ class ExportActions(QObject):
         self._document.apply(edit)
         self.show(STIMULUS)
 
+    def _edit(self, edit: Edit, gesture: int | None) -> None:
+        """Make the design for other actuators, as the panel Output does."""
+        self._document.apply(edit, gesture)
+        self.page.show_design(self._document.design)
+
     def _forget_page(self) -> None:
         self.page = None
 
@@ -299,8 +305,7 @@ class ExportActions(QObject):
         if path is None or not self._may_write(path, page.part.files(path)):
             return
         self._last, write = page.part.name, page.part.writer(path)
-        if page.settings:
-            self._preferences.export_text = page.settings
+        self._preferences.export_text = page.settings
         draws = page.part.draws
         page.accept()
         if draws:

@@ -6,24 +6,19 @@ Rows that do not apply to the chosen format, rig or actuator are hidden.
 import json
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from PySide6 import QtWidgets
-from PySide6.QtCore import QObject, QSignalBlocker, Qt, Signal
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
 
-from skinsource.actuators.actuation import Actuation, ActuatorAt
-from skinsource.actuators.catalog import load, names, profile
-from skinsource.actuators.equalising import (
-    Equaliser,
-    PolePairReplacement,
-    RegularisedInverse,
-    resonance_of,
-)
-from skinsource.actuators.rigs import Rig, open_rig
+from skinsource.actuators.equalising import BOOST, NEW_QUALITY, PHASE
+from skinsource.actuators.rigs import open_rig
 from skinsource.base.errors import InvalidInputError, SkinSourceError
 from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ
 from skinsource.base.quoting import quoted
+from skinsource.design import edits
 from skinsource.design.amplitudes import ARBITRARY_UNIT, drive_unit, equaliser_of
 from skinsource.design.design import Design
 from skinsource.design.view import View
@@ -36,6 +31,7 @@ from skinsource.specs.spec import ChoiceSpec, ValidationError
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.rig_field import RigField
+from skinsource_gui.panels.output.panel import EQUALISER, OF_EQUALISER, fields_of, with_field
 from skinsource_gui.qt.buttons import page_label, tool_button
 from skinsource_gui.qt.layouts import form_of, named
 from skinsource_gui.qt.tooltips import tooltip
@@ -49,20 +45,11 @@ class Order:
     ----------
     format, rate_hz, options
         Format and options of the files, and their rate.
-    actuation
-        Actuators, where no rig states them.
-    rig
-        Rig that is wired to the device; None: not known.
-    equaliser
-        Makes volts of accelerations; None: nothing does.
     """
 
     format: StimulusFormat
     rate_hz: int
     options: StimulusOptions
-    actuation: Actuation | None
-    rig: Rig | None
-    equaliser: Equaliser | None
 
 
 #: Rates that devices know; any other can be typed.
@@ -108,22 +95,6 @@ SCALE = ChoiceSpec(
     options=(("largest", "Largest sample"), ("own", "A drive of…")),
     hint="Drive at full scale; one value for several files keeps ratios",
 )
-ACTUATOR = ChoiceSpec(
-    label="Actuator",
-    options=(("none", "None"), *((name, profile(name).title) for name in names())),
-    hint="Actuator at each place; starts with that of the design",
-)
-EQUALISER = ChoiceSpec(
-    label="Equaliser",
-    options=(
-        ("none", "None"),
-        ("linear", "Regularised inverse, linear phase"),
-        ("minimum", "Regularised inverse, minimum phase"),
-    ),
-    hint="Converts the accelerations of the design to volts",
-)
-
-
 #: Longest fade.
 LONGEST_FADE_S = 10.0
 
@@ -163,103 +134,6 @@ def scale_number(unit: str) -> NumberSpec:
     )
 
 
-_OF_DESIGN = "design"
-
-
-class RigFields(QObject):
-    """Lists from which a rig file, an actuator and an equaliser are chosen.
-
-    They start with those of the design.
-
-    Attributes
-    ----------
-    chosen
-        Actuation of the design; None where none is chosen.
-    rig
-        The rig; None without one.
-    """
-
-    changed = Signal()
-    #: Why a file was not opened.
-    refused = Signal(str)
-
-    def __init__(self, design: Design, parent: QtWidgets.QWidget) -> None:
-        super().__init__(parent)
-        self._volts = drive_unit(design) == "V"
-        self.chosen, self.rig = design.actuation, design.rig
-        self.rig_field = RigField()
-        self.actuator_field = ChoiceField(ACTUATOR)
-        self.equaliser_field = ChoiceField(EQUALISER)
-        if self.chosen is not None:
-            self._offer(self.chosen, design)
-        if self.rig is not None:
-            self.rig_field.show_rig(self.rig.title or "Rig")
-        self.rig_field.rig_chosen.connect(self.open_rig)
-        self.actuator_field.edited.connect(self.changed)
-        self.equaliser_field.edited.connect(self.changed)
-
-    def _offer(self, chosen: Actuation, design: Design) -> None:
-        """Offer the actuation of the design, and start with it."""
-        self.actuator_field.insertItem(1, f"{chosen.title} (of the design)", _OF_DESIGN)
-        self.actuator_field.set_value(_OF_DESIGN)
-        if chosen.equaliser is not None:
-            self.equaliser_field.insertItem(1, "That of the design", _OF_DESIGN)
-        if equaliser_of(design) is not None:
-            self.equaliser_field.set_value(_OF_DESIGN)
-
-    @property
-    def can_choose_actuator(self) -> bool:
-        """Whether an actuator can be chosen: drives are no volts, and no rig states one."""
-        return not self._volts and self.rig is None
-
-    @property
-    def can_equalise(self) -> bool:
-        """Whether it is known what an equaliser would be made for."""
-        return not self._volts and (self.rig is not None or self.actuation is not None)
-
-    @property
-    def actuation(self) -> Actuation | None:
-        """The chosen actuator."""
-        name = self.actuator_field.value
-        if name == "none":
-            return None
-        if name == _OF_DESIGN:
-            return self.chosen
-        actuator = ActuatorAt(actuator=profile(name).title, model=load(name))
-        return Actuation(actuators=(actuator,))
-
-    @property
-    def equaliser(self) -> Equaliser | None:
-        """The chosen equaliser."""
-        kind = self.equaliser_field.value
-        if not self.can_equalise or kind == "none":
-            return None
-        if kind != _OF_DESIGN or self.chosen is None:
-            return RegularisedInverse(phase=kind)
-        equaliser, actuation = self.chosen.equaliser, self.actuation
-        if (
-            isinstance(equaliser, PolePairReplacement)
-            and actuation is not None
-            and actuation != self.chosen
-        ):
-            # Its pole pair is that of one actuator.
-            (actuator,) = actuation.actuators
-            return PolePairReplacement(*resonance_of(actuator.model), equaliser.new_quality)
-        return equaliser
-
-    def open_rig(self, path: Path | None) -> None:
-        """Export for the rig of a file; None: without a rig."""
-        try:
-            rig = None if path is None else open_rig(path)
-        except SkinSourceError as error:
-            self.refused.emit(str(error))
-            return
-        self.rig = rig
-        title = None if rig is None or path is None else rig.title or path.stem
-        self.rig_field.show_rig(title)
-        self.changed.emit()
-
-
 #: Seed of dither; the sidecar names it.
 _SEED = 1
 _MAP_HINT = "Channel of each device output, in order: 2, 1, 0, 3; 0: silent"
@@ -271,8 +145,8 @@ _BOX_HINTS = {
 #: Names of the rows; choices of a format follow what it is about.
 _ROWS = (
     "format", "about", "rate", "other_rate", "plays", "actuator", "equaliser", "rig", "time",
-    "from", "to", "advanced", "channels", "map", "fade_in", "fade_out", "lead_in", "tail", "scale",
-    "full_scale", "sync", "dither",
+    "from", "to", "advanced", *OF_EQUALISER, "channels", "map", "fade_in", "fade_out", "lead_in",
+    "tail", "scale", "full_scale", "sync", "dither",
 )  # fmt: skip
 #: Rows that fold away, as all choices of a format but the first do.
 _ADVANCED = frozenset(_ROWS[_ROWS.index("advanced") + 1 :])
@@ -291,6 +165,8 @@ class StimulusForm(QtWidgets.QWidget):
 
     #: The `Order` that the fields make.
     changed = Signal(object)
+    #: An `Edit` of what the design is made for, number of the gesture or None.
+    edited = Signal(object, object)
     #: Why the fields make no order.
     refused = Signal(str)
 
@@ -322,7 +198,15 @@ class StimulusForm(QtWidgets.QWidget):
         }
         for name, value in (("to", longest_s), ("other_rate", 48_000), ("full_scale", 1.0)):
             self._numbers[name].set_value(value)
-        self.rigs = RigFields(design, self)
+        self._rig = RigField()
+        # What the design is made for; the panel Output shows the same.
+        self._output: dict[str, Any] = {
+            "actuator": ChoiceField(cast("ChoiceSpec", fields_of(None)["actuator"][0])),
+            "equaliser": ChoiceField(EQUALISER),
+            "boost_db": NumberField(BOOST),
+            "phase": ChoiceField(PHASE),
+            "new_quality": NumberField(NEW_QUALITY),
+        }
         self._map = QtWidgets.QLineEdit()
         named(self._map, title="Channel map", hint=tooltip("Channel map", _MAP_HINT))
         self._map.setPlaceholderText("in their order")
@@ -343,6 +227,7 @@ class StimulusForm(QtWidgets.QWidget):
             self._form.addRow("" if name in _CONTINUED else widget.accessibleName(), widget)
         self._connect()
         self.show_format()
+        self.show_design(design)
 
     @property
     def format(self) -> StimulusFormat:
@@ -351,10 +236,18 @@ class StimulusForm(QtWidgets.QWidget):
 
     def field(self, name: str) -> QtWidgets.QWidget:
         """Return the widget of a row."""
-        rigs = self.rigs
-        rows: dict[str, QtWidgets.QWidget] = {"map": self._map, "rig": rigs.rig_field}
-        rows |= {"actuator": rigs.actuator_field, "equaliser": rigs.equaliser_field}
+        rows: dict[str, QtWidgets.QWidget] = {"map": self._map, "rig": self._rig, **self._output}
         return {**rows, **self._fields, **self._numbers, **self._choices, **self._boxes}[name]
+
+    def show_design(self, design: Design) -> None:
+        """Show what a design is made for, and order it."""
+        self._design, rig = design, design.rig
+        for name, (spec, value) in fields_of(design.actuation).items():
+            if name in self._output:
+                self._output[name].set_spec(spec)
+                self._output[name].set_value(value)
+        self._rig.show_rig(None if rig is None else rig.title or "Rig")
+        self.emit_order()
 
     def show_silence(self, lead_in_s: float, tail_s: float) -> None:
         """Show how long the silences are that follow the equaliser."""
@@ -381,8 +274,9 @@ class StimulusForm(QtWidgets.QWidget):
         for name, number in self._numbers.items():
             number.edited.connect(lambda *_, name=name: self.typed.add(name))
             number.edited.connect(self.emit_order)
-        self.rigs.changed.connect(self.emit_order)
-        self.rigs.refused.connect(self.refused)
+        self._rig.rig_chosen.connect(self._open_rig)
+        for name, output in self._output.items():
+            output.edited.connect(partial(self._choose, name))
         self._map.textChanged.connect(self.emit_order)
         for name, box in self._boxes.items():
             box.toggled.connect(self._show_rows if name == "advanced" else self.emit_order)
@@ -409,8 +303,21 @@ class StimulusForm(QtWidgets.QWidget):
         self._about.setText(f"{format.hint}.")
         self.emit_order()
 
+    def _choose(self, name: str, value: Any, gesture: int | None) -> None:
+        actuation = with_field(self._design.actuation, name, value)
+        self.edited.emit(edits.choose_actuation(self._design, self._view, actuation), gesture)
+
+    def _open_rig(self, path: Path | None) -> None:
+        try:
+            rig = None if path is None else open_rig(path)
+        except SkinSourceError as error:
+            self.refused.emit(str(error))
+        else:
+            self.edited.emit(edits.choose_rig(self._design, self._view, rig), None)
+
     def _show_rows(self) -> None:
-        format, fields, rigs = self.format, self._fields, self.rigs
+        format, fields, design = self.format, self._fields, self._design
+        chosen = fields_of(design.actuation) if drive_unit(design) in ("m/s²", "V") else {}
         own_part = fields["time"].value == "part"
         visible = {
             "rate": not format.fixed_rate,
@@ -419,8 +326,8 @@ class StimulusForm(QtWidgets.QWidget):
             "map": fields["channels"].value != "files",
             "from": own_part,
             "to": own_part,
-            "actuator": rigs.can_choose_actuator,
-            "equaliser": rigs.can_equalise,
+            **{name: name in chosen for name in self._output},
+            "actuator": design.rig is None,
             "scale": not self._scale_is_known,
             "full_scale": self._own_scale,
             "dither": format.rounds(self.chosen),
@@ -433,7 +340,7 @@ class StimulusForm(QtWidgets.QWidget):
             if name != "about":
                 shown = visible.get(name, True) and (unfolded or name not in folding)
                 self._form.setRowVisible(self.field(name), shown)
-        unit = drive_unit(self._design) if self.rigs.equaliser is None else "V"
+        unit = drive_unit(design) if equaliser_of(design) is None else "V"
         self._numbers["full_scale"].set_spec(scale_number(unit))
 
     @property
@@ -474,9 +381,6 @@ class StimulusForm(QtWidgets.QWidget):
             format=format,
             rate_hz=round(numbers["other_rate"].value_si) if rate == OTHER else int(rate),
             options=options,
-            actuation=self.rigs.actuation,
-            rig=self.rigs.rig,
-            equaliser=self.rigs.equaliser,
         )
 
     def _silence(self, name: str) -> float | None:
@@ -489,7 +393,7 @@ class StimulusForm(QtWidgets.QWidget):
     @property
     def _scale_is_known(self) -> bool:
         """Whether the rig states what full scale is."""
-        return self.rigs.equaliser is not None and self.rigs.rig is not None
+        return equaliser_of(self._design) is not None and self._design.rig is not None
 
 
 def channel_map_of(text: str) -> tuple[int, ...]:
@@ -508,8 +412,7 @@ def channel_map_of(text: str) -> tuple[int, ...]:
         ) from None
 
 
-# Fields that are remembered; times, drives, channel maps and what is equalised for belong to a
-# design.
+# Fields that are remembered; times, drives and channel maps belong to a design.
 _LISTS = ("format", "rate", "channels")
 _NUMBERS, _SILENCES = ("other_rate", "fade_in", "fade_out"), ("lead_in", "tail")
 _BOXES = ("sync", "dither", "advanced")

@@ -54,6 +54,7 @@ from skinsource_gui.qt.buttons import (
 from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.overlays import PALE, Staleness
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
+from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.state.worker import fault_text
 
 _ROW_PX, _GAP_PX = 58, 6
@@ -191,6 +192,8 @@ class StimulusPart(ExportPart):
     name = STIMULUS
     #: An `Edit` of the design after which it can be exported.
     mended = Signal(object)
+    #: An `Edit` of what the design is made for, number of the gesture or None.
+    edited = Signal(object, object)
 
     def __init__(
         self,
@@ -233,6 +236,7 @@ class StimulusPart(ExportPart):
         below = self._summary, self._notes, self._problem, self._confirm, foot
         in_column((columns, 1), *below, of=self, margins=0, gap_px=UNIT_PX)
         self.form.changed.connect(self._order)
+        self.form.edited.connect(self.edited)
         self.form.refused.connect(self._show_refused)
         self._confirm.toggled.connect(self._show_readiness)
         recall(self.form, last_settings)
@@ -245,16 +249,14 @@ class StimulusPart(ExportPart):
 
     @property
     def wired(self) -> dict[str, Any]:
-        """Channels, rig and actuators, as `skinsource.export_wiring` takes them."""
+        """Channels, as `skinsource.export_wiring` takes them."""
         order = self._ordered
-        if order is None:
-            return {}
-        options = replace(order.options, choices={})
-        return {
-            "options": options,
-            "rig": order.rig or "none",
-            "actuation": order.actuation or "none",
-        }
+        return {} if order is None else {"options": replace(order.options, choices={})}
+
+    def show_design(self, design: Design) -> None:
+        """Export another design, with the same choices."""
+        self._design = design
+        self.form.show_design(design)
 
     @property
     def busy(self) -> bool:
@@ -306,13 +308,10 @@ class StimulusPart(ExportPart):
     def _work(self, order: Order) -> Callable[[], Any]:
         """Return what computes what will be written, in the thread of the worker."""
         ordered = self._design, order.format, order.rate_hz, order.options
-        return partial(prepare_stimulus, *ordered, **self._made_for(order))
+        return partial(prepare_stimulus, *ordered, **self._job(order))
 
-    def _made_for(self, order: Order) -> dict[str, Any]:
+    def _job(self, order: Order) -> dict[str, Any]:
         return {
-            "actuation": order.actuation or "none",
-            "rig": order.rig or "none",
-            "equaliser": order.equaliser or "none",
             "progress": lambda done, total, _: self._worker.tell(
                 self._show_progress, order, done, total
             ),
@@ -324,17 +323,17 @@ class StimulusPart(ExportPart):
             return
         if computed is None:
             self._show_refused(fault_text(error) if error else "")
-            self._worker.run_newest(_MEND, partial(self._find_mend, order), self._offer_mend)
+            self._worker.run_newest(_MEND, self._find_mend, self._offer_mend)
             return
         self._show_computing(False)
         self._show_computed(computed)
 
-    def _find_mend(self, order: Order) -> Edit | None:
+    def _find_mend(self) -> Edit | None:
         """Return an edit that mends what the actuators cannot follow, in the thread of the worker.
 
         It is named after its last part, where several inputs need one.
         """
-        chosen, found = order.actuation, None
+        chosen, found = self._design.actuation, None
         through = None if chosen is None else replace(chosen, equaliser=RegularisedInverse())
         design = replace(self._design, actuation=through)
         for track in audible_inputs(design.inputs):
@@ -480,6 +479,17 @@ class SetPart(StimulusPart):
         rows = [(each.value, typed.get(each.value, ())) for each in self.variables]
         kept[self.name] = rows, self.output.value, self.level.value
 
+    def show_design(self, design: Design) -> None:
+        super().show_design(design)
+        self._name_variables()
+
+    def _name_variables(self) -> None:
+        # The unit of amplitudes is that of what the design is made for.
+        self._numbers = numbers_in(self._design)
+        titles = {"": "None", **{name: number[0] for name, number in self._numbers.items()}}
+        for variable in self.variables:
+            variable.set_options(titles.items())
+
     def suggestion(self) -> tuple[str, str, tuple[str, ...], str]:
         return f"{self._stem}-set", "Folder (*)", (), ""
 
@@ -490,12 +500,12 @@ class SetPart(StimulusPart):
         return partial(_write_set, self.planned, path)
 
     def _fields(self) -> QtWidgets.QWidget:
-        self._numbers, limb = numbers_in(self._design), self._design.limb
-        options = (("", "None"), *((name, number[0]) for name, number in self._numbers.items()))
+        limb = self._design.limb
         self.variables = [
-            ChoiceField(ChoiceSpec(label=f"Variable {k}", options=options, hint=_VARIED))
+            ChoiceField(ChoiceSpec(label=f"Variable {k}", options=(), hint=_VARIED))
             for k in (1, 2, 3)
         ]
+        self._name_variables()
         self.values: dict[ChoiceField, NumbersEditor] = {}
         outputs = dict.fromkeys((*self._view.outputs, *range(1, facts_of(limb).n_outputs + 1)))
         options = (("", "None"), *((str(n), output_text(n, limb)) for n in outputs))
@@ -573,7 +583,7 @@ class SetPart(StimulusPart):
             options=order.options,
             match_output=int(self.output.value or 0) or None,
             level_db=(self.level.value or None) if self.output.value else None,
-            **self._made_for(order),
+            **self._job(order),
         )
 
     def _show_computed(self, planned: Any) -> None:
@@ -616,7 +626,8 @@ class SetPart(StimulusPart):
 
 def _cells(condition: Condition) -> list[tuple[str, str]]:
     if condition.refused:
-        return [(f"{condition.name}: {condition.refused}", condition.refused)]
+        text = f"{condition.name}: {condition.refused}"
+        return [(text, tooltip(text))]
     unit = condition.unit if condition.unit in ("m/s²", "V") else ""
     texts = (
         condition.name,
@@ -625,7 +636,7 @@ def _cells(condition: Condition) -> list[tuple[str, str]]:
         minus(f"{condition.gain_db:+.1f} dB"),
         minus(f"{condition.level_db:z.1f} dB"),
     )
-    return [(text, text) for text in texts]
+    return [(text, tooltip(text, condition.weakened)) for text in texts]
 
 
 def _write_set(planned: Any, path: Path, *, largest_error: float, **job: Any) -> Path:

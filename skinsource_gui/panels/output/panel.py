@@ -53,14 +53,18 @@ from skinsource_gui.state.panel import Panel
 from skinsource_gui.state.playing import Played
 
 _NONE, _OWN = "none", "own"
-# By the names of their classes.
-_EQUALISERS = (
-    ("RegularisedInverse", "Regularised inverse"),
-    ("PolePairReplacement", "Pole-pair replacement"),
-    ("NoneType", "None"),
+#: Equalisers by the names of their classes.
+EQUALISER = ChoiceSpec(
+    label="Equaliser",
+    options=(
+        ("RegularisedInverse", "Regularised inverse"),
+        ("PolePairReplacement", "Pole-pair replacement"),
+        ("NoneType", "None"),
+    ),
+    hint="Filter that makes the actuator follow the design",
 )
-# Of a pole pair the rest follows from the actuator.
-_OF_EQUALISER = ("boost_db", "phase", "new_quality")
+#: Fields of equalisers; of a pole pair the rest follows from the actuator.
+OF_EQUALISER = ("boost_db", "phase", "new_quality")
 
 
 def with_equaliser(actuation: Actuation, kind: str) -> Actuation:
@@ -87,6 +91,45 @@ def _listed(actuation: Actuation | None) -> str | None:
     if actuation is None or len(actuation.actuators) > 1:
         return None
     return listed_name(actuation.actuators[0])
+
+
+def fields_of(actuation: Actuation | None) -> dict[str, tuple[Spec, Any]]:
+    """Return specification and value of each field of actuator and equaliser, by name."""
+    name = _listed(actuation)
+    value = name or (_NONE if actuation is None else _OWN)
+    fields: dict[str, tuple[Spec, Any]] = {"actuator": (_actuator_spec(actuation, name), value)}
+    if actuation is None:
+        return fields
+    equaliser, model = actuation.equaliser, actuation.actuators[0].model
+    alone, options = len(actuation.actuators) == 1, EQUALISER.options
+    kinds = EQUALISER if alone else replace(EQUALISER, options=(options[0], options[2]))
+    fields["equaliser"] = kinds, type(equaliser).__name__
+    for part in filter(None, (equaliser, model if alone else None)):
+        for field, spec in specs_of(part).items():
+            if isinstance(spec, NumberSpec | ChoiceSpec) and (
+                part is model or field in OF_EQUALISER
+            ):
+                fields[field] = spec, getattr(part, field)
+    return fields
+
+
+def with_field(actuation: Actuation | None, name: str, value: Any) -> Actuation | None:
+    """Return actuators and equaliser with another value of one of `fields_of`."""
+    changed: dict[str, Any] = {name: value}
+    if actuation is not None and fields_of(actuation)[name][1] == value:
+        # To choose an equaliser again does not reset its boost.
+        return actuation
+    if name == "actuator":
+        return None if value == _NONE else with_actuator(actuation, _at_all_places(value))
+    if actuation is None:
+        return None
+    if name == "equaliser":
+        return with_equaliser(actuation, value)
+    if name in OF_EQUALISER and actuation.equaliser is not None:
+        return replace(actuation, equaliser=replace(actuation.equaliser, **changed))
+    (actuator,) = actuation.actuators
+    model: Any = actuator.model
+    return with_actuator(actuation, replace(actuator, model=replace(model, **changed)))
 
 
 class ActuatorChoices(QObject):
@@ -129,27 +172,13 @@ class ActuatorChoices(QObject):
     def show_actuation(self, actuation: Actuation | None) -> None:
         """Show what is chosen."""
         self._actuation = actuation
-        name = _listed(actuation)
-        specs: dict[str, Spec] = {"actuator": _actuator_spec(actuation, name)}
-        values: dict[str, Any] = {"actuator": name or (_NONE if actuation is None else _OWN)}
+        fields = fields_of(actuation)
+        specs = {name: spec for name, (spec, _) in fields.items()}
         text, changed = "No actuator is chosen.", False
         if actuation is not None:
-            equaliser, model = actuation.equaliser, actuation.actuators[0].model
-            alone = len(actuation.actuators) == 1
-            specs["equaliser"] = ChoiceSpec(
-                label="Equaliser",
-                options=_EQUALISERS if alone else (_EQUALISERS[0], _EQUALISERS[2]),
-                hint="Filter that makes the actuator follow the design",
-            )
-            values["equaliser"] = type(equaliser).__name__
-            for part in filter(None, (equaliser, model if alone else None)):
-                for field, spec in specs_of(part).items():
-                    if isinstance(spec, NumberSpec | ChoiceSpec) and (
-                        part is model or field in _OF_EQUALISER
-                    ):
-                        specs[field], values[field] = spec, getattr(part, field)
-            text = _about_text(actuation.actuators[0]) if alone else ""
-            changed = name is not None and load(name) != model
+            name, actuator = _listed(actuation), actuation.actuators[0]
+            text = _about_text(actuator) if len(actuation.actuators) == 1 else ""
+            changed = name is not None and load(name) != actuator.model
         for key in specs.items():
             if key not in self._cached_cells:
                 self._cached_cells[key] = FieldCell(*key, edited=self._edit)
@@ -159,24 +188,13 @@ class ActuatorChoices(QObject):
             self.grid.show_cells(list(cells.values())[:2])
             self.parameters.show_cells(list(cells.values())[2:])
         for field, cell in cells.items():
-            cell.set_value(values[field])
+            cell.set_value(fields[field][1])
         self.about.setText(text)
         self.reset.setVisible(changed)
 
     def _edit(self, name: str, value: Any, gesture: object) -> None:
-        actuation, after = self._actuation, self._actuation
-        changed: dict[str, Any] = {name: value}
-        if name == "actuator" and value != _OWN:
-            after = None if value == _NONE else with_actuator(actuation, _at_all_places(value))
-        elif actuation is not None and name == "equaliser":
-            after = with_equaliser(actuation, value)
-        elif actuation is not None and name in _OF_EQUALISER and actuation.equaliser is not None:
-            after = replace(actuation, equaliser=replace(actuation.equaliser, **changed))
-        elif actuation is not None and name != "actuator":
-            (actuator,) = actuation.actuators
-            model: Any = actuator.model
-            after = with_actuator(actuation, replace(actuator, model=replace(model, **changed)))
-        if after != actuation:
+        after = with_field(self._actuation, name, value)
+        if after != self._actuation:
             self.changed.emit(after, gesture)
 
     def _reset(self) -> None:
@@ -219,7 +237,7 @@ def _about_text(actuator: ActuatorAt) -> str:
 _THROUGH = "Predict through the actuator"
 _THROUGH_HINT = "Show all levels, maps and traces through this actuator"
 _VOLTS = "Amplitude 1 = 1 V at the actuator."
-_ACCELERATIONS = "Amplitude 1 = 1 m/s² at the contactor."
+_ACCELERATIONS = "Amplitude 1 = 1 m/s² at the contactor, as far as the equaliser reaches."
 _NO_INPUTS = "No place is in use: click one on the hand."
 _NOT_WIRED = "The rig wires no place that is in use."
 _PLOT_PX = 190

@@ -89,6 +89,17 @@ def test_what_is_told_of_a_chip_is_what_it_is_sent(tone, tmp_path):
     assert done.summary.startswith("1 channel, 200 amplitudes a second, 805 ms, about 161 bytes, ")
 
 
+@pytest.mark.parametrize(("name", "numbers"), [("drv2605l", "values"), ("bos1901", "samples")])
+def test_a_sidecar_describes_the_values_of_the_header(tone, tmp_path, name, numbers):
+    path = tmp_path / "a.h"
+    ss.export_stimulus(tone, path, name)
+    _, constants = arrays_of(path)
+    about, hz, n = sidecar(path), *(int(constants[key][:-2]) for key in ("STIM_FS_HZ", "STIM_N"))
+    assert (about["rate_hz"], about["n_times"], about["duration_s"]) == (hz, n, n / hz)
+    assert about["meaning"].split(" times ")[0] == numbers
+    assert ("amplitudes" in about["meaning"]) == (numbers == "values")
+
+
 @pytest.mark.parametrize(
     ("name", "actuator", "refused"),
     [

@@ -291,3 +291,58 @@ def test_a_rig_says_the_actuators_itself(design, rig, tmp_path):
         assert exported.equalised == f"Equalised for {title or 'the rig'} (regularised inverse)"
         said = sidecar(tmp_path / "a.wav")["actuator"]
         assert [each["name"] for each in said] == ["own", "own"]
+
+
+def test_what_the_limited_boost_takes_is_the_same_number_everywhere(tmp_path, capsys):
+    hz = (50.0, 84.1, 141.4, 237.8, 400.0)
+    clips = tuple(
+        ss.Clip(id=k, waveform=ss.waveforms.Gabor(frequency_hz=f, cycles=8.0), onset_s=0.15 * k)
+        for k, f in enumerate(hz, start=1)
+    )
+    model = ss.actuators.load("kastor-2023-air")
+    at = ss.ActuatorAt(actuator="Fingertip voice coil", model=model)
+    chosen = ss.Actuation(actuators=(at,), equaliser=RegularisedInverse(), on=False)
+    design = ss.Design(
+        limb="synthetic-1", inputs=(ss.Input(location=7, clips=clips),), actuation=chosen
+    )
+    ss.save_design(tmp_path / "d.skinsource", design)
+
+    def lost(*options):
+        out = tmp_path / "a.wav"
+        assert main(["export", str(tmp_path / "d.skinsource"), "--out", str(out), *options]) == 0
+        said = sidecar(out)["loses"]
+        assert said in capsys.readouterr().out
+        return said
+
+    (after_db,) = ss.equalising.curves(RegularisedInverse(), model, [50.0]).after_db
+    said = lost()
+    assert "limited to 20 dB" in said
+    assert "at 50 Hz the skin at place 7" in said
+    assert float(said.split()[-3]) == pytest.approx(-after_db, abs=0.4)
+    assert lost("--equalise", "minimum") == said
+    # Of what is exported: the wavelet of 50 Hz is not in this part.
+    assert lost("--from", "0.4") == ""
+    assert lost("--equalise", "linear", "--boost", "40") == ""
+    assert lost("--equalise", "none") == ""
+    replaced = ss.equalising.PolePairReplacement(*ss.equalising.resonance_of(model))
+    done = ss.export_stimulus(design, tmp_path / "p.wav", equaliser=replaced)
+    assert "limited to its resonance: at 50 Hz" in done.loses
+    # The flanks of a short wavelet are no frequencies of their own.
+    short = ss.track(7, ss.waveforms.Gabor(frequency_hz=50.0, cycles=4.0))
+    boosted = replace(chosen, equaliser=RegularisedInverse(boost_db=40.0))
+    shorter = replace(design, inputs=(short,), actuation=boosted)
+    assert ss.export_stimulus(shorter, tmp_path / "s.wav").loses == ""
+
+
+def test_the_meaning_of_equalised_samples_is_volts(design, rig, tmp_path):
+    def meaning(**call):
+        ss.export_stimulus(design, tmp_path / "a.wav", **call)
+        return sidecar(tmp_path / "a.wav")["meaning"]
+
+    assert meaning() == meaning(rig=rig)
+    assert meaning().startswith("samples times full_scale are the drive")
+    equalised = meaning(actuation=THROUGH, equaliser=INVERSE)
+    assert equalised.startswith("samples times full_scale are volts")
+    assert equalised.endswith("in m/s²")
+    wired = meaning(rig=rig, equaliser=INVERSE)
+    assert wired.startswith("samples times full_scale_v and amplifier_gain of the channel")

@@ -304,3 +304,11 @@ def test_asked_for_at_another_rate_no_file_of_the_old_one_stays(tmp_path):
     before = [file.stat().st_mtime_ns for file in files]
     ss.sweep(PAIR, vary, out=tmp_path, files=StimulusFiles(rate_hz=4000))
     assert [file.stat().st_mtime_ns for file in files] == before
+
+
+def test_files_of_a_chip_with_its_own_rate_stay(tmp_path):
+    vary, files = {"1.amplitude": AMPLITUDES[:1]}, StimulusFiles(format="drv2605l")
+    ss.sweep(PAIR, vary, out=tmp_path, files=files)
+    before = (tmp_path / "stimuli" / "1.h").stat().st_mtime_ns
+    ss.sweep(PAIR, vary, out=tmp_path, files=files)
+    assert (tmp_path / "stimuli" / "1.h").stat().st_mtime_ns == before

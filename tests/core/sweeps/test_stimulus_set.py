@@ -1,6 +1,7 @@
 """`ss.export_set` and ``skinsource export --vary``: a file for each combination of values."""
 
 import csv
+import json
 import re
 from itertools import cycle
 
@@ -139,3 +140,22 @@ def test_the_command_writes_what_the_function_writes(design, tmp_path, capsys):
     capsys.readouterr()
     assert main([*call[:4], "--vary", "location = 7, 12"]) == 1
     assert "not TOML" in capsys.readouterr().err
+
+
+def test_a_set_names_the_files_that_the_equaliser_weakens(tmp_path, capsys):
+    coil = ss.ActuatorAt(actuator="x", model=ss.actuators.load("kastor-2023-air"))
+    inverse = ss.equalising.RegularisedInverse()
+    gabor = ss.track(7, ss.waveforms.Gabor(frequency_hz=200.0, cycles=8.0))
+    chosen = ss.Actuation(actuators=(coil,), equaliser=inverse, on=False)
+    ss.save_design(
+        tmp_path / "a.skinsource", ss.Design(limb="synthetic-1", inputs=(gabor,), actuation=chosen)
+    )
+    folder = tmp_path / "set"
+    call = ["export", str(tmp_path / "a.skinsource"), "--out", str(folder)]
+    assert main([*call, "--vary", "frequency_hz = [50, 200]", "--match-output", "29"]) == 0
+    first, second = (folder / row["file"] for row in table_in(folder))
+    loses = json.loads(first.with_name(f"{first.name}.json").read_text(encoding="utf-8"))["loses"]
+    assert "at 50 Hz the skin" in loses
+    said = capsys.readouterr().out
+    assert f"{first.name}: {loses}" in said
+    assert f"{second.name}: " not in said

@@ -9,6 +9,7 @@ import skinsource as ss
 from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.design.view import View
 from skinsource_gui.pages.stimulus.form import StimulusForm, recall, remembered
+from skinsource_gui.panels.output.panel import OutputPanel
 
 DESIGN = ss.Design(
     limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Gabor(200.0, cycles=8.0), onset_s=0.1),)
@@ -32,6 +33,15 @@ def form_on(qtbot):
     return make
 
 
+def shown(form):
+    fields = form.field("actuator"), form.field("equaliser")
+    return *(field.value for field in fields), form.field("boost_db").value_si
+
+
+def texts(field):
+    return [field.itemText(row) for row in range(field.count())]
+
+
 def order_of(form):
     changes = []
     form.changed.connect(changes.append)
@@ -41,26 +51,38 @@ def order_of(form):
 
 def test_changed_parameters_and_equaliser_go_with_it(form_on):
     design = chosen(RegularisedInverse(boost_db=6.0), resistance_ohm=5.5)
-    order = order_of(form_on(design))
-    assert order.actuation == design.actuation
-    assert order.equaliser == RegularisedInverse(boost_db=6.0)
+    form = form_on(design)
+    assert shown(form) == (FINGERTIP, "RegularisedInverse", 6.0)
+    edited = []
+    form.edited.connect(lambda edit, _: edited.append(edit.design.actuation))
+    form.field("phase").choose("minimum")
+    after = RegularisedInverse(boost_db=6.0, phase="minimum")
+    assert edited == [replace(design.actuation, equaliser=after)]
+    # The same again changes nothing.
+    form.field("equaliser").choose("RegularisedInverse")
+    assert edited[1:] == [design.actuation]
 
 
-@pytest.mark.parametrize("last", ["none", "linear"])
+@pytest.mark.parametrize("last", [None, RegularisedInverse(boost_db=3.0)])
 def test_what_is_remembered_does_not_replace_what_the_design_says(form_on, last):
-    before = form_on(DESIGN)
-    before.field("equaliser").choose(last)
     form = form_on(chosen(RegularisedInverse(boost_db=9.0)))
-    recall(form, remembered(before))
-    assert order_of(form).equaliser == RegularisedInverse(boost_db=9.0)
-    assert order_of(form_on(DESIGN)).equaliser is None
+    recall(form, remembered(form_on(chosen(last))))
+    assert shown(form) == (FINGERTIP, "RegularisedInverse", 9.0)
+
+
+def test_the_names_are_those_of_the_panel_output(form_on, qtbot):
+    panel, form = OutputPanel(), form_on(chosen(RegularisedInverse()))
+    qtbot.addWidget(panel)
+    panel.choices.show_actuation(chosen(RegularisedInverse()).actuation)
+    for name in ("actuator", "equaliser"):
+        cell, field = panel.choices.cell(name).field, form.field(name)
+        assert texts(cell) == texts(field)
 
 
 def test_full_scale_of_equalised_drives_is_in_volts(form_on):
     form = form_on(chosen(RegularisedInverse()))
-    form.emit_order()
     assert form.field("full_scale").spec.unit == "V"
-    form.field("equaliser").choose("none")
+    form.show_design(chosen(None))
     assert form.field("full_scale").spec.unit == "m/s²"
 
 

@@ -1,6 +1,7 @@
 """File > Export…, Stimulus: seen first, then written, and remembered."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -9,10 +10,12 @@ from PySide6.QtWidgets import QFileDialog, QPushButton
 import skinsource as ss
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
+from skinsource.design.view import View
 from skinsource.export.formats import FORMATS
 from skinsource.export.stimulus_export.preparing import size_text
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.stimulus.page import joined
+from tests.gui.stimulus.conftest import opened
 from tests.gui.stimulus.stimulus_bench import WAIT_MS, choose, export, label
 
 
@@ -105,7 +108,8 @@ def test_a_rig_says_what_is_wired_and_an_equaliser_makes_volts(
     choose(page, qtbot, "rig", "file")
     assert form.field("rig").currentText() == "Bench 3"
     assert "Calibrated" in label(page, "loses")
-    choose(page, qtbot, "equaliser", "linear")
+    choose(page, qtbot, "equaliser", "RegularisedInverse")
+    assert desk.document.design.rig.title == "Bench 3"
     assert not form.field("scale").isVisible()
     # 1 m/s² needs a fiftieth of a volt.
     assert page.channels.channels[0].peak == pytest.approx(0.02, rel=0.05)
@@ -163,8 +167,7 @@ def test_the_wiring_page_has_the_channels_of_the_stimulus(page, qtbot):
 
 def test_what_the_actuators_cannot_follow_names_its_place_and_is_mended_here(desk, page, qtbot):
     choose(page, qtbot, "rate", "8000")
-    choose(page, qtbot, "actuator", "kastor-2023-air")
-    page.form.field("equaliser").choose("linear")
+    page.form.field("actuator").choose("kastor-2023-air")
     mend = page.findChild(QPushButton, "stimulus_mend")
     qtbot.waitUntil(mend.isVisible, timeout=WAIT_MS)
     assert label(page, "problem").startswith("Place 7: the drive leaves a velocity")
@@ -179,6 +182,59 @@ def test_what_the_actuators_cannot_follow_names_its_place_and_is_mended_here(des
         "Tone",
         "CentredTap",
     ]
-    assert desk.document.design.actuation == before.actuation
+    assert desk.document.design.actuation == before.actuation is not None
     desk.document.undo_stack.undo()
     assert desk.document.design == before
+
+
+def test_what_is_chosen_here_is_an_edit_of_the_design(desk, page, qtbot):
+    document, form = desk.document, page.form
+    before = document.design
+    without_tap = replace(before, inputs=before.inputs[:2])
+    document.edit("Remove the tap", without_tap)
+    desk.exports.show("stimulus")
+    page = opened(desk.exports, qtbot)
+    choose(page, qtbot, "plays", "tracks")
+    choose(page, qtbot, "actuator", "kastor-2023-air")
+    form, actuation = page.form, document.design.actuation
+    assert actuation.title == "Fingertip voice coil, in air"
+    # By itself, as in the panel Output.
+    assert actuation.equaliser == ss.equalising.RegularisedInverse()
+    assert not actuation.on
+    assert form.field("equaliser").value == "RegularisedInverse"
+    assert form.field("plays").value == "tracks"
+    assert "equalised for Fingertip voice coil" in label(page, "summary")
+    for boost_db in (1.0, 2.0):
+        form.field("boost_db").edited.emit(boost_db, 1)
+    qtbot.waitUntil(lambda: not page.busy, timeout=WAIT_MS)
+    assert "limited to 2 dB" in label(page, "loses")
+    # Closed without an export, and opened again.
+    desk.exports.end()
+    desk.exports.show("stimulus_set")
+    page = opened(desk.exports, qtbot)
+    assert page.form.field("boost_db").value_si == 2.0
+    desk.exports.page.show_export("stimulus")
+    desk.exports.page.show_export("stimulus_set")
+    choose(page, qtbot, "equaliser", "NoneType")
+    desk.exports.page.show_export("stimulus")
+    assert desk.exports.page.part.form.field("equaliser").value == "NoneType"
+    assert document.design.actuation.equaliser is None
+    for _ in range(3):
+        document.undo_stack.undo()
+    assert document.design == without_tap
+
+
+def test_amplitudes_of_a_set_are_in_the_unit_that_the_equaliser_leaves(make_desk, design, qtbot):
+    coil = ss.ActuatorAt(actuator="x", model=ss.actuators.load("kastor-2023-air"))
+    through = ss.Actuation(actuators=(coil,), equaliser=ss.equalising.RegularisedInverse())
+    desk = make_desk(replace(design, inputs=design.inputs[:2], actuation=through), View())
+    desk.exports.show("stimulus_set")
+    part = opened(desk.exports, qtbot)
+    variable = part.variables[1]
+    variable.choose("amplitude")
+    assert variable.currentText() == "Amplitude (m/s²)"
+    part.form.field("equaliser").choose("NoneType")
+    assert (variable.value, variable.currentText()) == ("amplitude", "Amplitude (V)")
+    part.form.field("equaliser").choose("RegularisedInverse")
+    assert desk.document.design.actuated == through
+    desk.exports.end()

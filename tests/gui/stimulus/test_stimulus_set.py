@@ -55,6 +55,9 @@ def test_the_window_writes_what_the_command_writes(
     type_in(part, part.level, "20, -20")
     assert levels_of(part, qtbot)[::2] == [20] * 4
     assert "beyond full scale" in part.table.item(0, 0).text()
+    # The line may be cut off: its tooltip has all of it.
+    whole = part.table.item(0, 0).toolTip().replace("\n", " ")
+    assert whole == part.table.item(0, 0).text()
     part.table.setCurrentCell(1, 0)
     qtbot.waitUntil(lambda: len(part.channels.channels) == 2, timeout=WAIT_MS)
     out = save_as("window")

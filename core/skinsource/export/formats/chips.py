@@ -196,6 +196,11 @@ class _Fifo(StimulusFormat):
         header = write_header(path, file, values, self.kind, self.comment, defines)
         return {**facts, **header, "device_rate_hz": str(_FIFO_HZ)}
 
+    def sent(self, stimulus: Stimulus, choices: Choices) -> Stimulus:
+        """Return the samples with the 0 before and after them."""
+        padded = np.pad(stimulus.samples, ((0, 0), (1, 1)))
+        return stimulus.with_samples(padded, start_s=stimulus.start_s - 1.0 / _FIFO_HZ)
+
     def n_bytes(self, n_channels: int, n_times: int, choices: Choices) -> int:
         """Return about how many bytes it takes."""
         return BYTES[self.kind] * n_channels * (n_times + 2)

@@ -97,8 +97,8 @@ class StimulusFile:
 
     @property
     def rate_hz(self) -> int | float:
-        """Sample rate, as a whole number where it is one."""
-        rate_hz = self.stimulus.sample_rate_hz
+        """Values a second, as a whole number where it is one."""
+        rate_hz = self.sent.sample_rate_hz
         return int(rate_hz) if rate_hz.is_integer() else rate_hz
 
     @property
@@ -129,7 +129,7 @@ class StimulusFile:
             "unit": stimulus.unit,
             "full_scale": self.full_scale,
             "rate_hz": self.rate_hz,
-            "start_s": stimulus.start_s,
+            "start_s": self.sent.start_s,
             "scaling": stimulus.scaling,
             "limb": stimulus.limb,
             "calibration": self.calibration,

@@ -9,15 +9,17 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
+import scipy
 
 from skinsource.actuators.actuation import Actuation
 from skinsource.actuators.catalog import Model
-from skinsource.actuators.equalising import Equaliser
+from skinsource.actuators.equalising import Equaliser, RegularisedInverse, followed_band
 from skinsource.actuators.rigs import Rig, calibration_words, known_model, rig_breaches
 from skinsource.base.arrays import Floats
+from skinsource.base.decibels import decibels
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.base.json_text import dumped
@@ -61,6 +63,10 @@ RINGING_S = 0.1
 MOST_LOSS_DB = 1.0
 #: Smaller losses are not reported: ten times the error of `skinsource.resample` in its pass band.
 LEAST_LOSS_DB = 0.01
+#: Smaller losses to the equaliser are not reported.
+LEAST_WEAKENED_DB = 1.0
+# Third octaves count within so many dB of the strongest, and of the stronger neighbour.
+_WITHIN_DB, _FLANK_DB = 20.0, 6.0
 # Losses are reported up to the stop band of `skinsource.resample`.
 _LARGEST_LOSS_DB = 140.0
 # Names of samples that were not equalised, by the unit of the drive.
@@ -95,6 +101,8 @@ class PreparedStimulus:
         Silence before and after the stimulus.
     actuation, rig, equaliser
         Actuators and wiring that it is made for, and the filter that makes volts; None: not known.
+    weakened
+        A sentence on what the equaliser takes from the drive; "": less than 1 dB.
     """
 
     format: StimulusFormat
@@ -109,6 +117,7 @@ class PreparedStimulus:
     actuation: Actuation | None = None
     rig: Rig | None = None
     equaliser: Equaliser | None = None
+    weakened: str = ""
 
     def named(self, path: Path) -> "PreparedStimulus":
         """Return it with the names that files have in an export to ``path``."""
@@ -198,7 +207,7 @@ class PreparedStimulus:
     def loses(self) -> str:
         """Sentences on the part of the drive that is not in the files; "": all is."""
         by_format = self.format.loses(self.files[0].choices)
-        return " ".join(filter(None, (by_format, self.lost_at_rate)))
+        return " ".join(filter(None, (by_format, self.lost_at_rate, self.weakened)))
 
     @property
     def advice_on_loss(self) -> str:
@@ -357,6 +366,7 @@ def prepare_stimulus(
     for channel in drives.channels if equaliser is not None else ():
         if channel.place is not None:
             format.check_equaliser(*actuator_at(channel.place, rig, at_places))
+    wanted = _exported_part(drives, drives.duration_s, options)
     drives = _for_rig(drives, rig, equaliser, options, at_places)
     if options.from_s is not None or options.to_s is not None:
         to_s = drives.duration_s if options.to_s is None else options.to_s
@@ -414,6 +424,7 @@ def prepare_stimulus(
         actuation=at_places,
         rig=rig,
         equaliser=equaliser,
+        weakened="" if equaliser is None else weakened_by(equaliser, wanted, rig, at_places),
     )
 
 
@@ -506,6 +517,50 @@ def with_losses(drives: Stimulus, own: Stimulus, options: StimulusOptions, stop:
         replace(channel, loss_db=loss_db.get(channel.inputs, 0.0)) for channel in drives.channels
     )
     return replace(drives, channels=channels)
+
+
+def weakened_by(
+    equaliser: Equaliser, wanted: Stimulus, rig: Rig | None, actuation: Actuation | None
+) -> str:
+    """Return where most is missing of the accelerations that are wanted; "": nowhere much is.
+
+    Compared is the energy in third octaves, before and after equaliser and actuator.
+    """
+    rate_hz = wanted.sample_rate_hz
+    band_hz = followed_band(wanted.limb_band_hz, min(rate_hz, wanted.own_rate_hz))
+    # Of a short stimulus, too, there are frequencies in each band.
+    length = scipy.fft.next_fast_len(max(wanted.n_times, int(rate_hz)), real=True)
+    frequency_hz = scipy.fft.rfftfreq(length, 1.0 / rate_hz)
+    held = slice(1, int(np.searchsorted(frequency_hz, 0.5 * wanted.own_rate_hz)))
+    frequency_hz = frequency_hz[held]
+    band = np.rint(10.0 * np.log10(frequency_hz) + 10.0).clip(0.0).astype(int)
+    found = []
+    for row in wanted.driving:
+        place = wanted.channels[row].place or 0
+        model: Any = actuator_at(place, rig, actuation)[1]
+        gain = model.response(frequency_hz) * equaliser.filter(model, frequency_hz, band_hz)
+        energy = np.abs(scipy.fft.rfft(wanted.samples[row], length)[held]) ** 2
+        before = np.bincount(band, energy)
+        after = np.bincount(band, energy * np.abs(gain) ** 2)
+        level_db = decibels(np.sqrt(before))
+        loss_db = level_db - decibels(np.sqrt(after))
+        beside_db = scipy.ndimage.maximum_filter1d(level_db, 3)
+        felt = np.maximum(beside_db - _FLANK_DB, level_db.max() - _WITHIN_DB) <= level_db
+        missing = np.where(felt & (loss_db >= LEAST_WEAKENED_DB), before - after, 0.0)
+        if missing.any():
+            most = int(missing.argmax())
+            middle_hz = np.bincount(band, energy * frequency_hz)[most] / before[most]
+            found.append((float(loss_db[most]), place, middle_hz))
+    if not found:
+        return ""
+    loss, place, middle_hz = max(found)
+    limit = "its resonance"
+    if isinstance(equaliser, RegularisedInverse):
+        limit = f"{equaliser.boost_db:g} dB, from {band_hz[0]:.4g} to {band_hz[1]:.4g} Hz"
+    return (
+        f"The equaliser is limited to {limit}: at {middle_hz:.0f} Hz the skin at place {place} "
+        f"gets {loss:.1f} dB less."
+    )
 
 
 def _exported_part(stimulus: Stimulus, end_s: float, options: StimulusOptions) -> Stimulus:

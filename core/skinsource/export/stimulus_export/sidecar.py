@@ -16,7 +16,7 @@ from skinsource.design.design import Design, Input
 from skinsource.design.labels import label_of, scalings_on
 from skinsource.design.view import View
 from skinsource.engine.quantities import new_graph, sources
-from skinsource.engine.stimulus import Stimulus, added_delays_s, channel_of
+from skinsource.engine.stimulus import FULL_SCALE_UNIT, Stimulus, added_delays_s, channel_of
 from skinsource.export.exported_design import versions
 from skinsource.export.formats.format import Facts
 from skinsource.export.stimulus_export.preparing import PreparedStimulus, actuator_at
@@ -31,9 +31,6 @@ def sidecar_path(path: Path) -> Path:
 
 #: Errors of `skinsource.resample` within the band are at most these.
 _RESAMPLING = {"gain_db": 0.001, "phase_rad": 1e-6, "aliases_db": -115.0}
-_MEANING = (
-    "samples times full_scale are the drive: amplitude times gain times waveform, in the unit"
-)
 _UPSTREAM = (
     "Under this scaling an amplitude is a peak on the skin, computed for each input by itself: the "
     "drives have no unit, and strong and weak channels do not keep the ratio that was predicted."
@@ -73,8 +70,8 @@ def sidecar_of(
         "bytes": n_bytes,
         **file.about,
         "n_channels": len(stimulus.channels),
-        "n_times": stimulus.n_times,
-        "duration_s": stimulus.duration_s,
+        "n_times": file.sent.n_times,
+        "duration_s": file.sent.duration_s,
         "lead_in_s": ready.lead_in_s,
         "tail_s": ready.tail_s,
         "channels": [
@@ -97,7 +94,7 @@ def sidecar_of(
         "equalised": ready.equalised,
         "inputs": [_about_input(track) for track in design.inputs],
         "gain": ready.gain,
-        "meaning": _MEANING,
+        "meaning": _meaning(ready, stimulus.unit),
         "scaling_means": _scaling_sentence(design),
         "predicted_through": _about_prediction(ready, design.actuated),
         **about_validity(design),
@@ -168,6 +165,21 @@ def _about_model(model: Model | Equaliser | None) -> dict[str, Any]:
         return {"kind": None}
     values = {name: getattr(model, name) for name in specs_of(model)}
     return {"kind": type(model).__name__, **values}
+
+
+def _meaning(ready: PreparedStimulus, unit: str) -> str:
+    """Return what the numbers in the file are."""
+    values, scale, drive = "samples", "full_scale", "amplitude times gain times waveform, in "
+    drive += "m/s²" if ready.equaliser is not None else "the unit"
+    if unit == FULL_SCALE_UNIT:
+        scale = "full_scale_v and amplifier_gain of the channel, with its polarity,"
+        drive = drive.replace("the unit", "V")
+    what = "the drive"
+    if ready.equaliser is not None:
+        what = "volts, by which the actuator follows the drive as far as the equaliser lets it"
+    elif not ready.format.plays_waveform:
+        values, what = "values", "amplitudes of sines that are as strong as the drive"
+    return f"{values} times {scale} are {what}: {drive}"
 
 
 def _scaling_sentence(design: Design) -> str:

@@ -69,6 +69,8 @@ class Condition:
         Largest drive, in the unit of the drives.
     duration_s
         Length of its file.
+    weakened
+        A sentence on what the equaliser takes from it; "": less than 1 dB.
     refused
         Why it is not written; "": it is.
     design
@@ -82,6 +84,7 @@ class Condition:
     peak: float = 0.0
     unit: str = ""
     duration_s: float = np.nan
+    weakened: str = ""
     refused: str = ""
     design: Design = field(repr=False)
 
@@ -322,7 +325,8 @@ def _sized(condition: Condition, planned: StimulusSet, stop: Stop) -> Condition:
         condition,
         peak=ready.peak,
         unit=ready.drives.unit,
-        duration_s=ready.files[0].stimulus.duration_s,
+        duration_s=ready.files[0].sent.duration_s,
+        weakened=ready.weakened,
         refused="" if planned.confirmed else " ".join(ready.objections),
     )
 

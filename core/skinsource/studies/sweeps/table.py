@@ -430,7 +430,7 @@ class StimulusFiles:
             return False
         try:
             about = json.loads(sidecar.read_text(encoding="utf-8"))
-            return bool(about["rate_hz"] == kind.file_rate_hz(self.rate_hz))
+            return bool(kind.fixed_rate or about["rate_hz"] == kind.file_rate_hz(self.rate_hz))
         except (OSError, ValueError, KeyError, TypeError):
             return False
 
