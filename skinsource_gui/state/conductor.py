@@ -106,6 +106,10 @@ class Conductor(QObject):
 
     def _note_jump(self) -> None:
         self._restarting.update(self._panels)
+        # Steps of the history jump too.
+        if not self._document.undo_stack.count():
+            for panel in self._panels:
+                panel.start_over()
 
     def _request_results(self, since_s: float | None = None) -> None:
         """Request the results that are not known yet."""

@@ -1,5 +1,7 @@
 """Clips come from the head of the timeline within few clicks, and go to places of the hand."""
 
+from dataclasses import replace
+
 import pytest
 from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
@@ -65,6 +67,14 @@ def test_a_first_drawn_waveform_takes_one_click_and_the_pen_lies_ready(empty):
     assert isinstance(editor._canvas.tool, Pen)
 
 
+def test_what_is_to_be_drawn_begins_at_the_playhead_even_over_another_clip(window):
+    window.document.look(replace(window.document.view, playhead_s=0.05))
+    entries = {entry.text(): entry for entry in button(window, "add").menu().actions()}
+    entries["Draw"].trigger()
+    drawn = window.document.design.inputs[0].clips[-1]
+    assert (type(drawn.waveform), drawn.onset_s) == (Drawn, 0.05)
+
+
 def test_a_new_clip_begins_at_the_playhead_or_behind_the_last_one_of_its_track():
     tone = Tone(duration_s=0.2)
     tracks = (
@@ -81,6 +91,35 @@ def test_a_new_clip_begins_at_the_playhead_or_behind_the_last_one_of_its_track()
     assert onset(0.25) == 0.25
     assert onset(0.1) == onset(0.4) == 0.7
     assert onset(0.1, track=2) == 0.1
+
+
+def test_after_another_clip_editor_and_timeline_show_all_of_a_new_design(open_window, settle):
+    long = Design(limb="synthetic-1", inputs=(Input(location=7, clips=(Clip(waveform=Tone()),)),))
+    window = open_window(
+        long.with_clip(1, waveform=Tone(duration_s=2.0)), View(selected_inputs=(1,))
+    )
+    press(window, "fit")
+    window.do("show_clip_editor")
+    settle()
+    editor, lanes = window.panel("clip_editor"), window.panel("timeline").lanes
+    editor._canvas.zoom(1.5)
+    shown = editor._canvas.content.scale.shown_s
+    # Over the timeline, which does not see the empty design in between.
+    document = window.document
+    document.mark_saved(None)
+    window.do("new_design")
+    document.apply(edits.add_waveform(document.design, document.view, Tone(duration_s=0.2)))
+    settle()
+    assert editor._canvas.content.scale.shown_s[1] < 0.25 < shown[1]
+    window.docks["timeline"].bring_forward()
+    settle()
+    assert lanes.content.scale.shown_s[1] < 0.7
+    # A step of the history keeps what is seen.
+    press(window, "fit")
+    fitted = lanes.content.scale.shown_s
+    window.do("mute_clips")
+    window.do("undo")
+    assert lanes.content.scale.shown_s == fitted
 
 
 NO_BUTTON = Qt.MouseButton.NoButton
