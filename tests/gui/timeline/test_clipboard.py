@@ -11,7 +11,9 @@ from PySide6.QtWidgets import QAbstractButton, QApplication, QInputDialog
 from skinsource.design import edits
 from skinsource.design.design import Design, track
 from skinsource.design.effects.level import BandLimit, Fade
+from skinsource.design.effects.time import Repeat
 from skinsource.design.view import View
+from skinsource.design.waveforms.pulses import Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.qt.keys import key_text
@@ -139,6 +141,47 @@ def test_fades_come_and_go_and_leave_the_other_end(two_clips):
     assert [clip.effects[0].in_s for clip in document.design.clips] == [0.0, 0.0]
     assert [clip.effects[0].out_s for clip in document.design.clips] == [0.02, 0.02]
     assert not window.actions_by_name["fade_in"].isChecked()
+
+
+def test_effects_are_copied_to_other_clips_in_one_step(two_clips):
+    window, document = two_clips, two_clips.document
+    QGuiApplication.clipboard().clear()
+    refused = []
+    document.refused.connect(refused.append)
+    window.do("paste_effects")
+    assert refused == ["The clipboard holds no effects; copy some first."]
+    chain = (Repeat(400), Fade(0.01, 0.05))
+    document.edit("Effects", document.design.with_clip(2, effects=chain))
+    document.look(replace(document.view, selected_inputs=(2,), selected_clips=(2,)))
+    window.do("copy_effects")
+    # They are no clips.
+    window.do("paste_clips")
+    assert refused[1:] == ["The clipboard holds no clips; copy some first."]
+    document.edit("Other", document.design.with_clip(1, effects=(BandLimit(),)))
+    before = document.design
+    document.look(replace(document.view, selected_inputs=(1, 2), selected_clips=(1, 2)))
+    window.do("paste_effects")
+    assert [clip.effects for clip in document.design.clips] == [chain, chain]
+    window.do("undo")
+    assert document.design == before
+    document.look(replace(document.view, selected_inputs=(), selected_clips=()))
+    assert not window.actions_by_name["copy_effects"].isEnabled()
+    assert not window.actions_by_name["paste_effects"].isEnabled()
+
+
+def test_effects_that_would_make_a_clip_too_long_are_refused(two_clips):
+    window, document = two_clips, two_clips.document
+    document.edit(
+        "Short", document.design.with_clip(2, waveform=Tap(), effects=(Repeat(1000, 3.5),))
+    )
+    document.look(replace(document.view, selected_inputs=(2,), selected_clips=(2,)))
+    refused = []
+    document.refused.connect(refused.append)
+    window.do("copy_effects")
+    document.look(replace(document.view, selected_inputs=(1,), selected_clips=(1,)))
+    window.do("paste_effects")
+    assert len(refused) == 1
+    assert document.design.clip(1).effects == ()
 
 
 def test_a_clip_is_stretched_to_a_typed_length(two_clips, monkeypatch):
