@@ -160,8 +160,8 @@ class EffectChain(QtWidgets.QWidget):
             row.show_effect(effect, [each.effects[k] for each in shown])
             row.show_end(end_s)
         self._column.show_rows(rows)
-        of_last = " of last clip" if len(shown) < len(chosen) else ""
-        self.fold.setText(f"Effects{of_last}" + (f" · {len(rows)}" if rows else ""))
+        text = f"Effects · {len(rows)}" if rows else "Effects"
+        self.fold.setText("Effects: last clip" if len(shown) < len(chosen) else text)
         if self._adds and new is not None and same_clip:
             self._adds = False
             self.fold.setChecked(True)

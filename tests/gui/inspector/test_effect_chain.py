@@ -227,7 +227,7 @@ def test_a_switch_that_is_mixed_is_half_on_and_a_click_switches_all_on(qtbot):
 
 def test_where_kinds_of_effects_differ_the_heading_says_that_the_last_clip_is_changed(qtbot):
     bench = two_clips(qtbot, (Reverse(), Fade(0.01, 0.01)), (Fade(0.02, 0.02),))
-    assert bench.panel.findChild(QToolButton, "effects_fold").text() == "Effects of last clip · 1"
+    assert bench.panel.findChild(QToolButton, "effects_fold").text() == "Effects: last clip"
     bench.chain.rows[0].set_open(True)
     field = bench.chain.rows[0].cell("in_s").field
     assert field.text() == "20"
