@@ -94,23 +94,24 @@ def test_a_new_clip_begins_at_the_playhead_or_behind_the_last_one_of_its_track()
 
 
 def test_after_another_clip_editor_and_timeline_show_all_of_a_new_design(open_window, settle):
-    long = Design(limb="synthetic-1", inputs=(Input(location=7, clips=(Clip(waveform=Tone()),)),))
-    window = open_window(
-        long.with_clip(1, waveform=Tone(duration_s=2.0)), View(selected_inputs=(1,))
-    )
+    tone = Clip(waveform=Tone(duration_s=2.0))
+    long = Design(limb="synthetic-1", inputs=(Input(location=7, clips=(tone,)),))
+    window = open_window(long, View(selected_inputs=(1,)))
     press(window, "fit")
     window.do("show_clip_editor")
     settle()
     editor, lanes = window.panel("clip_editor"), window.panel("timeline").lanes
     editor._canvas.zoom(1.5)
-    shown = editor._canvas.content.scale.shown_s
-    # Over the timeline, which does not see the empty design in between.
+    # The clip of another file has the same number.
     document = window.document
-    document.mark_saved(None)
+    longer = long.with_clip(1, waveform=Tone(duration_s=3.0))
+    document.start_over(longer, document.view, None)
+    assert editor._canvas.content.scale.shown_s == pytest.approx((0.0, 3.18))
+    # Over the timeline, which does not see the empty design in between.
     window.do("new_design")
     document.apply(edits.add_waveform(document.design, document.view, Tone(duration_s=0.2)))
     settle()
-    assert editor._canvas.content.scale.shown_s[1] < 0.25 < shown[1]
+    assert editor._canvas.content.scale.shown_s[1] < 0.25
     window.docks["timeline"].bring_forward()
     settle()
     assert lanes.content.scale.shown_s[1] < 0.7
