@@ -130,12 +130,12 @@ class EditedCell(LabelledCell):
             self._value, self._reason = value, ""
         self._advise()
 
-    def show_mixed(self, mixed: bool) -> None:
+    def show_mixed(self, mixed: bool, hint: str = _MIXED) -> None:
         """Say whether the selected inputs have different values: an empty field says "mixed"."""
         self.field.show_mixed(mixed)
         if mixed != self._mixed:
             self._mixed = mixed
-            self.label.setToolTip(_MIXED if mixed else "")
+            self.label.setToolTip(hint if mixed else "")
 
     def forget_typing(self) -> None:
         """Close an open editor without committing."""

@@ -103,13 +103,12 @@ def placed(
     design: Design,
     view: View,
     option: str,
-    onset_s: float | None,
+    onset_s: float,
     recordings: Sequence[Recording],
 ) -> Edit | Refusal:
-    """Return the edit that puts recordings where ``option`` says.
+    """Return the edit that puts recordings where ``option`` says, and says where that is.
 
-    Further ones go to the next free places.  An onset of None is that of the playhead, or the end
-    of the last clip of a track that plays something then.
+    Further ones go to the next free places.
     """
     outcome = _placed_first(design, view, option, onset_s, recordings[0])
     clips: tuple[int, ...] = ()
@@ -128,12 +127,12 @@ def placed(
         return outcome
     tracks = map(outcome.design.input, outcome.view.selected_inputs)
     where = ", ".join(location_text(track.location, design.limb) for track in tracks)
-    said = f"Imported at {where}; starts at {value_text(clip.onset_s, 's', digits=5)}"
+    said = f"Starts at {value_text(clip.onset_s, 's', digits=5)} on {where}"
     return replace(outcome, said=said)
 
 
 def _placed_first(
-    design: Design, view: View, option: str, onset_s: float | None, recording: Recording
+    design: Design, view: View, option: str, onset_s: float, recording: Recording
 ) -> Edit | Refusal:
     what, _, number = option.partition(" ")
     if what == "clip":
@@ -142,16 +141,14 @@ def _placed_first(
         track = design.track_of(int(number))
         chosen = replace(view, selected_inputs=(track.id,), selected_clips=(int(number),))
         return edits.change_waveform(design, chosen, (track.id,), recording)
-    if what == "track" and onset_s is None:
-        return edits.add_waveform(design, view, recording, int(number))
-    start_s = view.playhead_s if onset_s is None else onset_s
     if what == "track":
-        return edits.add_clip(design, view, int(number), start_s, recording)
-    return edits.place_waveform(design, view, int(number), recording, start_s)
+        return edits.add_clip(design, view, int(number), onset_s, recording)
+    return edits.place_waveform(design, view, int(number), recording, onset_s)
 
 
-# Dropped anywhere, they are opened.
+# Dropped anywhere, the first are opened; no kind but recordings is taken with others.
 _OPENED = (SUFFIX, SHOW_SUFFIX)
+_ALONE = (*_OPENED, presets.SUFFIX)
 
 
 class FileDrops(QObject):
@@ -162,10 +159,12 @@ class FileDrops(QObject):
 
     #: A design or a show, `Path`.
     design_dropped = Signal(object)
-    #: A recording, `Path`, and its `DropPlace` or None.
-    recording_dropped = Signal(object, object)
+    #: Recordings, list of `Path`, and their `DropPlace` or None.
+    recordings_dropped = Signal(object, object)
     #: A preset, also one that is dragged from the library, `Path`, and its `DropPlace` or None.
     preset_dropped = Signal(object, object)
+    #: Which files were left out, a sentence.
+    failed = Signal(str)
 
     def __init__(self, window: QtWidgets.QWidget, panels: PanelRegistry) -> None:
         super().__init__(window)
@@ -202,12 +201,16 @@ class FileDrops(QObject):
         # After a move, the program that offered the file would delete it.
         event.setDropAction(Qt.DropAction.CopyAction)
         event.accept()
+        place, left = self._place(event.position().toPoint()), paths[1:]
         if paths[0].suffix in _OPENED:
             self.design_dropped.emit(paths[0])
+        elif paths[0].suffix in _ALONE:
+            self.preset_dropped.emit(paths[0], place)
         else:
-            kind = paths[0].suffix == presets.SUFFIX
-            dropped = self.preset_dropped if kind else self.recording_dropped
-            dropped.emit(paths[0], self._place(event.position().toPoint()))
+            left = [path for path in paths if path.suffix in _ALONE]
+            self.recordings_dropped.emit([path for path in paths if path not in left], place)
+        if names := ", ".join(path.name for path in left):
+            self.failed.emit(f"Not opened: {names}; drop each alone.")
         return True
 
     def _place(self, at: QPoint) -> DropPlace | None:
@@ -237,14 +240,13 @@ class ImportActions(QObject):
     #: The next step might end the studio, so unsaved work is to be saved now.
     risk_ahead = Signal()
 
-    def __init__(
-        self,
-        services: Services,
-    ) -> None:
+    def __init__(self, services: Services) -> None:
         super().__init__(services.window)
         self._document, self._preferences = services.document, services.preferences
         self._window = services.window
         self._pages: list[Any] = []
+        # Files whose pages open when the page before is closed.
+        self._waiting: list[tuple[Path, DropPlace | None]] = []
 
     @property
     def pages(self) -> tuple[Any, ...]:
@@ -260,17 +262,26 @@ class ImportActions(QObject):
         if path is not None:
             self.open_page(path)
 
+    def open_pages(self, paths: list[Path], place: DropPlace | None = None) -> None:
+        """Open the page on one file after the other."""
+        self._waiting += [(path, place) for path in paths]
+        self._open_next()
+
     def open_page(self, path: Path, place: DropPlace | None = None) -> None:
         """Open the page on a file that is to go to ``place``, or where the user says."""
         self.risk_ahead.emit()
-        places = options(self._document.design, self._document.view, place)
+        view, at = self._document.view, place or DropPlace()
+        places = options(self._document.design, view, place)
         limb = facts_of(self._document.design.limb)
-        page = pages.ImportPage(path, limb, places, self._window)
+        onset_s = view.playhead_s if at.onset_s is None else at.onset_s
+
+        def put_at(recordings: tuple[Recording, ...], option: str) -> Edit | Refusal:
+            return placed(self._document.design, self._document.view, option, onset_s, recordings)
+
+        page = pages.ImportPage(path, limb, places, put_at, self._window)
 
         def put(recordings: tuple[Recording, ...], option: str) -> None:
-            design, view = self._document.design, self._document.view
-            onset_s = place.onset_s if place else None
-            outcome = placed(design, view, option, onset_s, recordings)
+            outcome = put_at(recordings, option)
             self._document.apply(outcome, None)
             self._preferences.folder = path.absolute().parent
             if isinstance(outcome, Edit):
@@ -278,11 +289,18 @@ class ImportActions(QObject):
 
         page.chosen.connect(put)
         page.finished.connect(lambda: self._pages.remove(page))
+        # What is chosen there is told after it has closed.
+        page.finished.connect(self._open_next, Qt.ConnectionType.QueuedConnection)
         self._pages.append(page)
         page.show()
 
+    def _open_next(self) -> None:
+        if self._waiting and not self._pages:
+            self.open_page(*self._waiting.pop(0))
+
     def end(self) -> None:
         """Close all pages."""
+        self._waiting = []
         for page in self.pages:
             page.reject()
 

@@ -13,12 +13,19 @@ from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.comparing import NUMBERS
 from skinsource.design.design import Design, Input
+from skinsource.design.edits.clips import of_each
 from skinsource.design.edits.cutting import last_fade
 from skinsource.design.edits.edit import Edit, Refusal, leading_clip
 from skinsource.design.view import View
 from skinsource_gui.pages.files.exports import EXPORTS
 from skinsource_gui.panels.skin.settings import has_colours, use_colours
-from skinsource_gui.panels.timeline.clipboard import copy_clips, cut_clips, paste_clips
+from skinsource_gui.panels.timeline.clipboard import (
+    copy_clips,
+    copy_effects,
+    cut_clips,
+    paste_clips,
+    paste_effects,
+)
 from skinsource_gui.panels.timeline.content import chosen_clips
 from skinsource_gui.plots.small_map import COLOURS
 from skinsource_gui.qt.keys import KEYS, SHORTCUTS, key_text
@@ -144,17 +151,13 @@ def _faded(end: int) -> Condition:
 def _fade(end: int, design: Design, view: View) -> Edit | Refusal:
     """Fade the beginning (0) or the end (1) of all chosen clips, or none of them."""
     to_s = 0.0 if _faded(end)(design, view) else _FADE_S
-    before, label = design, ""
-    for id in chosen_clips(design, view):
+
+    def fade(design: Design, view: View, id: int) -> Edit | Refusal:
         lengths_s = list(_fades(design.clip(id)))
         lengths_s[end] = min(to_s, design.clip(id).duration_s / 2)
-        outcome = edits.fade_clip(design, view, id, *lengths_s)
-        if isinstance(outcome, Refusal):
-            return outcome
-        design, label = outcome.design, "Fade clips" if label else outcome.label
-    if design is before:
-        return Refusal(sentence="No clip is selected; click one in the timeline.")
-    return Edit(label=label, design=design, view=view)
+        return edits.fade_clip(design, view, id, *lengths_s)
+
+    return of_each(fade, design, view, chosen_clips(design, view))
 
 
 # Names of colours, by what they are called in names of actions.
@@ -164,6 +167,8 @@ EDITS: dict[str, MakeEdit] = {
     "cut_clips": cut_clips,
     "copy_clips": copy_clips,
     "paste_clips": paste_clips,
+    "copy_effects": copy_effects,
+    "paste_effects": paste_effects,
     "add_input": edits.add_input,
     "duplicate_input": _of_inputs(edits.duplicate_inputs),
     "remove_input": _of_inputs(edits.remove_inputs),
@@ -214,11 +219,11 @@ ENABLED: dict[str, Condition] = {
     "keep_match_gain": lambda design, view: view.match_gain(design) != 1.0,
     **_when(
         lambda design, view: leading_clip(design, view) is not None,
-        *("draw_clip", "shape_envelope", "stretch_clip"),
+        *("draw_clip", "shape_envelope", "stretch_clip", "copy_effects"),
     ),
     **_when(
         lambda design, view: bool(chosen_clips(design, view)),
-        *(*_OF_CLIPS, "remove_clips", "limit_to_band"),
+        *(*_OF_CLIPS, "remove_clips", "limit_to_band", "paste_effects"),
     ),
     "equalise_on_skin": lambda design, view: selected_train(design, view) is not None,
     "match_tracks": lambda design, view: len(set(view.selected_inputs) & set(design.ids)) > 1,

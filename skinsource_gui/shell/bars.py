@@ -206,8 +206,9 @@ class StepsMenu(QtWidgets.QMenu):
 
     def _add(self, count: int, label: str, when: str = "") -> None:
         stack = self._document.undo_stack
-        saved = "saved " if count == stack.cleanIndex() and self._document.path else ""
-        step = self.addAction(f"{label.replace('&', '&&')}\t{saved}{when}")
+        saved = "saved" if count == stack.cleanIndex() and self._document.path else ""
+        when = ", ".join(filter(None, (when, saved)))
+        step = self.addAction(f"{label.replace('&', '&&')}\t{when}")
         step.setData(count)
         step.setCheckable(True)
         step.setChecked(count == stack.index())

@@ -62,7 +62,7 @@ class Conductor(QObject):
         self._unplayable: dict[Panel, tuple[UnplayableInput, ...]] = {}
         # Panels that know the present state.
         self._informed: set[Panel] = set()
-        document.jumped.connect(lambda: self._restarting.update(self._panels))
+        document.jumped.connect(self._note_jump)
         document.changed.connect(self._follow)
         document.settled.connect(self._wait_for_results)
         document.playhead_moved.connect(self._follow_playhead)
@@ -103,6 +103,13 @@ class Conductor(QObject):
                 panel.show_playhead(self._document.shown_view)
             else:
                 self._informed.discard(panel)
+
+    def _note_jump(self) -> None:
+        self._restarting.update(self._panels)
+        # Steps of the history jump too.
+        if not self._document.undo_stack.count():
+            for panel in self._panels:
+                panel.start_over()
 
     def _request_results(self, since_s: float | None = None) -> None:
         """Request the results that are not known yet."""

@@ -181,6 +181,9 @@ class Panel(ShowsStaleness):
     def show_running(self, running: bool) -> None:
         """Take over whether time runs."""
 
+    def start_over(self) -> None:
+        """Forget what was held of the design before: another one is open."""
+
     def reset_range(self) -> None:
         """Draw the next results as the first ones: nothing is held from before."""
 

@@ -88,7 +88,10 @@ def test_the_step_that_was_saved_is_marked_and_the_start_has_the_name_of_its_fil
     bench.edit(2.0)
     bench.document.mark_saved(Path("tap.skinsource"))
     bench.edit(3.0)
-    assert [when.startswith("saved") for _, when in bench.rows()] == [False, True, False]
+    told = [when for _, when in bench.rows()]
+    assert [when.endswith(", saved") for when in told] == [False, True, False]
+    # The time is that of the step, so it comes first.
+    assert time.strptime(told[1].split(",")[0], "%H:%M:%S")
     bench.document.start_over(bench.document.design, View(), Path("a.skinsource"))
     assert bench.rows()[0][0] == "Opened a.skinsource"
     bench.document.start_over(bench.document.design, View(), None, scene="A & B")

@@ -45,7 +45,7 @@ AMPLITUDE = NumberSpec(
 #: For an input whose amplitude is a plain factor, see `skinsource.design.amplitudes.is_gain`.
 AMPLITUDE_GAIN = replace(
     AMPLITUDE,
-    label="Gain",
+    label="Track gain",
     hint="Factor on the recording; a negative gain inverts the polarity",
 )
 

@@ -214,7 +214,10 @@ class ChoiceForm(QtWidgets.QWidget):
         self._beside = signals_beside(self._contents, series)
         if 1 < len(self._beside) <= _MOST_SIGNALS:
             offered.append((_EACH, f"Each of {len(self._beside)}, a clip on its own place"))
+        chosen = self._axes.value
         _fill(self._form, self._axes, [("", f"{series.name} alone"), *offered])
+        if chosen == _EACH and self._axes.findData(_EACH) >= 0:
+            self._axes.set_value(_EACH)
         self._timing.set_value(first.time or _STEADY)
         self._rate.set_value(stated or ASSUMED_RATE_HZ)
         self._time_unit.set_value(f"{first.time_unit_s:g}")

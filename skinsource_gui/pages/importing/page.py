@@ -3,6 +3,7 @@
 A worker reads the file; the page shows what the file holds and what would be imported.
 """
 
+from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -16,6 +17,7 @@ from skinsource.base.errors import SkinSourceError, Stopped
 from skinsource.base.files import path_text
 from skinsource.base.job import Job, Progress, Stop, stop_if
 from skinsource.base.work import counted
+from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.recordings import (
     ImportChoice,
     RawPart,
@@ -24,6 +26,7 @@ from skinsource.design.recordings import (
     read_for,
     read_part,
 )
+from skinsource.design.waveforms.samples import Recording
 from skinsource.limbs.limb import LimbFacts
 from skinsource.readers.limits import MOST_PART_S
 from skinsource.readers.reader import Found, Series
@@ -183,6 +186,8 @@ class ImportPage(ToolPage):
         Limb of the design, with its rate and band.
     places
         Name and text of each place that the recording can go to, the likeliest one first.
+    put_at
+        Makes the edit that puts recordings at one of them, which says where that is.
     """
 
     #: A `skinsource.design.waveforms.samples.Recording` for each signal; the name of the place.
@@ -193,16 +198,18 @@ class ImportPage(ToolPage):
         path: Path,
         limb: LimbFacts,
         places: tuple[tuple[str, str], ...],
+        put_at: Callable[[tuple[Recording, ...], str], Edit | Refusal],
         parent: QtWidgets.QWidget | None = None,
     ) -> None:
         super().__init__(parent, "import_page", f"Import {path_text(Path(path.name))}", (820, 520))
         self._band_hz = limb.band_hz
         self.form: ChoiceForm | None = None
-        self._taken: tuple[Taken, ...] = ()
+        self._recordings: tuple[Recording, ...] = ()
         self._surveyed = ""
         self._about = page_label("import_about", _READING)
         self._warning = page_label("import_warning", _ASSUMED, tone="warning")
         self._place = ChoiceField(ChoiceSpec(label="Destination", options=places))
+        self._put_at, self._where = put_at, page_label("import_where", tone="dim")
         self.preview, self._strip = ImportPreview(), OverviewStrip(MOST_PART_S)
         self._strip.hide()
         self._bar = progress_bar("import_progress", "Progress of reading", keeps_room=True)
@@ -215,7 +222,8 @@ class ImportPage(ToolPage):
         self._warning.hide()
         left = QtWidgets.QWidget()
         left.setFixedWidth(_LEFT_PX)
-        parts = self._about, self._warning, None, QtWidgets.QLabel("Destination"), self._place
+        place = QtWidgets.QLabel("Destination"), self._place, self._where
+        parts = self._about, self._warning, None, *place
         self._left = in_column(*parts, of=left, margins=0, gap_px=UNIT_PX)
         right = in_column(self._strip, (self.preview, 1), gap_px=UNIT_PX)
         columns = in_row(left, (right, 1), gap_px=2 * UNIT_PX)
@@ -229,6 +237,7 @@ class ImportPage(ToolPage):
         worker.surveyed.connect(self._show_overview)
         worker.failed.connect(self._show_failed)
         worker.progressed.connect(self._show_progress)
+        self._place.edited.connect(self._show_where)
         self._worker.look()
 
     @property
@@ -243,11 +252,11 @@ class ImportPage(ToolPage):
 
     def done(self, result: int) -> None:
         """Close the page, with or without a recording."""
-        taken, place = self._taken, self._place.value
+        recordings, place = self._recordings, self._place.value
         self._worker.end()
         super().done(result)
-        if result == QtWidgets.QDialog.DialogCode.Accepted and taken:
-            self.chosen.emit(tuple(part.waveform for part in taken), place)
+        if result == QtWidgets.QDialog.DialogCode.Accepted and recordings:
+            self.chosen.emit(recordings, place)
 
     def _show_contents(self, contents: Found) -> None:
         self._about.setText(about(contents))
@@ -258,7 +267,7 @@ class ImportPage(ToolPage):
         self._import(self.form.choice)
 
     def _import(self, choice: ImportChoice) -> None:
-        self._taken = ()
+        self._recordings = ()
         self._import_button.setEnabled(False)
         self._warning.setVisible(self.form is not None and self.form.assumes_rate)
         self.preview.set_pale(True)
@@ -293,11 +302,18 @@ class ImportPage(ToolPage):
     def _show_taken(self, choices: Choices, taken: tuple[Taken, ...]) -> None:
         if self.form is None or choices != self.form.choices:
             return
-        self._taken = taken
+        self._recordings = tuple(part.waveform for part in taken)
         self._bar.hide()
         self.preview.show_part(taken, choices[0], self._band_hz)
         self._import_button.setEnabled(True)
         self._import_button.setDefault(True)
+        self._show_where()
+
+    def _show_where(self, *_: object) -> None:
+        """Say where the recordings will be; while they are read it is not known."""
+        if self._recordings:
+            edit = self._put_at(self._recordings, self._place.value)
+            self._where.setText(edit.said if isinstance(edit, Edit) else edit.sentence)
 
     def _show_failed(self, choices: Choices | None, reason: str) -> None:
         if choices is None:

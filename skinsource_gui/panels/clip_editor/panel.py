@@ -411,6 +411,10 @@ class ClipEditorPanel(Panel):
         self.design, self.view = design, view
         self._show()
 
+    def start_over(self) -> None:
+        self._waveforms = {}
+        self._canvas.show_clip(None, None, None, self.rate_hz)
+
     def show_results(self, results: Mapping[str, Any]) -> None:
         self.rate_hz = results["sample_rate_hz"]
         self._waveforms = waveforms_of(results)

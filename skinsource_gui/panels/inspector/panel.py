@@ -41,6 +41,7 @@ from skinsource.limbs.own_limbs import drive_unit_known, facts_of
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec
+from skinsource_gui.fields.editor import MIXED
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.grid import LABEL_PX, FieldGrid, LabelledCell, TextCell, discard
 from skinsource_gui.fields.inputs import (
@@ -99,6 +100,7 @@ def _places(limb: str, facts: LimbFacts) -> ChoiceSpec:
     )
 
 
+_CLIP_GAIN = replace(GAIN, label="Clip gain")
 #: What follows an amplitude, by the scaling of the design.
 _MEANINGS = {
     "probe": "at the probe",
@@ -141,8 +143,8 @@ class Meaning(QtWidgets.QToolButton):
 class InputFields(QObject):
     """Fields of an input and a clip of it, in three groups.
 
-    The gain of a clip is shown where it has others beside it, the gain curve of a track where
-    there is one.
+    The gain of a clip is shown where it has others beside it or is not 1, the gain curve of a track
+    where there is one.
 
     Attributes
     ----------
@@ -166,7 +168,7 @@ class InputFields(QObject):
         self._arranged: tuple[tuple[LabelledCell, ...], ...] = ()
         self._built_for: type[Waveform] | None = None
         self._duration: LabelledCell | None = None
-        self._several = False
+        self._gain_of: int | None = None
         self._curve_of: int | None = None
         self._view = View()
         self.head, self.grid, self.track = FieldGrid(), FieldGrid(), FieldGrid()
@@ -176,7 +178,7 @@ class InputFields(QObject):
         self.meaning = Meaning()
         self._amplitude.stack.insertWidget(1, self.meaning, 0, Qt.AlignmentFlag.AlignRight)
         self._onset = FieldCell("onset_s", ONSET, edited=self.edited)
-        self._gain = FieldCell("gain", GAIN, edited=self.edited)
+        self._gain = FieldCell("gain", _CLIP_GAIN, edited=self.edited)
         self._curve = FieldCell("gain_curve", GAIN_CURVE, edited=self.edited)
         self._peak = TextCell("Peak", "", "peak", "Peak of the whole track, with its gain")
         self._played_length = TextCell("Played", "", "played_length", "Duration after effects")
@@ -198,13 +200,14 @@ class InputFields(QObject):
         self._view = view
         clip = clip_of(track, view)
         kind = None if clip is None else type(clip.waveform)
-        several = len(track.clips) > 1
-        # A curve that was deleted can be typed again until another track is shown.
-        curved = track.id if track.gain_curve or self._curve_of == track.id else None
-        lasts = "" if clip is None else played_length_text(clip)
-        self._several, self._curve_of = several, curved
-        self._played_length.text_label.setText(lasts)
-        self._played_hz.text_label.setText("" if clip is None else played_hz_text(clip))
+        pairs = [(other, each) for other in batch for each in clips_of(other, view) or (None,)]
+        clips = [each for _, each in pairs if each is not None]
+        # A curve that was deleted can be typed again until another track is shown, as can a gain.
+        self._curve_of = track.id if track.gain_curve or self._curve_of == track.id else None
+        gained = len(track.clips) > 1 or {each.gain for each in clips} - {1.0}
+        self._gain_of = clip.id if clip and (gained or self._gain_of == clip.id) else None
+        self._played_length.text_label.setText(_text_of_all(played_length_text, clips))
+        self._played_hz.text_label.setText(_text_of_all(played_hz_text, clips))
         self._peak.text_label.setText(peak)
         self.meaning.setHidden(bool(peak))
         if kind is not self._built_for:
@@ -213,8 +216,6 @@ class InputFields(QObject):
         if isinstance(self._duration, TextCell) and clip is not None:
             self._duration.text_label.setText(fixed_length_text(clip.waveform))
         self._amplitude.set_spec(amplitude)
-        self._gain.set_spec(replace(GAIN, label="Clip gain") if peak else GAIN)
-        pairs = [(other, each) for other in batch for each in clips_of(other, view) or (None,)]
         own = _values(track, clip)
         rest = [
             _values(other, each) for other, each in pairs if other is not track or each is not clip
@@ -276,7 +277,7 @@ class InputFields(QObject):
             (self._peak, self._peak.text_label.text()),
             (self._curve, self._curve_of is not None),
         )
-        gain = (self._gain,) if self._several else ()
+        gain = () if self._gain_of is None else (self._gain,)
         played = (self._played_hz,) if self._played_hz.text_label.text() else ()
         # Fields of frequencies come first.
         n_hz = sum("hz" in getattr(cell, "name", "") for cell in self._own)
@@ -328,6 +329,12 @@ def _values(track: Input, clip: Clip | None) -> dict[str, object]:
     own = {name: edits.value_of(track, name, clip) for name in edits.fields_of(track, clip)}
     kind = "" if clip is None else kind_name(clip.waveform)
     return {**own, "kind": kind, "location": str(track.location)}
+
+
+def _text_of_all(text_of: Callable[[Clip], str], clips: list[Clip]) -> str:
+    """Return the text of each of some clips, or that they differ; "" without any."""
+    texts = {text_of(clip) for clip in clips}
+    return MIXED if len(texts) > 1 else "".join(texts)
 
 
 class ClipHeading(QtWidgets.QWidget):
@@ -418,6 +425,7 @@ class InspectorPanel(Panel):
         self._fields.file_requested.connect(partial(self.action_requested.emit, "import_recording"))
         self._chain = EffectChain()
         self._chain.edited.connect(self.edited)
+        self._chain.action_requested.connect(self.action_requested)
         self._heading = ClipHeading()
         self._draw = tool_button(None, "draw_button", "Draw", "Draw this clip with the pen")
         self._draw.clicked.connect(partial(self.action_requested.emit, "draw_clip"))
@@ -541,7 +549,7 @@ class InspectorPanel(Panel):
             amplitude, peak = AMPLITUDE_GAIN, peak_text(self._design, track)
         self._fields.show_limb(limb)
         self._fields.show_input(track, batch, amplitude, self._view, peak)
-        self._chain.show_chain(self._design, self._view, clip, tuple(each.id for each in clips))
+        self._chain.show_chain(self._design, self._view, clip, clips)
         self._show_style(track)
 
     def _show_style(self, track: Input) -> None:

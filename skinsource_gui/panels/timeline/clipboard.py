@@ -7,17 +7,19 @@ from skinsource.base.errors import SkinSourceError
 from skinsource.base.quoting import sentence
 from skinsource.base.work import counted
 from skinsource.design import edits
-from skinsource.design.clips import Fragment
+from skinsource.design.clips import Clip, Fragment, Lane
 from skinsource.design.design import Design
-from skinsource.design.edits.edit import Edit, Refusal
+from skinsource.design.edits.clips import clips_text, present_clips
+from skinsource.design.edits.edit import Edit, Refusal, change_clips, leading_clip, refusing
 from skinsource.design.view import View
+from skinsource.design.waveforms.pulses import Impulse
 from skinsource_gui.panels.timeline.content import chosen_clips
 
-_MIME = "application/x-skinsource-clips"
+_MIME = "application/x-skinsource-{}"
 # A text with clips has this sign within so many characters.
 _SIGN, _BEGINNING = "skinsource clips", 2000
 _NO_CLIPS = Refusal(sentence="No clip is selected; click one in the timeline.")
-_NOTHING_TO_PASTE = Refusal(sentence="The clipboard holds no clips; copy some first.")
+_NOTHING = "The clipboard holds no {}; copy some first."
 
 
 def copy_clips(design: Design, view: View) -> Edit | Refusal:
@@ -30,7 +32,7 @@ def copy_clips(design: Design, view: View) -> Edit | Refusal:
     except SkinSourceError as error:
         return Refusal(sentence=sentence(str(error)))
     data = QMimeData()
-    data.setData(_MIME, text.encode())
+    data.setData(_MIME.format("clips"), text.encode())
     data.setText(text)
     QtWidgets.QApplication.clipboard().setMimeData(data)
     count = sum(len(lane.clips) for lane in fragment.lanes)
@@ -47,21 +49,45 @@ def cut_clips(design: Design, view: View) -> Edit | Refusal:
 
 def paste_clips(design: Design, view: View) -> Edit | Refusal:
     """Put the clips of the clipboard at the playhead."""
-    try:
-        fragment = _pasted_fragment()
-    except SkinSourceError as error:
-        return Refusal(sentence=sentence(str(error)))
-    if fragment is None:
-        return _NOTHING_TO_PASTE
+    fragment = _pasted("clips")
+    if isinstance(fragment, Refusal):
+        return fragment
     return edits.paste_fragment(design, view, fragment, view.playhead_s)
 
 
-def _pasted_fragment() -> Fragment | None:
-    """Return the clips on the clipboard, also those that came as text; None: there are none."""
-    data = QtWidgets.QApplication.clipboard().mimeData()
-    if data is None:
-        return None
-    if data.hasFormat(_MIME):
-        return edits.fragment_from(bytes(data.data(_MIME).data()).decode(errors="replace"))
-    text = data.text() if data.hasText() else ""
-    return edits.fragment_from(text) if _SIGN in text[:_BEGINNING] else None
+def copy_effects(design: Design, view: View) -> Edit | Refusal:
+    """Put the effects of the clip that was selected last on the clipboard; the design stays."""
+    clip = leading_clip(design, view)
+    if clip is None:
+        return _NO_CLIPS
+    # The shortest waveform: with any, effects that repeat must not become too long.
+    holder = Lane(location=1, clips=(Clip(waveform=Impulse(), effects=clip.effects),))
+    data = QMimeData()
+    data.setData(_MIME.format("effects"), edits.fragment_text(Fragment(lanes=(holder,))).encode())
+    QtWidgets.QApplication.clipboard().setMimeData(data)
+    said = f"{counted(len(clip.effects), 'effect')} copied"
+    return Edit(label="Copy effects", design=design, view=view, said=said)
+
+
+@refusing
+def paste_effects(design: Design, view: View) -> Edit | Refusal:
+    """Replace the effects of the selected clips by those of the clipboard."""
+    fragment = _pasted("effects")
+    if isinstance(fragment, Refusal):
+        return fragment
+    chosen = present_clips(design, chosen_clips(design, view))
+    effects = fragment.lanes[0].clips[0].effects
+    after = change_clips(design, {clip.id: {"effects": effects} for clip in chosen})
+    return Edit(label=f"Paste effects to {clips_text(design, chosen)}", design=after, view=view)
+
+
+def _pasted(what: str) -> Fragment | Refusal:
+    """Return what is on the clipboard, clips also where they came as text; or why not."""
+    data = QtWidgets.QApplication.clipboard().mimeData() or QMimeData()
+    text = bytes(data.data(_MIME.format(what)).data()).decode(errors="replace")
+    if what == "clips" and _SIGN in data.text()[:_BEGINNING]:
+        text = text or data.text()
+    try:
+        return edits.fragment_from(text) if text else Refusal(sentence=_NOTHING.format(what))
+    except SkinSourceError as error:
+        return Refusal(sentence=sentence(str(error)))

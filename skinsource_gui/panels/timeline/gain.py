@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 _DOT_PX, _CHOSEN_PX = 3.5, 5.0
 _HALO_ALPHA, _HINT_ALPHA = 190, 110
 #: How a curve begins.
-HINT = "Gain: double-click the line to add a point"
+HINT = "Gain curve: double-click the line to add a point"
 
 
 class GainItem(LaneLayer):
@@ -100,7 +100,7 @@ class GainItem(LaneLayer):
             painter.setPen(QtGui.QPen(QtGui.QColor(theme.text), 1.5))
             painter.setBrush(QtGui.QColor(theme.accent if k == chosen else theme.base))
             painter.drawEllipse(strip.at(x, y), radius, radius)
-        text = "Gain" if chosen is None else gain_point_text(*strip.points[chosen][:2])
+        text = "Gain curve" if chosen is None else gain_point_text(*strip.points[chosen][:2])
         metrics = QtGui.QFontMetricsF(self._font)
         height, top = metrics.height() + 1, room.top() + 2
         if strip.lane.selected and not strip.points:

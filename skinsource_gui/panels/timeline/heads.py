@@ -36,6 +36,7 @@ from skinsource.design.design import AMPLITUDE_GAIN, Design, Input, audible_inpu
 from skinsource.design.edits.edit import Edit, Refusal, change_inputs, clip_of
 from skinsource.design.view import View
 from skinsource.limbs.locations import input_name
+from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.fields.editor import Burst, new_gesture
 from skinsource_gui.fields.inputs import (
     EMPTY,
@@ -131,10 +132,12 @@ def text_of(head: Head, design: Design, view: View) -> str:
     if clip is not None:
         length = duration_text(clip.duration_s)
         played = f"{clip_text(clip)} · {length}{clips_text(len(track.clips))}"
-    is_factor = is_gain(design, track)
-    level = f"Gain {track.amplitude:g}" if is_factor else amplitude_text(design, track)
+    level = amplitude_text(design, track)
+    if is_gain(design, track):
+        level = f"{AMPLITUDE_GAIN.label} {track.amplitude:g}"
     if (peak := head.peak) is not None:
-        level += f", peak {peak:.3g} {amplitude_unit(design)}"
+        rate_hz = facts_of(design.limb).sample_rate_hz
+        level += f", peak {peak:.3g} {amplitude_unit(design)}, sampled at {rate_hz:g} Hz"
     return f"{played}\n{level}"
 
 
@@ -179,6 +182,9 @@ class HeadsModel(QAbstractListModel):
         place = input_name(head.track.location, self._design.limb)
         text = text_of(head, self._design, self._view)
         if role == _Role.ToolTipRole:
+            chosen = self._view.selected_inputs
+            if len(chosen) > 1 and head.track.id in chosen and not self._view.selected_clips:
+                text += "\nM, S and fader change all selected tracks"
             return f"{place.number} · {place.name}\n{text}"
         silent = ", silent" if head.silent else ""
         return f"Input at {place.number}, {place.name}: {text.replace(chr(10), ', ')}{silent}"

@@ -15,6 +15,7 @@ from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.edits.motions import motion_of
 from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
+from skinsource.design.waveforms.samples import Layers
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.fields.editor import Burst
@@ -106,7 +107,7 @@ class LanesMenu:
         if several:
             self._act(menu, "Join clip parts", "", edits.join_clips)
             self._act(menu, "Group into one clip", "", edits.group_clips)
-        else:
+        elif isinstance(self._lanes.content.design.clip(clip).waveform, Layers):
             self._act(menu, "Ungroup layers", "", edits.ungroup_clips)
         self._act(menu, f"Repeat {what}", "repeat", edits.repeat_clips, 2)
         self._act(menu, f"Duplicate {what}", "duplicate", edits.duplicate_clips)
@@ -115,6 +116,7 @@ class LanesMenu:
         self._fill_places(menu, f"Move {what} to")
         self._action(menu, "Copy", "copy_clips")
         self._action(menu, "Cut", "cut_clips")
+        self._action(menu, "Paste at playhead", "paste_clips")
         self._act(menu, f"Remove {what}", "remove", edits.remove_clips)
 
     def _fill_places(self, menu: QtWidgets.QMenu, label: str) -> None:
@@ -175,7 +177,7 @@ class LanesMenu:
         menu.addSeparator()
         insert = edits.insert_time
         self._edit_line(menu, "Insert loop time before", insert, start_s, end_s - start_s)
-        self._edit_line(menu, "Remove loop time", edits.remove_time, start_s, end_s)
+        self._edit_line(menu, "Delete time in loop", edits.remove_time, start_s, end_s)
 
     def _act(
         self, menu: QtWidgets.QMenu, text: str, key: str, edit: AnyEdit, *more: object
@@ -427,7 +429,7 @@ class LaneMouse:
         content = self._lanes.content
         box, lane = content.box_at(at), content.lane_at(at.y())
         if at.y() < content.ruler_px:
-            self._lanes.add_marker(max(content.scale.time(at.x()), 0.0))
+            self._lanes.add_marker(self.time_at(at))
         elif self._gain.double_click(at):
             return
         elif box is not None:
@@ -673,6 +675,11 @@ class LanesView(Canvas):
     def show_range(self, part_s: Range) -> None:
         """See this part."""
         self._show_range(within(part_s, self.content.lengths.whole_s))
+
+    def start_over(self) -> None:
+        """Forget what part of the time was seen: another design is open."""
+        self._held = self._kept_s = None
+        self.change()
 
     def show_everything(self) -> None:
         """Fit the clips into the width."""

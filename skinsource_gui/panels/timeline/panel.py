@@ -37,7 +37,8 @@ from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.panel import Panel
 
-_STEPS_PER_S = 1_000_000
+# Long designs count past what the bar can hold in smaller steps.
+_STEPS_PER_S = 100_000
 
 
 class TimeBar(QtWidgets.QScrollBar):
@@ -241,12 +242,15 @@ class TimelinePanel(Panel):
         if self.is_stale:
             self.show_staleness(True)
 
+    def start_over(self) -> None:
+        self.lanes.start_over()
+
     def show_playhead(self, view: View) -> None:
         self._view = view
         self.lanes.show_playhead(view)
 
     def show_results(self, results: Mapping[str, Any]) -> None:
-        self._show_foot("")
+        show_or_hide(self._foot, "")
         self._rate_hz = results["sample_rate_hz"]
         clips = (clip for track in results["inputs"] for clip in track.clips)
         self._computed_clips = {clip.id: clip for clip in clips}
@@ -279,7 +283,7 @@ class TimelinePanel(Panel):
         self._computed_clips, self._waveforms, self._played = {}, {}, {}
         self._show_heads()
         self.show_staleness(self.is_stale)
-        self._show_foot(reason)
+        show_or_hide(self._foot, reason)
 
     def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -345,7 +349,11 @@ class TimelinePanel(Panel):
         """Take the pen to the selected clip, or to a new one, which is silent yet."""
         if new or leading_clip(self._design, self._view) is None:
             values = np.zeros(round(_DRAWN_S * self._rate_hz))
-            self._add(Drawn(Samples(values=values, sample_rate_hz=self._rate_hz)))
+            drawn = Drawn(Samples(values=values, sample_rate_hz=self._rate_hz))
+            if (track := self._view.selected_input) is None:
+                self._add(drawn)
+            else:
+                self.lanes.edit(edits.add_clip, track, self._view.playhead_s, drawn)
         self.action_requested.emit("draw_clip")
 
     def _show_heads(self) -> None:
@@ -384,9 +392,6 @@ class TimelinePanel(Panel):
         if at is None or QRectF(self.lanes.rect()).contains(at):
             return self.held_over(None)
         return self.held_over(self.lanes.mapToGlobal(at).toPoint())
-
-    def _show_foot(self, text: str) -> None:
-        show_or_hide(self._foot, text)
 
 
 def _play_same(clip: Clip, other: Clip) -> bool:

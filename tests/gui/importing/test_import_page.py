@@ -297,9 +297,9 @@ def test_a_recording_whose_place_went_while_its_page_was_open_is_refused(
     assert document.design == without
 
 
-def drop(window, path, at, kind=QDropEvent):
+def drop(window, path, at, kind=QDropEvent, *others):
     data = QMimeData()
-    data.setUrls([QUrl.fromLocalFile(str(path))])
+    data.setUrls([QUrl.fromLocalFile(str(each)) for each in (path, *others)])
     where = QPointF(at) if kind is QDropEvent else at
     event = kind(where, Qt.DropAction.CopyAction, data, Qt.MouseButton.LeftButton, NO_KEYS)
     QApplication.sendEvent(window, event)
@@ -336,6 +336,25 @@ def test_a_file_that_is_dropped_goes_where_it_was_dropped(window, qtbot, sound, 
         assert isinstance(inputs[0].clips[-1].waveform, Recording)
 
 
+def test_of_several_files_one_after_the_other_is_asked_about_and_what_is_left_out_is_named(
+    window, qtbot, sound, tmp_path
+):
+    second = tmp_path / "second.wav"
+    second.write_bytes(sound.read_bytes())
+    for kind in (QDragEnterEvent, QDropEvent):
+        drop(window, sound, site(window, 13), kind, tmp_path / "a.skinsource", second)
+    assert "a.skinsource" in window.notice.text
+    for path in (sound, second):
+        (page,) = window.imports.pages
+        assert path.name in page.windowTitle()
+        qtbot.waitUntil(lambda page=page: page.ready, timeout=60_000)
+        page.accept()
+        QApplication.processEvents()
+    assert window.imports.pages == ()
+    names = [track.clips[0].waveform.name for track in window.document.design.inputs[1:]]
+    assert names == ["tap.wav, channel 1", "second.wav, channel 1"]
+
+
 def test_a_site_lights_up_while_a_recording_is_held_over_it(window, sound, tmp_path):
     stage = window.panel("hand").diagram.stage
     at = site(window, 13)
@@ -348,18 +367,27 @@ def test_a_site_lights_up_while_a_recording_is_held_over_it(window, sound, tmp_p
     assert stage.state.target is None
 
 
-def test_a_recording_goes_to_the_playhead_or_behind_the_last_clip_and_has_the_name_of_its_file(
+def where(page):
+    return page.findChild(QLabel, "import_where").text()
+
+
+def test_a_recording_goes_to_the_playhead_even_over_a_clip_and_has_the_name_of_its_file(
     desk, page_at, sound
 ):
     document = desk.document
-    first = document.design.inputs[0]
-    page_at(sound).accept()
-    clip = document.design.inputs[0].clips[-1]
-    assert clip.onset_s == first.clips[0].end_s
-    assert clip_name(clip).startswith("tap.wav")
+    document.apply(edits.move_playhead(document.design, document.view, 0.1))
+    assert document.design.inputs[0].clips[0].end_s > 0.1
+    page = page_at(sound)
+    assert where(page) == "Starts at 100 ms on 7 (II pad)"
+    QTest.keyClick(page.findChild(QWidget, "import_place"), Qt.Key.Key_End)
+    assert where(page) != "Starts at 100 ms on 7 (II pad)"
+    QTest.keyClick(page.findChild(QWidget, "import_place"), Qt.Key.Key_Home)
+    # What was said holds.
     document.apply(edits.move_playhead(document.design, document.view, 3.0))
-    page_at(sound).accept()
-    assert document.design.inputs[0].clips[-1].onset_s == 3.0
+    page.accept()
+    clip = document.design.inputs[0].clips[-1]
+    assert clip.onset_s == 0.1
+    assert clip_name(clip).startswith("tap.wav")
 
 
 def test_each_channel_gets_a_clip_on_a_place_of_its_own_and_keeps_its_share(
@@ -373,11 +401,16 @@ def test_each_channel_gets_a_clip_on_a_place_of_its_own_and_keeps_its_share(
     QTest.keyClick(field, Qt.Key.Key_Down)
     qtbot.waitUntil(lambda: page.ready, timeout=60_000)
     assert page.preview.text.startswith("1 of 2")
+    assert where(page) == "Starts at 1000 ms on 7 (II pad), 8 (III pad)"
+    # Another signal leaves that choice.
+    page.form.findChild(QWidget, "import_signal").choose("1")
+    qtbot.waitUntil(lambda: page.ready, timeout=60_000)
+    assert len(page.form.choices) == 2
     before, said = document.undo_stack.count(), []
     document.message.connect(said.append)
     page.accept()
     assert document.undo_stack.count() == before + 1
-    assert said == ["Imported at 7 (II pad), 8 (III pad); starts at 1000 ms"]
+    assert said == [where(page)]
     tracks = document.design.inputs
     assert [track.location for track in tracks] == [7, 8]
     clips = [track.clips[-1] for track in tracks]

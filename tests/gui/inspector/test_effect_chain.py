@@ -5,19 +5,20 @@ from dataclasses import replace
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QScrollArea, QToolButton
+from PySide6.QtWidgets import QApplication, QCheckBox, QScrollArea, QToolButton
 
 from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
 from skinsource.design.effects import EFFECTS
 from skinsource.design.effects.level import BandLimit, Envelope, Fade
-from skinsource.design.effects.time import Repeat, Reverse
+from skinsource.design.effects.time import Repeat, Reverse, Stretch
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.fields.curve_field import CurveField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.inspector.effects import EffectChain
 from tests.gui.inspector.bench import Bench
+from tests.gui.menus import lines_at
 
 CHAIN = (Reverse(), Fade(), Repeat())
 
@@ -179,6 +180,70 @@ def test_the_chain_is_that_of_the_selected_clip(bench):
     assert [clip.effects[-1] for clip in bench.track.clips] == [Reverse(), Reverse()]
     bench.show(selected_inputs=(2,), selected_clips=())
     assert not bench.chain.isVisible()
+
+
+def two_clips(qtbot, first, second):
+    clips = (Clip(id=1, effects=first), Clip(id=2, onset_s=0.5, effects=second))
+    inputs = (Input(location=7, clips=clips),)
+    bench = ChainBench(qtbot, Design(limb="synthetic-1", inputs=inputs))
+    bench.open("effects_fold")
+    bench.show(selected_clips=(1, 2))
+    return bench
+
+
+def test_fields_of_effects_that_all_selected_clips_have_say_mixed_and_set_all(qtbot):
+    bench = two_clips(
+        qtbot, (Stretch(factor=2.0), Fade(0.01, 0.02)), (Stretch(factor=2.0), Fade(0.01, 0.05))
+    )
+    row, panel = bench.chain.rows[1], bench.panel
+    row.set_open(True)
+    field = panel.findChild(NumberField, "effect_out_s_field")
+    assert row.cell("in_s").field.text() == "10"
+    assert (field.text(), field.placeholderText()) == ("", "mixed")
+    assert panel.findChild(QToolButton, "effects_fold").text() == "Effects · 2"
+    bench.type("effect_out_s", "30")
+    assert [clip.effects[1].out_s for clip in bench.track.clips] == [0.03, 0.03]
+    assert bench.labels == ["Change fade out of 2 clips"]
+    assert field.placeholderText() == ""
+    row.press("switch")
+    assert [clip.effects[1].on for clip in bench.track.clips] == [False, False]
+    bench.chain.rows[1].removed.emit()
+    assert [clip.effects for clip in bench.track.clips] == [(Stretch(factor=2.0),)] * 2
+    assert bench.label("played_length").text() == "400 ms after effects"
+    bench.show(bench.design.with_clip(1, effects=(Stretch(factor=3.0),)))
+    assert bench.label("played_length").text() == "mixed"
+
+
+def test_a_switch_that_is_mixed_is_half_on_and_a_click_switches_all_on(qtbot):
+    bench = two_clips(qtbot, (Fade(),), (Fade(on=False),))
+    switch = bench.panel.findChild(QCheckBox, "effect_switch")
+    assert switch.checkState() == Qt.CheckState.PartiallyChecked
+    switch.click()
+    assert [clip.effects[0].on for clip in bench.track.clips] == [True, True]
+    switch.click()
+    assert [clip.effects[0].on for clip in bench.track.clips] == [False, False]
+    assert switch.checkState() == Qt.CheckState.Unchecked
+
+
+def test_where_kinds_of_effects_differ_the_heading_says_that_the_last_clip_is_changed(qtbot):
+    bench = two_clips(qtbot, (Reverse(), Fade(0.01, 0.01)), (Fade(0.02, 0.02),))
+    assert bench.panel.findChild(QToolButton, "effects_fold").text() == "Effects: last clip"
+    bench.chain.rows[0].set_open(True)
+    field = bench.chain.rows[0].cell("in_s").field
+    assert field.text() == "20"
+    field.setFocus()
+    QTest.keyClicks(field, "30")
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    assert [clip.effects[-1] for clip in bench.track.clips] == [Fade(0.01, 0.01), Fade(0.03, 0.02)]
+
+
+def test_the_menu_of_an_effect_copies_and_removes(bench):
+    asked, row = [], bench.chain.rows[1]
+    bench.panel.action_requested.connect(asked.append)
+    for name in ("Copy effects", "Paste effects", "Remove fade"):
+        lines_at(bench.panel, "effect_menu", row.title, QPoint(5, 5))[name].trigger()
+    assert asked == ["copy_effects", "paste_effects"]
+    assert bench.titles == ["Reverse", "Repeat"]
 
 
 def test_an_envelope_is_drawn_in_its_row(bench):

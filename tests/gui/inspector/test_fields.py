@@ -104,6 +104,27 @@ def test_how_long_a_clip_lasts_with_its_effects_is_said_where_it_differs(bench):
     assert not lasts.isVisible()
 
 
+def test_the_gain_of_a_clip_is_shown_beside_others_and_wherever_it_is_not_1(bench):
+    def label():
+        cells = [cell for cell in bench.panel.fields if cell.name == "gain"]
+        return cells[0].label.text() if cells else ""
+
+    assert label() == ""
+    louder, other = Clip(id=9, waveform=Tone(), gain=0.5), Clip(id=10, waveform=Tone())
+    bench.show(bench.design.with_input(0, clips=(louder, other)))
+    assert label() == "Clip gain"
+    bench.show(bench.design.with_input(0, clips=(louder,)))
+    assert label() == "Clip gain"
+    # One that becomes 1 can be typed again, until another clip is shown.
+    bench.type("gain", "1")
+    assert bench.track.clips[0].gain == 1.0
+    assert label() == "Clip gain"
+    bench.show(selected_inputs=(2,))
+    assert label() == ""
+    bench.show(bench.design.with_input(1, clips=(replace(louder, id=11),)))
+    assert label() == "Clip gain"
+
+
 def test_a_recording_that_keeps_its_size_has_a_gain_without_a_unit_and_the_peak(bench):
     def strength():
         cells = bench.panel.findChildren(FieldCell)
@@ -117,7 +138,7 @@ def test_a_recording_that_keeps_its_size_has_a_gain_without_a_unit_and_the_peak(
     samples = Samples(values=4.88 * np.hanning(301), sample_rate_hz=1300.0, unit="m/s²")
     clip = replace(bench.track.clips[0], waveform=Recording(samples))
     bench.show(bench.design.with_input(0, clips=(clip,)))
-    assert strength() == ("Gain", "")
+    assert strength() == ("Track gain", "")
     assert peak() == "4.88 m/s²"
     bench.type("amplitude", "0.5")
     assert bench.track.amplitude == 0.5

@@ -12,7 +12,9 @@ from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, track
 from skinsource.design.effects.level import BandLimit, Fade
+from skinsource.design.effects.time import Repeat
 from skinsource.design.view import View
+from skinsource.design.waveforms.pulses import Tap
 from skinsource.design.waveforms.samples import Drawn
 from skinsource.design.waveforms.tones import Tone
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
@@ -145,6 +147,47 @@ def test_fades_come_and_go_and_leave_the_other_end(two_clips):
     assert not window.actions_by_name["fade_in"].isChecked()
 
 
+def test_effects_are_copied_to_other_clips_in_one_step(two_clips):
+    window, document = two_clips, two_clips.document
+    QGuiApplication.clipboard().clear()
+    refused = []
+    document.refused.connect(refused.append)
+    window.do("paste_effects")
+    assert refused == ["The clipboard holds no effects; copy some first."]
+    chain = (Repeat(400), Fade(0.01, 0.05))
+    document.edit("Effects", document.design.with_clip(2, effects=chain))
+    document.look(replace(document.view, selected_inputs=(2,), selected_clips=(2,)))
+    window.do("copy_effects")
+    # They are no clips.
+    window.do("paste_clips")
+    assert refused[1:] == ["The clipboard holds no clips; copy some first."]
+    document.edit("Other", document.design.with_clip(1, effects=(BandLimit(),)))
+    before = document.design
+    document.look(replace(document.view, selected_inputs=(1, 2), selected_clips=(1, 2)))
+    window.do("paste_effects")
+    assert [clip.effects for clip in document.design.clips] == [chain, chain]
+    window.do("undo")
+    assert document.design == before
+    document.look(replace(document.view, selected_inputs=(), selected_clips=()))
+    assert not window.actions_by_name["copy_effects"].isEnabled()
+    assert not window.actions_by_name["paste_effects"].isEnabled()
+
+
+def test_effects_that_would_make_a_clip_too_long_are_refused(two_clips):
+    window, document = two_clips, two_clips.document
+    document.edit(
+        "Short", document.design.with_clip(2, waveform=Tap(), effects=(Repeat(1000, 3.5),))
+    )
+    document.look(replace(document.view, selected_inputs=(2,), selected_clips=(2,)))
+    refused = []
+    document.refused.connect(refused.append)
+    window.do("copy_effects")
+    document.look(replace(document.view, selected_inputs=(1,), selected_clips=(1,)))
+    window.do("paste_effects")
+    assert len(refused) == 1
+    assert document.design.clip(1).effects == ()
+
+
 def test_a_clip_is_stretched_to_a_typed_length(two_clips, monkeypatch):
     monkeypatch.setattr(QInputDialog, "getDouble", lambda *_: (300.0, True))
     two_clips.do("stretch_clip")
@@ -209,6 +252,14 @@ def test_a_first_drawn_waveform_takes_one_click_and_the_pen_lies_ready(empty):
     assert isinstance(editor._canvas.tool, Pen)
 
 
+def test_what_is_to_be_drawn_begins_at_the_playhead_even_over_another_clip(window):
+    window.document.look(replace(window.document.view, playhead_s=0.05))
+    entries = {entry.text(): entry for entry in button(window, "add").menu().actions()}
+    entries["Draw"].trigger()
+    drawn = window.document.design.inputs[0].clips[-1]
+    assert (type(drawn.waveform), drawn.onset_s) == (Drawn, 0.05)
+
+
 def test_a_new_clip_begins_at_the_playhead_or_behind_the_last_one_of_its_track():
     tone = Tone(duration_s=0.2)
     tracks = (
@@ -225,6 +276,36 @@ def test_a_new_clip_begins_at_the_playhead_or_behind_the_last_one_of_its_track()
     assert onset(0.25) == 0.25
     assert onset(0.1) == onset(0.4) == 0.7
     assert onset(0.1, track=2) == 0.1
+
+
+def test_after_another_clip_editor_and_timeline_show_all_of_a_new_design(open_window, settle):
+    tone = Clip(waveform=Tone(duration_s=2.0))
+    long = Design(limb="synthetic-1", inputs=(Input(location=7, clips=(tone,)),))
+    window = open_window(long, View(selected_inputs=(1,)))
+    press(window, "fit")
+    window.do("show_clip_editor")
+    settle()
+    editor, lanes = window.panel("clip_editor"), window.panel("timeline").lanes
+    editor._canvas.zoom(1.5)
+    # The clip of another file has the same number.
+    document = window.document
+    longer = long.with_clip(1, waveform=Tone(duration_s=3.0))
+    document.start_over(longer, document.view, None)
+    assert editor._canvas.content.scale.shown_s == pytest.approx((0.0, 3.18))
+    # Over the timeline, which does not see the empty design in between.
+    window.do("new_design")
+    document.apply(edits.add_waveform(document.design, document.view, Tone(duration_s=0.2)))
+    settle()
+    assert editor._canvas.content.scale.shown_s[1] < 0.25
+    window.docks["timeline"].bring_forward()
+    settle()
+    assert lanes.content.scale.shown_s[1] < 0.7
+    # A step of the history keeps what is seen.
+    press(window, "fit")
+    fitted = lanes.content.scale.shown_s
+    window.do("mute_clips")
+    window.do("undo")
+    assert lanes.content.scale.shown_s == fitted
 
 
 NO_BUTTON = Qt.MouseButton.NoButton

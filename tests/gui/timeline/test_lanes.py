@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QInputDialog, QMenu, QToolButton
 
 from skinsource.design import edits
 from skinsource.design.clips import Clip
+from skinsource.design.design import Design, track
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.panels.timeline.content import (
     overlapping,
@@ -66,7 +67,34 @@ def test_a_clip_is_moved_to_a_place_added_copied_and_pasted(lanes):
     lanes.panel.action_requested.connect(asked.append)
     lanes.menu_at(lanes.middle(1))["Copy"].trigger()
     lanes.menu_at(lanes.at(0.62))["Paste at playhead"].trigger()
-    assert asked == ["copy_clips", "paste_clips"]
+    lanes.menu_at(lanes.middle(1))["Paste at playhead"].trigger()
+    assert asked == ["copy_clips", "paste_clips", "paste_clips"]
+
+
+def test_only_layers_are_offered_to_be_ungrouped(lanes):
+    assert "Ungroup layers" not in lanes.menu_at(lanes.middle(1))
+    lanes.show(edits.group_clips(lanes.design, lanes.view, (1, 2)).design)
+    lanes.menu_at(lanes.middle(1))["Ungroup layers"].trigger()
+    assert len(lanes.design.inputs[0].clips) == 3
+
+
+def test_a_double_click_on_the_ruler_puts_playhead_and_marker_at_one_time(lanes):
+    lanes.lanes.set_snaps(True)
+    at = lanes.on_ruler(0.3) + QPointF(3, 0)
+    lanes.click(at)
+    lanes.double_click(at)
+    assert [marker.time_s for marker in lanes.design.markers] == [lanes.view.playhead_s]
+    assert lanes.view.playhead_s == pytest.approx(0.3)
+
+
+def test_another_design_is_fitted_into_the_timeline_whatever_was_seen_of_the_one_before(lanes):
+    lanes.panel.findChild(QToolButton, "timeline_fit").click()
+    fitted = lanes.content.scale.shown_s
+    short = Design(limb="synthetic-1", inputs=(track(7, Tone(duration_s=0.1)),))
+    lanes.show(short)
+    assert lanes.content.scale.shown_s == fitted
+    lanes.panel.start_over()
+    assert lanes.content.scale.shown_s == (0.0, 0.5)
 
 
 def test_markers_are_added_renamed_and_removed_on_the_ruler(lanes, monkeypatch):
@@ -93,7 +121,7 @@ def test_a_loop_goes_round_the_selected_clips_and_its_time_can_be_taken_out(lane
     place = QPointF(lanes.content.scale.x(0.9), 5)
     lanes.menu_at(place)["Loop the selected clips"].trigger()
     assert lanes.design.loop_s == pytest.approx((0.3, 0.5))
-    lanes.menu_at(place)["Remove loop time"].trigger()
+    lanes.menu_at(place)["Delete time in loop"].trigger()
     assert lanes.design.clip(3).onset_s == pytest.approx(0.5)
     assert 2 not in [clip.id for clip in lanes.design.clips]
 

@@ -298,6 +298,21 @@ def chosen_clips(design: Design, ids: Iterable[int]) -> tuple[Clip, ...]:
     return chosen
 
 
+@refusing
+def of_each(
+    edit: Callable[..., Edit | Refusal], design: Design, view: View, ids: Iterable[int], *more: Any
+) -> Edit | Refusal:
+    """Make an edit of one clip with each of several, or with none of them."""
+    chosen, after, label = chosen_clips(design, ids), design, ""
+    for clip in chosen:
+        outcome = edit(after, view, clip.id, *more)
+        if isinstance(outcome, Refusal):
+            return outcome
+        after, label = outcome.design, outcome.label
+    label = f"{label.partition('clip at ')[0]}{clips_text(design, chosen)}"
+    return Edit(label=label, design=after, view=view)
+
+
 def clips_text(design: Design, chosen: tuple[Clip, ...]) -> str:
     """Return the name of clips in the history: "clip at 7 (II pad)", or "3 clips"."""
     if len(chosen) != 1:
