@@ -26,28 +26,14 @@ if TYPE_CHECKING:
     from skinsource_gui.panels.inspector.panel import InspectorPanel
 
 
-class ClipDrops(QObject):
-    """Tells a panel that drags something where it would go in another one, which shows it.
+def pass_drops_on(panels: PanelRegistry) -> None:
+    """Let each panel that drags something know where it would go in another one, which shows it."""
 
-    Parameters
-    ----------
-    panels
-        All of a window, each of which gets to know whom to ask; the window is the parent.
-    """
-
-    def __init__(self, panels: PanelRegistry, parent: QObject) -> None:
-        super().__init__(parent)
-        self._panels = panels
-        panels.each(self._meet)
-
-    def _meet(self, panel: Panel) -> None:
-        panel.held_over = partial(self._find, panel)
-
-    def _find(self, dragged_from: Panel, at: QPoint | None) -> DropPlace | None:
+    def find(dragged_from: Panel, at: QPoint | None) -> DropPlace | None:
         """Where something goes that is held over a place of the screen; None: it is let go."""
         below = None if at is None else QtWidgets.QApplication.widgetAt(at)
         drop_place = None
-        for panel in self._panels:
+        for panel in panels:
             if panel is dragged_from:
                 continue
             # Panels may float above each other: only what is on top takes anything.
@@ -57,6 +43,11 @@ class ClipDrops(QObject):
             if own is not None:
                 drop_place = panel.drop_place(own)
         return drop_place
+
+    def meet(panel: Panel) -> None:
+        panel.held_over = partial(find, panel)
+
+    panels.each(meet)
 
 
 class ClipStretching(QObject):

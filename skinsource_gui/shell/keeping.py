@@ -40,13 +40,13 @@ def picture_of(left: UnsavedWork) -> QtGui.QPixmap:
 
 
 def work_description(left: UnsavedWork) -> str:
-    """Return name, age and file of the work, in two lines."""
+    """Return name, time and file of the work, in two lines."""
     where = path_text(left.file) if left.file else "never saved under a name"
-    return f"{left.name}, kept {left.age()}\n{where}"
+    return f"{left.name}, kept at {left.clock()}\n{where}"
 
 
 class UnsavedWorkPage(ToolPage):
-    """Lists unsaved work with its picture and age, to be opened or discarded.
+    """Lists unsaved work with its picture and time, to be opened or discarded.
 
     Parameters
     ----------

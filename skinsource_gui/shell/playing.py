@@ -18,7 +18,7 @@ from skinsource_gui import pages
 from skinsource_gui.fields.rig_field import RESPONSE_FILES
 from skinsource_gui.pages.actions import MatchingActions
 from skinsource_gui.qt.keys import shortcut_text
-from skinsource_gui.qt.layouts import in_row
+from skinsource_gui.qt.layouts import in_row, named
 from skinsource_gui.qt.questions import ask_open
 from skinsource_gui.qt.theme import icon_of, set_tone
 from skinsource_gui.qt.tooltips import tooltip
@@ -176,12 +176,9 @@ class Transport(QtWidgets.QWidget):
         self.repeat.setIcon(icon_of("repeat"))
 
     def _button(self, name: str, action: str, title: str, hint: str) -> QtWidgets.QToolButton:
-        button = QtWidgets.QToolButton(self)
-        button.setObjectName(name)
-        button.setIconSize(QSize(16, 16))
         title = f"{title} ({shortcut_text(action)})"
-        button.setToolTip(tooltip(title, hint))
-        button.setAccessibleName(title)
+        button = named(QtWidgets.QToolButton(self), name, title, tooltip(title, hint))
+        button.setIconSize(QSize(16, 16))
         return button
 
 

@@ -22,11 +22,11 @@ from skinsource_gui.shell.bars import HeadLine, SetupBar, StepsMenu
 from skinsource_gui.shell.carrying import PanelPictures
 from skinsource_gui.shell.conditions import Conditions
 from skinsource_gui.shell.drops import (
-    ClipDrops,
     ClipStretching,
     analysis_choices,
     design_choices,
     field_choices,
+    pass_drops_on,
 )
 from skinsource_gui.shell.focus import PanelFocus, ShortcutsInFields, move_focus
 from skinsource_gui.shell.keeping import AutosaveAndRecovery
@@ -240,7 +240,7 @@ class MainWindow(QtWidgets.QMainWindow):
         for works in (*saving, self.imports, self.comparison, self.dock_tabs):
             works.done.connect(reports.report)
         self.imports.risk_ahead.connect(self.keeping.autosave.keep_now)
-        ClipDrops(self.panels, self)
+        pass_drops_on(self.panels)
         drops = FileDrops(self, self.panels)
         drops.design_dropped.connect(self.files.open)
         drops.recordings_dropped.connect(self.imports.open_pages)

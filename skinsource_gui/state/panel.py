@@ -318,12 +318,6 @@ class LazyPanel:
         module = import_module(f"skinsource_gui.panels.{self.folder or self.name}.{self.module}")
         words = (word.capitalize() for word in self.name.split("_"))
         panel_type: type[Panel] = getattr(module, f"{''.join(words)}Panel")
-        if (panel_type.name, panel_type.title) != (self.name, self.title):
-            raise ValueError(
-                f"{panel_type.__name__} says of itself {panel_type.name!r}, "
-                f"{panel_type.title!r}; the table of panels says {self.name!r}, {self.title!r}. "
-                "Make them the same."
-            )
         return panel_type
 
     def __call__(self) -> Panel:

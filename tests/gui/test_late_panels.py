@@ -6,6 +6,7 @@ from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QApplication
 
 from skinsource.design import edits
+from skinsource_gui.shell.panels import PANELS
 from skinsource_gui.shell.workspaces import WORKSPACES
 from tests.gui.analysis.analysis_bench import analysis
 
@@ -108,3 +109,9 @@ def test_edits_lay_nothing_out_and_paint_no_more_than_looks_different(window, qt
     painted = {name for name, kind in spy.events if kind == "Paint"}
     assert "skin_map" in painted
     assert painted.isdisjoint({"hand_diagram", "range_low_field", "range_high_field"})
+
+
+def test_panels_say_of_themselves_what_their_table_says(qapp):
+    for maker in (spec.panel for spec in PANELS):
+        panel_type = getattr(maker, "type", maker)
+        assert (panel_type.name, panel_type.title) == (maker.name, maker.title)

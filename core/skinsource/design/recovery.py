@@ -28,7 +28,6 @@ from skinsource.base.files import (
     write_bytes,
 )
 from skinsource.base.lock import read_owner, still_runs, this_process, to_bytes
-from skinsource.base.work import counted
 from skinsource.design import design_file
 from skinsource.design.design_file import SUFFIX, DesignFile
 
@@ -128,7 +127,6 @@ _NUMBERED = re.compile(rf"(.+)\.(\d{{1,9}}){re.escape(SUFFIX)}", re.DOTALL)
 _OF_PROCESS = re.compile(r"\d{8}-\d{6}-(\d{1,9})-[0-9a-f]+")
 _OPENING = ".opening"
 _LONGEST_PATH = 2**14
-_MINUTE_S, _HOUR_S, _DAY_S = 60, 3600, 86_400
 
 
 @dataclass(frozen=True, slots=True)
@@ -157,10 +155,6 @@ class UnsavedWork:
         with suppress(SkinSourceError):
             return read_bytes(self.copies[0].with_suffix(PICTURE), most=2**22)
         return b""
-
-    def age(self) -> str:
-        """Return the age of the newest copy as a text."""
-        return age_text(time.time() - self.saved_s)
 
     def clock(self) -> str:
         """Return when the newest copy was written, with its date where that is not today."""
@@ -246,15 +240,6 @@ def discard(work: UnsavedWork) -> None:
     for copy in work.copies:
         _delete(copy, copy.with_suffix(PICTURE), _mark(copy))
     _remove_if_empty(work.copies[0].parent)
-
-
-def age_text(seconds: float) -> str:
-    """Return an age as a text such as "3 minutes ago"."""
-    for unit_s, noun in ((_DAY_S, "day"), (_HOUR_S, "hour"), (_MINUTE_S, "minute")):
-        count = int(seconds // unit_s)
-        if count >= 1:
-            return f"{counted(count, noun)} ago"
-    return "less than a minute ago"
 
 
 def _ended_sessions(root: Path) -> list[Path]:
