@@ -47,12 +47,8 @@ def test_a_cut_can_be_seen():
 
 
 def test_of_several_things_the_noun_is_plural():
-    assert [counted(n, "clip") for n in (0, 1, 2, 31)] == [
-        "0 clips",
-        "1 clip",
-        "2 clips",
-        "31 clips",
-    ]
+    clips = [counted(n, "clip") for n in (0, 1, 2, 31)]
+    assert clips == ["0 clips", "1 clip", "2 clips", "31 clips"]
     assert [counted(n, "axis", "axes") for n in (1, 3)] == ["1 axis", "3 axes"]
 
 

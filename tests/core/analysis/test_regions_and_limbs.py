@@ -80,13 +80,7 @@ def test_fewer_than_two_or_what_is_no_table_of_levels_is_refused(levels):
 
 
 def test_a_scale_of_differences_ends_at_the_next_round_number():
-    assert [scale_end_db(level_db) for level_db in (0.0, -0.4, 1.0, 2.1, -6.01, 99.0)] == [
-        1,
-        1,
-        1,
-        3,
-        10,
-        60,
-    ]
+    ends_db = [scale_end_db(level_db) for level_db in (0.0, -0.4, 1.0, 2.1, -6.01, 99.0)]
+    assert ends_db == [1, 1, 1, 3, 10, 60]
     assert scale_end_db(np.array([np.nan, -2.5]), np.array([0.1])) == 3.0
     assert scale_end_db() == 1.0

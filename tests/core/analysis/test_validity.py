@@ -224,12 +224,8 @@ def test_short_words_hold_the_number_of_the_sentence():
         *drive_findings([(7, loud)], 1300.0, "probe"),
         noise_findings(np.array([3.0, 9.0, 9.0, 9.0]), synthetic=False, silent=False),
     ]
-    assert [finding.name for finding in findings if finding.number is not None] == [
-        "band",
-        "drive",
-        "spacing",
-        "noise",
-    ]
+    with_number = [finding.name for finding in findings if finding.number is not None]
+    assert with_number == ["band", "drive", "spacing", "noise"]
     for finding in findings:
         sentence = finding.in_short.format(finding.number)
         assert (

@@ -34,17 +34,10 @@ def test_the_sidecar_says_what_the_numbers_mean(design, tmp_path):
     assert about["clip_count"] == 0
     assert about["sha256"] == hashlib.sha256(path.read_bytes()).hexdigest()
     assert about["bytes"] == path.stat().st_size
-    assert [
-        (channel["number"], channel["place"], channel["inputs"]) for channel in about["channels"]
-    ] == [
-        (1, 7, [1, 3]),
-        (2, 12, [2]),
-    ]
-    assert [(track["number"], track["place"], track["amplitude"]) for track in about["inputs"]] == [
-        (1, 7, 0.5),
-        (2, 12, -1.7),
-        (3, 7, 0.2),
-    ]
+    channels = [tuple(map(each.get, ("number", "place", "inputs"))) for each in about["channels"]]
+    assert channels == [(1, 7, [1, 3]), (2, 12, [2])]
+    inputs = [tuple(map(each.get, ("number", "place", "amplitude"))) for each in about["inputs"]]
+    assert inputs == [(1, 7, 0.5), (2, 12, -1.7), (3, 7, 0.2)]
     assert about["inputs"][0]["clips"][0]["gain"] == -0.7
     assert about["errors"]["band_hz"] == [25.0, 600.0]
     assert about["errors"]["resampling_at_most"]["aliases_db"] == -115.0
@@ -107,11 +100,7 @@ def test_options_come_in_the_order_of_time(design, tmp_path):
 
 def test_each_input_can_have_a_file_of_its_own_with_one_full_scale_for_all(design, tmp_path):
     done = exported(design, tmp_path / "a.wav", one_file_per_input=True)
-    assert [file.name for file in done.files] == [
-        "a_input-1.wav",
-        "a_input-2.wav",
-        "a_input-3.wav",
-    ]
+    assert [file.name for file in done.files] == [f"a_input-{k}.wav" for k in (1, 2, 3)]
     peaks = [np.abs(read(file)).max() for file in done.files]
     assert max(peaks) == 1.0
     alone = ss.stimulus_of(design, 8000, per="input").samples
