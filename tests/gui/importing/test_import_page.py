@@ -1,15 +1,15 @@
-"""A recording, and the page opened on it."""
+"""Importing a recording in the studio: the page, drops, places, and what comes of it."""
 
 from functools import partial
+
 import numpy as np
 import pytest
 import soundfile
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDragLeaveEvent, QDragMoveEvent, QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QWidget
+
 from skinsource.design import edits
 from skinsource.design.recordings import take
 from skinsource.design.waveforms.samples import Recording

@@ -1,12 +1,15 @@
 """Copies of unsaved work: when they are kept, when they go, and what ended studios left."""
 
 import shutil
+from contextlib import suppress
 from dataclasses import replace
 from types import SimpleNamespace
+
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QPushButton
+
 from skinsource.base.job import Job
 from skinsource.base.lock import Lock, this_process, to_bytes
 from skinsource.design import edits
@@ -18,8 +21,6 @@ from skinsource_gui.pages.files.autosave import Autosave
 from skinsource_gui.shell.keeping import UnsavedWorkPage
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import start_design
-from contextlib import suppress
-from skinsource.design.design_file import open_design
 
 ENDED = to_bytes(replace(this_process(), started_s=1000.0))
 

@@ -1,22 +1,25 @@
-"""The library panel without a studio, and what it lists."""
+"""Presets of the library: listed, looked at, placed, dropped, saved, renamed and deleted."""
+
+from dataclasses import replace
 
 import pytest
-from skinsource.design.design import Design, track
-from skinsource.design.presets import presets
-from skinsource.design.view import View
-from skinsource_gui.panels.library.panel import LibraryPanel
-from tests.gui.panel_host import PanelHost
-from dataclasses import replace
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialogButtonBox, QMessageBox
+
 from skinsource.design.clips import Clip, Fragment, Lane
+from skinsource.design.design import Design, track
+from skinsource.design.presets import presets
 from skinsource.design.presets.presets import Preset, read_preset_folder, shipped_folder
+from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.pages.library import fragments_to_save
 from skinsource_gui.panels.library.list import OWN
+from skinsource_gui.panels.library.panel import LibraryPanel
+from tests.gui.panel_host import PanelHost
+
 
 class Bench(PanelHost):
     """The library, on a design of one track."""

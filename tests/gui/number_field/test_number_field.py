@@ -1,21 +1,19 @@
-"""What the tests of this folder share."""
+"""A number is typed, dragged, turned and stepped, and shown in the room that it has."""
 
 import math
+from dataclasses import replace
+
+import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit, QVBoxLayout, QWidget
-from skinsource.specs.numbers import NumberSpec
-from skinsource_gui.fields.number_field import NumberField
-from tests.gui.wheel import NOTCH, turn_wheel
-import pytest
-from dataclasses import replace
-from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtWidgets import QApplication
+
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.effects.time import TO
+from skinsource.specs.numbers import NumberSpec
 from skinsource_gui.fields.editors import FieldCell
-from skinsource_gui.fields.number_field import PIXELS_PER_STEP, fitting_text
+from skinsource_gui.fields.number_field import PIXELS_PER_STEP, NumberField, fitting_text
 from skinsource_gui.fields.units import (
     COARSE,
     FINE,
@@ -25,6 +23,7 @@ from skinsource_gui.fields.units import (
     stepped,
     value_text,
 )
+from tests.gui.wheel import NOTCH, turn_wheel
 
 DURATION = NumberSpec(label="Duration", unit="s", minimum=0.001, maximum=600.0, step=0.01)
 
