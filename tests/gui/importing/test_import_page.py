@@ -1,4 +1,4 @@
-"""A recording, and the page opened on it."""
+"""Importing a recording in the studio: the page, drops, places, and what comes of it."""
 
 from functools import partial
 

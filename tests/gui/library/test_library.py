@@ -1,4 +1,4 @@
-"""The library panel without a studio, and what it lists."""
+"""Presets of the library: listed, looked at, placed, dropped, saved, renamed and deleted."""
 
 from dataclasses import replace
 

@@ -77,9 +77,9 @@ def on_plots(hands):
 def _anything(hands, surface, start, other_buttons=(), end=None):
     """Do anything that a mouse can do on a surface."""
     end, held = end or hands.place_in(surface), hands.one_of(_HELD)
-    way = hands.one_of(("drag", "drag", "click", "double", "wheel", "menu"))
+    way = hands.one_of(("drag", "drag", "drag", "click", "click", "double", "wheel", "menu"))
     if way == "drag":
-        buttons = hands.one_of(((), (), other_buttons))
+        buttons = hands.one_of(((), (), (), other_buttons))
         hands.drag(surface, start, end, held, *buttons)
     elif way == "click":
         hands.click(surface, start, held)

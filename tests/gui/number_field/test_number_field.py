@@ -1,4 +1,4 @@
-"""What the tests of this folder share."""
+"""A number is typed, dragged, turned and stepped, and shown in the room that it has."""
 
 import math
 from dataclasses import replace

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QImage
-from PySide6.QtWidgets import QDialog, QMessageBox
+from PySide6.QtWidgets import QDialog, QMessageBox, QPushButton
 
 from skinsource.base.errors import RecordingError
 from skinsource.base.job import Job, stop_if
@@ -21,7 +21,6 @@ from skinsource.limbs.own_limbs import facts_of, own_limb_names, remove_limb
 from skinsource_gui.pages.limbs import photograph
 from skinsource_gui.state.job_runner import JobProgress, JobRunner, PageJobs
 from tests.core.own_limbs.lab_bench import N_TAPS, RATE_HZ, installed
-from tests.gui.own_limbs.limb_page_bench import button, imported, opened, text_of_page
 
 YES, NO = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.No
 
@@ -311,3 +310,30 @@ def test_nothing_is_said_of_a_job_of_another_page(qtbot):
     qtbot.waitUntil(lambda: ended == [1])
     assert not page.busy
     runner.close()
+
+
+def text_of_page(page):
+    return page.message.text()
+
+
+def button(page, name):
+    return page.findChild(QPushButton, name)
+
+
+def opened(page, path, what, qtbot):
+    page.open_file(path, what)
+    qtbot.waitUntil(lambda: not page.worker.busy, timeout=60_000)
+
+
+def imported(page, name, qtbot):
+    button(page, "import_limb").click()
+    qtbot.waitUntil(lambda: text_of_page(page).startswith("Imported as"), timeout=60_000)
+    assert name in own_limb_names()
+
+
+@pytest.fixture
+def page(window, qtbot):
+    window.pages.show_limbs()
+    page = window.findChild(QDialog, "limb_page")
+    yield page
+    page.close()

@@ -19,13 +19,18 @@ from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.state.compared import SILENT
 from skinsource_gui.state.engine import Purpose
 from tests.core.own_limbs.lab_bench import N_INPUTS, N_OUTPUTS, installed
-from tests.gui.own_limbs.limb_page_bench import rested
 from tests.gui.skin.bench import entries
 
 PLAYED = Design(
     limb="synthetic-1",
     inputs=(track(5, Tone(frequency_hz=1500.0, duration_s=0.1)), track(2, Noise(seed=1))),
 )
+
+
+def rested(window, qtbot):
+    """Wait until the window shows what is computed."""
+    qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
+    window.catch_up()
 
 
 @pytest.fixture

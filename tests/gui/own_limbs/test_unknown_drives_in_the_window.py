@@ -21,7 +21,7 @@ from skinsource_gui.plots.pictures import caption_of
 from tests.core.own_limbs.lab_bench import installed
 from tests.core.playing.synthetic_sound import SyntheticSoundLibrary, use
 from tests.gui.analysis.analysis_bench import analysis
-from tests.gui.own_limbs.limb_page_bench import rested
+from tests.gui.own_limbs.test_own_limb_window import rested
 
 UNDRIVEN = Design(
     limb="synthetic-1",
