@@ -123,6 +123,7 @@ def test_a_sweep_of_frequencies_has_equal_steps_or_factors_and_both_ends():
     assert frequency_sweep(50.0, 400.0, 4, order="down") == (400.0, 200.0, 100.0, 50.0)
     assert frequency_sweep(100.0, 300.0, 3, "linear") == (100.0, 200.0, 300.0)
     assert frequency_sweep(70.0, 300.0, 1) == (70.0,)
+    assert frequency_sweep(70.0, 70.0, 2) == (70.0, 70.0)
     for spacing in ("linear", "logarithmic"):
         rising = frequency_sweep(0.1, 0.1 * 700.3, 60, spacing)
         assert (rising[0], rising[-1], list(rising)) == (0.1, 0.1 * 700.3, sorted(rising))
