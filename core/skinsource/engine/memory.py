@@ -1,7 +1,8 @@
 """Memory for computed values: a store with a budget, and the budgets of all stores.
 
-Budgets hold for all graphs that share values together.  Limbs with the responses that were read,
-and the latest result of each rule, come on top.
+Spectra of responses have one budget for the process; the others hold for all graphs that share
+values together.  Limbs with the responses that were read, and the latest result of each rule, come
+on top.
 """
 
 import mmap
