@@ -108,7 +108,8 @@ class ShowPage(ToolPage):
     def add_scene(self, name: str) -> None:
         """Add a scene of the paper, on the limbs that there are."""
         opened = scenes.open_scene(name)
-        self._add([ShowEntry.of(opened.design, opened.view, opened.scene.title)])
+        view = replace(opened.view, slow_motion=0.0)
+        self._add([ShowEntry.of(opened.design, view, opened.scene.title)])
 
     def shift(self, by: int) -> None:
         """Move the selected design up or down."""

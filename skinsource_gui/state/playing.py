@@ -797,7 +797,7 @@ def _ignore_result(_result: object, _error: Exception | None) -> None:
 
 
 #: Choices of slow motion: real time, and how many times slower.
-PACES = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0)
+PACES = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0)
 # From here it goes on where the automatic one is not known: of a tone of 100 Hz.
 _USUAL = 50.0
 
@@ -808,6 +808,8 @@ class PlaybackPace(QObject):
     def __init__(self, document: Document, player: Player, parent: QObject) -> None:
         super().__init__(parent)
         self._document, self._player = document, player
+        #: Returns how many times slower than it happens the stage in sight shows it; 0: none is.
+        self.on_stage: Callable[[], float] = float
         player.playhead.moved_away.connect(self._seek)
 
     def pause(self) -> None:
@@ -820,7 +822,7 @@ class PlaybackPace(QObject):
 
     def slower(self) -> None:
         """Play at the next slower pace."""
-        self._set_slow_motion(next((pace for pace in PACES if pace > self._now + 1e-9), PACES[-1]))
+        self._set_slow_motion(next((pace for pace in PACES if pace > self._now + 1e-9), self._now))
 
     def faster(self) -> None:
         """Play at the next faster pace."""
@@ -832,7 +834,7 @@ class PlaybackPace(QObject):
     def _now(self) -> float:
         now = self._player.now
         running = _USUAL if now is None or now.silent is None else now.silent.slow_motion
-        return self._document.view.slow_motion or running
+        return self.on_stage() or self._document.view.slow_motion or running
 
     def _set_slow_motion(self, slow_motion: float) -> None:
         design, view = self._document.design, self._document.view

@@ -98,7 +98,8 @@ class Cell:
     synthetic
         Whether responses are computed, not measured.
     reaches
-        The text on the largest value of a motion; empty: it follows from the values.
+        The texts on the largest value of a motion, the longest first; empty: it follows from the
+        values.
     """
 
     headings: tuple[str, ...]
@@ -110,7 +111,7 @@ class Cell:
     text: str = ""
     stale: bool = False
     synthetic: bool = False
-    reaches: str = ""
+    reaches: tuple[str, ...] = ()
 
     @property
     def heading(self) -> str:
@@ -138,7 +139,7 @@ class Cell:
         if values is None or self.scale is None:
             return ("",)
         if output is None and self.reaches:
-            return (self.reaches,)
+            return self.reaches
         if output is not None and output > values.size:
             return ("no such output", "none")
         if output is not None:

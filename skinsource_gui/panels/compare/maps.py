@@ -18,7 +18,7 @@ from skinsource_gui.panels.compare.motion import Clock, MovingMaps
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.panels.compare.view import MapsView
 from skinsource_gui.plots.small_map import Range
-from skinsource_gui.state.compared import Compared
+from skinsource_gui.state.compared import Compared, display_gain_text
 from skinsource_gui.state.engine import Beside
 from skinsource_gui.state.panel import Panel
 
@@ -88,14 +88,19 @@ class MapsPanel(Panel):
     ) -> None:
         """Take over what is compared, and whether it moves."""
         self.design, self.view, self.settings = design, view, settings
-        before, self.kind, self.moves = self.kind, kind, moves and kind.moves
-        self.moving.axes = view.axes
+        moving, before, self.kind = self.moving, self.kind, kind
+        moving.axes, moving.chosen = view.axes, view.slow_motion
+        moving.matched = display_gain_text(design, view)
+        moved, self.moves = self.moves, moves and kind.moves
         if kind is not before:
             # The engine sends the results for the new kind.
             self.compared = ()
-            self.moving.update((), ())
+            moving.update((), ())
         if kind.own:
             self._show_own()
+        elif self.moves and not moved and self.compared:
+            # What moves is computed first.
+            self.show_maps()
 
     def reset_range(self) -> None:
         self.moving.restart()

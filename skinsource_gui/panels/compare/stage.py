@@ -1,7 +1,7 @@
 """The stage: title and sentence, maps in motion, traces and one knob, for people further off."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import log
 from typing import Any, ClassVar
@@ -14,6 +14,7 @@ from skinsource.base.arrays import Floats
 from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_spec, is_gain
 from skinsource.design.clips import ONSET as ONSET_SPEC
+from skinsource.design.comparing import Snapshot
 from skinsource.design.design import AMPLITUDE_GAIN, Design, Input
 from skinsource.design.edits.edit import clip_of, leading_input
 from skinsource.design.panel_settings import (
@@ -41,6 +42,7 @@ from skinsource_gui.panels.compare.motion import rounded
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.curves import output_names
 from skinsource_gui.plots.figure import Figure
+from skinsource_gui.plots.pictures import common_title
 from skinsource_gui.plots.small_map import Range
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.frames import CachedPicture, Same
@@ -224,6 +226,8 @@ class StagePanel(MapsPanel):
         Title of the design, and the first line of its notes.
     strip, knob
         Traces, and the number that is turned.
+    named
+        Returns what a design without a title is called; set by the window.
     """
 
     title: ClassVar[str] = "Stage"
@@ -241,6 +245,7 @@ class StagePanel(MapsPanel):
         self.switch.setToolTip(COMPARED.hint)
         self.switch.clicked.connect(self.compare)
         self._line = in_row((self.caution, 1), self.switch)
+        self.named: Callable[[], str] = str
         self._held_ends: tuple[Range, Range] | None = None
         self._passes = False
         self._shown: tuple[Any, ...] = ()
@@ -271,7 +276,7 @@ class StagePanel(MapsPanel):
         kind = KINDS[compare.of] if stage.compared else _ALONE
         self.switch.setChecked(stage.compared)
         self._show_knob(design, view, stage.control)
-        self._show_words(design)
+        self._show_words(design, view.snapshots if kind is KINDS["snapshots"] else ())
         shown = kind, compare, stage, view.outputs, view.axes, design.limb
         if shown != self._shown:
             self._shown = shown
@@ -366,9 +371,9 @@ class StagePanel(MapsPanel):
                 part.setFont(font)
         self.knob.field.setFont(tabular(self.sentence.font()))
 
-    def _show_words(self, design: Design) -> None:
+    def _show_words(self, design: Design, compared: Sequence[Snapshot]) -> None:
         track = self._track
-        plain = how_to_add() if track is None else f"Place {track.location}"
+        plain = self.named() or f"Place {track.location}" if track else how_to_add()
         title, words = design.title or plain, design.notes.partition("\n")[0]
         now = scenes.title_of(design) if design.title else plain
         said = words
@@ -377,6 +382,8 @@ class StagePanel(MapsPanel):
             # What was computed of the scene as it was opened is no longer true.
             parts = re.split(r"(?<=\.) (?=[A-Z])", words)
             said = " ".join(p for p in parts if p.startswith("Try") or not re.search(r"\d", p))
+        # The end of a title says which of them it is.
+        now = common_title([now, *(each.design.title for each in compared)]) or now
         for label, whole, text in ((self.heading, title, now), (self.sentence, words, said)):
             label.setVisible(bool(whole))
             label.setText(whole)
