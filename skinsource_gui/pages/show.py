@@ -70,6 +70,7 @@ class ShowPage(ToolPage):
         self._lay_out()
         self._add(entries)
         self.list.currentRowChanged.connect(self._show)
+        self.list.doubleClicked.connect(lambda at: self._present(at.row()))
         self.list.model().rowsMoved.connect(lambda *_: self._show(self.list.currentRow()))
         self.heading.textEdited.connect(lambda text: self._change(title=text.strip()))
         self.sentence.textEdited.connect(lambda text: self._change(sentence=text.strip()))
@@ -149,7 +150,7 @@ class ShowPage(ToolPage):
     def _lay_out(self) -> None:
         self.add = QtWidgets.QPushButton("Add")
         menu = QtWidgets.QMenu(self.add)
-        menu.addAction("Open design", self.add_open_design)
+        menu.addAction("This design", self.add_open_design)
         menu.addAction("Designs of files…", self.add_files)
         of_paper = menu.addMenu("Scene of the paper")
         for scene in scenes.all_scenes():
@@ -170,9 +171,8 @@ class ShowPage(ToolPage):
             field.setObjectName(f"show_{label.lower()}")
             form.addRow(label, field)
         left = in_column((self.list, 1), in_row(self.add, up, down, remove, None))
-        present = self.add_button(
-            "show_present", "Present", "Show it from the selected design", self._present
-        )
+        hint, at_first = "Show it from the first design", partial(self._present, 0)
+        present = self.add_button("show_present", "Present", hint, at_first)
         save = self.add_button("show_save", "Save", "Write the show to its file", self.save)
         close = self.add_button("show_close", "Close", "", self.reject)
         foot = in_row((self.message, 1), present, save, close)
@@ -226,5 +226,5 @@ class ShowPage(ToolPage):
         if isinstance(entry, ShowEntry) and entry.notes != notes:
             self._change(notes=notes)
 
-    def _present(self) -> None:
-        self.presented.emit(self.entries, self.list.currentRow())
+    def _present(self, row: int) -> None:
+        self.presented.emit(self.entries, row)

@@ -355,14 +355,6 @@ class Presenter(QObject):
             self._asks = False
             self.open_show(entries, at)
 
-    def next_scene(self) -> None:
-        """Go to the next scene."""
-        self._go(1)
-
-    def previous_scene(self) -> None:
-        """Go to the scene before."""
-        self._go(-1)
-
     def note_scene(self, name: str) -> None:
         """A scene of the paper was opened elsewhere: the next one comes after it."""
         self._steps, self._entries = self._steps_of_paper(), ()
@@ -409,18 +401,20 @@ class Presenter(QObject):
             "levels": stage.show_levels,
             "fit": stage.fit,
             "compare": stage.compare,
+            "arm": stage.show_arm,
         }
         if not self.presenting:
             here = watched is self._window or stage.isAncestorOf(cast(QtWidgets.QWidget, watched))
             return on_stage if here and stage.isVisible() else {}
         return {
-            "next": self.next_scene,
-            "previous": self.previous_scene,
+            "next": partial(self.go, "1"),
+            "previous": partial(self.go, "-1"),
             "leave": self.end,
             **on_stage,
         }
 
-    def _go(self, by: int) -> None:
+    def go(self, by: str) -> None:
+        """Go so many scenes on; below 0: back."""
         if not self._steps:
             path = self._document.path
             self._steps = (
@@ -429,9 +423,9 @@ class Presenter(QObject):
             stems = [step.title for step in self._steps]
             here = "" if path is None else path.stem
             self._at = stems.index(here) if here in stems else -1
-        target = self._at + by
+        target = self._at + int(by)
         if not 0 <= target < len(self._steps):
-            self.done.emit("This is the last scene" if by > 0 else "This is the first scene")
+            self.done.emit("This is the last scene" if int(by) > 0 else "This is the first scene")
             return
         if self._may_leave():
             self._open(target)
@@ -464,9 +458,8 @@ class Presenter(QObject):
             return
         title = (scenes.title_of(design) if design.title else "") or step.title
         document, left = self._document, ""
-        before = self._document_name
         if self.presenting and self._take_back():
-            left = f"; changes to {before.partition(' · ')[0]} are not saved"
+            left = f"; changes to {self._document_name.partition(' · ')[0]} are not saved"
         self._opening = True
         read_only = self._files.leave_file(step.path) is not None
         scene = "" if step.path else title

@@ -28,6 +28,7 @@ from skinsource_gui.shell.drops import (
     field_choices,
     kind_choices,
     scaling_choices,
+    scene_choices,
 )
 from skinsource_gui.shell.focus import PanelFocus, ShortcutsInFields, move_focus
 from skinsource_gui.shell.keeping import AutosaveAndRecovery
@@ -266,7 +267,7 @@ class MainWindow(QtWidgets.QMainWindow):
         choices = *self.setup_bar.choices(None), *scaling_choices(self.document)
         fields = field_choices(self.panels, self.workspaces.bring)
         views = analysis_choices(self.document, self.workspaces.bring)
-        kinds = kind_choices(self.document)
+        kinds = *kind_choices(self.document), *scene_choices(self.scenes.open)
         return [*fields, *others, *panels, *views, *choices, *kinds]
 
     def _show_state(self) -> None:

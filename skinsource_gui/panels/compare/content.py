@@ -6,6 +6,7 @@ from functools import cached_property
 from typing import Any, ClassVar
 
 import numpy as np
+from PySide6.QtCore import QPointF
 
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import FLOOR_DB
@@ -169,12 +170,15 @@ class CompareContent:
         Text in place of the maps; empty: the maps are shown.
     about
         What is shown, as a text below while no output is pointed at.
+    hands
+        Whether maps show hands without arms, whatever room there is.
     """
 
     cells: tuple[Cell, ...] = ()
     outputs: tuple[int, ...] = ()
     message: str = ""
     about: str = ""
+    hands: bool = False
 
     @cached_property
     def common_scale(self) -> ColourScale | None:
@@ -191,6 +195,16 @@ class CompareContent:
     def stale(self) -> bool:
         """Whether any of the maps belongs to the design before."""
         return any(cell.stale for cell in self.cells)
+
+    def is_on_hands(self) -> bool:
+        """Return whether all selected outputs are seen on hands without arms."""
+        smalls = [replace(cell.small, hand_only=True) for cell in self.cells if cell.small]
+        return all(
+            small.bounds.contains(QPointF(*place))
+            for small in smalls
+            for k, place in enumerate(small.limb_map.output_positions, 1)
+            if k in self.outputs
+        )
 
     def readout(self, output: int | None) -> str:
         """Return the values of an output in all maps; None: what the maps show."""

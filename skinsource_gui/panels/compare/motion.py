@@ -25,6 +25,7 @@ from skinsource_gui.state.compared import Compared
 # Colours reach their ends at this share of the largest acceleration, which under the actuator is
 # far larger than elsewhere.
 _SHARE_OF_LARGEST = 0.1
+_AFTER = " after matching,"
 #: A motion that would take longer to see is shown in its loudest part alone, s.
 MOST_S = 30.0
 
@@ -91,9 +92,7 @@ class MovingMaps:
         long = [loop for loop, _ in loops if loop.phasors is None and loop.duration_s > part_s]
         if long:
             after_s = max(long, key=lambda loop: loop.largest).loudest_after_s(part_s)
-            self.loops = [
-                known and (known[0].part(after_s, part_s), known[1]) for known in self.loops
-            ]
+            self.loops = [pair and (pair[0].part(after_s, part_s), pair[1]) for pair in self.loops]
         largest = max((loop.largest * gain for loop, gain in loops), default=0.0)
         end = _SHARE_OF_LARGEST * largest
         signed = all(loop.signed for loop, _ in loops)
@@ -155,13 +154,15 @@ class MovingMaps:
         if known is None or side.values is None:
             return cell
         loop, gain = known
+        value, matched = f"{rounded(loop.largest * gain)} m/s²", gain_text(gain)
+        after = f"{_AFTER} {matched}" if matched else ""
         return replace(
             cell,
             small=small_map_of(side.values),
             scale=scale,
             design=design,
             synthetic=bool(side.values["limb_data"].synthetic),
-            reaches=_reaches(loop.largest, gain),
+            reaches=(f"up to {value}{after}", f"{value}{after.replace(_AFTER, ', matched')}"),
         )
 
     def _frame(self, k: int) -> Cell:
@@ -172,13 +173,6 @@ class MovingMaps:
         field = side["surface"].interpolate(values) if cell.small.field is not None else None
         small = replace(cell.small, levels_db=values, field_levels_db=field)
         return replace(cell, small=small)
-
-
-def _reaches(largest: float, gain: float) -> tuple[str, ...]:
-    value, matched = f"{rounded(largest * gain)} m/s²", gain_text(gain)
-    if not matched:
-        return (f"up to {value}",)
-    return f"up to {value} after matching, {matched}", f"{value}, matched {matched}"
 
 
 def _loop(side: Compared, axes: str) -> tuple[Loop, float] | None:

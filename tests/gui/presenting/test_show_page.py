@@ -137,9 +137,12 @@ def test_an_entry_that_cannot_be_read_is_named_passed_by_and_kept(studio, made, 
 
 
 def test_presenting_a_show_takes_the_page_away_until_its_end(studio, made):
-    made.list.setCurrentRow(1)
+    made.list.setCurrentRow(3)
     made.findChild(QPushButton, "show_present").click()
     assert studio.presenter.presenting
+    assert studio.document.design.title == "2 tone"
+    studio.do("present")
+    made.list.doubleClicked.emit(made.list.model().index(1, 0))
     assert studio.document.design.title == "1 tap"
     assert not made.isVisible()
     studio.do("next_scene")

@@ -467,3 +467,56 @@ def test_a_design_without_a_title_is_called_after_its_file(open_window, tmp_path
     window.document.edit("", replace(window.document.design, title="Two"))
     assert window.panel("stage").heading.text() == "Two"
     window.do("present")
+
+
+@pytest.mark.parametrize("outputs", [(29, 52), (29, 72)])
+def test_several_maps_show_hands_unless_an_output_of_the_arm_is_selected(stage, qtbot, outputs):
+    window = stage.window()
+    window.document.look(replace(window.document.view, outputs=outputs))
+    complete(stage, qtbot, 1)
+    assert not stage.maps.places.low
+    show(window, StageSettings(compared=True), of="limbs")
+    complete(stage, qtbot, 4)
+    assert stage.maps.places.low == (72 not in outputs)
+    # What is selected is seen.
+    points, areas = stage.maps.points_of(1), stage.maps.places.cells[1].map
+    assert all(areas.contains(*points[number - 1]) for number in outputs)
+    stage.setFocus()
+    QTest.keyClick(stage.knob.dial, Qt.Key.Key_Z)
+    assert not stage.maps.places.low
+    QTest.keyClick(stage.knob.dial, Qt.Key.Key_Z)
+    assert stage.maps.places.low == (72 not in outputs)
+
+
+@pytest.mark.parametrize("screen", [(1280, 720), (1920, 1080)])
+def test_maps_keep_half_of_the_height_however_large_and_long_the_words(stage, qtbot, screen):
+    window = stage.window()
+    window.showNormal()
+    window.resize(*screen)
+    for _ in range(3):
+        window.do("enlarge_text")
+    long = f"{SENTENCE[:-1]} and {'then turn it to another one, ' * 30}again."
+    window.document.edit("", replace(window.document.design, notes=long))
+    show(window, StageSettings(compared=True), of="limbs")
+    complete(stage, qtbot, 4)
+    qtbot.waitUntil(lambda: window.workspaces.settled and stage.width() > 0.9 * screen[0])
+    qtbot.waitUntil(lambda: stage.maps.height() >= 0.5 * stage.height())
+    assert stage.sentence.text().endswith("…")
+    assert stage.sentence.toolTip() == long
+    window.document.edit("", replace(window.document.design, notes=SENTENCE))
+    assert stage.sentence.text() == SENTENCE
+    assert not stage.sentence.toolTip()
+    stage.layout().activate()
+    assert not [part for part in (stage.heading, stage.sentence) if _cut(part)]
+
+
+def test_the_warning_stays_on_one_line_above_several_maps(stage, qtbot):
+    window = stage.window()
+    window.showNormal()
+    window.resize(1920, 1080)
+    show(window, StageSettings(compared=True), of="limbs")
+    complete(stage, qtbot, 4)
+    stage.show_caution("⚠ Outside the measured band, 2 more")
+    stage.layout().activate()
+    line_px = stage.caution.fontMetrics().height()
+    assert stage.caution.heightForWidth(stage.caution.width()) < 2 * line_px
