@@ -172,9 +172,7 @@ def steps_of_folder(folder: Path) -> tuple[Step, ...]:
         paths = [path for path in folder.iterdir() if path.suffix == SUFFIX]
     except OSError:
         return ()
-    return tuple(
-        Step(path.stem, partial(opened, path), path) for path in sorted(paths, key=_natural)
-    )
+    return tuple(Step(at.stem, partial(opened, at), at) for at in sorted(paths, key=_natural))
 
 
 def _natural(path: Path) -> list[tuple[int, str]]:

@@ -192,3 +192,10 @@ def test_hiding_is_an_entry_of_its_own_while_a_panel_is_in_the_window(window, qt
     run_from_palette(window, qtbot, "Close panel: Skin")
     assert window.docks["skin"].isHidden()
     assert listed_for(window, qtbot, "panel: skin") == ["Show panel: Skin"]
+
+
+def test_scenes_of_the_paper_are_found_by_their_figure_and_opened(window, qtbot):
+    assert "Scene: 5F · Separate and joint" in listed_for(window, qtbot, "5F")
+    figures = {action.text(): action for action in window._findable()}
+    figures["Scene: 2F · Two inputs interfere"].trigger()
+    assert window.document.scene == "Two inputs interfere"

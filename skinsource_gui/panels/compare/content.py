@@ -198,10 +198,9 @@ class CompareContent:
 
     def is_on_hands(self) -> bool:
         """Return whether all selected outputs are seen on hands without arms."""
-        smalls = [replace(cell.small, hand_only=True) for cell in self.cells if cell.small]
         return all(
-            small.bounds.contains(QPointF(*place))
-            for small in smalls
+            replace(small, hand_only=True).bounds.contains(QPointF(*place))
+            for small in filter(None, (cell.small for cell in self.cells))
             for k, place in enumerate(small.limb_map.output_positions, 1)
             if k in self.outputs
         )

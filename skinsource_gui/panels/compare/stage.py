@@ -15,7 +15,6 @@ from skinsource.base.arrays import Floats
 from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_spec, is_gain
 from skinsource.design.clips import ONSET as ONSET_SPEC
-from skinsource.design.comparing import Snapshot
 from skinsource.design.design import AMPLITUDE_GAIN, Design, Input
 from skinsource.design.edits.edit import clip_of, leading_input
 from skinsource.design.panel_settings import (
@@ -218,7 +217,7 @@ class Knob(QtWidgets.QWidget):
 _LETTERS = (0.05, 0.034, 0.022)
 # Words take this share of the height at most, above several maps and beside one: letters are made
 # smaller in so many steps, then less is said; no more letters than this.
-_WORDS, _STEPS_SMALLER, _MOST_LETTERS = {True: 0.2, False: 0.4}, 14, 600
+_WORDS, _STEPS_SMALLER, _MOST_LETTERS = {True: 0.2, False: 0.35}, 14, 600
 # How many periods are drawn of a steady tone, and of what passes; height of spectra.
 _PERIODS = {False: 3.0, True: 1.0}
 _SPECTRUM_DB = 60.0
@@ -284,7 +283,8 @@ class StagePanel(MapsPanel):
         kind = KINDS[compare.of] if stage.compared else _ALONE
         self.switch.setChecked(stage.compared)
         self._show_knob(design, view, stage.control)
-        self._show_words(design, view.snapshots if kind is KINDS["snapshots"] else ())
+        compared = view.snapshots if kind is KINDS["snapshots"] else ()
+        self._show_words(design, [each.design.title for each in compared])
         shown = kind, compare, stage, view.outputs, view.axes, design.limb
         if shown != self._shown:
             self._shown = shown
@@ -410,7 +410,7 @@ class StagePanel(MapsPanel):
                 part.setFont(font)
         self.knob.field.setFont(tabular(self.sentence.font()))
 
-    def _show_words(self, design: Design, compared: Sequence[Snapshot]) -> None:
+    def _show_words(self, design: Design, others: Sequence[str]) -> None:
         track = self._track
         plain = self.named() or f"Place {track.location}" if track else how_to_add()
         title, words = design.title or plain, design.notes.partition("\n")[0]
@@ -422,10 +422,11 @@ class StagePanel(MapsPanel):
             parts = re.split(r"(?<=\.) (?=[A-Z])", words)
             said = " ".join(p for p in parts if p.startswith("Try") or not re.search(r"\d", p))
         # The end of a title says which of them it is.
-        others = [each.design.title for each in compared]
         title, now = (common_title([text, *others]) or text for text in (title, now))
+        before = self._said
         self._said = ((self.heading, title, now), (self.sentence, words, said))
-        self._fit_letters()
+        if self._said != before:
+            self._fit_letters()
 
     def _show_knob(self, design: Design, view: View, control: str) -> None:
         self._track = track = leading_input(design, view) or next(iter(design.inputs), None)
