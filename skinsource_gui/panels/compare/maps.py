@@ -88,19 +88,16 @@ class MapsPanel(Panel):
     ) -> None:
         """Take over what is compared, and whether it moves."""
         self.design, self.view, self.settings = design, view, settings
-        moving, before, self.kind = self.moving, self.kind, kind
+        self.moves, moving = moves and kind.moves, self.moving
+        before, self.kind = self.kind, kind
         moving.axes, moving.chosen = view.axes, view.slow_motion
         moving.matched = display_gain_text(design, view)
-        moved, self.moves = self.moves, moves and kind.moves
         if kind is not before:
             # The engine sends the results for the new kind.
             self.compared = ()
             moving.update((), ())
         if kind.own:
             self._show_own()
-        elif self.moves and not moved and self.compared:
-            # What moves is computed first.
-            self.show_maps()
 
     def reset_range(self) -> None:
         self.moving.restart()

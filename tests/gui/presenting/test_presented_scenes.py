@@ -38,12 +38,12 @@ def test_a_file_of_the_folder_is_saved_to_after_it_was_presented(studio, folder,
     path = folder / "3 both.skinsource"
     assert studio.document.path == path
     assert studio.keeping.autosave._look().path == path
+    # Another studio finds it locked, and those before it free.
+    assert list(studio.files.held._locks) == [Lock(path).file]
     studio.document.edit("", studio.document.design.with_input(0, amplitude=3.0))
     studio.do("save_design")
     assert open_design(path).design.inputs[0].amplitude == 3.0
     assert not studio.document.modified
-    # Another studio finds it locked, and those before it free.
-    assert list(studio.files.held._locks) == [Lock(path).file]
     studio.do("next_scene")
     assert studio.document.path == path
 

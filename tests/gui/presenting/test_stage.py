@@ -442,21 +442,6 @@ def test_of_a_long_motion_the_loudest_part_moves_in_half_a_minute(stage, qtbot):
     assert stage.moving.turns - shares[0] == pytest.approx(0.25)
 
 
-def test_while_motion_of_snapshots_is_computed_the_maps_say_so(open_window, design, qtbot):
-    window = open_window(design)
-    window.do("store_snapshot_1")
-    window.document.edit("Louder", window.document.design.with_input(0, amplitude=2.0))
-    window.workspaces.bring("compare")
-    panel = window.panel("compare")
-    show(window, of="snapshots", shown="levels")
-    complete(panel, qtbot, 2)
-    qtbot.waitUntil(lambda: not window.engine.busy)
-    show(window, of="snapshots", shown="motion")
-    assert [(cell.small, cell.text) for cell in panel.maps.content.cells] == 2 * [(None, "")]
-    complete(panel, qtbot, 2)
-    assert panel.maps.content.common_scale.unit == "m/s²"
-
-
 def test_a_design_without_a_title_is_called_after_its_file(open_window, tmp_path, design):
     path = tmp_path / "2 two fingers.skinsource"
     save_design(path, replace(design, title=""), ss.View())
@@ -496,16 +481,23 @@ def test_maps_keep_half_of_the_height_however_large_and_long_the_words(stage, qt
     for _ in range(3):
         window.do("enlarge_text")
     long = f"{SENTENCE[:-1]} and {'then turn it to another one, ' * 30}again."
-    window.document.edit("", replace(window.document.design, notes=long))
+    title = window.document.design.title
+    window.document.edit("", replace(window.document.design, notes=long, title=title * 30))
     show(window, StageSettings(compared=True), of="limbs")
     complete(stage, qtbot, 4)
     qtbot.waitUntil(lambda: window.workspaces.settled and stage.width() > 0.9 * screen[0])
     qtbot.waitUntil(lambda: stage.maps.height() >= 0.5 * stage.height())
     assert stage.sentence.text().endswith("…")
     assert stage.sentence.toolTip() == long
-    window.document.edit("", replace(window.document.design, notes=SENTENCE))
-    assert stage.sentence.text() == SENTENCE
-    assert not stage.sentence.toolTip()
+    window.document.edit("", replace(window.document.design, title=title))
+    # What is a little too long is said in smaller letters, and what is short in large ones.
+    small = stage.sentence.font().pixelSize()
+    for said in (" ".join(7 * [SENTENCE[:28]]), SENTENCE):
+        window.document.edit("", replace(window.document.design, notes=said))
+        assert stage.sentence.text() == said
+        assert not stage.sentence.toolTip()
+        assert stage.sentence.font().pixelSize() > small
+        small = stage.sentence.font().pixelSize()
     stage.layout().activate()
     assert not [part for part in (stage.heading, stage.sentence) if _cut(part)]
 
