@@ -446,7 +446,7 @@ class SceneActions(QObject):
             return
         if not self._files.may_lose_changes():
             return
-        view = with_colours_of(opened.view, self._document.view)
+        view = with_colours_of(replace(opened.view, slow_motion=0.0), self._document.view)
         self._document.start_over(opened.design, view, None, scene=opened.scene.title)
         self._files.leave_file()
         self._files.suggested = self._preferences.folder / f"{opened.scene.name}{SUFFIX}"

@@ -75,6 +75,7 @@ class ShowPage(ToolPage):
         self._lay_out()
         self._add(entries)
         self.list.currentRowChanged.connect(self._show)
+        self.list.doubleClicked.connect(lambda at: self._present(at.row()))
         self.list.model().rowsMoved.connect(lambda *_: self._show(self.list.currentRow()))
         self.heading.textEdited.connect(lambda text: self._change(title=text.strip()))
         self.sentence.textEdited.connect(lambda text: self._change(sentence=text.strip()))
@@ -113,7 +114,8 @@ class ShowPage(ToolPage):
     def add_scene(self, name: str) -> None:
         """Add a scene of the paper, on the limbs that there are."""
         opened = scenes.open_scene(name)
-        self._add([ShowEntry.of(opened.design, opened.view, opened.scene.title)])
+        view = replace(opened.view, slow_motion=0.0)
+        self._add([ShowEntry.of(opened.design, view, opened.scene.title)])
 
     def shift(self, by: int) -> None:
         """Move the selected design up or down."""
@@ -153,7 +155,7 @@ class ShowPage(ToolPage):
     def _lay_out(self) -> None:
         self.add = QtWidgets.QPushButton("Add")
         menu = QtWidgets.QMenu(self.add)
-        menu.addAction("Open design", self.add_open_design)
+        menu.addAction("This design", self.add_open_design)
         menu.addAction("Designs of files…", self.add_files)
         of_paper = menu.addMenu("Scene of the paper")
         for scene in scenes.all_scenes():
@@ -172,9 +174,8 @@ class ShowPage(ToolPage):
         ):
             add_row(form, f"show_{label.lower()}", label, field)
         left = in_column((self.list, 1), in_row(self.add, up, down, remove, None))
-        present = self.add_button(
-            "show_present", "Present", "Show it from the selected design", self._present
-        )
+        hint, at_first = "Show it from the first design", partial(self._present, 0)
+        present = self.add_button("show_present", "Present", hint, at_first)
         save = self.add_button("show_save", "Save", "Write the show to its file", self.save)
         close = self.add_button("show_close", "Close", "", self.reject)
         foot = in_row((self.message, 1), present, save, close)
@@ -228,5 +229,5 @@ class ShowPage(ToolPage):
         if isinstance(entry, ShowEntry) and entry.notes != notes:
             self._change(notes=notes)
 
-    def _present(self) -> None:
-        self.presented.emit(self.entries, self.list.currentRow())
+    def _present(self, row: int) -> None:
+        self.presented.emit(self.entries, row)

@@ -13,6 +13,7 @@ from skinsource.design.labels import scalings_on
 from skinsource.design.panel_settings import with_settings
 from skinsource.design.waveforms import kinds
 from skinsource.limbs.own_limbs import drive_unit_known
+from skinsource.studies import scenes
 from skinsource_gui.panels.analysis.settings import VIEWS, AnalysisSettings
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.tooltips import tooltip
@@ -96,6 +97,12 @@ def analysis_choices(document: Document, bring: Callable[[str], None]) -> Iterat
         action = choice_action(f"Analysis: {spec.title}", spec.answer, partial(analyse, spec.name))
         action.setProperty(KEYWORDS, spec.answer.lower())
         yield action
+
+
+def scene_choices(show: Callable[[str], None]) -> Iterator[QtGui.QAction]:
+    """Yield a new action for each scene of the paper, which opens it."""
+    for scene in scenes.all_scenes():
+        yield choice_action(f"Scene: {scene.heading}", scene.title, partial(show, scene.name))
 
 
 def design_choices(document: Document) -> list[QtGui.QAction]:

@@ -14,6 +14,7 @@ from skinsource.actuators.equalising import PolePairReplacement, RegularisedInve
 from skinsource.base.quoting import printable
 from skinsource.design.design import Design
 from skinsource.design.edits.setup import choose_actuation, choose_rig
+from skinsource.design.panel_settings import STAGE
 from skinsource_gui import pages
 from skinsource_gui.fields.rig_field import RESPONSE_FILES
 from skinsource_gui.pages.actions import MatchingActions
@@ -39,6 +40,7 @@ from skinsource_gui.state.preferences import Preferences
 
 if TYPE_CHECKING:
     from skinsource.actuators.measured_response import MeasuredResponse
+    from skinsource_gui.panels.compare.stage import StagePanel
     from skinsource_gui.panels.output.panel import OutputPanel
 
 
@@ -289,6 +291,9 @@ class Playback(QObject):
     def _meet(self, panel: Panel) -> None:
         player = self.player
         player.playhead.running.connect(panel.show_running)
+        if panel.name == STAGE:
+            stage = cast("StagePanel", panel)
+            self.pace.on_stage = lambda: stage.isVisible() * stage.moving.slow_motion
         if panel.name != _PANEL:
             return
         self._panel = panel = cast("OutputPanel", panel)

@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
@@ -151,10 +151,13 @@ class Step:
         What it is called before it is opened.
     opened
         Returns design and view.
+    path
+        Its file, into which it is saved; None: it has none.
     """
 
     title: str
     opened: Callable[[], tuple[Design, View]]
+    path: Path | None = None
 
 
 def steps_of_folder(folder: Path) -> tuple[Step, ...]:
@@ -168,7 +171,7 @@ def steps_of_folder(folder: Path) -> tuple[Step, ...]:
         paths = [path for path in folder.iterdir() if path.suffix == SUFFIX]
     except OSError:
         return ()
-    return tuple(Step(path.stem, partial(opened, path)) for path in sorted(paths, key=_natural))
+    return tuple(Step(at.stem, partial(opened, at), at) for at in sorted(paths, key=_natural))
 
 
 def _natural(path: Path) -> list[tuple[int, str]]:
@@ -363,6 +366,12 @@ class Presenter(QObject):
         self._show_notes()
         self._notes.show_beside(self._window)
 
+    @property
+    def _document_name(self) -> str:
+        """What the design is called among scenes or files; empty where it is new."""
+        path = self._document.path
+        return self._document.scene or ("" if path is None else path.stem)
+
     def _compares(self) -> bool:
         """Return whether the Compare panel is in sight, and shows several maps."""
         shown = [panel for panel in self._made if panel.name == "compare" and panel.isVisible()]
@@ -378,6 +387,7 @@ class Presenter(QObject):
     def _meet(self, panel: Panel) -> None:
         panel.show_covered(self.covered)
         if panel.name == STAGE:
+            cast("StagePanel", panel).named = lambda: self._document_name
             PresentingKeys(self._handlers, self)
 
     def _handlers(self, watched: QObject) -> dict[str, Callable[[], None]]:
@@ -388,6 +398,7 @@ class Presenter(QObject):
             "levels": stage.show_levels,
             "fit": stage.fit,
             "compare": stage.compare,
+            "arm": stage.show_arm,
         }
         if not self.presenting:
             here = watched is self._window or stage.isAncestorOf(cast(QtWidgets.QWidget, watched))
@@ -426,7 +437,8 @@ class Presenter(QObject):
         def opened(name: str) -> tuple[Design, View]:
             scene = scenes.open_scene(name)
             # Colours chosen in front of an audience stay.
-            return scene.design, with_colours_of(scene.view, self._document.view)
+            view = with_colours_of(scene.view, self._document.view)
+            return scene.design, replace(view, slow_motion=0.0)
 
         return tuple(
             Step(scene.heading, partial(opened, scene.name)) for scene in scenes.all_scenes()
@@ -443,12 +455,12 @@ class Presenter(QObject):
             return
         title = (scenes.title_of(design) if design.title else "") or step.title
         document, left = self._document, ""
-        before = document.scene or ("" if document.path is None else document.path.stem)
         if self.presenting and self._take_back():
-            left = f"; changes to {before.partition(' · ')[0]} are not saved"
+            left = f"; changes to {self._document_name.partition(' · ')[0]} are not saved"
         self._opening = True
-        document.start_over(design, view, None, scene=title)
-        self._files.leave_file()
+        read_only = self._files.leave_file(step.path) is not None
+        scene = "" if step.path else title
+        document.start_over(design, view, step.path, read_only=read_only, scene=scene)
         self._opening = False
         self._begun, self._asks = 0, not self.presenting
         self._workspaces.show_scene()

@@ -27,6 +27,7 @@ from skinsource_gui.shell.drops import (
     design_choices,
     field_choices,
     pass_drops_on,
+    scene_choices,
 )
 from skinsource_gui.shell.focus import PanelFocus, ShortcutsInFields, move_focus
 from skinsource_gui.shell.keeping import AutosaveAndRecovery
@@ -266,7 +267,8 @@ class MainWindow(QtWidgets.QMainWindow):
         fields = field_choices(self.panels, self.workspaces.bring)
         views = analysis_choices(self.document, self.workspaces.bring)
         choices = *self.setup_bar.choices(), *design_choices(self.document)
-        return [*fields, *others, *panels, *views, *choices]
+        figures = scene_choices(self.scenes.open)
+        return [*fields, *others, *panels, *views, *choices, *figures]
 
     def _show_state(self) -> None:
         design, view = self.document.design, self.document.view

@@ -776,7 +776,7 @@ class Player(QObject):
 
 
 #: Choices of slow motion: real time, and how many times slower.
-PACES = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0)
+PACES = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0)
 # From here it goes on where the automatic one is not known: of a tone of 100 Hz.
 _USUAL = 50.0
 
@@ -787,6 +787,8 @@ class PlaybackPace(QObject):
     def __init__(self, document: Document, player: Player, parent: QObject) -> None:
         super().__init__(parent)
         self._document, self._player = document, player
+        #: Returns how many times slower than it happens the stage in sight shows it; 0: none is.
+        self.on_stage: Callable[[], float] = float
         player.playhead.moved_away.connect(self._seek)
 
     def pause(self) -> None:
@@ -801,7 +803,7 @@ class PlaybackPace(QObject):
         """Play at the next slower pace; "-1": at the next faster one."""
         design, view, now = self._document.design, self._document.view, self._player.now
         running = _USUAL if now is None or now.silent is None else now.silent.slow_motion
-        pace = view.slow_motion or running
+        pace = self.on_stage() or view.slow_motion or running
         slower = [each for each in PACES if each > pace + 1e-9] or PACES[-1:]
         faster = [each for each in PACES if each < pace - 1e-9] or PACES[:1]
         slow_motion = slower[0] if int(steps) > 0 else faster[-1]

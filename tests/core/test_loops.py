@@ -111,3 +111,24 @@ def test_spectra_have_the_tone_on_top():
     frequency_hz, levels_db = loop_of(design, moving(design)).spectra((29, 30))
     assert levels_db.shape == (2, frequency_hz.size)
     np.testing.assert_allclose(frequency_hz[levels_db.argmax(axis=1)], HZ, atol=3.0)
+
+
+def test_a_part_of_a_motion_has_its_loudest_moment_in_its_middle():
+    early = ss.track(7, ss.waveforms.Tap(), onset_s=0.0)
+    late = ss.track(12, ss.waveforms.Tap(), onset_s=0.6, amplitude=5.0)
+    design = ss.Design(limb="synthetic-1", inputs=(early, late))
+    signals = moving(design)
+    loop = loop_of(design, signals)
+    after_s = loop.loudest_after_s(0.1)
+    part = loop.part(after_s, 0.1)
+    assert (part.duration_s, part.largest) == (0.1, loop.largest)
+    assert 0.5 < after_s < 0.6
+    middle = np.abs(part.values(0.5)).max()
+    assert middle == pytest.approx(signals.largest, rel=0.05)
+    np.testing.assert_allclose(
+        part.values(0.25), loop.values((after_s + 0.025) / loop.duration_s), atol=1e-9
+    )
+    # It stays within the motion.
+    assert loop.loudest_after_s(0.999 * loop.duration_s) <= 0.001 * loop.duration_s + 1e-9
+    steady = loop_of(tones(0.3), moving(tones(0.3)))
+    assert steady.part(after_s, 0.1) is steady

@@ -33,6 +33,20 @@ def test_a_show_is_read_as_it_was_written_and_the_same_show_gives_the_same_bytes
     assert first.read_bytes() == second.read_bytes()
 
 
+@pytest.mark.parametrize("title", ["Four people", "Fig. 1G: Four people · Limb 1", "Us"])
+def test_designs_that_are_compared_keep_what_tells_them_apart(title):
+    opened = ss.scenes.open_scene("1G", available=tuple(f"synthetic-{k}" for k in range(1, 5)))
+    entry = replace(ss.ShowEntry.of(opened.design, opened.view, title), notes="Mine.")
+    design, view = entry.presented
+    titles = [each.design.title for each in sorted(view.snapshots, key=lambda each: each.number)]
+    words = title.removesuffix(" · Limb 1")
+    assert titles == [f"{words} · Limb {k}" for k in range(1, 5)]
+    # It is one of them still, also with what the speaker reads.
+    assert design in [each.design for each in view.snapshots]
+    assert design.title == titles[0]
+    assert design.notes.endswith("Mine.")
+
+
 def test_samples_of_recordings_are_kept(tmp_path):
     recording = ss.waveforms.Drawn()
     design = ss.Design(limb="synthetic-1", inputs=(ss.track(7, recording),))

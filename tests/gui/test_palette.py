@@ -217,3 +217,10 @@ def test_each_menu_opens_with_a_letter_of_its_own_and_the_first_with_f10(window,
     menu = bar.actions()[0].menu()
     qtbot.waitUntil(menu.isVisible)
     menu.close()
+
+
+def test_scenes_of_the_paper_are_found_by_their_figure_and_opened(window, qtbot):
+    assert "Scene: 5F · Separate and joint" in listed_for(window, qtbot, "5F")
+    figures = {action.text(): action for action in window._findable()}
+    figures["Scene: 2F · Two inputs interfere"].trigger()
+    assert window.document.scene == "Two inputs interfere"

@@ -222,8 +222,22 @@ class ShowEntry(fields.CheckedModel):
         """The design with the words of the entry, and the view with its knob."""
         stage = replace(settings_of(self.view, STAGE, StageSettings), control=self.knob)
         notes = f"{self.sentence}\n{self.notes}".rstrip("\n")
-        design = replace(self.design, title=self.title, notes=notes[: NOTES.longest])
-        return design, with_settings(self.view, STAGE, stage)
+        view, title = with_settings(self.view, STAGE, stage), self.title
+        common, dot, own = self.design.title.rpartition(" · ")
+        if dot and view.snapshots:
+            title = f"{title.removesuffix(dot + own)}{dot}{own}"
+        design = replace(self.design, title=title[: TITLE.longest], notes=notes[: NOTES.longest])
+
+        def told(other: Design) -> Design:
+            if other == self.design:
+                return design
+            # Designs that are compared are told apart by the ends of their titles.
+            end = other.title.removeprefix(common + dot)
+            words = f"{title.removesuffix(own)}{end}" if dot else end
+            return replace(other, title=words[: TITLE.longest])
+
+        snapshots = (replace(each, design=told(each.design)) for each in view.snapshots)
+        return design, replace(view, snapshots=tuple(snapshots))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

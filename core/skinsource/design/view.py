@@ -56,7 +56,7 @@ PLAYHEAD = NumberSpec(label="Playhead", unit="s", minimum=0.0, maximum=1e6)
 SLOW_MOTION = NumberSpec(
     label="Slow motion",
     minimum=0.0,
-    maximum=200.0,
+    maximum=1000.0,
     hint="How many times slower than real time; sound plays only at 1",
     unset="automatic",
 )

@@ -103,6 +103,19 @@ class Loop:
         magnitude = np.linalg.norm(np.abs(scipy.fft.rfft(signals)), axis=1) / n_times
         return scipy.fft.rfftfreq(n_times, 1.0 / self.moving.sample_rate_hz), decibels(magnitude)
 
+    def loudest_after_s(self, part_s: float) -> float:
+        """Return after which time such a part begins, its largest acceleration in its middle."""
+        sizes = np.abs(self.moving.signals).max(axis=(0, 1))
+        loudest_s = (self.moving.first + int(np.argmax(sizes))) / self.moving.sample_rate_hz
+        middle_s = loudest_s - self.begin_s
+        return min(max(middle_s - part_s / 2.0, 0.0), self.duration_s - part_s)
+
+    def part(self, after_s: float, part_s: float) -> "Loop":
+        """Return a part of a motion that passes; of a steady tone all of it."""
+        if self.phasors is not None:
+            return self
+        return replace(self, begin_s=self.begin_s + after_s, duration_s=part_s)
+
 
 def loop_of(design: Design, moving: Moving) -> Loop:
     """Return what is shown of the response to a design: one period of a tone, else what moves.

@@ -174,10 +174,12 @@ class FileActions(QObject):
             self.started_over.emit()
             self.done.emit("Started a new design")
 
-    def leave_file(self) -> None:
-        """Close the open file, and release its lock."""
-        self._note_file(None)
-        self.held.keep_only(None)
+    def leave_file(self, path: Path | None = None) -> Owner | None:
+        """Close the open file, and open another one, if any; return who has it open already."""
+        other = None if path is None else self.held.take(path)
+        self.held.keep_only(path)
+        self._note_file(path)
+        return other
 
     def ask_and_open(self) -> None:
         """Ask for a file and open it."""
@@ -223,10 +225,9 @@ class FileActions(QObject):
         # A file that cannot be opened is reported before the question about unsaved edits.
         if not self.may_lose_changes():
             return
-        other = self.held.take(path)
-        self.held.keep_only(path)
+        other = self.leave_file(path)
         self._document.start_over(content.design, content.view, path, read_only=other is not None)
-        self._on_disk, self._reported, self.suggested = on_disk, "same", None
+        self._on_disk = on_disk
         self.note_used(path)
         self.opened.emit(content.layout)
         if other is None:

@@ -6,6 +6,7 @@ from functools import cached_property
 from typing import Any, ClassVar
 
 import numpy as np
+from PySide6.QtCore import QPointF
 
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import FLOOR_DB
@@ -98,7 +99,8 @@ class Cell:
     synthetic
         Whether responses are computed, not measured.
     reaches
-        The text on the largest value of a motion; empty: it follows from the values.
+        The texts on the largest value of a motion, the longest first; empty: it follows from the
+        values.
     """
 
     headings: tuple[str, ...]
@@ -110,7 +112,7 @@ class Cell:
     text: str = ""
     stale: bool = False
     synthetic: bool = False
-    reaches: str = ""
+    reaches: tuple[str, ...] = ()
 
     @property
     def heading(self) -> str:
@@ -138,7 +140,7 @@ class Cell:
         if values is None or self.scale is None:
             return ("",)
         if output is None and self.reaches:
-            return (self.reaches,)
+            return self.reaches
         if output is not None and output > values.size:
             return ("no such output", "none")
         if output is not None:
@@ -168,12 +170,15 @@ class CompareContent:
         Text in place of the maps; empty: the maps are shown.
     about
         What is shown, as a text below while no output is pointed at.
+    hands
+        Whether maps show hands without arms, whatever room there is.
     """
 
     cells: tuple[Cell, ...] = ()
     outputs: tuple[int, ...] = ()
     message: str = ""
     about: str = ""
+    hands: bool = False
 
     @cached_property
     def common_scale(self) -> ColourScale | None:
@@ -190,6 +195,15 @@ class CompareContent:
     def stale(self) -> bool:
         """Whether any of the maps belongs to the design before."""
         return any(cell.stale for cell in self.cells)
+
+    def is_on_hands(self) -> bool:
+        """Return whether all selected outputs are seen on hands without arms."""
+        return all(
+            replace(small, hand_only=True).bounds.contains(QPointF(*place))
+            for small in filter(None, (cell.small for cell in self.cells))
+            for k, place in enumerate(small.limb_map.output_positions, 1)
+            if k in self.outputs
+        )
 
     def readout(self, output: int | None) -> str:
         """Return the values of an output in all maps; None: what the maps show."""

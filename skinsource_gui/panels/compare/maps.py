@@ -18,7 +18,7 @@ from skinsource_gui.panels.compare.motion import Clock, MovingMaps
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.panels.compare.view import MapsView
 from skinsource_gui.plots.small_map import Range
-from skinsource_gui.state.compared import Compared
+from skinsource_gui.state.compared import Compared, display_gain_text
 from skinsource_gui.state.engine import Beside
 from skinsource_gui.state.panel import Panel
 
@@ -88,12 +88,14 @@ class MapsPanel(Panel):
     ) -> None:
         """Take over what is compared, and whether it moves."""
         self.design, self.view, self.settings = design, view, settings
-        before, self.kind, self.moves = self.kind, kind, moves and kind.moves
-        self.moving.axes = view.axes
+        self.moves, moving = moves and kind.moves, self.moving
+        before, self.kind = self.kind, kind
+        moving.axes, moving.chosen = view.axes, view.slow_motion
+        moving.matched = display_gain_text(design, view)
         if kind is not before:
             # The engine sends the results for the new kind.
             self.compared = ()
-            self.moving.update((), ())
+            moving.update((), ())
         if kind.own:
             self._show_own()
 

@@ -6,6 +6,7 @@ from dataclasses import replace
 from PySide6.QtCore import QElapsedTimer, QObject, Qt, QTimer, Signal
 
 from skinsource.base.arrays import Floats
+from skinsource.design.comparing import gain_text
 from skinsource.engine.loops import (
     PICTURES_PER_PERIOD,
     SHOWN_HZ,
@@ -24,6 +25,9 @@ from skinsource_gui.state.compared import Compared
 # Colours reach their ends at this share of the largest acceleration, which under the actuator is
 # far larger than elsewhere.
 _SHARE_OF_LARGEST = 0.1
+_AFTER = " after matching,"
+#: A motion that would take longer to see is shown in its loudest part alone, s.
+MOST_S = 30.0
 
 
 def rounded(value: float) -> str:
@@ -42,8 +46,11 @@ class MovingMaps:
         How often the longest loop was gone through, with the part of it that is shown.
     slow_motion
         How many times slower than it happens all of them are shown.
-    axes, unit
-        Axes of the view; unit of what moves, and along which axis it does.
+    axes, chosen, matched
+        Axes and slow motion of the view, which is followed where it is above 1, and how much louder
+        the design is shown.
+    unit
+        Unit of what moves, along which axis it does, and whether it is matched.
     made
         Number of maps that were interpolated.
     """
@@ -52,7 +59,7 @@ class MovingMaps:
         self.loops: list[tuple[Loop, float] | None] = []
         self.turns = 0.0
         self.slow_motion, self.made = 1.0, 0
-        self.axes, self.unit = "z", "m/s²"
+        self.axes, self.chosen, self.matched, self.unit = "z", 0.0, "", "m/s²"
         self._cells: tuple[Cell, ...] = ()
         self._compared: Sequence[Compared] = ()
         self._range = SteadyRange()
@@ -79,6 +86,13 @@ class MovingMaps:
         self.loops = [_loop(side, self.axes) for side in compared]
         loops = [known for known in self.loops if known is not None]
         self.slow_motion = max((loop.slow_motion for loop, _ in loops), default=1.0)
+        if self.chosen > 1.0:
+            self.slow_motion = self.chosen
+        part_s = MOST_S / self.slow_motion
+        long = [loop for loop, _ in loops if loop.phasors is None and loop.duration_s > part_s]
+        if long:
+            after_s = max(long, key=lambda loop: loop.largest).loudest_after_s(part_s)
+            self.loops = [pair and (pair[0].part(after_s, part_s), pair[1]) for pair in self.loops]
         largest = max((loop.largest * gain for loop, gain in loops), default=0.0)
         end = _SHARE_OF_LARGEST * largest
         signed = all(loop.signed for loop, _ in loops)
@@ -89,8 +103,11 @@ class MovingMaps:
         direction = "along the axis of each map" if signed else ""
         if axis:
             direction = "normal to the skin" if axis == "z" else f"along {axis}"
-        self.unit = f"m/s² {direction}" if axis else "m/s²"
+        matched = "matched" if any(side.gain != 1.0 for side in compared) else self.matched
+        self.unit = ", ".join(filter(None, (f"m/s² {direction}" if axis else "m/s²", matched)))
         slow = f"slow motion 1/{rounded(self.slow_motion)}"
+        part = f"loudest {rounded(1e3 * part_s)} ms" if long else ""
+        slow = ", ".join(filter(None, (slow, part, matched)))
         scale = ColourScale(
             range_db=held or self._range.follow(-end if signed else 0.0, end, "amplitude"),
             text_below=f"m/s² {direction}, {slow}" if direction else f"m/s², {slow}",
@@ -137,13 +154,15 @@ class MovingMaps:
         if known is None or side.values is None:
             return cell
         loop, gain = known
+        value, matched = f"{rounded(loop.largest * gain)} m/s²", gain_text(gain)
+        after = f"{_AFTER} {matched}" if matched else ""
         return replace(
             cell,
             small=small_map_of(side.values),
             scale=scale,
             design=design,
             synthetic=bool(side.values["limb_data"].synthetic),
-            reaches=f"up to {rounded(loop.largest * gain)} m/s²",
+            reaches=(f"up to {value}{after}", f"{value}{after.replace(_AFTER, ', matched')}"),
         )
 
     def _frame(self, k: int) -> Cell:

@@ -1,9 +1,10 @@
 """The stage: title and sentence, maps in motion, traces and one knob, for people further off."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import log
+from textwrap import shorten
 from typing import Any, ClassVar
 
 import numpy as np
@@ -41,6 +42,7 @@ from skinsource_gui.panels.compare.motion import rounded
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.curves import output_names
 from skinsource_gui.plots.figure import Figure
+from skinsource_gui.plots.pictures import common_title
 from skinsource_gui.plots.small_map import Range
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.frames import CachedPicture, Same
@@ -170,6 +172,9 @@ class Knob(QtWidgets.QWidget):
         self.label, self.dial = QtWidgets.QLabel(), named(QtWidgets.QDial(), "stage_dial")
         self.field = NumberField(ONSET_SPEC)
         self._ends, self._logarithmic, self._burst = (0.0, 1.0), False, Burst(self)
+        # The maps have the room first.
+        policy = QtWidgets.QSizePolicy.Policy
+        self.dial.setSizePolicy(policy.Preferred, policy.Ignored)
         self.dial.setRange(0, _STEPS)
         self.dial.setSingleStep(_STEP)
         self.dial.setPageStep(10 * _STEP)
@@ -209,6 +214,9 @@ class Knob(QtWidgets.QWidget):
 
 # Heights of letters, in that of the panel: title, sentence, other words.
 _LETTERS = (0.05, 0.034, 0.022)
+# Words take this share of the height at most, above several maps and beside one: letters are made
+# smaller in so many steps, then less is said; no more letters than this.
+_WORDS, _STEPS_SMALLER, _MOST_LETTERS = {True: 0.2, False: 0.35}, 14, 600
 # How many periods are drawn of a steady tone, and of what passes; height of spectra.
 _PERIODS = {False: 3.0, True: 1.0}
 _SPECTRUM_DB = 60.0
@@ -223,6 +231,8 @@ class StagePanel(MapsPanel):
         Title of the design, and the first line of its notes.
     strip, knob
         Traces, and the number that is turned.
+    named
+        Returns what a design without a title is called; set by the window.
     """
 
     title: ClassVar[str] = "Stage"
@@ -239,16 +249,18 @@ class StagePanel(MapsPanel):
         named(self.switch, "stage_compare", hint=COMPARED.hint)
         self.switch.clicked.connect(self.compare)
         self._line = in_row((self.caution, 1), self.switch)
+        self.named: Callable[[], str] = str
         self._held_ends: tuple[Range, Range] | None = None
         self._passes = False
         self._shown: tuple[Any, ...] = ()
+        self._said: tuple[tuple[QtWidgets.QLabel, str, str], ...] = ()
         self._track: Input | None = None
         self._turned = ""
         for label in (self.heading, self.sentence):
             label.setTextFormat(Qt.TextFormat.PlainText)
         self.maps.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        # The wave is to be seen on the arm, too.
-        self.maps.least_lines = 9.0
+        # On a single map the wave is to be seen on the arm, too.
+        self.maps.least_lines, self.maps.arm = 9.0, False
         self.knob.edited.connect(self._turn)
         self.guessed = self.maps, self.strip
         self.setFocusProxy(self.knob)
@@ -269,7 +281,8 @@ class StagePanel(MapsPanel):
         kind = KINDS[compare.of] if stage.compared else _ALONE
         self.switch.setChecked(stage.compared)
         self._show_knob(design, view, stage.control)
-        self._show_words(design)
+        compared = view.snapshots if kind is KINDS["snapshots"] else ()
+        self._show_words(design, [each.design.title for each in compared])
         shown = kind, compare, stage, view.outputs, view.axes, design.limb
         if shown != self._shown:
             self._shown = shown
@@ -311,6 +324,11 @@ class StagePanel(MapsPanel):
         """Show what the Compare panel compares, or the design alone again."""
         self._change(compared=not stage_settings(self.view).compared)
 
+    def show_arm(self) -> None:
+        """Show arms on several maps, or hands alone again."""
+        self.maps.arm = not self.maps.arm
+        self.maps.show_content(self.maps.content)
+
     def _change(self, **changes: Any) -> None:
         stage = replace(settings_of(self.view, STAGE, StageSettings), **changes)
         self.view_changed.emit(with_settings(self.view, STAGE, stage))
@@ -335,7 +353,7 @@ class StagePanel(MapsPanel):
             return
         self._several, grid = several, self._grid
         places = (
-            ((0, 0, 1, 1), (1, 0, 1, 2), (3, 0, 1, 2), (4, 0, 1, 1), (4, 1, 1, 1))
+            ((0, 0, 1, 1), (1, 0, 1, 3), (3, 0, 1, 3), (4, 0, 1, 2), (4, 2, 1, 1))
             if several
             else ((0, 1, 1, 1), (1, 1, 1, 1), (0, 0, 5, 1), (3, 1, 1, 1), (4, 1, 1, 1))
         )
@@ -343,17 +361,43 @@ class StagePanel(MapsPanel):
         for part, place in zip(parts, places, strict=True):
             grid.addWidget(part, *place)
         grid.removeItem(self._line)
-        grid.addLayout(self._line, 0 if several else 2, 1)
+        grid.addLayout(self._line, 0 if several else 2, 1, 1, 2 if several else 1)
         for row, share in enumerate((0, 0, 0, 75, 25) if several else (0, 0, 0, 60, 40)):
             grid.setRowStretch(row, share)
-        for column, share in enumerate((85, 15) if several else (45, 55)):
+        for column, share in enumerate((65, 20, 15) if several else (45, 55, 0)):
             grid.setColumnStretch(column, share)
+        self._fit_letters()
 
     def _fit_letters(self) -> None:
         margin = self.height() // 40
         self._grid.setContentsMargins(margin, margin, margin, margin)
         self._grid.setSpacing(margin)
-        size_px = self.height() * letter_scale(self.font())
+        most_px = _WORDS[bool(self._several)] * self.height()
+        for label, whole, _ in self._said:
+            label.setVisible(bool(whole))
+            label.setText(shorten(whole, _MOST_LETTERS, placeholder="…"))
+        for step in range(_STEPS_SMALLER):
+            self._set_letters(letter_scale(self.font()) * 0.95**step)
+            if self._words_px() <= most_px:
+                break
+        for label, whole, text in self._said:
+            # Nothing moves where less is said than before.
+            label.setMinimumHeight(0 if whole == text else self._height_of(label))
+            label.setText(shorten(text, _MOST_LETTERS, placeholder="…"))
+        while self._words_px() > most_px and " " in self.sentence.text():
+            self.sentence.setText(f"{self.sentence.text().rpartition(' ')[0]}…")
+        for label, _, text in self._said:
+            label.setToolTip("" if label.text() == text else text)
+
+    def _height_of(self, label: QtWidgets.QLabel) -> int:
+        share = 0.52 if not self._several else 0.58 if label is self.heading else 0.95
+        return label.heightForWidth(round(share * self.width()))
+
+    def _words_px(self) -> int:
+        return sum(self._height_of(label) for label, whole, _ in self._said if whole)
+
+    def _set_letters(self, scale: float) -> None:
+        size_px = self.height() * scale
         small = self.maps, self.strip, self.knob.label, self.caution, self.switch
         rooms = ((self.heading,), (self.sentence,), small)
         for share, parts in zip(_LETTERS, rooms, strict=True):
@@ -364,9 +408,9 @@ class StagePanel(MapsPanel):
                 part.setFont(font)
         self.knob.field.setFont(tabular(self.sentence.font()))
 
-    def _show_words(self, design: Design) -> None:
+    def _show_words(self, design: Design, others: Sequence[str]) -> None:
         track = self._track
-        plain = how_to_add() if track is None else f"Place {track.location}"
+        plain = self.named() or f"Place {track.location}" if track else how_to_add()
         title, words = design.title or plain, design.notes.partition("\n")[0]
         now = scenes.title_of(design) if design.title else plain
         said = words
@@ -375,12 +419,12 @@ class StagePanel(MapsPanel):
             # What was computed of the scene as it was opened is no longer true.
             parts = re.split(r"(?<=\.) (?=[A-Z])", words)
             said = " ".join(p for p in parts if p.startswith("Try") or not re.search(r"\d", p))
-        for label, whole, text in ((self.heading, title, now), (self.sentence, words, said)):
-            label.setVisible(bool(whole))
-            label.setText(whole)
-            # Nothing moves where less is said than before.
-            label.setMinimumHeight(0 if whole == text else label.heightForWidth(label.width()))
-            label.setText(text)
+        # The end of a title says which of them it is.
+        title, now = (common_title([text, *others]) or text for text in (title, now))
+        before = self._said
+        self._said = ((self.heading, title, now), (self.sentence, words, said))
+        if self._said != before:
+            self._fit_letters()
 
     def _show_knob(self, design: Design, view: View, control: str) -> None:
         self._track = track = leading_input(design, view) or next(iter(design.inputs), None)

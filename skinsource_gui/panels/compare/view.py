@@ -61,7 +61,7 @@ class Places:
     scale
         The scale of all maps; empty where each has its own.
     low
-        Whether there is little room: maps show the hand without the arm.
+        Whether maps show the hand without the arm.
     """
 
     head: QRectF
@@ -91,7 +91,7 @@ def _laid_out(
         width = inner.width() / n
         wholes = tuple(maps.adjusted(k * width, 0, (k + 1 - n) * width, 0) for k in range(n))
     cells = tuple(_cell(whole, line, words, below, beside=beside) for whole in wholes)
-    return Places(head=head, cells=cells, scale=scale, low=low)
+    return Places(head=head, cells=cells, scale=scale, low=low or content.hands)
 
 
 # Cells so wide have room for words beside a map.
@@ -276,6 +276,8 @@ class MapsView(QtWidgets.QWidget):
         Chooses outputs by mouse and keys.
     least_lines
         Maps that would be lower than so many lines of text show hands alone.
+    arm
+        Whether several maps show arms too where no output is selected there.
     """
 
     #: The outputs to select, a tuple of numbers.
@@ -288,7 +290,7 @@ class MapsView(QtWidgets.QWidget):
         self._places: Places | None = None
         # Of which map the mouse was last.
         self._at = 0
-        self.content, self.least_lines = CompareContent(), 16.0
+        self.content, self.least_lines, self.arm = CompareContent(), 16.0, True
         self.picker = OutputPicker(self)
         self.picker.chosen.connect(self.outputs_chosen)
         self.picker.moved.connect(self._emit_pointed_at)
@@ -329,7 +331,8 @@ class MapsView(QtWidgets.QWidget):
 
     def show_content(self, content: CompareContent) -> None:
         """Draw ``content``."""
-        self.content, self.picker.selected = content, content.outputs
+        hands = not self.arm and len(content.cells) > 1 and content.is_on_hands()
+        self.content, self.picker.selected = replace(content, hands=hands), content.outputs
         self._places = None
         self.setAccessibleName(content.message or content.about or "Compared maps")
         self._emit_pointed_at()

@@ -80,7 +80,7 @@ class ScrubBar(QtWidgets.QWidget):
         self.time = QtWidgets.QLabel(self)
         self.time.setFont(tabular(self.time.font()))
         self.time.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        options = ("0", "Automatic"), *PACE.options
+        options = ("0", "Automatic"), *PACE.options, ("500", "1/500"), ("1000", "1/1000")
         self.pace = ChoiceField(replace(PACE, options=options), self)
         self.pace.setObjectName("skin_pace")
         self.pace.setMinimumContentsLength(5)

@@ -248,7 +248,9 @@ def test_faster_and_slower_go_through_the_paces(studio):
     for _ in range(9):
         studio.do("play_slower")
         factors.append(document.view.slow_motion)
-    assert factors == [2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 200.0, 200.0]
+    assert factors == [2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0]
+    studio.do("play_slower")
+    assert document.view.slow_motion == 1000.0
     document.look(replace(document.view, slow_motion=30.0))
     studio.do("play_faster")
     assert document.view.slow_motion == 20.0

@@ -5,7 +5,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
+from skinsource.base.lock import Lock
+from skinsource.design.design_file import open_design
 from skinsource.studies.scenes.catalog import all_scenes
+from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.qt.overlays import COVERED, Cover
 from skinsource_gui.shell.presenting import NotesWindow, steps_of_folder
 from tests.gui.analysis.analysis_bench import analysis
@@ -169,14 +172,30 @@ def test_scenes_are_the_designs_of_the_folder_in_their_order(studio):
         studio.do(name)
         titles.append(title(studio))
     assert titles == ["3 both", "3 both", "2 tone", "1 tap", "1 tap"]
-    # A scene is no file any more: saving asks for a name.
-    assert studio.document.path is None
 
 
 def test_files_of_a_folder_come_in_natural_order(tmp_path):
     for name in ("10 sweep", "2 two", "1 tap"):
         (tmp_path / f"{name}.skinsource").touch()
     assert [step.title for step in steps_of_folder(tmp_path)] == ["1 tap", "2 two", "10 sweep"]
+
+
+def test_a_file_of_the_folder_is_saved_to_after_it_was_presented(studio, folder, monkeypatch):
+    monkeypatch.setattr(FileActions, "ask_and_save", lambda _: pytest.fail("asked for a name"))
+    studio.do("present")
+    studio.do("next_scene")
+    studio.do("present")
+    path = folder / "3 both.skinsource"
+    assert studio.document.path == path
+    assert studio.keeping.autosave._look().path == path
+    # Another studio finds it locked, and those before it free.
+    assert list(studio.files.held._locks) == [Lock(path).file]
+    studio.document.edit("", studio.document.design.with_input(0, amplitude=3.0))
+    studio.do("save_design")
+    assert open_design(path).design.inputs[0].amplitude == 3.0
+    assert not studio.document.modified
+    studio.do("next_scene")
+    assert studio.document.path == path
 
 
 def test_a_file_that_does_not_open_is_passed_by(studio, folder):

@@ -78,12 +78,35 @@ def test_a_show_is_presented_in_its_order_and_changed_again(studio, made, path):
     shown = []
     for _ in range(3):
         studio.do("next_scene")
-        shown.append(studio.document.design.title)
+        shown.append(studio.panel("stage").heading.text())
     assert shown == ["1 tap", "3 both", "Two inputs interfere"]
     studio.do("present")
     again = studio.presenter.make_show()
     assert titles(again) == ["2 tone", "1 tap", "3 both", "Two inputs interfere"]
     again.done(0)
+
+
+@pytest.mark.parametrize("saved", [False, True])
+@pytest.mark.parametrize(
+    ("name", "parts"),
+    [("1G", [f"Limb {k}" for k in range(1, 5)]), ("2B", ["50 Hz", "100 Hz", "200 Hz", "400 Hz"])],
+)
+def test_a_scene_of_a_show_has_its_maps_and_labels(studio, page, path, qtbot, name, parts, saved):
+    page.add_scene(name)
+    stage, scene_title = studio.panel("stage"), page.entries[0].title
+    if saved:
+        page.save()
+        page.done(0)
+        studio.files.open(path)
+    else:
+        page.findChild(QPushButton, "show_present").click()
+    qtbot.waitUntil(lambda: len(stage.maps.content.cells) == 4, timeout=15_000)
+    headings = [cell.headings for cell in stage.maps.content.cells]
+    assert [each[1] for each in headings] == [f"Snapshot {k + 1} · {parts[k]}" for k in range(4)]
+    assert stage.heading.text() == scene_title
+    if not saved:
+        studio.do("present")
+        page.done(0)
 
 
 def test_an_entry_that_cannot_be_read_is_named_passed_by_and_kept(studio, made, path):
@@ -113,9 +136,12 @@ def test_an_entry_that_cannot_be_read_is_named_passed_by_and_kept(studio, made, 
 
 
 def test_presenting_a_show_takes_the_page_away_until_its_end(studio, made):
-    made.list.setCurrentRow(1)
+    made.list.setCurrentRow(3)
     made.findChild(QPushButton, "show_present").click()
     assert studio.presenter.presenting
+    assert studio.document.design.title == "2 tone"
+    studio.do("present")
+    made.list.doubleClicked.emit(made.list.model().index(1, 0))
     assert studio.document.design.title == "1 tap"
     assert not made.isVisible()
     studio.do("next_scene")

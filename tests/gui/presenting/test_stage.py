@@ -8,7 +8,10 @@ from PySide6.QtCore import QRect, Qt
 from PySide6.QtTest import QTest
 
 import skinsource as ss
+from skinsource.design.comparing import gain_text
+from skinsource.design.design_file import save_design
 from skinsource.design.panel_settings import StageSettings, settings_of, with_settings
+from skinsource_gui.panels.compare.motion import MOST_S
 from skinsource_gui.panels.compare.settings import CompareSettings
 
 SENTENCE = "Waves run towards the wrist. Try: turn the frequency to 50 Hz."
@@ -363,3 +366,145 @@ def test_letters_stay_large_when_the_theme_changes(stage, qtbot):
     for theme in ("use_contrast_theme", "use_light_theme"):
         stage.window().do(theme)
         qtbot.waitUntil(lambda: stage.heading.font().pixelSize() == large)
+
+
+def test_maps_in_motion_say_by_how_much_they_are_matched(stage, qtbot):
+    window = stage.window()
+    for number, amplitude in ((1, 1.0), (2, 4.0)):
+        window.document.edit("", window.document.design.with_input(0, amplitude=amplitude))
+        window.do(f"store_snapshot_{number}")
+    show(window, StageSettings(compared=True), of="snapshots")
+    complete(stage, qtbot, 2)
+    assert not any("matched" in cell.value_text(None) for cell in stage.maps.content.cells)
+    window.do("match_levels")
+    qtbot.waitUntil(lambda: stage.compared[1].gain != 1.0 and not window.engine.busy)
+    one, other = stage.maps.content.cells
+    gain = gain_text(stage.compared[1].gain)
+    assert "matched" not in one.value_text(None)
+    assert all(gain in text and "match" in text for text in other.value_texts(None))
+    texts = one.scale.text_below, *one.scale.shorter, stage.strip._words[1]
+    assert all("matched" in text for text in texts)
+    stage.show_levels()
+    qtbot.waitUntil(lambda: all(cell.scale for cell in complete(stage, qtbot, 2)))
+    assert gain in stage.maps.content.common_scale.text_below
+
+
+def test_a_design_that_is_shown_matched_says_it_in_motion(stage, qtbot):
+    window = stage.window()
+    window.do("store_snapshot_1")
+    window.document.edit("", window.document.design.with_input(0, amplitude=4.0))
+    window.do("store_snapshot_2")
+    window.do("match_levels")
+    window.do("show_snapshot_2")
+    qtbot.waitUntil(lambda: window.document.view.match_gain(window.document.design) != 1.0)
+    qtbot.waitUntil(lambda: not window.engine.busy and not stage.is_stale)
+    (cell,) = complete(stage, qtbot, 1)
+    assert "−12.0 dB, matched" in cell.scale.text_below
+
+
+def test_slow_motion_is_chosen_on_the_stage_and_said_there(stage, qtbot):
+    window = stage.window()
+    (cell,) = complete(stage, qtbot, 1)
+    assert "1/50" in cell.scale.text_below
+    for action, pace in (("play_slower", 100), ("play_faster", 50), ("play_faster", 20)):
+        window.do(action)
+        assert stage.moving.slow_motion == pace
+        assert f"1/{pace}" in stage.maps.content.common_scale.text_below
+    turns = stage.moving.turns
+    tick(stage, 0.05)
+    assert stage.moving.turns - turns == pytest.approx(0.05 / 20 * 100.0)
+    window.do("play_automatic")
+    assert stage.moving.slow_motion == 50.0
+    show(window, StageSettings(compared=True), of="frequencies")
+    complete(stage, qtbot, 4)
+    window.do("play_slower")
+    qtbot.waitUntil(lambda: stage.moving.slow_motion == 500.0)
+
+
+def test_of_a_long_motion_the_loudest_part_moves_in_half_a_minute(stage, qtbot):
+    window, rng = stage.window(), np.random.default_rng(1)
+    samples = rng.uniform(-1.0, 1.0, 2600) * np.where(np.arange(2600) // 130 == 12, 1.0, 0.2)
+    noise = ss.waveforms.Recording(samples=samples)
+    noisy = replace(window.document.design, inputs=(ss.track(7, noise),))
+    window.document.edit("Noise", noisy)
+    qtbot.waitUntil(lambda: stage.moving.loops[0] and stage.moving.loops[0][0].phasors is None)
+    ((loop, _),) = stage.moving.loops
+    assert stage.moving.length_s(loop) * stage.moving.slow_motion == pytest.approx(MOST_S)
+    assert loop.begin_s < 1.25 + loop.moving.delay_s < loop.begin_s + loop.duration_s
+    assert "loudest" in stage.maps.content.common_scale.text_below
+    assert stage.strip.ends[0][1] == pytest.approx(loop.duration_s)
+    shares = [stage.moving.turns]
+    tick(stage, MOST_S / 4)
+    assert stage.moving.turns - shares[0] == pytest.approx(0.25)
+
+
+def test_a_design_without_a_title_is_called_after_its_file(open_window, tmp_path, design):
+    path = tmp_path / "2 two fingers.skinsource"
+    save_design(path, replace(design, title=""), ss.View())
+    window = open_window(design)
+    window.files.open(path)
+    window.do("present")
+    assert window.panel("stage").heading.text() == "2 two fingers"
+    window.document.edit("", replace(window.document.design, title="Two"))
+    assert window.panel("stage").heading.text() == "Two"
+    window.do("present")
+
+
+@pytest.mark.parametrize("outputs", [(29, 52), (29, 72)])
+def test_several_maps_show_hands_unless_an_output_of_the_arm_is_selected(stage, qtbot, outputs):
+    window = stage.window()
+    window.document.look(replace(window.document.view, outputs=outputs))
+    complete(stage, qtbot, 1)
+    assert not stage.maps.places.low
+    show(window, StageSettings(compared=True), of="limbs")
+    complete(stage, qtbot, 4)
+    assert stage.maps.places.low == (72 not in outputs)
+    # What is selected is seen.
+    points, areas = stage.maps.points_of(1), stage.maps.places.cells[1].map
+    assert all(areas.contains(*points[number - 1]) for number in outputs)
+    stage.setFocus()
+    QTest.keyClick(stage.knob.dial, Qt.Key.Key_Z)
+    assert not stage.maps.places.low
+    QTest.keyClick(stage.knob.dial, Qt.Key.Key_Z)
+    assert stage.maps.places.low == (72 not in outputs)
+
+
+@pytest.mark.parametrize("screen", [(1280, 720), (1920, 1080)])
+def test_maps_keep_half_of_the_height_however_large_and_long_the_words(stage, qtbot, screen):
+    window = stage.window()
+    window.showNormal()
+    window.resize(*screen)
+    for _ in range(3):
+        window.do("enlarge_text")
+    long = f"{SENTENCE[:-1]} and {'then turn it to another one, ' * 30}again."
+    title = window.document.design.title
+    window.document.edit("", replace(window.document.design, notes=long, title=title * 30))
+    show(window, StageSettings(compared=True), of="limbs")
+    complete(stage, qtbot, 4)
+    qtbot.waitUntil(lambda: window.workspaces.settled and stage.width() > 0.9 * screen[0])
+    qtbot.waitUntil(lambda: stage.maps.height() >= 0.5 * stage.height())
+    assert stage.sentence.text().endswith("…")
+    assert stage.sentence.toolTip() == long
+    window.document.edit("", replace(window.document.design, title=title))
+    # What is a little too long is said in smaller letters, and what is short in large ones.
+    small = stage.sentence.font().pixelSize()
+    for said in (" ".join(7 * [SENTENCE[:28]]), SENTENCE):
+        window.document.edit("", replace(window.document.design, notes=said))
+        assert stage.sentence.text() == said
+        assert not stage.sentence.toolTip()
+        assert stage.sentence.font().pixelSize() > small
+        small = stage.sentence.font().pixelSize()
+    stage.layout().activate()
+    assert not [part for part in (stage.heading, stage.sentence) if _cut(part)]
+
+
+def test_the_warning_stays_on_one_line_above_several_maps(stage, qtbot):
+    window = stage.window()
+    window.showNormal()
+    window.resize(1920, 1080)
+    show(window, StageSettings(compared=True), of="limbs")
+    complete(stage, qtbot, 4)
+    stage.show_caution("⚠ Outside the measured band, 2 more")
+    stage.layout().activate()
+    line_px = stage.caution.fontMetrics().height()
+    assert stage.caution.heightForWidth(stage.caution.width()) < 2 * line_px

@@ -1,6 +1,7 @@
 """The gallery of scenes, on limbs of a lab as well, and what the window shows of one."""
 
 import struct
+from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import QRect, QSize, Qt
@@ -93,7 +94,7 @@ def test_a_scene_is_opened_with_the_keyboard(window, qtbot, settle):
     settle()
     opened = ss.scenes.open_scene("2B")
     assert window.document.design == opened.design
-    assert window.document.view == opened.view
+    assert window.document.view == replace(opened.view, slow_motion=0.0)
     assert window.docks["stage"].in_sight
     maps = window.panel("stage").maps
     qtbot.waitUntil(lambda: sum(cell.small is not None for cell in maps.content.cells) == 4)
@@ -191,7 +192,7 @@ def test_a_scene_is_opened_on_a_limb_of_ones_own(lab_window, qtbot):
     window.catch_up()
     opened = ss.scenes.open_scene("2F", limb="lab-1")
     assert window.document.design == opened.design
-    assert window.document.view == opened.view
+    assert window.document.view == replace(opened.view, slow_motion=0.0)
     assert not window.document.modified
     assert window.notice.text == ""
     assert messages[-1] == "Opened 2F · Two inputs interfere, on Lab 1"
