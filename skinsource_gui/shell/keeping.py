@@ -42,7 +42,7 @@ def picture_of(left: UnsavedWork) -> QtGui.QPixmap:
 def work_description(left: UnsavedWork) -> str:
     """Return name, time and file of the work, in two lines."""
     where = path_text(left.file) if left.file else "never saved under a name"
-    return f"{left.name}, kept at {left.clock()}\n{where}"
+    return f"{left.name}, copied at {left.clock()}\n{where}"
 
 
 class UnsavedWorkPage(ToolPage):

@@ -164,7 +164,7 @@ class PlacesCanvas(QtWidgets.QWidget):
         super().__init__(parent)
         self._draft = Draft()
         self._photograph = QtGui.QImage()
-        named(self, "places_canvas", "Outline and places of the limb")
+        named(self, "places_canvas", "Outline and places")
         self.setMinimumSize(260, 320)
 
     def show_photograph(self, photograph: QtGui.QImage) -> None:
@@ -430,7 +430,7 @@ class LimbForm(QObject):
         self._rows.addRow("Axes", self.axes)
         named(
             self.synthetic,
-            title="Responses are computed, not measured",
+            title="Computed, not measured",
             hint=tooltip("Computed", "Pictures and files say that it is synthetic"),
         )
         self.synthetic.toggled.connect(self.changed)

@@ -67,7 +67,7 @@ class ChannelsView(QtWidgets.QWidget):
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        named(self, "stimulus_channels", "Channels as they will be written")
+        named(self, "stimulus_channels", "Channels as written")
         #: The channels that are painted.
         self.channels: tuple[ChannelOverview, ...] = ()
         self._colours: Mapping[int, int] = {}

@@ -140,7 +140,7 @@ def test_several_are_offered_in_a_list(window, leave, qtbot, user_data):
     choose(window, "Show them…")
     (page,) = window.findChildren(UnsavedWorkPage)
     assert page.rows.count() == 2
-    assert re.match(r"untitled, kept at \d\d:\d\d:\d\d\n", page.rows.item(0).text())
+    assert re.match(r"untitled, copied at \d\d:\d\d:\d\d\n", page.rows.item(0).text())
     assert not page.rows.item(0).icon().isNull()
     page.discard_button.click()
     assert page.rows.count() == 1
