@@ -71,7 +71,7 @@ _LOOK_EVERY_MS = 1000
 #: It takes milliseconds, and so does the edit after it, which gets new pages from the system.
 _GIVE_BACK_EVERY_MS = 2000
 #: Exports evaluate beside the engine, and import modules whose sources PySide has read.
-_FORGET_EVERY_MS = 10_000
+_FORGET_EVERY_MS = 3_000
 #: As Python has it: so many new objects are looked through, and of so many times one time older
 #: ones too.
 _NEW_OBJECTS, _TIMES = 700, 10
