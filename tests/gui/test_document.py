@@ -7,10 +7,8 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from skinsource.design import edits
-from skinsource.design.design import Design, track
+from skinsource import Design, View, edits, track
 from skinsource.design.edits.edit import Edit, Refusal
-from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.plots.plot import Plot
 from skinsource_gui.state.document import MOST_STEPS, Document, ReplaceDesign

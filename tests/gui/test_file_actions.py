@@ -6,8 +6,7 @@ from PySide6.QtCore import QTimer
 from PySide6.QtGui import QColor, QDragEnterEvent, QImage
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
-from skinsource.design.design import track
-from skinsource.design.design_file import open_design, save_design
+from skinsource import open_design, save_design, track
 from skinsource_gui.plots.pictures import PictureOptions
 from skinsource_gui.qt.questions import ask_to_save
 from skinsource_gui.qt.theme import DARK

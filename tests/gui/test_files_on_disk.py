@@ -8,12 +8,11 @@ import pytest
 from PySide6.QtCore import QByteArray, QEvent
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
+from skinsource import Design, Input, open_design, save_design, track
 from skinsource.base import files, lock
 from skinsource.base.assets import config_folder
 from skinsource.base.lock import Lock, read_owner, this_process, to_bytes
 from skinsource.design import design_file
-from skinsource.design.design import Design, Input, track
-from skinsource.design.design_file import open_design, save_design
 from skinsource_gui.pages.files import file_actions
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.state.document import Document

@@ -12,10 +12,9 @@ from PySide6.QtGui import QColor, QImage, QPainter, QPdfWriter
 from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QFileDialog, QLabel
 
 import skinsource as ss
-from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource import Actuation, ActuatorAt, View
 from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.design.panel_settings import with_settings
-from skinsource.design.view import View
 from skinsource_gui.panels.analysis.transfer import TransferView
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.panels.skin.film import FilmOptions

@@ -7,8 +7,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QScrollArea, QWidget
 
-from skinsource.design.design import Design, track
-from skinsource.design.view import View
+from skinsource import Design, View, track
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.plots.pictures import PANEL_IN_USE
 from skinsource_gui.qt.theme import current_theme

@@ -9,13 +9,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QTextBrowser, QWidget
 
 from benchmarks.window_figures import SCREENS, figures_of
-from skinsource.design.design import Design, track
-from skinsource.design.view import View
+from skinsource import Design, View, load_limb, predict, project_axes, track
 from skinsource.design.waveforms.tones import Tone
-from skinsource.engine.prediction import predict
 from skinsource.export import packing
-from skinsource.limbs.catalog import load_limb
-from skinsource.signals.projection import project_axes
 from skinsource_gui.state.preferences import start_design
 
 

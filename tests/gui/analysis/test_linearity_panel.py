@@ -10,11 +10,10 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
+from skinsource import View, evaluate
 from skinsource.design.comparing import Snapshot
 from skinsource.design.edits.setup import remove_delay
 from skinsource.design.panel_settings import settings_of
-from skinsource.design.view import View
-from skinsource.engine.evaluation import evaluate
 from skinsource.perception.validity import probe_velocity
 from skinsource.studies.checking import Proportion, Superposition
 from skinsource_gui.panels.analysis.linearity_diagram import (

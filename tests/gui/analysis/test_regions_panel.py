@@ -5,11 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.base.decibels import decibels
+from skinsource import Design, decibels, evaluate, track
 from skinsource.design.comparing import Snapshot, region_levels_db
-from skinsource.design.design import Design, track
 from skinsource.design.edits.edit import Edit
-from skinsource.engine.evaluation import evaluate
 from skinsource_gui.panels.analysis.regions import columns_of_people, table_text
 from skinsource_gui.panels.analysis.table import OutputTable, TableRow
 from skinsource_gui.state.compared import Compared

@@ -6,8 +6,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMessageBox, QToolButton
 
-from skinsource.design.design import Design
-from skinsource.design.view import View
+from skinsource import Design, View
 from skinsource.design.waveforms.tones import Glide, Tone
 from skinsource.signals.synthesis import curve_of
 from skinsource_gui.panels.clip_editor.tools import of_column

@@ -8,13 +8,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox, QToolButton
 
-from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input, track
-from skinsource.design.effects.level import Fade
-from skinsource.design.effects.playing import played
-from skinsource.design.effects.time import Reverse, Stretch, Trim
-from skinsource.design.waveforms.samples import Drawn, Recording
-from skinsource.design.waveforms.tones import Tone
+from skinsource import Clip, Design, Input, track
+from skinsource.design.effects import Fade, Reverse, Stretch, Trim, played
+from skinsource.design.waveforms import Drawn, Recording, Tone
 from skinsource.specs.samples import Samples
 from skinsource_gui.panels.clip_editor.tools import Pen
 from tests.gui.clip_editor.bench import RATE_HZ, RIGHT, SHIFT, Bench

@@ -8,9 +8,8 @@ import pytest
 from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QApplication, QFileDialog
 
+from skinsource import Design, open_design, track
 from skinsource.design.comparing import louder, match_text
-from skinsource.design.design import Design, track
-from skinsource.design.design_file import open_design
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource_gui.panels.analysis.settings import VIEWS
 from skinsource_gui.panels.skin.settings import SkinSettings

@@ -8,11 +8,9 @@ from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
 
-from skinsource.design.design import Design, track
+from skinsource import Design, View, evaluate, track
 from skinsource.design.panel_settings import settings_of, with_settings
-from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
-from skinsource.engine.evaluation import evaluate
 from skinsource.signals.resampling import finer
 from skinsource_gui.panels.traces.panel import TracesPanel, TracesSettings
 from skinsource_gui.plots.signal_view import SignalView, _legend_lines, copy_of

@@ -7,12 +7,8 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QCheckBox, QScrollArea, QToolButton
 
-from skinsource.design import edits
-from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input
-from skinsource.design.effects import EFFECTS
-from skinsource.design.effects.level import BandLimit, Envelope, Fade
-from skinsource.design.effects.time import Repeat, Reverse, Stretch
+from skinsource import Clip, Design, Input, edits
+from skinsource.design.effects import EFFECTS, BandLimit, Envelope, Fade, Repeat, Reverse, Stretch
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.fields.curve_field import CurveField
 from skinsource_gui.fields.number_field import NumberField

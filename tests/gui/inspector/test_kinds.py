@@ -11,16 +11,12 @@ from PySide6.QtGui import QIcon
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMenu, QWidget
 
+from skinsource import Clip, Design, Input, waveforms
 from skinsource.base.allocation import give_freed_memory_back
 from skinsource.base.run_limited import resident_bytes
-from skinsource.design import waveforms
-from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input
 from skinsource.design.edits.edit import as_kind, kind_spec
-from skinsource.design.effects.level import Fade
-from skinsource.design.effects.time import Stretch
-from skinsource.design.waveforms import COMMON, KINDS, MORE
-from skinsource.design.waveforms.tones import Tone
+from skinsource.design.effects import Fade, Stretch
+from skinsource.design.waveforms import COMMON, KINDS, MORE, Tone
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import NumberSpec
 from skinsource_gui.fields.grid import FieldGrid

@@ -8,9 +8,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLineEdit, QMenu, QToolButton
 
 from skinsource.design.clips import Clip
-from skinsource.design.waveforms.pulses import Noise
-from skinsource.design.waveforms.samples import Formula, Layers
-from skinsource.design.waveforms.tones import Chirp, Tone
+from skinsource.design.waveforms import Chirp, Formula, Layers, Noise, Tone
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.parts import PartsEditor
 from skinsource_gui.qt.buttons import LetterButton

@@ -7,11 +7,9 @@ import numpy as np
 import pytest
 
 import skinsource as ss
+from skinsource import View, edits, track
 from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.base.work import counting
-from skinsource.design import edits
-from skinsource.design.design import track
-from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import CentredTap, Tap
 from skinsource.engine.actuator_demand import LONGEST_S, listed_name, profile_of, strongest
 from skinsource_gui.panels.output.figures import frequencies_of, frequency_axis, response_curves

@@ -7,8 +7,7 @@ import pytest
 from PySide6.QtWidgets import QFileDialog
 
 import skinsource as ss
-from skinsource.design.design import track
-from skinsource.design.view import View
+from skinsource import View, track
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.quantities import sources
 from skinsource_gui.plots.pictures import caption_of

@@ -6,14 +6,11 @@ import pytest
 from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QApplication, QLabel, QToolButton
 
-from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource import Actuation, ActuatorAt, Design, View, edits, track
 from skinsource.actuators.catalog import load
 from skinsource.actuators.equalising import RegularisedInverse
-from skinsource.design import edits
 from skinsource.design.comparing import Snapshot
-from skinsource.design.design import Design, track
 from skinsource.design.presets.presets import read_preset_folder, shipped_folder
-from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource.limbs.own_limbs import remove_limb
 from skinsource_gui.fields.choice_field import ChoiceField

@@ -10,10 +10,9 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QPushButton
 from shiboken6 import isValid
 
 import skinsource as ss
+from skinsource import View, edits
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.rigs import Rig, RigChannel, open_rig, save_rig
-from skinsource.design import edits
-from skinsource.design.view import View
 from skinsource.lab.playing.devices import Output
 from skinsource.lab.rig_measuring.measurement import MeasuringSetup
 from skinsource.limbs.locations import input_name

@@ -6,8 +6,7 @@ from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
-from skinsource.design import edits
-from skinsource.design.clips import Marker
+from skinsource import Marker, edits
 from skinsource_gui.panels.timeline.content import show_gain_curves, timeline_tooltip
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.keys import MOUSE

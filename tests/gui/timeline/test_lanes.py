@@ -7,9 +7,7 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QInputDialog, QMenu, QToolButton
 
-from skinsource.design import edits
-from skinsource.design.clips import Clip
-from skinsource.design.design import Design, track
+from skinsource import Clip, Design, edits, track
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.panels.timeline.content import (
     overlapping,
