@@ -24,11 +24,7 @@ OF_OUTPUTS_IN_ANALYSIS = (
     "transfer",
     "spectrogram",
 )
-OF_OUTPUTS = {
-    "traces",
-    "spectra",
-    *(f"analysis/{view}" for view in OF_OUTPUTS_IN_ANALYSIS),
-}
+OF_OUTPUTS = {"traces", "spectra", *(f"analysis/{view}" for view in OF_OUTPUTS_IN_ANALYSIS)}
 #: Others too ask for results of the design.
 COMPUTED = sorted(
     {"skin", "timeline", "inspector", "clip_editor", "output", "analysis/windowed"} | OF_OUTPUTS

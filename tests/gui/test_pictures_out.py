@@ -156,9 +156,7 @@ def test_a_film_asks_for_its_size_and_begins_with_it_the_next_time(
         part.form._edit(name, getattr(chosen, name), None)
     press(part)
     wait()
-    assert suggested == [
-        ("skin-map-along-z-1-50.webm", "WebM (*.webm);;MP4 (*.mp4);;GIF (*.gif)"),
-    ]
+    assert suggested == [("skin-map-along-z-1-50.webm", "WebM (*.webm);;MP4 (*.mp4);;GIF (*.gif)")]
     assert given == [(chosen, "hand")]
     # The next time it begins with these; cancelled, nothing is asked or written any more.
     part = shown(window, "animation")

@@ -12,8 +12,7 @@ from tests.gui.curve_panels.bench import plot_of
 
 TONE = track(7, Tone(frequency_hz=100.0))
 HEARTBEAT = Input(
-    location=6,
-    clips=read_preset(shipped_folder() / "heartbeat.skinpreset").fragment.lanes[0].clips,
+    location=6, clips=read_preset(shipped_folder() / "heartbeat.skinpreset").fragment.lanes[0].clips
 )
 COIL = ActuatorAt(actuator="Coil", model=ss.actuators.load("kastor-2023-air"))
 EQUALISED = Actuation(actuators=(COIL,), equaliser=RegularisedInverse())

@@ -199,10 +199,7 @@ def test_the_colour_bar_of_the_map_says_it_whatever_it_shows(window, settle, gai
         assert gain_text in panel.measure.unit.toolTip()
 
 
-@pytest.mark.parametrize(
-    "name",
-    ["skin", "traces", "compare", "windowed", "regions", ALL_VISIBLE],
-)
+@pytest.mark.parametrize("name", ["skin", "traces", "compare", "windowed", "regions", ALL_VISIBLE])
 def test_pictures_are_those_of_levels_that_are_not_matched(window, settle, gain_text, name):
     panel = ALL_VISIBLE if name == ALL_VISIBLE else brought_forward(window, settle, name).name
 

@@ -92,8 +92,7 @@ def test_the_measured_band_is_told_from_what_lies_outside(show):
 
 
 @pytest.mark.parametrize(
-    ("axes", "method", "noted"),
-    [("xy", "mag", True), ("z", "mag", False), ("xyz", "pca", False)],
+    ("axes", "method", "noted"), [("xy", "mag", True), ("z", "mag", False), ("xyz", "pca", False)]
 )
 def test_the_spectrum_of_a_magnitude_says_that_it_is_rectified(show, axes, method, noted):
     panel = show(replace(LINEAR, axes=axes, method=method))

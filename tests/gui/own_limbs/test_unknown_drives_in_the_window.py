@@ -21,8 +21,7 @@ from tests.gui.analysis.analysis_bench import analysis
 from tests.gui.own_limbs.test_own_limb_window import rested
 
 UNDRIVEN = Design(
-    limb="synthetic-1",
-    inputs=(track(3, Tone(frequency_hz=100.0, duration_s=0.1), amplitude=0.5),),
+    limb="synthetic-1", inputs=(track(3, Tone(frequency_hz=100.0, duration_s=0.1), amplitude=0.5),)
 )
 LOOKED = View(selected_inputs=(1,), outputs=(3, 9))
 DRIVE, PROBE, COMPUTED = "lab-1", "lab-2", "synthetic-1"

@@ -306,8 +306,7 @@ MADE = {
 
 
 @pytest.mark.parametrize(
-    ("where", "name"),
-    [(where, name) for where in MADE for name in MOUSE[where].gestures],
+    ("where", "name"), [(where, name) for where in MADE for name in MOUSE[where].gestures]
 )
 def test_what_help_lists_is_what_the_mouse_does(lanes, where, name):
     MADE[where][name](lanes)
