@@ -23,7 +23,7 @@ from tests.gui.curve_panels.bench import (
     plot_of,
     spectra_for,
 )
-from tests.gui.signal_view.test_menu import choose
+from tests.gui.signal_view.test_navigation import choose
 
 
 @pytest.fixture

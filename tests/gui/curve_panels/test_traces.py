@@ -16,7 +16,7 @@ from skinsource_gui.panels.traces.panel import TracesPanel, TracesSettings
 from skinsource_gui.plots.signal_view import SignalView, _legend_lines, copy_of
 from skinsource_gui.state.preferences import start_design
 from tests.gui.curve_panels.bench import SIGNED, click, header_of, opener, plot_of, traces_for
-from tests.gui.signal_view.test_menu import choose
+from tests.gui.signal_view.test_navigation import choose
 
 
 @pytest.fixture
