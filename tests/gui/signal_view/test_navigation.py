@@ -14,10 +14,15 @@ from skinsource_gui.qt.wheel import PAUSE_S, ScrollGesture
 from tests.gui.signal_view.bench import FREQUENCY, TIME, left_and_width, turn_wheel, waves
 
 
+@pytest.fixture
+def signals(signals):
+    """With two curves."""
+    signals.show_curves(waves(2), synthetic=False)
+    return signals
+
+
 def test_the_crosshair_reads_exact_samples_and_leaves_with_the_mouse(signals):
-    curves = waves(2)
-    signals.show_curves(curves, synthetic=False)
-    canvas = signals.plot
+    canvas, curves = signals.plot, signals.plot.curves
     QTest.mouseMove(canvas.viewport(), QPoint(200, 60))
     index = canvas.crosshair.index
     assert index is not None
@@ -33,7 +38,6 @@ def test_the_crosshair_reads_exact_samples_and_leaves_with_the_mouse(signals):
 
 
 def test_the_crosshair_reads_what_is_under_a_pointer_that_rests_while_the_wheel_zooms(signals):
-    signals.show_curves(waves(2), synthetic=False)
     signals.zoom_requested.connect(lambda part: signals.set_view(TIME, part, stacked=False))
     plot, at = signals.plot, QPoint(200, 60)
     QTest.mouseMove(plot.viewport(), at)
@@ -53,7 +57,6 @@ def test_the_crosshair_reads_what_is_under_a_pointer_that_rests_while_the_wheel_
 
 
 def test_the_crosshair_keeps_its_place_when_data_change(signals):
-    signals.show_curves(waves(2), synthetic=False)
     signals.plot.crosshair.put(130)
     signals.show_curves(waves(2, n_points=1300, amplitude=0.25), synthetic=False)
     assert signals.plot.crosshair.index == 130
@@ -63,7 +66,6 @@ def test_the_crosshair_keeps_its_place_when_data_change(signals):
 
 
 def test_keys_move_the_crosshair_until_escape(signals):
-    signals.show_curves(waves(2), synthetic=False)
     canvas = signals.plot
     QTest.keyClick(canvas, Qt.Key.Key_Right)
     assert canvas.crosshair.index == 325
@@ -80,7 +82,6 @@ def test_keys_move_the_crosshair_until_escape(signals):
 
 
 def test_a_crosshair_moved_out_of_sight_asks_for_the_part_it_is_in(signals, qtbot):
-    signals.show_curves(waves(2), synthetic=False)
     signals.set_view(TIME, (0.1, 0.2), stacked=False)
     with qtbot.waitSignal(signals.zoom_requested) as asked:
         QTest.keyClick(signals.plot, Qt.Key.Key_End)
@@ -88,7 +89,6 @@ def test_a_crosshair_moved_out_of_sight_asks_for_the_part_it_is_in(signals, qtbo
 
 
 def test_a_drag_zooms_to_what_it_covers(signals, qtbot):
-    signals.show_curves(waves(2), synthetic=False)
     canvas = signals.plot
     left, width = left_and_width(signals)
     with qtbot.waitSignal(signals.zoom_requested) as asked:
@@ -101,7 +101,6 @@ def test_a_drag_zooms_to_what_it_covers(signals, qtbot):
 
 
 def test_a_click_or_an_escaped_drag_zooms_nowhere(signals, qtbot):
-    signals.show_curves(waves(2), synthetic=False)
     canvas = signals.plot
     with qtbot.assertNotEmitted(signals.zoom_requested):
         QTest.mouseClick(canvas.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(150, 60))
@@ -115,7 +114,6 @@ def test_a_click_or_an_escaped_drag_zooms_nowhere(signals, qtbot):
     "modifier", [Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ControlModifier]
 )
 def test_the_wheel_zooms_at_the_pointer(signals, qtbot, modifier):
-    signals.show_curves(waves(2), synthetic=False)
     canvas = signals.plot
     left, width = left_and_width(signals)
     before = canvas.x_window.position((200 - left) / width)
@@ -133,7 +131,6 @@ def test_the_wheel_zooms_at_the_pointer(signals, qtbot, modifier):
     [(Qt.KeyboardModifier.ShiftModifier, False), (Qt.KeyboardModifier.NoModifier, True)],
 )
 def test_the_wheel_with_shift_or_to_the_side_pans(signals, qtbot, modifier, aside):
-    signals.show_curves(waves(2), synthetic=False)
     signals.set_view(TIME, (0.1, 0.3), stacked=False)
     with qtbot.waitSignal(signals.zoom_requested) as asked:
         turn_wheel(signals, 200, modifier, turned=-120, aside=aside)
@@ -141,7 +138,6 @@ def test_the_wheel_with_shift_or_to_the_side_pans(signals, qtbot, modifier, asid
 
 
 def test_the_middle_button_pans_and_stops_at_the_ends(signals):
-    signals.show_curves(waves(2), synthetic=False)
     signals.set_view(TIME, (0.1, 0.3), stacked=False)
     asked = []
     signals.zoom_requested.connect(asked.append)
@@ -157,7 +153,6 @@ def test_the_middle_button_pans_and_stops_at_the_ends(signals):
 
 
 def test_double_click_0_and_a_show_everything_and_plus_and_minus_zoom(signals):
-    signals.show_curves(waves(2), synthetic=False)
     asked = []
     signals.zoom_requested.connect(asked.append)
     QTest.keyClick(signals.plot, Qt.Key.Key_Plus)
@@ -189,7 +184,6 @@ def test_a_logarithmic_axis_zooms_evenly_in_octaves(signals, qtbot):
 
 
 def test_a_zoom_that_holds_no_data_says_how_to_leave_it(signals):
-    signals.show_curves(waves(2), synthetic=False)
     signals.set_view(TIME, (2.0, 3.0), stacked=False)
     assert "Press 0" in signals.plot.stack.hint.text
     signals.set_view(TIME, None, stacked=False)
@@ -257,7 +251,6 @@ def save_to(monkeypatch, tmp_path):
 
 
 def test_the_right_button_opens_a_menu_that_shows_everything(signals, qtbot):
-    signals.show_curves(waves(2), synthetic=False)
     signals.set_view(TIME, (0.1, 0.2), stacked=False)
     with qtbot.waitSignal(signals.zoom_requested) as asked:
         choose(signals, "View all")
@@ -312,7 +305,6 @@ def test_the_table_holds_all_samples_exactly_whatever_is_zoomed_to(signals, save
 def test_a_file_that_cannot_be_written_is_told_and_an_answer_can_be_none(
     signals, save_to, qtbot, monkeypatch
 ):
-    signals.show_curves(waves(2), synthetic=False)
     save_to("no such folder/traces.png")
     with qtbot.waitSignal(signals.exports.failed) as failure:
         choose(signals, "Save picture")
