@@ -45,8 +45,7 @@ def test_from_the_page_to_the_file_each_clip_is_sampled_once(
 
     monkeypatch.setattr(stimulus, "played", count_sampled)
     monkeypatch.setattr(sidecar, "about_validity", count_predictions)
-    desk.exports.show("stimulus")
-    page = opened(desk.exports, qtbot)
+    page = opened(desk, qtbot)
     # Its losses to 48 kHz are told already.
     assert page.prepared.drives.sample_rate_hz == 48_000
     path = save_as("drive.wav")
@@ -134,8 +133,7 @@ def test_a_sidecar_that_is_there_without_its_file_is_not_lost_unasked(
 def test_a_lossy_rate_keeps_the_button_off_until_it_is_ticked(make_desk, qtbot, save_as):
     tone = ss.waveforms.Tone(frequency_hz=500.0)
     desk = make_desk(ss.Design(limb="synthetic-1", inputs=(ss.track(7, tone),)), View())
-    desk.exports.show("stimulus")
-    low = opened(desk.exports, qtbot)
+    low = opened(desk, qtbot)
     low.form.field("other_rate").set_value(1000)
     choose(low, qtbot, "rate", "other")
     assert not low.ready
@@ -150,7 +148,6 @@ def test_a_lossy_rate_keeps_the_button_off_until_it_is_ticked(make_desk, qtbot, 
     path = save_as("lossy.wav")
     export(desk, low, qtbot)
     assert "loses 5.8 dB" in json.loads((path.parent / "lossy.wav.json").read_text())["loses"]
-    desk.exports.end()
 
 
 @pytest.fixture
@@ -188,7 +185,6 @@ def test_the_page_says_that_it_computes_and_how_far_it_is(desk, qtbot, gate):
     gate.set()
     qtbot.waitUntil(lambda: page.ready, timeout=WAIT_MS)
     assert not bar.isVisible()
-    desk.exports.end()
 
 
 def test_escape_leaves_the_page_while_it_computes(desk, qtbot, gate):
@@ -215,9 +211,7 @@ def test_what_is_said_of_another_order_is_as_pale_as_its_picture(page, qtbot, ga
 
 @pytest.fixture
 def part(desk, qtbot):
-    desk.exports.show("stimulus_set")
-    yield opened(desk.exports, qtbot)
-    desk.exports.end()
+    return opened(desk, qtbot, "stimulus_set")
 
 
 def vary(part, qtbot, row, name, values):
@@ -334,8 +328,7 @@ def test_the_next_set_has_the_same_fields_and_begins_beside_the_last_one(
     first, asked = save_as(part.suggestion()[0]), []
     export(desk, part, qtbot)
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *all: asked.append(all) or ("", ""))
-    desk.exports.show("stimulus_set")
-    part = opened(desk.exports, qtbot)
+    part = opened(desk, qtbot, "stimulus_set")
     assert levels_of(part, qtbot) == [2.0, 2.0]
     assert part.values[part.variables[1]].value == (50, 120)
     export(desk, part, qtbot)
