@@ -53,8 +53,7 @@ def page(window, qtbot):
     """Open the page of exports."""
 
     def show():
-        window.do("export_stimulus")
-        return opened(window.exports, qtbot)
+        return opened(window, qtbot)
 
     yield show
     window.exports.end()
