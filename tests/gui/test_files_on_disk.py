@@ -147,9 +147,8 @@ def other_runs(monkeypatch):
     def still_runs(holder):
         return {HOLDER.pid: state["runs"]}.get(holder.pid) if holder.host == HOLDER.host else None
 
-    monkeypatch.setattr(lock, "still_runs", still_runs)
-    monkeypatch.setattr("skinsource.base.lock.still_runs", still_runs)
-    monkeypatch.setattr(file_actions, "still_runs", still_runs)
+    for module in (lock, file_actions):
+        monkeypatch.setattr(module, "still_runs", still_runs)
     return state
 
 

@@ -29,6 +29,14 @@ from tests.gui.compare.compare_bench import (
 )
 
 
+@pytest.fixture
+def panel(window, settle):
+    """Compare, in front."""
+    window.docks["compare"].bring_forward()
+    settle()
+    return window.panel("compare")
+
+
 def names_of(requests):
     return [request.slot.name for request in requests]
 

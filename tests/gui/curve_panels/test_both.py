@@ -29,8 +29,7 @@ from tests.gui.curve_panels.bench import (
     spectra_for,
     traces_for,
 )
-from tests.gui.signal_view.test_navigation import choose as choose_once
-from tests.gui.signal_view.test_navigation import open_menu
+from tests.gui.signal_view.test_navigation import choose, open_menu
 
 
 class Kind(NamedTuple):
@@ -141,15 +140,6 @@ def legend_of(panel):
     return panel.findChild(SignalView).legend.text
 
 
-def delete_closed_menus():
-    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-
-
-def choose(signals, text):
-    choose_once(signals, text)
-    delete_closed_menus()
-
-
 def numbers(line):
     """Numbers of a line after its name, in order."""
     words = line.split(": ", 1)[1].replace(",", " ").replace(";", " ").split()
@@ -229,7 +219,7 @@ def test_the_menu_brings_cursors_takes_them_away_and_copies_what_they_read(trace
     menu = open_menu(signals)
     assert not any("Copy what cursors" in action.text() for action in menu.actions())
     menu.close()
-    delete_closed_menus()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     choose(signals, "Cursors")
     low, high = settings_of(panel.views[-1], "traces", TracesSettings).cursors
     assert plot_of(panel).x_window.extent[0] < low < high < plot_of(panel).x_window.extent[1]

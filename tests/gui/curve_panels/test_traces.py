@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
 
@@ -37,18 +37,13 @@ def test_curves_are_named_after_the_outputs_they_belong_to(show):
     assert panel.findChild(SignalView).legend.text.names == names
 
 
-def show_pre_trigger(panel):
-    choose(panel.findChild(SignalView), "Show pre-trigger")
-    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-
-
 def test_time_begins_just_before_the_pulse_unless_the_pre_trigger_record_is_asked_for(show):
     panel = show(replace(SIGNED, delay_removed=True))
     plot, switch = plot_of(panel), panel.findChild(QToolButton, "pre-trigger")
     assert plot.stack.x_axis.titles == ("Time (ms)",)
     assert plot.x_window.shown[0] == pytest.approx(-0.005)
     assert not switch.isVisible()
-    show_pre_trigger(panel)
+    choose(panel.findChild(SignalView), "Show pre-trigger")
     assert not panel.views[-1].delay_removed
     assert plot.stack.x_axis.titles[0] == (
         "Time (ms) · responses start ~52 ms late (pre-trigger of the measurement)"

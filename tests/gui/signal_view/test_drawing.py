@@ -201,14 +201,8 @@ NAMES = output_names(tuple(range(1, 41)), "synthetic-1")
 def test_as_many_curves_are_written_as_fit_beside_how_many_do_not(qapp, width, reads):
     text = LegendText(names=NAMES, unit="m/s²", reading_room="−0.123")
     if reads:
-        text = LegendText(
-            names=NAMES,
-            unit="m/s²",
-            where="12 ms",
-            where_room="1234.5 ms",
-            readings=("0.1",) * len(NAMES),
-            reading_room="−0.123",
-        )
+        readings = ("0.1",) * len(NAMES)
+        text = replace(text, where="12 ms", where_room="1234.5 ms", readings=readings)
     metrics = QFontMetrics(QFont())
     layout = LegendLayout(text, metrics, width)
     detail, fitting = layout.fitting()
