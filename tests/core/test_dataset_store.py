@@ -15,12 +15,7 @@ RESPONSE_BYTES = 72 * 3 * 522 * 8
 
 @pytest.mark.usefixtures("user_data")
 @pytest.mark.parametrize(
-    "call",
-    [
-        lambda: store.load_measured_limb(1),
-        store.describe,
-        store.verify,
-    ],
+    "call", [lambda: store.load_measured_limb(1), store.describe, store.verify]
 )
 def test_without_a_store_the_message_says_how_to_get_it(call):
     assert not store.is_installed()

@@ -2,8 +2,7 @@
 
 from PySide6.QtWidgets import QMainWindow
 
-from skinsource.design.design import Design
-from skinsource.design.view import View
+from skinsource import Design, View
 from skinsource.engine.quantities import graphs_that_share
 from skinsource_gui.pages.actions import ImportActions
 from skinsource_gui.pages.files.exports import ExportActions

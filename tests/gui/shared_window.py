@@ -6,9 +6,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QEventLoop, QSize, QTimer
 from PySide6.QtWidgets import QApplication, QDialog, QWidget
 from shiboken6 import isValid
 
-from skinsource.design.design import Design
-from skinsource.design.view import View
-from skinsource.limbs.catalog import available_limbs
+from skinsource import Design, View, available_limbs
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.document import NEW_VIEW
 from skinsource_gui.state.preferences import Preferences, start_design

@@ -8,8 +8,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QRectF
 from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import QWidget
 
-from skinsource.design.design import Design, track
-from skinsource.design.view import View
+from skinsource import Design, View, track
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.qt.accessible import Told, tell_items
 

@@ -6,9 +6,7 @@ from PySide6.QtWidgets import QPushButton
 from shiboken6 import isValid
 
 import skinsource as ss
-from skinsource.design.design_file import save_design
-from skinsource.design.view import View
-from skinsource.signals.resampling import resample
+from skinsource import View, resample, save_design
 from skinsource.studies.checking import Condition
 from skinsource_gui.pages.checking import CheckingPage
 

@@ -7,10 +7,8 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from skinsource.design import edits
-from skinsource.design.design import Design, track
-from skinsource.design.edits.edit import Edit, Refusal
-from skinsource.design.view import View
+from skinsource import Design, View, edits, track
+from skinsource.design.edits.edit import Edit
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.plots.plot import Plot
 from skinsource_gui.state.document import MOST_STEPS, Document, ReplaceDesign
@@ -66,14 +64,6 @@ def test_saving_is_what_ends_being_unsaved(document, tmp_path):
     assert document.modified
 
 
-def test_another_design_starts_with_an_empty_history(document):
-    document.edit("f", with_frequency(document, 101.0))
-    document.start_over(Design(limb="synthetic-2"), View(), None)
-    assert document.design == Design(limb="synthetic-2")
-    assert not document.undo_stack.canUndo()
-    assert not document.modified
-
-
 def test_undo_leaves_what_is_only_looked_at(document):
     document.edit("add", document.design.adding(track(location=3)))
     panels = (("skin", (("map_style", "sensors"),)),)
@@ -114,14 +104,6 @@ def test_going_to_a_step_tells_once_and_undoes_or_redoes_all_between(document):
     document.go_to(0)
     assert len(frequencies_hz) == 4
     assert document.modified
-
-
-def test_a_refusal_is_told_and_changes_nothing(document):
-    messages, changes = [], []
-    document.refused.connect(messages.append)
-    document.changed.connect(lambda: changes.append(document.design))
-    document.apply(Refusal(sentence="There is no room."))
-    assert (messages, changes) == (["There is no room."], [])
 
 
 def test_design_and_view_change_together_and_are_told_once(document):

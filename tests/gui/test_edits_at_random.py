@@ -6,17 +6,12 @@ from inspect import signature
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from skinsource import actuators
-from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource import Actuation, ActuatorAt, Design, View, actuators, edits, track
 from skinsource.actuators.rigs import Rig, RigChannel
 from skinsource.base.measurement_conditions import LIMB_NAMES
-from skinsource.design import edits
-from skinsource.design.design import Design, track
 from skinsource.design.effects import EFFECTS
 from skinsource.design.motions import MOTIONS, Alternation
-from skinsource.design.view import View
-from skinsource.design.waveforms.pulses import Noise, Tap
-from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms import Noise, Tap, Tone
 from skinsource.perception.validity import Finding
 from skinsource_gui.state.document import Document
 

@@ -8,9 +8,7 @@ from PySide6.QtWidgets import QApplication, QLabel, QToolButton
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.effects.level import POINTS as CURVE_POINTS
-from skinsource.design.waveforms.samples import Formula
-from skinsource.design.waveforms.tones import Glide
-from skinsource.design.waveforms.wavelet_train import WaveletTrain, frequency_sweep
+from skinsource.design.waveforms import Formula, Glide, WaveletTrain, frequency_sweep
 from skinsource.signals.synthesis import curve_of
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import CurveSpec, ListSpec, NumberSpec

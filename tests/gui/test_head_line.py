@@ -7,9 +7,8 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QMenu, QToolButton, QWidget
 
-from skinsource.design.design import Design, track
+from skinsource import Design, View, track
 from skinsource.design.labels import CHOICES
-from skinsource.design.view import View
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.shell.actions import MENUS
 from skinsource_gui.shell.bars import SetupBar, StepsMenu

@@ -4,10 +4,8 @@ from dataclasses import replace
 
 import pytest
 
-from skinsource.design.design import Design, track
-from skinsource.design.view import View
-from skinsource.design.waveforms.tones import Tone
-from skinsource.design.waveforms.wavelet_train import WaveletTrain
+from skinsource import Design, View, track
+from skinsource.design.waveforms import Tone, WaveletTrain
 from skinsource.engine.levelling import track_levels_db
 
 TRAIN = WaveletTrain((60.0, 400.0), slot_s=0.08)

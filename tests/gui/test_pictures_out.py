@@ -12,10 +12,9 @@ from PySide6.QtGui import QColor, QImage, QPainter, QPdfWriter
 from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QFileDialog, QLabel
 
 import skinsource as ss
-from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource import Actuation, ActuatorAt, View
 from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.design.panel_settings import with_settings
-from skinsource.design.view import View
 from skinsource_gui.panels.analysis.transfer import TransferView
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.panels.skin.film import FilmOptions
@@ -157,9 +156,7 @@ def test_a_film_asks_for_its_size_and_begins_with_it_the_next_time(
         part.form._edit(name, getattr(chosen, name), None)
     press(part)
     wait()
-    assert suggested == [
-        ("skin-map-along-z-1-50.webm", "WebM (*.webm);;MP4 (*.mp4);;GIF (*.gif)"),
-    ]
+    assert suggested == [("skin-map-along-z-1-50.webm", "WebM (*.webm);;MP4 (*.mp4);;GIF (*.gif)")]
     assert given == [(chosen, "hand")]
     # The next time it begins with these; cancelled, nothing is asked or written any more.
     part = shown(window, "animation")

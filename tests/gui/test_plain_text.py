@@ -6,13 +6,10 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QApplication, QDialog, QLabel, QMessageBox, QTextEdit, QToolTip
 
-from skinsource import actuators
-from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource import Actuation, ActuatorAt, Design, Input, View, actuators
 from skinsource.design.clips import Clip, Fragment, Lane, Marker
 from skinsource.design.comparing import Snapshot
-from skinsource.design.design import Design, Input
 from skinsource.design.presets.presets import Preset, save_preset, users_folder
-from skinsource.design.view import View
 from skinsource.design.waveforms.samples import Recording
 from tests.core.own_limbs.lab_bench import N_INPUTS, N_OUTPUTS, installed
 

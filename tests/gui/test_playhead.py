@@ -7,10 +7,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource.design import edits
-from skinsource.design.clips import Clip, Marker
-from skinsource.design.design import Design, Input
-from skinsource.design.view import View
+from skinsource import Clip, Design, Input, Marker, View, edits
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.panels.timeline.lanes import LanesView
 from skinsource_gui.plots.plot import Plot, stops_of

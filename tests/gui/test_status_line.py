@@ -1,4 +1,4 @@
-"""What the status bar tells of results, what is kept of times and error, and notices."""
+"""What the status bar tells of results, times and error; notices; the chip of conditions."""
 
 from dataclasses import replace
 from itertools import pairwise
@@ -11,9 +11,13 @@ from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 from skinsource.design.design import track
 from skinsource.design.edits.edit import Refusal
 from skinsource.design.panel_settings import with_settings
+from skinsource.perception.validity import Finding
 from skinsource_gui.panels.skin.settings import SENSATION, SkinSettings
 from skinsource_gui.shell import notices
+from skinsource_gui.shell.conditions import ConditionsCard, ConditionsChip, chip_text
 from skinsource_gui.shell.status import summary
+from skinsource_gui.state.engine import FIRST_SLOT
+from tests.gui.shared_window import rest
 
 
 @pytest.fixture
@@ -192,3 +196,116 @@ def test_what_failed_stays_through_clicks_also_after_a_refusal(window, qtbot):
     QTest.mouseClick(window.panel("hand"), Qt.MouseButton.LeftButton, pos=QPoint(3, 3))
     assert window.notice.text == "The disk is full."
     assert not window.notice._passing.isActive()
+
+
+FINDINGS = (
+    Finding(name="band", state="left", sentence="Outside.", repair="band_limit"),
+    Finding(name="drive", state="unknown", sentence="Unknown.", repair="probe_scaling"),
+    Finding(name="noise", state="kept", sentence="Fine.", outputs=(1, 2, 3, 4, 5)),
+    Finding(name="limb", state="left", sentence="Synthetic."),
+)
+
+
+def state_of(window, name):
+    states = {finding.name: finding.state for finding in window.conditions.chip.findings}
+    return states.get(name)
+
+
+@pytest.mark.parametrize(
+    ("states", "text"),
+    [
+        (("left", "unknown", "kept"), "⚠ Outside the measured band"),
+        (("left", "kept", "left"), "⚠ Outside the measured band, 1 more"),
+        (("kept", "kept", "left"), "⚠ 5 outputs near the noise"),
+        (("kept", "unknown", "kept"), "✓ Within known limits"),
+        (("kept", "kept", "kept"), "✓ Within measured limits"),
+        ((), "Limits not checked"),
+    ],
+)
+def test_the_chip_names_what_a_design_leaves(qtbot, states, text):
+    findings = tuple(
+        replace(finding, state=state) for finding, state in zip(FINDINGS, states, strict=False)
+    )
+    assert chip_text(findings) == text
+    chip = ConditionsChip()
+    qtbot.addWidget(chip)
+    chip.show_findings(FINDINGS)
+    assert chip.worst == "band"
+    described = "frequency range: caution\nprobe velocity: unknown\nnoise: OK"
+    assert chip.accessibleDescription() == described
+
+
+@pytest.mark.parametrize("by_key", [False, True])
+def test_conditions_are_explained_and_repaired_from_the_chip(new_window, qtbot, by_key):
+    chip = new_window.conditions.chip
+    qtbot.waitUntil(lambda: state_of(new_window, "drive") == "kept", timeout=30_000)
+    edit(new_window, amplitude=60.0)
+    qtbot.waitUntil(lambda: state_of(new_window, "drive") == "left", timeout=30_000)
+    if by_key:
+        chip.setFocus()
+        QTest.keyClick(chip, Qt.Key.Key_Space)
+    else:
+        QTest.mouseClick(chip, Qt.MouseButton.LeftButton)
+    card = new_window.findChild(ConditionsCard)
+    assert "mm/s" in card.findChild(QLabel, "validity_drive").text()
+    card.findChild(QPushButton, "mend_drive").click()
+    qtbot.waitUntil(lambda: state_of(new_window, "drive") == "kept", timeout=30_000)
+    assert new_window.document.undo_stack.undoText() == "Limit to 40 mm/s"
+    qtbot.waitUntil(lambda: new_window.findChild(ConditionsCard) is None)
+
+
+def awaits(chip):
+    """Whether it is pale, or will be: it waits for what replaces its findings."""
+    return chip._staleness.is_stale or chip._staleness._timer.isActive()
+
+
+def test_findings_are_pale_only_until_what_they_depend_on_is_judged_anew(new_window, qtbot):
+    chip, document = new_window.conditions.chip, new_window.document
+    qtbot.waitUntil(lambda: state_of(new_window, "drive") == "kept", timeout=30_000)
+    rest(new_window)
+    assert not awaits(chip)
+    new_window.do("store_snapshot_1")
+    document.look(replace(document.view, outputs=(3, 4)))
+    assert not awaits(chip)
+    edit(new_window, amplitude=60.0)
+    assert awaits(chip)
+    document.undo_stack.undo()
+    assert not awaits(chip)
+    document.undo_stack.redo()
+    qtbot.waitUntil(lambda: state_of(new_window, "drive") == "left", timeout=30_000)
+    assert not awaits(chip)
+
+
+def test_a_hidden_window_costs_nothing_and_the_map_hatches_noise(new_window, qtbot):
+    qtbot.waitUntil(lambda: bool(new_window.conditions.chip.findings), timeout=30_000)
+    runs = new_window.engine._graphs[FIRST_SLOT].runs
+    before = runs["validity"]
+    new_window.hide()
+    edit(new_window, amplitude=0.3)
+    rest(new_window)
+    new_window.conditions._idle.timeout.emit()
+    rest(new_window)
+    assert runs["validity"] == before
+    skin = new_window.panel("skin")
+    plain = skin.map.grab().toImage()
+    skin.show_noisy((67, 68, 61))
+    assert skin.map.grab().toImage() != plain
+    skin.show_noisy(())
+    assert skin.map.grab().toImage() == plain
+    # What can be seen of it is in pictures too.
+    before = skin.picture(300, 500)
+    skin.show_noisy((67, 68, 61))
+    assert skin.picture(300, 500) != before
+
+
+def test_the_card_offers_a_button_only_where_something_can_be_done(qtbot):
+    card = ConditionsCard(FINDINGS, "band", None)
+    card.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose, False)
+    qtbot.addWidget(card)
+    names = {button.objectName() for button in card.findChildren(QPushButton)}
+    assert names == {"mend_band", "mend_drive"}
+    card.open_above(QPoint(50, 500))
+    repairs = []
+    card.repair_requested.connect(repairs.append)
+    card.findChild(QPushButton, "mend_drive").click()
+    assert repairs == [FINDINGS[1]]

@@ -4,19 +4,15 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource import Actuation, ActuatorAt, Design, Input, View, track
 from skinsource.actuators.equalising import RegularisedInverse
-from skinsource.design.design import Design, Input, track
 from skinsource.design.presets.presets import read_preset, shipped_folder
-from skinsource.design.view import View
-from skinsource.design.waveforms.tones import Tone
-from skinsource.design.waveforms.wavelets import Chirplet
+from skinsource.design.waveforms import Chirplet, Tone
 from tests.gui.curve_panels.bench import plot_of
 
 TONE = track(7, Tone(frequency_hz=100.0))
 HEARTBEAT = Input(
-    location=6,
-    clips=read_preset(shipped_folder() / "heartbeat.skinpreset").fragment.lanes[0].clips,
+    location=6, clips=read_preset(shipped_folder() / "heartbeat.skinpreset").fragment.lanes[0].clips
 )
 COIL = ActuatorAt(actuator="Coil", model=ss.actuators.load("kastor-2023-air"))
 EQUALISED = Actuation(actuators=(COIL,), equaliser=RegularisedInverse())

@@ -9,13 +9,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QTextBrowser, QWidget
 
 from benchmarks.window_figures import SCREENS, figures_of
-from skinsource.design.design import Design, track
-from skinsource.design.view import View
+from skinsource import Design, View, load_limb, predict, project_axes, track
 from skinsource.design.waveforms.tones import Tone
-from skinsource.engine.prediction import predict
 from skinsource.export import packing
-from skinsource.limbs.catalog import load_limb
-from skinsource.signals.projection import project_axes
 from skinsource_gui.state.preferences import start_design
 
 
@@ -51,16 +47,9 @@ def test_every_control_says_what_it_is(window):
         if child.focusPolicy() & Qt.FocusPolicy.TabFocus
         and child.isVisibleTo(window)
         and not isinstance(child.parent(), QAbstractScrollArea)  # its viewport
-        and not (child.accessibleName() or child.toolTip() or _text(child))
+        and not (child.accessibleName() or child.toolTip() or getattr(child, "text", str)())
     ]
     assert not silent, [(type(child).__name__, child.objectName()) for child in silent]
-
-
-def _text(widget):
-    try:
-        return widget.text()
-    except AttributeError:
-        return ""
 
 
 def test_closing_during_an_evaluation_ends_cleanly(open_window):

@@ -53,8 +53,7 @@ def page(window, qtbot):
     """Open the page of exports."""
 
     def show():
-        window.do("export_stimulus")
-        return opened(window.exports, qtbot)
+        return opened(window, qtbot)
 
     yield show
     window.exports.end()
@@ -224,9 +223,7 @@ def test_a_recording_in_g(window, page, written, qtbot, tmp_path):
 def test_a_track_with_a_gain(window, page, written):
     track = DESIGN.inputs[0]
     curved = replace(
-        track,
-        clips=(replace(track.clips[0], gain=0.5),),
-        gain_curve=((0.0, 3.0), (1.0, 3.0)),
+        track, clips=(replace(track.clips[0], gain=0.5),), gain_curve=((0.0, 3.0), (1.0, 3.0))
     )
     window.document.edit("Gain", replace(DESIGN, inputs=(curved,)))
     rest(window)

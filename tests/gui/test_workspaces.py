@@ -5,8 +5,7 @@ from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource.design.design_file import save_design
-from skinsource.design.view import View
+from skinsource import View, save_design
 from skinsource_gui.plots.axis import Axis
 from skinsource_gui.plots.plot import Plot
 from skinsource_gui.qt.labels import FittingLabel

@@ -16,18 +16,12 @@ from tests.core.own_limbs.lab_bench import installed
 TONE = ss.waveforms.Tone(frequency_hz=120.0, duration_s=0.1)
 DESIGN = ss.Design(
     limb="synthetic-1",
-    inputs=(
-        ss.track(8, TONE, onset_s=0.02),
-        ss.track(13, TONE, amplitude=0.5, onset_s=0.05),
-    ),
+    inputs=(ss.track(8, TONE, onset_s=0.02), ss.track(13, TONE, amplitude=0.5, onset_s=0.05)),
 )
 VIEW = View(outputs=(20, 24, 69), method="mag")
 LINE = (20, 22, 24, 26)
 COIL, PIEZO = (
-    ss.Actuation(
-        actuators=(ss.ActuatorAt(model=ss.actuators.load(name)),),
-        equaliser=equaliser,
-    )
+    ss.Actuation(actuators=(ss.ActuatorAt(model=ss.actuators.load(name)),), equaliser=equaliser)
     for name, equaliser in (
         ("kastor-2023-air", ss.equalising.RegularisedInverse()),
         ("example-piezo", None),

@@ -109,10 +109,7 @@ def values(spec: Spec) -> st.SearchStrategy:
             BytesSpec: lambda _: st.binary(max_size=300),
             PlainSpec: lambda _: PANELS,
             ListSpec: lambda spec: st.lists(
-                values(spec.of),
-                min_size=spec.fewest,
-                max_size=most(spec),
-                unique=spec.different,
+                values(spec.of), min_size=spec.fewest, max_size=most(spec), unique=spec.different
             ).map(tuple),
             OptionalSpec: lambda spec: st.none() | values(spec.of),
             SamplesSpec: signals,

@@ -36,8 +36,7 @@ def many():
     """Sixteen places."""
     tones = [ss.waveforms.Tone(frequency_hz=40.0 + 20.0 * k, duration_s=0.02) for k in range(16)]
     return ss.Design(
-        limb="synthetic-1",
-        inputs=tuple(ss.track(k + 1, tone) for k, tone in enumerate(tones)),
+        limb="synthetic-1", inputs=tuple(ss.track(k + 1, tone) for k, tone in enumerate(tones))
     )
 
 

@@ -74,11 +74,7 @@ def test_equalised_samples_are_the_volts_that_make_the_acceleration(design, rig,
     assert np.abs(acceleration - drive).max() < 2e-3 * np.abs(drive).max()
     about = sidecar(path)
     assert about["unit"] == "full scale of the channel"
-    assert about["equaliser"] == {
-        "kind": "RegularisedInverse",
-        "boost_db": 60.0,
-        "phase": "linear",
-    }
+    assert about["equaliser"] == {"kind": "RegularisedInverse", "boost_db": 60.0, "phase": "linear"}
 
 
 def test_limits_of_the_rig_must_be_confirmed(design, rig, tmp_path):

@@ -152,8 +152,7 @@ def _sums(rows: tuple[object, ...]) -> np.ndarray:
 def export_digests(folder: Path) -> dict[str, str]:
     """Return a digest of each file that an export in each format writes to ``folder``."""
     design = ss.Design(
-        limb="synthetic-1",
-        inputs=(ss.track(7, EXPORTED), ss.track(8, EXPORTED, amplitude=0.25)),
+        limb="synthetic-1", inputs=(ss.track(7, EXPORTED), ss.track(8, EXPORTED, amplitude=0.25))
     )
     ss.save_design(folder / "design.skinsource", design)
     for name in ss.export_formats():

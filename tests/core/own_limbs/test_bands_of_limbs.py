@@ -117,8 +117,7 @@ def test_actuators_follow_drives_in_the_band_of_the_limb(user_data, band, follow
     limb, coil = ss.load_limb("lab-1"), ss.actuators.load("example-voice-coil")
     for equaliser in (None, ss.equalising.RegularisedInverse(40.0)):
         through = ss.Actuation(
-            actuators=(ss.ActuatorAt(place=None, actuator="coil", model=coil),),
-            equaliser=equaliser,
+            actuators=(ss.ActuatorAt(place=None, actuator="coil", model=coil),), equaliser=equaliser
         )
         design = replace(PLAYED, scaling="probe", actuation=through)
         evaluated = Evaluator().evaluate(design, ("driven_limb",))["driven_limb"]

@@ -65,10 +65,7 @@ def huge_names(file):
     [
         (lambda file: file.attrs.__setitem__("format_version", 2), "format_version is 2"),
         (lambda file: file.attrs.__delitem__("axes"), "no attribute 'axes'"),
-        (
-            lambda file: file.attrs.__setitem__("axes", 5),
-            "'axes' is 5, expected a short text",
-        ),
+        (lambda file: file.attrs.__setitem__("axes", 5), "'axes' is 5, expected a short text"),
         (lambda file: file.attrs.__setitem__("sample_rate_hz", "fast"), "expected one number"),
         (lambda file: file.attrs.__setitem__("sample_rate_hz", [1.0, 2.0]), "expected one number"),
         (lambda file: file.attrs.__setitem__("answers", "what"), "expected drive or pulse"),

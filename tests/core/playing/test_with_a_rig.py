@@ -138,13 +138,7 @@ def test_the_test_tone_is_no_louder_than_the_rig_allows(sound, session):
     assert playing.stream.queue.ending.reason == "end"
 
 
-@pytest.mark.parametrize(
-    "limits",
-    [
-        Limits(peak_voltage_v=0.7),
-        Limits(displacement_m=1e-5),
-    ],
-)
+@pytest.mark.parametrize("limits", [Limits(peak_voltage_v=0.7), Limits(displacement_m=1e-5)])
 def test_the_highest_gain_is_the_one_at_which_a_limit_is_reached(limits):
     rig = rig_of(limits=limits)
     samples = ss.stimulus_of(ONE, 8000).samples

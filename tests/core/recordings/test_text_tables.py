@@ -109,9 +109,7 @@ def test_a_line_without_end_is_refused(tmp_path):
 
 @given(
     values=st.lists(
-        st.tuples(*[st.floats(allow_nan=False, allow_infinity=False)] * 2),
-        min_size=1,
-        max_size=20,
+        st.tuples(*[st.floats(allow_nan=False, allow_infinity=False)] * 2), min_size=1, max_size=20
     ),
     separator=st.sampled_from(["\t", ";", ",", "|", " "]),
     comma=st.booleans(),

@@ -72,8 +72,7 @@ def test_the_loudest_window_may_be_where_less_is_felt_in_all():
         ss.waveforms.Tone(frequency_hz=100.0, duration_s=duration_s) for duration_s in (1.0, 0.1)
     ]
     design = ss.Design(
-        limb="synthetic-1",
-        inputs=(ss.track(7, tones[0]), ss.track(18, tones[1], amplitude=2.0)),
+        limb="synthetic-1", inputs=(ss.track(7, tones[0]), ss.track(18, tones[1], amplitude=2.0))
     )
     amplitudes = (1.0, 1.5, 2.0, 3.0, 4.0)
     for count in (5, 2):

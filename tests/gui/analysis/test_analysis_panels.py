@@ -9,11 +9,10 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QFont, QFontMetricsF, QGuiApplication, QImage, QPainter
 from PySide6.QtTest import QTest
 
-from skinsource.design.design import Design, track
+from skinsource import Design, evaluate, track
 from skinsource.design.edits.edit import Edit
 from skinsource.design.panel_settings import SpectrogramSettings, settings_of
 from skinsource.design.waveforms.pulses import Tap
-from skinsource.engine.evaluation import evaluate
 from skinsource_gui.panels.analysis.settings import VIEWS, AnalysisSettings
 from skinsource_gui.panels.analysis.table import OutputTableView
 from skinsource_gui.plots.figure import Axis, fitted_axes

@@ -3,12 +3,9 @@
 import numpy as np
 import pytest
 
-from skinsource.design import edits
-from skinsource.design.design import Design, track
-from skinsource.design.view import View
+from skinsource import Design, View, edits, evaluate, track
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.analysis_rules import Sensation
-from skinsource.engine.evaluation import evaluate
 from skinsource_gui.panels.analysis.view import FigureView
 from tests.core.own_limbs.lab_bench import N_OUTPUTS, installed
 from tests.gui.analysis.analysis_bench import analysis

@@ -3,8 +3,7 @@
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
-from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input
+from skinsource import Clip, Design, Input
 from skinsource_gui.panels.clip_editor.panel import ClipEditorPanel
 from tests.gui.panel_host import PanelHost, clip_results
 

@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from skinsource.design.waveforms.samples import Drawn
-from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms import Drawn, Tone
 from skinsource.specs.samples import Samples
 from tests.gui.clip_editor.bench import RATE_HZ, Bench
 

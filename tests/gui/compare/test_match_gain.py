@@ -8,9 +8,8 @@ import pytest
 from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QApplication, QFileDialog
 
+from skinsource import Design, open_design, track
 from skinsource.design.comparing import louder, match_text
-from skinsource.design.design import Design, track
-from skinsource.design.design_file import open_design
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource_gui.panels.analysis.settings import VIEWS
 from skinsource_gui.panels.skin.settings import SkinSettings
@@ -200,10 +199,7 @@ def test_the_colour_bar_of_the_map_says_it_whatever_it_shows(window, settle, gai
         assert gain_text in panel.measure.unit.toolTip()
 
 
-@pytest.mark.parametrize(
-    "name",
-    ["skin", "traces", "compare", "windowed", "regions", ALL_VISIBLE],
-)
+@pytest.mark.parametrize("name", ["skin", "traces", "compare", "windowed", "regions", ALL_VISIBLE])
 def test_pictures_are_those_of_levels_that_are_not_matched(window, settle, gain_text, name):
     panel = ALL_VISIBLE if name == ALL_VISIBLE else brought_forward(window, settle, name).name
 

@@ -9,11 +9,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog
 
 import skinsource as ss
-from skinsource.design import edits
+from skinsource import Design, View, edits, open_design, save_design, track
 from skinsource.design.comparing import with_edited
-from skinsource.design.design import Design, track
-from skinsource.design.design_file import open_design, save_design
-from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.panels.compare.content import snapshot_names, tab_separated
 from skinsource_gui.state.compared import ELSEWHERE, SILENCE, Compared
@@ -30,6 +27,14 @@ from tests.gui.compare.compare_bench import (
     shown,
     two_places,
 )
+
+
+@pytest.fixture
+def panel(window, settle):
+    """Compare, in front."""
+    window.docks["compare"].bring_forward()
+    settle()
+    return window.panel("compare")
 
 
 def names_of(requests):

@@ -7,11 +7,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
 
+from skinsource import View, magnitude_spectrum, peak_hold_spectrum
 from skinsource.design.panel_settings import with_settings
-from skinsource.design.view import View
 from skinsource.engine.moments import Projection
 from skinsource.signals.resampling import extremes_between
-from skinsource.signals.spectra import magnitude_spectrum, peak_hold_spectrum
 from skinsource_gui.panels.spectra.panel import SpectraSettings
 from skinsource_gui.plots.signal_view import SignalView
 from skinsource_gui.state.preferences import start_design

@@ -1,15 +1,22 @@
-"""What traces and spectra do alike."""
+"""What traces and spectra do alike; two cursors in them, and what they read."""
 
 from collections.abc import Callable
 from dataclasses import replace
 from typing import NamedTuple
 
+import numpy as np
 import pytest
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
 
+import skinsource as ss
+from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
 from skinsource.engine.quantities import RULES, sources
-from skinsource_gui.panels.spectra.panel import SpectraPanel
-from skinsource_gui.panels.traces.panel import TracesPanel
+from skinsource.signals.analysis.intervals import interval_of
+from skinsource_gui.panels.spectra.panel import SpectraPanel, SpectraSettings, measured_between
+from skinsource_gui.panels.traces.panel import TracesPanel, TracesSettings
 from skinsource_gui.plots.signal_view import SignalView
 from skinsource_gui.qt.theme import LIGHT
 from skinsource_gui.state.preferences import start_design
@@ -22,6 +29,7 @@ from tests.gui.curve_panels.bench import (
     spectra_for,
     traces_for,
 )
+from tests.gui.signal_view.test_navigation import choose, open_menu
 
 
 class Kind(NamedTuple):
@@ -103,3 +111,162 @@ def test_outputs_near_the_noise_are_pale_and_the_plot_says_so(show, kind):
     assert panel.is_stale
     panel.show_noisy(())
     assert plot.texts.notes == ()
+
+
+BETWEEN_S, BETWEEN_HZ = (0.08, 0.12), (60.0, 200.0)
+
+
+def with_cursors(name, settings):
+    return with_settings(SIGNED, name, settings)
+
+
+@pytest.fixture
+def traces(qtbot):
+    show = opener(qtbot, TracesPanel, SIGNED, traces_for)
+    return lambda at=None, **options: show(
+        with_cursors("traces", TracesSettings(cursors=at, **options))
+    )
+
+
+@pytest.fixture
+def spectra(qtbot):
+    show = opener(qtbot, SpectraPanel, SIGNED, spectra_for)
+    return lambda at=None, **options: show(
+        with_cursors("spectra", SpectraSettings(cursors=at, **options))
+    )
+
+
+def legend_of(panel):
+    return panel.findChild(SignalView).legend.text
+
+
+def numbers(line):
+    """Numbers of a line after its name, in order."""
+    words = line.split(": ", 1)[1].replace(",", " ").replace(";", " ").split()
+    return [float(word) for word in words if word.replace(".", "", 1).isdigit()]
+
+
+def test_a_sine_has_the_velocity_and_the_displacement_of_the_textbook():
+    time_s = np.arange(2600) / 1300
+    acceleration = 2.0 * np.sin(2 * np.pi * 100.0 * time_s)[None]
+    found = interval_of(acceleration, time_s, (0.8, 1.2), 25.0)
+    omega = 2 * np.pi * 100.0
+    # Samples of a sine miss its peak by at most this much.
+    assert found.peak[0] == pytest.approx(2.0, rel=0.01)
+    assert found.rms[0] == pytest.approx(np.sqrt(2.0), rel=1e-3)
+    assert found.velocity[0] == pytest.approx(2.0 / omega, rel=0.01)
+    assert found.displacement[0] == pytest.approx(2.0 / omega**2, rel=0.01)
+
+
+def test_what_drifts_has_no_velocity():
+    time_s = np.arange(1300) / 1300
+    found = interval_of(np.ones((1, 1300)), time_s, (0.4, 0.6), 25.0)
+    assert found.velocity[0] < 1e-3
+
+
+def test_traces_are_measured_between_the_cursors_even_relative_to_their_peaks(traces):
+    for relative in (False, True):
+        text = legend_of(traces(BETWEEN_S, relative=relative))
+        results = traces_for(SIGNED)
+        inside = (results["response_time_s"] >= BETWEEN_S[0]) & (
+            results["response_time_s"] <= BETWEEN_S[1]
+        )
+        assert text.where == "peak, RMS in m/s² · Δt 40.0 ms"
+        for line, trace in zip(text.details, results["selected_traces"], strict=True):
+            peak, _, _, rms = numbers(line)
+            assert peak == pytest.approx(np.abs(trace[inside]).max(), rel=0.01)
+            assert rms == pytest.approx(np.sqrt(np.mean(trace[inside] ** 2)), rel=0.01)
+
+
+def test_the_numbers_of_all_outputs_stay_while_the_pointer_is_in_the_plot(traces):
+    panel = traces(BETWEEN_S)
+    before = legend_of(panel)
+    plot_of(panel).crosshair.put(3)
+    assert legend_of(panel) == before
+    assert len(before.readings) == len(SIGNED.outputs)
+    assert not legend_of(traces()).details
+
+
+@pytest.mark.parametrize("options", [{}, {"log_magnitude": False}, {"averaged": True}])
+def test_spectra_tell_peak_its_frequency_and_the_rms_of_the_band(spectra, options):
+    text = legend_of(spectra(BETWEEN_HZ, **options))
+    frequency_hz, magnitude = spectra_for(SIGNED)["selected_spectra"]
+    inside = (frequency_hz >= BETWEEN_HZ[0]) & (frequency_hz <= BETWEEN_HZ[1])
+    assert text.where == "peak in m/s² at Hz · Δf 140 Hz"
+    for line, curve in zip(text.details, magnitude, strict=True):
+        peak, at_hz, speed_mm, way_um, rms = numbers(line)
+        assert peak == pytest.approx(curve[inside].max(), rel=0.01)
+        assert at_hz == pytest.approx(frequency_hz[inside][curve[inside].argmax()], rel=0.01)
+        assert speed_mm == pytest.approx(peak / (2 * np.pi * at_hz) * 1e3, rel=0.02)
+        assert way_um == pytest.approx(peak / (2 * np.pi * at_hz) ** 2 * 1e6, rel=0.02)
+        assert rms == pytest.approx(np.sqrt(np.sum(curve[inside] ** 2) / 2), rel=0.01)
+
+
+def test_the_rms_between_all_frequencies_is_that_of_the_record():
+    signal = ss.sinusoid(130.0, duration_s=0.5) + 0.5 * ss.sinusoid(260.0, duration_s=0.5)
+    frequency_hz, magnitude = ss.magnitude_spectrum(signal[None], 1300.0)
+    results = spectra_for(SIGNED) | {
+        "selected_spectra": (frequency_hz, magnitude),
+        "outputs": (29,),
+    }
+    line = measured_between(results, SpectraSettings(), (0.0, 650.0)).details[0]
+    assert numbers(line)[-1] == pytest.approx(ss.rms(signal), rel=0.005)
+
+
+def test_the_menu_brings_cursors_takes_them_away_and_copies_what_they_read(traces):
+    panel = traces()
+    signals = panel.findChild(SignalView)
+    menu = open_menu(signals)
+    assert not any("Copy what cursors" in action.text() for action in menu.actions())
+    menu.close()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    choose(signals, "Cursors")
+    low, high = settings_of(panel.views[-1], "traces", TracesSettings).cursors
+    assert plot_of(panel).x_window.extent[0] < low < high < plot_of(panel).x_window.extent[1]
+    choose(signals, "Copy what cursors read")
+    copied = QApplication.clipboard().text().splitlines()
+    assert copied == [legend_of(panel).where, *legend_of(panel).details]
+    choose(signals, "Cursors")
+    assert settings_of(panel.views[-1], "traces", TracesSettings).cursors is None
+    assert not legend_of(panel).readings
+
+
+def test_keys_put_a_cursor_at_the_crosshair_and_the_other_makes_room(traces):
+    panel = traces(BETWEEN_S)
+    plot = plot_of(panel)
+    plot.setFocus()
+    QTest.keyClick(plot, Qt.Key.Key_Home)
+    QTest.keyClick(plot, Qt.Key.Key_O)
+    first_s, second_s = settings_of(panel.views[-1], "traces", TracesSettings).cursors
+    assert first_s < second_s <= plot.curves.x[1]
+    QTest.keyClick(plot, Qt.Key.Key_End)
+    QTest.keyClick(plot, Qt.Key.Key_I)
+    first_s, second_s = settings_of(panel.views[-1], "traces", TracesSettings).cursors
+    assert first_s < second_s == pytest.approx(plot.curves.x[-1])
+
+
+@pytest.mark.parametrize("log", [False, True])
+def test_a_cursor_follows_the_mouse_on_any_axis(spectra, log):
+    panel = spectra(BETWEEN_HZ, log_frequency=log)
+    plot = plot_of(panel)
+    area = plot.places.area
+
+    def at(hz):
+        part = plot.x_window.part(plot.x_window.axis.position(hz))
+        return QPoint(round(area.left() + part * area.width()), round(area.center().y()))
+
+    viewport = plot.viewport()
+    QTest.mouseMove(viewport, at(BETWEEN_HZ[1]))
+    QTest.mousePress(viewport, Qt.MouseButton.LeftButton, pos=at(BETWEEN_HZ[1]))
+    for hz in (250.0, 300.0):
+        QTest.mouseMove(viewport, at(hz))
+    QTest.mouseRelease(viewport, Qt.MouseButton.LeftButton, pos=at(300.0))
+    low_hz, high_hz = settings_of(panel.views[-1], "spectra", SpectraSettings).cursors
+    assert low_hz == pytest.approx(BETWEEN_HZ[0])
+    assert high_hz == pytest.approx(300.0, rel=0.05)
+
+
+def test_a_peak_hold_tells_no_rms():
+    results = spectra_for(replace(SIGNED, span="loudest"))
+    details = measured_between(results, SpectraSettings(), BETWEEN_HZ).details
+    assert not any("RMS" in line for line in details)

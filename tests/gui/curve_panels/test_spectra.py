@@ -4,9 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint
 from PySide6.QtGui import QFontMetricsF
-from PySide6.QtWidgets import QMenu
 
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.signals.spectra import MEAN_OF_BINS, magnitude_spectrum
@@ -23,7 +21,7 @@ from tests.gui.curve_panels.bench import (
     plot_of,
     spectra_for,
 )
-from tests.gui.signal_view.test_menu import choose
+from tests.gui.signal_view.test_navigation import choose
 
 
 @pytest.fixture
@@ -92,8 +90,7 @@ def test_the_measured_band_is_told_from_what_lies_outside(show):
 
 
 @pytest.mark.parametrize(
-    ("axes", "method", "noted"),
-    [("xy", "mag", True), ("z", "mag", False), ("xyz", "pca", False)],
+    ("axes", "method", "noted"), [("xy", "mag", True), ("z", "mag", False), ("xyz", "pca", False)]
 )
 def test_the_spectrum_of_a_magnitude_says_that_it_is_rectified(show, axes, method, noted):
     panel = show(replace(LINEAR, axes=axes, method=method))
@@ -101,14 +98,6 @@ def test_the_spectrum_of_a_magnitude_says_that_it_is_rectified(show, axes, metho
     assert bool(notes) == noted
     if noted:
         assert notes[0] == "spectrum of a magnitude: rectified, shows doubled frequencies"
-
-
-def average(panel):
-    """Choose it in the menu of the plot."""
-    panel.findChild(SignalView)._open_menu(QPoint(0, 0))
-    menu = panel.findChild(QMenu, "plot-menu")
-    next(action for action in menu.actions() if action.text() == "Mean of 10 bins").trigger()
-    menu.close()
 
 
 def noisy(n_times=650):
@@ -120,7 +109,7 @@ def test_a_spectrum_can_be_drawn_as_the_mean_of_neighbouring_bins(show):
     panel = show()
     frequency_hz, magnitude = noisy()
     panel.show_results({**spectra_for(LINEAR), "selected_spectra": (frequency_hz, magnitude)})
-    average(panel)
+    choose(panel.findChild(SignalView), "Mean of 10 bins")
     assert settings_of(panel.views[-1], "spectra", SpectraSettings).averaged
     drawn = plot_of(panel).curves.y
     k = 100
@@ -132,7 +121,7 @@ def test_a_spectrum_can_be_drawn_as_the_mean_of_neighbouring_bins(show):
     click(panel, "relative")
     assert plot_of(panel).curves.y.max(axis=-1) == pytest.approx([1.0, 1.0], rel=0.2)
     click(panel, "relative")
-    average(panel)
+    choose(panel.findChild(SignalView), "Mean of 10 bins")
     assert plot_of(panel).curves.y == pytest.approx(magnitude)
 
 

@@ -4,21 +4,19 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
 
-from skinsource.design.design import Design, track
+from skinsource import Design, View, evaluate, track
 from skinsource.design.panel_settings import settings_of, with_settings
-from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
-from skinsource.engine.evaluation import evaluate
 from skinsource.signals.resampling import finer
 from skinsource_gui.panels.traces.panel import TracesPanel, TracesSettings
 from skinsource_gui.plots.signal_view import SignalView, _legend_lines, copy_of
 from skinsource_gui.state.preferences import start_design
 from tests.gui.curve_panels.bench import SIGNED, click, header_of, opener, plot_of, traces_for
-from tests.gui.signal_view.test_menu import choose
+from tests.gui.signal_view.test_navigation import choose
 
 
 @pytest.fixture
@@ -39,18 +37,13 @@ def test_curves_are_named_after_the_outputs_they_belong_to(show):
     assert panel.findChild(SignalView).legend.text.names == names
 
 
-def show_pre_trigger(panel):
-    choose(panel.findChild(SignalView), "Show pre-trigger")
-    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-
-
 def test_time_begins_just_before_the_pulse_unless_the_pre_trigger_record_is_asked_for(show):
     panel = show(replace(SIGNED, delay_removed=True))
     plot, switch = plot_of(panel), panel.findChild(QToolButton, "pre-trigger")
     assert plot.stack.x_axis.titles == ("Time (ms)",)
     assert plot.x_window.shown[0] == pytest.approx(-0.005)
     assert not switch.isVisible()
-    show_pre_trigger(panel)
+    choose(panel.findChild(SignalView), "Show pre-trigger")
     assert not panel.views[-1].delay_removed
     assert plot.stack.x_axis.titles[0] == (
         "Time (ms) · responses start ~52 ms late (pre-trigger of the measurement)"

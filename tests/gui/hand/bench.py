@@ -4,8 +4,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QAction, QContextMenuEvent
 from PySide6.QtTest import QTest
 
-from skinsource.design.design import Design, Input
-from skinsource.design.view import View
+from skinsource import Design, Input, View
 from skinsource.limbs.locations import INPUTS
 from skinsource_gui.panels.hand.panel import HandPanel
 from tests.gui.menus import MOUSE, lines_at

@@ -8,8 +8,7 @@ from PySide6.QtGui import QKeyEvent, QShortcut
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit, QVBoxLayout, QWidget
 
-from skinsource.design.design import Design, track
-from skinsource.design.view import View
+from skinsource import Design, View, track
 from skinsource_gui.panels.hand.panel import HandPanel
 from tests.gui.hand.bench import CONTROL, KEY, NONE, SHIFT, short
 from tests.gui.menus import KEYBOARD

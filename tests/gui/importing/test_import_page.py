@@ -42,16 +42,25 @@ def page_at(desk, qtbot):
 
 def opened(imports, qtbot, path, place=None):
     imports.open_page(path, place)
-    page = imports.pages[-1]
+    return looked_at(imports.pages[-1], qtbot)
+
+
+def looked_at(page, qtbot):
+    """Wait until it shows what it can."""
     qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
     QApplication.processEvents()
     return page
 
 
+def asked(form):
+    """What of a file is left open."""
+    shown = {w.objectName() for w in form.children() if w.isWidgetType() and w.isVisible()}
+    return {name.removeprefix("import_") for name in shown if name.startswith("import_")}
+
+
 def choose(page, qtbot, name, option):
     page.form.findChild(object, f"import_{name}").choose(option)
-    qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
-    QApplication.processEvents()
+    looked_at(page, qtbot)
 
 
 def test_what_is_shown_is_placed_in_one_step(window, settle, page_on, sound):
@@ -81,19 +90,12 @@ def test_what_is_shown_is_placed_in_one_step(window, settle, page_on, sound):
 
 
 def test_only_what_the_file_leaves_open_is_asked(page_at, sound, tmp_path):
-    form = page_at(sound).form
-    shown = {w.objectName() for w in form.children() if w.isWidgetType() and w.isVisible()}
-    asked = {name for name in shown if name.startswith("import_")}
-    assert asked == {
-        "import_signal", "import_axes", "import_unit", "import_scale", "import_offset",
-        "import_start", "import_duration",
-    }  # fmt: skip
+    expected = {"signal", "axes", "unit", "scale", "offset", "start", "duration"}
+    assert asked(page_at(sound).form) == expected
     rows = "\n".join(f"{k / 1300:.6f},{np.sin(k):.6f}" for k in range(500))
     (tmp_path / "a.csv").write_text(f"time [s],acc [g]\n{rows}\n")
     form = page_at(tmp_path / "a.csv").form
-    shown = {w.objectName() for w in form.children() if w.isWidgetType() and w.isVisible()}
-    assert "import_unit" not in shown
-    assert "import_rate" not in shown
+    assert not asked(form) & {"unit", "rate"}
     assert form.choice.unit == "g"
     assert form.choice.time == "0"
 
@@ -123,9 +125,7 @@ def test_missing_numbers_are_a_choice(page_at, qtbot, tmp_path):
     box = page.form.findChild(object, "import_missing")
     assert box.isVisible()
     box.setChecked(True)
-    qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
-    QApplication.processEvents()
-    assert page.ready
+    assert looked_at(page, qtbot).ready
     assert "1 missing numbers count as 0" in page.preview.text
 
 
@@ -233,7 +233,6 @@ def test_three_axes_are_offered_as_one(desk, page_at, qtbot, tmp_path):
         "Each of 3, a clip on its own place",
     ]
     choose(page, qtbot, "axes", "1 2")
-    qtbot.waitUntil(lambda: page.ready, timeout=60_000)
     assert "DFT321, Landin et al. 2010" in page.preview.text
     assert page.form.choice.others == ("1", "2")
     page.accept()
@@ -250,8 +249,7 @@ def test_a_rate_that_is_assumed_is_said_so_until_it_is_typed(page_at, qtbot, tmp
     field = page.form.findChild(object, "import_rate")
     field.set_value(2600.0)
     field.edited.emit(2600.0, None)
-    qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
-    QApplication.processEvents()
+    looked_at(page, qtbot)
     assert not warning.isVisible()
     assert page.preview.text.startswith("1 s")
 
@@ -323,9 +321,7 @@ def test_a_file_that_is_dropped_goes_where_it_was_dropped(window, qtbot, sound, 
     assert drop(window, sound, at, QDragEnterEvent).isAccepted()
     assert drop(window, sound, at).isAccepted()
     (page,) = window.imports.pages
-    qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
-    QApplication.processEvents()
-    page.accept()
+    looked_at(page, qtbot).accept()
     inputs = window.document.design.inputs
     if where == "site":
         assert inputs[-1].location == 13
@@ -403,8 +399,7 @@ def test_each_channel_gets_a_clip_on_a_place_of_its_own_and_keeps_its_share(
     assert page.preview.text.startswith("1 of 2")
     assert where(page) == "Starts at 1000 ms on 7 (II pad), 8 (III pad)"
     # Another signal leaves that choice.
-    page.form.findChild(QWidget, "import_signal").choose("1")
-    qtbot.waitUntil(lambda: page.ready, timeout=60_000)
+    choose(page, qtbot, "signal", "1")
     assert len(page.form.choices) == 2
     before, said = document.undo_stack.count(), []
     document.message.connect(said.append)

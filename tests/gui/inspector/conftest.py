@@ -1,7 +1,6 @@
 import pytest
 
-from skinsource.design.waveforms.pulses import Impulse, Noise, Tap
-from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms import Impulse, Noise, Tap, Tone
 from tests.gui.inspector.bench import Bench, design_of
 
 

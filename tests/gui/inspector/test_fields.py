@@ -8,13 +8,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QScrollArea, QToolButton, QWidget
 
-from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input
+from skinsource import Clip, Design, Input
 from skinsource.design.effects.time import Stretch, Trim
-from skinsource.design.waveforms.pulses import Noise
-from skinsource.design.waveforms.samples import Drawn, Formula, Recording
-from skinsource.design.waveforms.tones import Tone
-from skinsource.design.waveforms.wavelet_train import WaveletTrain
+from skinsource.design.waveforms import Drawn, Formula, Noise, Recording, Tone, WaveletTrain
 from skinsource.specs.samples import Samples
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.text_field import LiveText

@@ -8,10 +8,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QPushButton
 
-from skinsource.design.waveforms.pulses import Noise, Tap
-from skinsource.design.waveforms.samples import Recording
-from skinsource.design.waveforms.tones import Tone
-from skinsource.design.waveforms.wavelet_train import WaveletTrain
+from skinsource.design.waveforms import Noise, Recording, Tap, Tone, WaveletTrain
 from skinsource_gui.fields.text_field import LiveText
 from skinsource_gui.plots.preview import WaveformPreview
 from skinsource_gui.qt.buttons import LetterButton

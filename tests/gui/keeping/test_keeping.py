@@ -11,12 +11,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QPushButton
 
+from skinsource import Design, edits, open_design, save_design, track
 from skinsource.base.job import Job
 from skinsource.base.lock import Lock, this_process, to_bytes
-from skinsource.design import edits
 from skinsource.design import recovery as left_over
-from skinsource.design.design import Design, track
-from skinsource.design.design_file import open_design, save_design
 from skinsource.design.recovery import OWNER
 from skinsource_gui.pages.files.autosave import Autosave
 from skinsource_gui.shell.keeping import UnsavedWorkPage

@@ -8,13 +8,11 @@ from PySide6.QtGui import QDragEnterEvent, QDropEvent, QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialogButtonBox, QMessageBox
 
+from skinsource import Design, View, track
 from skinsource.design.clips import Clip, Fragment, Lane
-from skinsource.design.design import Design, track
 from skinsource.design.presets import presets
 from skinsource.design.presets.presets import Preset, read_preset_folder, shipped_folder
-from skinsource.design.view import View
-from skinsource.design.waveforms.pulses import Tap
-from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms import Tap, Tone
 from skinsource_gui.pages.library import fragments_to_save
 from skinsource_gui.panels.library.list import OWN
 from skinsource_gui.panels.library.panel import LibraryPanel

@@ -3,6 +3,7 @@
 import skinsource as ss
 from skinsource.design.design import Design, track
 from skinsource.design.waveforms.tones import Tone
+from tests.gui.shared_window import rest
 
 TONE = track(7, Tone(frequency_hz=100.0, duration_s=0.3), amplitude=10.0)
 COIL = ss.ActuatorAt(
@@ -22,13 +23,13 @@ def brought_forward(window, qtbot):
     window.docks["output"].bring_forward()
     panel = window.panel("output")
     qtbot.waitUntil(panel.isVisible)
-    settle(window, qtbot)
+    settle(window)
     return panel
 
 
-def settle(window, qtbot):
+def settle(window):
     window.catch_up()
-    qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
+    rest(window)
 
 
 def figures(panel):
@@ -41,3 +42,4 @@ def number(panel, label):
 
 def choose(panel, name, value, gesture=None):
     panel.choices.cell(name).edited.emit(name, value, gesture)
+    settle(panel.window())

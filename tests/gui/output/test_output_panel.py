@@ -1,22 +1,26 @@
-"""The panel of the output: curves, figures and fields, live, and nothing while it is hidden."""
+"""The panel of the output: curves, figures, fields and switch, live, and nothing while hidden."""
 
 from dataclasses import replace
 from itertools import product
 
 import numpy as np
 import pytest
+from PySide6.QtWidgets import QFileDialog
 
 import skinsource as ss
+from skinsource import View, edits, track
 from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.base.work import counting
-from skinsource.design import edits
-from skinsource.design.design import track
-from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import CentredTap, Tap
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.actuator_demand import LONGEST_S, listed_name, profile_of, strongest
+from skinsource.engine.quantities import sources
 from skinsource_gui.panels.output.figures import frequencies_of, frequency_axis, response_curves
 from skinsource_gui.panels.output.panel import with_actuator, with_equaliser
+from skinsource_gui.plots.pictures import caption_of
+from skinsource_gui.plots.signal_view import DESCRIPTION_QUANTITIES, lazy_lines
 from tests.gui.output.bench import (
+    CHOSEN,
     COIL,
     INVERSE,
     NO_EQUALISER,
@@ -43,7 +47,7 @@ def window(open_window):
 def panel(window, qtbot):
     panel = brought_forward(window, qtbot)
     panel.more.click()
-    settle(window, qtbot)
+    settle(window)
     return panel
 
 
@@ -65,12 +69,12 @@ def test_figures_follow_edits_and_settings_and_are_red_beyond_a_limit(window, pa
     assert not figures(panel)["Peak velocity"].exceeded
     design, view = window.document.design, window.document.view
     window.document.apply(edits.change_field(design, view, view.selected_inputs, "amplitude", 20.0))
-    settle(window, qtbot)
+    settle(window)
     assert number(panel, "Peak voltage") == pytest.approx(2.0 * before, rel=0.02)
     window.document.apply(
         edits.change_field(design, view, view.selected_inputs, "amplitude", 100.0)
     )
-    settle(window, qtbot)
+    settle(window)
     assert figures(panel)["Peak velocity"].exceeded
     assert "Beyond its limit: peak velocity" in panel.figures.limits.text()
     assert "beyond its limit" in panel.figures.table.accessibleDescription()
@@ -85,23 +89,21 @@ def test_curves_show_actuator_filter_and_both_and_the_published_one(window, pane
     assert curves.columns == ("actuator_db", "filter_db", "equalised_db")
     assert not panel.choices.reset.isVisibleTo(panel)
     choose(panel, "resistance_ohm", 8.0)
-    settle(window, qtbot)
     assert window.document.design.actuation.actuators[0].model.resistance_ohm == 8.0
     assert "Resistance 4 Ω → 8 Ω" in panel.choices.about.text()
     assert [name.short for name in panel.plot.plot.curves.names][-1] == "As listed"
     panel.choices.reset.click()
-    settle(window, qtbot)
+    settle(window)
     assert window.document.design.actuation.actuators == (COIL,)
     assert len(panel.plot.plot.curves.names) == 3
 
 
 def test_without_an_equaliser_volts_are_known_where_amplitudes_are_volts(window, panel, qtbot):
     choose(panel, "equaliser", NO_EQUALISER)
-    settle(window, qtbot)
     assert panel.figures.table.figures == ()
     assert "not known" in panel.figures.refusal.text()
     panel.through.click()
-    settle(window, qtbot)
+    settle(window)
     assert number(panel, "Peak voltage") == pytest.approx(10.0, rel=0.02)
     assert len(panel.plot.plot.curves.names) == 1
     with pytest.raises(KeyError):
@@ -124,7 +126,6 @@ def test_every_actuator_can_be_looked_at(name):
 
 def test_without_an_actuator_there_are_no_figures_and_no_switch(window, panel, qtbot):
     choose(panel, "actuator", "none")
-    settle(window, qtbot)
     assert window.document.design.actuation is None
     assert panel.figures.table.figures == ()
     assert panel.figures.refusal.text() == ""
@@ -135,7 +136,6 @@ def test_without_an_actuator_there_are_no_figures_and_no_switch(window, panel, q
     button.click()
     assert panel.isVisible()
     choose(panel, "actuator", "kastor-2023-air")
-    settle(window, qtbot)
     assert panel.figures.table.figures
     assert "Fingertip voice coil, in air" in window.playback.button.text()
 
@@ -143,19 +143,17 @@ def test_without_an_actuator_there_are_no_figures_and_no_switch(window, panel, q
 def test_a_tap_that_leaves_a_velocity_is_refused_and_another_is_offered(window, panel, qtbot):
     view = window.document.view
     window.document.look(replace(view, selected_inputs=(window.document.design.ids[1],)))
-    settle(window, qtbot)
+    settle(window)
     assert panel.figures.heading.text().startswith("Place 3")
     assert "52 % of its energy" in panel.figures.refusal.text()
     assert panel.figures.mend.isVisibleTo(panel)
     # Without an equaliser nothing has to be followed, and nothing is offered.
     choose(panel, "equaliser", NO_EQUALISER)
-    settle(window, qtbot)
     assert "energy" not in panel.figures.refusal.text()
     assert not panel.figures.mend.isVisibleTo(panel)
     choose(panel, "equaliser", INVERSE)
-    settle(window, qtbot)
     panel.figures.mend.click()
-    settle(window, qtbot)
+    settle(window)
     clip = window.document.design.inputs[1].clips[0]
     assert isinstance(clip.waveform, CentredTap)
     assert panel.figures.refusal.text() == ""
@@ -168,7 +166,7 @@ def test_figures_are_computed_beside_the_window(window, panel, qtbot):
     window.engine.finished.connect(lambda outcome: moved.append(outcome.work.samples_moved))
     with counting() as in_the_way:
         window.document.edit("Softer", design.with_input(0, amplitude=3.0))
-        settle(window, qtbot)
+        settle(window)
     assert sum(moved) > 0
     assert in_the_way.samples_moved == 0
 
@@ -187,3 +185,132 @@ def test_without_anything_that_plays_it_says_what_to_do(open_window, qtbot):
     panel = brought_forward(open_window(design_of()), qtbot)
     assert "add one" in panel.figures.refusal.text()
     assert panel.figures.table.figures == ()
+
+
+PIEZO = ss.actuators.profile("example-piezo").title
+
+
+def test_the_switch_predicts_through_what_is_chosen_and_back(window, panel, qtbot):
+    low = Tone(frequency_hz=40.0, duration_s=0.3)
+    window.document.edit("Low", design_of(track(7, low, amplitude=2.0)))
+    before = ss.evaluate(window.document.design, "output_levels_db")["output_levels_db"]
+    panel.through.click()
+    settle(window)
+    design = window.document.design
+    assert design.actuated == replace(CHOSEN, on=True)
+    assert panel.through.isChecked()
+    assert "1 m/s²" in panel.through_text.text()
+    after = ss.evaluate(design, "output_levels_db")["output_levels_db"]
+    # A coil whose boost is limited moves less at 40 Hz than it is asked to.
+    assert (after < before - 0.1).all()
+    panel.through.click()
+    settle(window)
+    assert window.document.design.actuation == CHOSEN
+    assert not panel.through.isChecked()
+    window.document.undo_stack.undo()
+    settle(window)
+    assert panel.through.isChecked()
+
+
+def test_the_fields_are_edits_and_a_drag_is_one_step(window, panel, qtbot):
+    for resistance_ohm in (5.0, 6.0, 8.0):
+        choose(panel, "resistance_ohm", resistance_ohm, gesture=1)
+    assert window.document.design.actuation.actuators[0].model.resistance_ohm == 8.0
+    assert window.document.design.actuated is None
+    window.document.undo_stack.undo()
+    settle(window)
+    assert window.document.design.actuation == CHOSEN
+    panel.through.click()
+    choose(panel, "actuator", "example-piezo")
+    # It stays switched on, and the equaliser stays the same.
+    actuated = window.document.design.actuated
+    assert (actuated.title, actuated.equaliser) == (PIEZO, CHOSEN.equaliser)
+
+
+def test_the_pole_pair_is_always_that_of_the_actuator(window, panel, qtbot):
+    choose(panel, "equaliser", POLE_PAIR)
+    choose(panel, "new_quality", 0.5)
+    choose(panel, "stiffness_n_per_m", 2000.0)
+    actuation = window.document.design.actuation
+    assert actuation.equaliser == ss.equalising.PolePairReplacement(
+        *ss.equalising.resonance_of(actuation.actuators[0].model), 0.5
+    )
+
+
+def test_an_actuator_that_is_not_listed_is_named_and_keeps_its_parameters(window, panel, qtbot):
+    piezo = ss.ActuatorAt(actuator="Piezo of the lab", model=ss.actuators.load("example-piezo"))
+    design, view = window.document.design, window.document.view
+    through = ss.Actuation(actuators=(piezo, replace(piezo, place=3)))
+    window.document.apply(ss.edits.choose_actuation(design, view, through))
+    settle(window)
+    assert panel.choices.cell("actuator").field.currentText() == "Piezo of the lab"
+    assert panel.choices.parameters._cells == ()
+    choose(panel, "equaliser", INVERSE)
+    assert window.document.design.actuation.actuators == through.actuators
+
+
+def test_under_another_scaling_the_switch_stays_off_and_says_why(window, panel, qtbot):
+    design, view = window.document.design, window.document.view
+    window.document.apply(ss.edits.change_scaling(design, view, "upstream"))
+    settle(window)
+    panel.through.click()
+    settle(window)
+    assert not panel.through.isChecked()
+    assert window.document.design.actuated is None
+    assert "Probe acceleration" in window.notice.text
+
+
+def test_pictures_and_tables_say_what_they_went_through(window, panel, qtbot):
+    panel.through.click()
+    settle(window)
+    design, view = window.document.design, window.document.view
+    own = sources(design, view)
+    results = {**own, **ss.evaluate(design, *(DESCRIPTION_QUANTITIES - own.keys()))}
+    assert "; predicted through " in caption_of(design)
+    assert any(line.startswith("predicted through: ") for line in lazy_lines(results)())
+
+
+def test_a_good_file_ends_the_complaint_about_a_bad_one(
+    window, panel, qtbot, tmp_path, monkeypatch
+):
+    bad, good = tmp_path / "bad.csv", tmp_path / "good.csv"
+    bad.write_text("1,2\n3,4\n", encoding="utf-8")
+    good.write_text("frequency_hz,gain\n20,1\n100,2\n500,1\n", encoding="utf-8")
+    paths = iter((bad, good))
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(next(paths)), ""))
+    before = window.document.design
+    panel.choices.open.click()
+    qtbot.waitUntil(lambda: "bad.csv" in window.notice.text, timeout=30_000)
+    assert window.document.design is before
+    panel.choices.open.click()
+    qtbot.waitUntil(lambda: window.document.design is not before, timeout=30_000)
+    assert window.document.design.actuation.title == "good"
+    assert window.notice.text == ""
+    assert window.statusBar().currentMessage() == "Opened good.csv."
+
+
+def test_a_response_that_was_measured_is_predicted_through(
+    window, panel, qtbot, tmp_path, monkeypatch
+):
+    coil = ss.actuators.load("example-voice-coil")
+    hz = np.geomspace(10.0, 2000.0, 150)
+    response = coil.response(hz)
+    rows = [f"{f:.6f},{abs(h):.9g},{np.angle(h):.9g}" for f, h in zip(hz, response, strict=True)]
+    path = tmp_path / "lab coil.csv"
+    path.write_text("\n".join(["frequency_hz,gain,phase_rad", *rows]) + "\n", encoding="utf-8")
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
+    before = number(panel, "Peak voltage")
+    panel.through.click()
+    settle(window)
+    panel.choices.open.click()
+    qtbot.waitUntil(lambda: window.document.design.actuation.title == "lab coil", timeout=30_000)
+    settle(window)
+    # The same coil, by what was measured of it; the equaliser and the switch are as they were.
+    assert number(panel, "Peak voltage") == pytest.approx(before, rel=0.05)
+    assert "Peak current" not in figures(panel)
+    assert "uncalibrated" not in panel.figures.heading.text()
+    assert "150 points that were measured, from 10 to 2000 Hz" in panel.choices.about.text()
+    assert window.document.design.actuated.actuators[0].actuator == "lab coil"
+    assert panel.choices.cell("actuator").field.currentText() == "lab coil"
+    choose(panel, "actuator", "example-voice-coil")
+    assert window.document.design.actuated.actuators[0].model == coil

@@ -7,13 +7,9 @@ import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF
 from PySide6.QtWidgets import QApplication, QLabel
 
-from skinsource.design import edits
-from skinsource.design.design import Design, track
-from skinsource.design.design_file import open_design, save_design
+from skinsource import Design, View, edits, open_design, save_design, track
 from skinsource.design.labels import AXES
-from skinsource.design.view import View
-from skinsource.design.waveforms.pulses import Noise
-from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms import Noise, Tone
 from skinsource.limbs.own_limbs import facts_of, mirror_limb, remove_limb
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.state.compared import SILENT

@@ -6,14 +6,11 @@ import pytest
 from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QApplication, QLabel, QToolButton
 
-from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource import Actuation, ActuatorAt, Design, View, edits, track
 from skinsource.actuators.catalog import load
 from skinsource.actuators.equalising import RegularisedInverse
-from skinsource.design import edits
 from skinsource.design.comparing import Snapshot
-from skinsource.design.design import Design, track
 from skinsource.design.presets.presets import read_preset_folder, shipped_folder
-from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource.limbs.own_limbs import remove_limb
 from skinsource_gui.fields.choice_field import ChoiceField
@@ -24,8 +21,7 @@ from tests.gui.analysis.analysis_bench import analysis
 from tests.gui.own_limbs.test_own_limb_window import rested
 
 UNDRIVEN = Design(
-    limb="synthetic-1",
-    inputs=(track(3, Tone(frequency_hz=100.0, duration_s=0.1), amplitude=0.5),),
+    limb="synthetic-1", inputs=(track(3, Tone(frequency_hz=100.0, duration_s=0.1), amplitude=0.5),)
 )
 LOOKED = View(selected_inputs=(1,), outputs=(3, 9))
 DRIVE, PROBE, COMPUTED = "lab-1", "lab-2", "synthetic-1"

@@ -8,9 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from skinsource.design.design import Design, track
-from skinsource.design.design_file import save_design
-from skinsource.design.view import View
+from skinsource import Design, View, save_design, track
 
 PROJECT = Path(__file__).parents[3]
 RULE = '''def loudest_level_db(output_levels_db: Floats) -> float:

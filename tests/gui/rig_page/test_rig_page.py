@@ -6,14 +6,13 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QFileDialog, QMessageBox, QPushButton
+from PySide6.QtWidgets import QMessageBox, QPushButton
 from shiboken6 import isValid
 
 import skinsource as ss
+from skinsource import View, edits
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.rigs import Rig, RigChannel, open_rig, save_rig
-from skinsource.design import edits
-from skinsource.design.view import View
 from skinsource.lab.playing.devices import Output
 from skinsource.lab.rig_measuring.measurement import MeasuringSetup
 from skinsource.limbs.locations import input_name
@@ -57,14 +56,12 @@ def page(window, qtbot):
 
 
 @pytest.fixture
-def answer(monkeypatch, tmp_path):
+def answer(answers, tmp_path):
     """Have the next dialogs answer with a name."""
 
     def with_name(name):
-        path = tmp_path / name
-        for asked in ("getSaveFileName", "getOpenFileName"):
-            monkeypatch.setattr(QFileDialog, asked, lambda *_: (str(path), ""))
-        return path
+        answers["save"] = answers["open"] = str(tmp_path / name)
+        return tmp_path / name
 
     return with_name
 

@@ -9,7 +9,7 @@ import pytest
 from PySide6.QtCore import QPointF, QSize
 from PySide6.QtGui import QFont, QFontMetrics, QFontMetricsF
 
-from skinsource.signals.resampling import EXTREMES_ERROR, FINER, finer
+from skinsource.signals.resampling import EXTREMES_ERROR, FINER
 from skinsource_gui.plots.curves import Curves, output_names
 from skinsource_gui.plots.legend import LegendLayout, LegendText
 from skinsource_gui.plots.pictures import save_drawing
@@ -109,19 +109,16 @@ def tone(at_s, frequency_hz=400.0, phase=0.3):
     return np.sin(2 * np.pi * frequency_hz * at_s + phase)
 
 
-def sampled(asked, signal=tone, n_points=1300, n_curves=2):
-    """Samples of a tone and of half of it, which note what is asked between them."""
+#: Four samples a period, none of them at a peak.
+MISSED = partial(tone, frequency_hz=325.0, phase=np.pi / 4)
+
+
+def sampled(signal=tone, n_points=1300, n_curves=2):
+    """Samples of a tone and of half of it."""
     x = np.arange(n_points) / RATE_HZ
     y = np.outer(1.0 / (1 + np.arange(n_curves)), signal(x))
-
-    def points(first, end):
-        asked.append((first, end))
-        return finer(x, y, first, end)
-
-    wave = replace(wave_of(x, y), points=points)
-
     names = output_names(tuple(range(1, n_curves + 1)), "synthetic-1")
-    return Curves(x=x, y=y, names=names, wave=wave)
+    return Curves(x=x, y=y, names=names, wave=wave_of(x, y))
 
 
 def values(signals, heights):
@@ -132,8 +129,7 @@ def values(signals, heights):
 
 @pytest.mark.parametrize("stacked", [False, True])
 def test_zoomed_in_it_draws_the_tone_itself_through_every_sample(signals, stacked):
-    asked = []
-    curves = sampled(asked)
+    curves = sampled()
     signals.show_curves(curves, synthetic=False)
     signals.set_view(TIME, CLOSE, stacked=stacked)
     for rank, curve in enumerate(drawn(signals)):
@@ -148,7 +144,7 @@ def test_zoomed_in_it_draws_the_tone_itself_through_every_sample(signals, stacke
 
 
 def test_samples_are_marked_where_eight_pixels_lie_between_them(signals):
-    curves = sampled([])
+    curves = sampled()
     signals.show_curves(curves, synthetic=False)
     width = signals.plot.places.row(0).width()
     signals.set_view(TIME, (0.1, 0.1 + width / 7 / RATE_HZ), stacked=False)
@@ -164,8 +160,7 @@ def test_samples_are_marked_where_eight_pixels_lie_between_them(signals):
 
 
 def test_peaks_between_samples_are_in_the_range_and_readings_stay_those_of_samples(signals):
-    # Four samples a period, none of them at a peak.
-    curves = sampled([], partial(tone, frequency_hz=325.0, phase=np.pi / 4))
+    curves = sampled(MISSED)
     assert curves.y.max() < 0.75
     signals.show_curves(curves, synthetic=False)
     whole = signals.plot.value_scale.values
@@ -206,14 +201,8 @@ NAMES = output_names(tuple(range(1, 41)), "synthetic-1")
 def test_as_many_curves_are_written_as_fit_beside_how_many_do_not(qapp, width, reads):
     text = LegendText(names=NAMES, unit="m/s²", reading_room="−0.123")
     if reads:
-        text = LegendText(
-            names=NAMES,
-            unit="m/s²",
-            where="12 ms",
-            where_room="1234.5 ms",
-            readings=("0.1",) * len(NAMES),
-            reading_room="−0.123",
-        )
+        readings = ("0.1",) * len(NAMES)
+        text = replace(text, where="12 ms", where_room="1234.5 ms", readings=readings)
     metrics = QFontMetrics(QFont())
     layout = LegendLayout(text, metrics, width)
     detail, fitting = layout.fitting()
@@ -250,20 +239,9 @@ def test_what_cursors_measure_stands_in_columns_with_the_number_of_each_curve(qa
     assert layout.n_lines == 1 or {x for x, line in places if line} <= {x for x, _ in places[:3]}
 
 
-def tone_at(at_s, frequency_hz):
-    return np.sin(2 * np.pi * frequency_hz * at_s + np.pi / 4)
-
-
-def curves_of(signal, n_points, n_curves=1):
-    x = np.arange(n_points) / RATE_HZ
-    y = np.outer(1.0 / (1 + np.arange(n_curves)), signal(x))
-    names = output_names(tuple(range(1, n_curves + 1)), "synthetic-1")
-    return Curves(x=x, y=y, names=names, wave=wave_of(x, y))
-
-
 def test_the_extremes_of_a_wave_are_found_once_for_all_who_draw_it():
     x = np.arange(300) / RATE_HZ
-    y = tone_at(x, 90.0)[np.newaxis]
+    y = tone(x, 90.0)[np.newaxis]
     first, again, part, other = (
         wave_of(x, signals).extremes(start, 300)
         for signals, start in ((y, 0), (y.copy(), 0), (y, 1), (2 * y, 0))
@@ -300,7 +278,7 @@ def test_a_tone_reaches_its_peak_everywhere_whatever_its_samples_miss(
     signals.show_curves(waves(), synthetic=False)
     width = signals.plot.places.row(0).width()
     signals.plot.reset_range()
-    curves = curves_of(partial(tone_at, frequency_hz=frequency_hz), int(per_px * width), n_curves=2)
+    curves = sampled(partial(MISSED, frequency_hz=frequency_hz), int(per_px * width))
     signals.set_view(TIME, None, stacked=stacked)
     signals.show_curves(curves, synthetic=False)
     for rank in range(2):
@@ -317,6 +295,6 @@ def test_a_tone_reaches_its_peak_everywhere_whatever_its_samples_miss(
 
 
 def test_curves_whose_wave_is_not_known_are_joined_as_they_are(signals):
-    curves = replace(curves_of(partial(tone_at, frequency_hz=325.0), 6500), wave=None)
+    curves = replace(sampled(MISSED, 6500), wave=None)
     signals.show_curves(curves, synthetic=False)
     assert envelope(signals.plot, 0).max() < 0.75

@@ -1,22 +1,28 @@
-"""The plot of traces and spectra, without a panel."""
+"""The plot of traces and spectra, without a panel: mouse, keys, and its menu."""
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QCursor
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
+from PySide6.QtGui import QContextMenuEvent, QCursor
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QFileDialog, QMenu, QScrollArea, QVBoxLayout, QWidget
 
 from skinsource_gui.plots.curves import Curves, output_names
 from skinsource_gui.plots.signal_view import SignalView
+from skinsource_gui.qt.theme import DARK, LIGHT
 from skinsource_gui.qt.wheel import PAUSE_S, ScrollGesture
 from tests.gui.signal_view.bench import FREQUENCY, TIME, left_and_width, turn_wheel, waves
 
 
+@pytest.fixture
+def signals(signals):
+    """With two curves."""
+    signals.show_curves(waves(2), synthetic=False)
+    return signals
+
+
 def test_the_crosshair_reads_exact_samples_and_leaves_with_the_mouse(signals):
-    curves = waves(2)
-    signals.show_curves(curves, synthetic=False)
-    canvas = signals.plot
+    canvas, curves = signals.plot, signals.plot.curves
     QTest.mouseMove(canvas.viewport(), QPoint(200, 60))
     index = canvas.crosshair.index
     assert index is not None
@@ -32,7 +38,6 @@ def test_the_crosshair_reads_exact_samples_and_leaves_with_the_mouse(signals):
 
 
 def test_the_crosshair_reads_what_is_under_a_pointer_that_rests_while_the_wheel_zooms(signals):
-    signals.show_curves(waves(2), synthetic=False)
     signals.zoom_requested.connect(lambda part: signals.set_view(TIME, part, stacked=False))
     plot, at = signals.plot, QPoint(200, 60)
     QTest.mouseMove(plot.viewport(), at)
@@ -52,7 +57,6 @@ def test_the_crosshair_reads_what_is_under_a_pointer_that_rests_while_the_wheel_
 
 
 def test_the_crosshair_keeps_its_place_when_data_change(signals):
-    signals.show_curves(waves(2), synthetic=False)
     signals.plot.crosshair.put(130)
     signals.show_curves(waves(2, n_points=1300, amplitude=0.25), synthetic=False)
     assert signals.plot.crosshair.index == 130
@@ -62,7 +66,6 @@ def test_the_crosshair_keeps_its_place_when_data_change(signals):
 
 
 def test_keys_move_the_crosshair_until_escape(signals):
-    signals.show_curves(waves(2), synthetic=False)
     canvas = signals.plot
     QTest.keyClick(canvas, Qt.Key.Key_Right)
     assert canvas.crosshair.index == 325
@@ -79,7 +82,6 @@ def test_keys_move_the_crosshair_until_escape(signals):
 
 
 def test_a_crosshair_moved_out_of_sight_asks_for_the_part_it_is_in(signals, qtbot):
-    signals.show_curves(waves(2), synthetic=False)
     signals.set_view(TIME, (0.1, 0.2), stacked=False)
     with qtbot.waitSignal(signals.zoom_requested) as asked:
         QTest.keyClick(signals.plot, Qt.Key.Key_End)
@@ -87,7 +89,6 @@ def test_a_crosshair_moved_out_of_sight_asks_for_the_part_it_is_in(signals, qtbo
 
 
 def test_a_drag_zooms_to_what_it_covers(signals, qtbot):
-    signals.show_curves(waves(2), synthetic=False)
     canvas = signals.plot
     left, width = left_and_width(signals)
     with qtbot.waitSignal(signals.zoom_requested) as asked:
@@ -100,7 +101,6 @@ def test_a_drag_zooms_to_what_it_covers(signals, qtbot):
 
 
 def test_a_click_or_an_escaped_drag_zooms_nowhere(signals, qtbot):
-    signals.show_curves(waves(2), synthetic=False)
     canvas = signals.plot
     with qtbot.assertNotEmitted(signals.zoom_requested):
         QTest.mouseClick(canvas.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(150, 60))
@@ -114,7 +114,6 @@ def test_a_click_or_an_escaped_drag_zooms_nowhere(signals, qtbot):
     "modifier", [Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ControlModifier]
 )
 def test_the_wheel_zooms_at_the_pointer(signals, qtbot, modifier):
-    signals.show_curves(waves(2), synthetic=False)
     canvas = signals.plot
     left, width = left_and_width(signals)
     before = canvas.x_window.position((200 - left) / width)
@@ -132,7 +131,6 @@ def test_the_wheel_zooms_at_the_pointer(signals, qtbot, modifier):
     [(Qt.KeyboardModifier.ShiftModifier, False), (Qt.KeyboardModifier.NoModifier, True)],
 )
 def test_the_wheel_with_shift_or_to_the_side_pans(signals, qtbot, modifier, aside):
-    signals.show_curves(waves(2), synthetic=False)
     signals.set_view(TIME, (0.1, 0.3), stacked=False)
     with qtbot.waitSignal(signals.zoom_requested) as asked:
         turn_wheel(signals, 200, modifier, turned=-120, aside=aside)
@@ -140,7 +138,6 @@ def test_the_wheel_with_shift_or_to_the_side_pans(signals, qtbot, modifier, asid
 
 
 def test_the_middle_button_pans_and_stops_at_the_ends(signals):
-    signals.show_curves(waves(2), synthetic=False)
     signals.set_view(TIME, (0.1, 0.3), stacked=False)
     asked = []
     signals.zoom_requested.connect(asked.append)
@@ -156,7 +153,6 @@ def test_the_middle_button_pans_and_stops_at_the_ends(signals):
 
 
 def test_double_click_0_and_a_show_everything_and_plus_and_minus_zoom(signals):
-    signals.show_curves(waves(2), synthetic=False)
     asked = []
     signals.zoom_requested.connect(asked.append)
     QTest.keyClick(signals.plot, Qt.Key.Key_Plus)
@@ -188,7 +184,6 @@ def test_a_logarithmic_axis_zooms_evenly_in_octaves(signals, qtbot):
 
 
 def test_a_zoom_that_holds_no_data_says_how_to_leave_it(signals):
-    signals.show_curves(waves(2), synthetic=False)
     signals.set_view(TIME, (2.0, 3.0), stacked=False)
     assert "Press 0" in signals.plot.stack.hint.text
     signals.set_view(TIME, None, stacked=False)
@@ -225,3 +220,97 @@ def test_a_turn_of_the_wheel_that_began_as_scrolling_is_not_taken_until_it_is_me
     assert scroll_and_turn(moved_px=8) == 1
     assert scroll_and_turn(rests_s=PAUSE_S) == 1
     assert scroll_and_turn(held=Qt.KeyboardModifier.ControlModifier) == 1
+
+
+def open_menu(signals):
+    """Press the right button, as a user does."""
+    viewport, at = signals.plot.viewport(), QPoint(200, 60)
+    QTest.mousePress(viewport, Qt.MouseButton.RightButton, pos=at)
+    event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, at, viewport.mapToGlobal(at))
+    QApplication.sendEvent(viewport, event)
+    return signals.findChild(QMenu, "plot-menu")
+
+
+def choose(signals, text):
+    menu = open_menu(signals)
+    action = next(action for action in menu.actions() if action.text().startswith(text))
+    menu.close()
+    action.trigger()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+@pytest.fixture
+def save_to(monkeypatch, tmp_path):
+    """Answer the question for a file."""
+
+    def answer(name, kind=""):
+        path = tmp_path / name
+        monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), kind))
+        return path
+
+    return answer
+
+
+def test_the_right_button_opens_a_menu_that_shows_everything(signals, qtbot):
+    signals.set_view(TIME, (0.1, 0.2), stacked=False)
+    with qtbot.waitSignal(signals.zoom_requested) as asked:
+        choose(signals, "View all")
+    assert asked.args == [None]
+
+
+def test_without_curves_there_is_no_menu(signals):
+    signals.show_message("Select outputs on the skin map")
+    assert open_menu(signals) is None
+
+
+def test_the_picture_on_the_clipboard_is_light_large_and_has_a_legend(signals, use_theme):
+    use_theme(DARK)
+    signals.show_curves(waves(3), synthetic=True)
+    signals.plot.crosshair.put(100)
+    choose(signals, "Copy picture")
+    picture = QApplication.clipboard().image()
+    assert picture.width() == 2 * signals.plot.width()
+    assert picture.height() > 2 * signals.plot.height()
+    colours = {
+        picture.pixelColor(x, y).name()
+        for x in range(0, picture.width())
+        for y in range(0, picture.height(), 3)
+    }
+    assert {LIGHT.base, *LIGHT.outputs[:3]} <= colours
+    assert DARK.base not in colours
+    # The plot on the screen stays as it is.
+    assert signals.plot.grab().toImage().pixelColor(1, 1).name() == DARK.base
+    assert signals.plot.crosshair.index == 100
+
+
+@pytest.mark.parametrize("kind", ["amplitude", "level"])
+def test_the_table_holds_all_samples_exactly_whatever_is_zoomed_to(signals, save_to, kind):
+    curves = waves(2)
+    shown = type(curves)(
+        x=curves.x, y=curves.y, names=curves.names, kind=kind, about=lambda: ("one", "two")
+    )
+    signals.show_curves(shown, synthetic=True)
+    signals.set_view(TIME, (0.1, 0.2), stacked=False)
+    path = save_to("data", "CSV (*.csv)").with_suffix(".csv")
+    choose(signals, "Export data")
+    lines = path.read_text().splitlines()
+    about = [line for line in lines if line.startswith("#")]
+    assert "# SYNTHETIC LIMB: computed responses, not measured ones" in about
+    assert {"# one", "# two"} <= set(about)
+    unit = "db_re_1_m_per_s2" if kind == "level" else "m_per_s2"
+    assert lines[len(about)] == f"x,output_1_{unit},output_2_{unit}"
+    table = np.loadtxt(lines[len(about) + 1 :], delimiter=",")
+    assert np.array_equal(table, np.vstack((curves.x, curves.y)).T)
+
+
+def test_a_file_that_cannot_be_written_is_told_and_an_answer_can_be_none(
+    signals, save_to, qtbot, monkeypatch
+):
+    save_to("no such folder/traces.png")
+    with qtbot.waitSignal(signals.exports.failed) as failure:
+        choose(signals, "Save picture")
+    assert "no such folder" in failure.args[0]
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: ("", ""))
+    with qtbot.assertNotEmitted(signals.exports.written):
+        choose(signals, "Save picture")
+        choose(signals, "Export data")

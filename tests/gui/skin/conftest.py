@@ -1,8 +1,7 @@
 import numpy as np
 import pytest
 
-from skinsource.limbs.catalog import load_limb
-from skinsource.limbs.surface.surface import surface_operator
+from skinsource import load_limb, surface_operator
 from skinsource_gui.panels.skin.panel import SkinPanel
 from tests.gui.skin.bench import SEED, Window
 

@@ -24,6 +24,12 @@ LONG = replace(SHORT, inputs=(ss.track(7, ss.waveforms.Noise(duration_s=40.0)),)
 
 
 @pytest.fixture
+def window(open_window):
+    """A whole studio."""
+    return open_window(SHORT, View())
+
+
+@pytest.fixture
 def look(qtbot):
     """Change what the skin panel looks at, and wait for it."""
 
@@ -48,15 +54,7 @@ def computed(design, view, name):
     return new_graph().evaluate({name}, sources(design, view))[name]
 
 
-def test_until_accelerations_are_known_their_bar_has_no_decibels_of_what_was_shown(window):
-    """The panel alone: nobody computes what it needs."""
-    window.show(quantity=Z)
-    low, high = window.panel.colour_bar.value_range
-    assert low == -high < 0.0
-
-
-def test_the_map_shows_the_skin_where_the_playhead_is(open_window, look):
-    window = open_window(SHORT, View())
+def test_the_map_shows_the_skin_where_the_playhead_is(window, look):
     content = look(window, playhead_s=0.0751, quantity=Z)
     moving = computed(SHORT, window.document.view, Z)
     assert content.values == pytest.approx(moving.acceleration(0.0751)[:, 0])
@@ -79,8 +77,7 @@ def test_the_map_shows_the_skin_where_the_playhead_is(open_window, look):
     assert levels.quantity.name == LEVELS
 
 
-def test_each_step_is_another_frame_and_evaluates_nothing(open_window, look, qtbot):
-    window = open_window(SHORT, View())
+def test_each_step_is_another_frame_and_evaluates_nothing(window, look, qtbot):
     look(window, quantity=Z)
     asked, levels_db = [], set()
     window.conductor.delivered.connect(asked.append)
@@ -91,8 +88,7 @@ def test_each_step_is_another_frame_and_evaluates_nothing(open_window, look, qtb
     assert asked == []
 
 
-def test_levels_and_hidden_maps_are_not_made_anew_at_each_step(open_window, look):
-    window = open_window(SHORT, View())
+def test_levels_and_hidden_maps_are_not_made_anew_at_each_step(window, look):
     content = look(window, playhead_s=0.07)
     assert look(window, playhead_s=0.08) is content
     look(window, quantity=Z)
@@ -105,8 +101,7 @@ def test_levels_and_hidden_maps_are_not_made_anew_at_each_step(open_window, look
     assert content.quantity.time_s == 0.11
 
 
-def test_with_the_delay_removed_the_wave_comes_so_much_earlier(open_window, look):
-    window = open_window(SHORT, View())
+def test_with_the_delay_removed_the_wave_comes_so_much_earlier(window, look):
     there = look(window, playhead_s=0.08, quantity=Z).values
     window.do("remove_delay")
     levels_db = look(window, playhead_s=0.08 - PRE_TRIGGER_DELAY_S).values
@@ -136,8 +131,7 @@ def test_another_part_of_a_long_design_is_asked_for_once(open_window, look):
     assert content.values == pytest.approx(moving.acceleration(38.0)[:, 0])
 
 
-def test_the_map_says_when_and_whether_its_range_is_fixed(open_window, look):
-    window = open_window(SHORT, View())
+def test_the_map_says_when_and_whether_its_range_is_fixed(window, look):
     content = look(window, playhead_s=0.0751, quantity=Z)
     assert not content.fixed
     assert content.quantity.heading == "Skin acceleration along z, at 75.1 ms"
@@ -151,8 +145,7 @@ def test_the_map_says_when_and_whether_its_range_is_fixed(open_window, look):
     assert not look(window).fixed
 
 
-def test_scrubbing_moves_the_one_playhead(open_window, look):
-    window = open_window(SHORT, View())
+def test_scrubbing_moves_the_one_playhead(window, look):
     look(window, quantity=Z)
     scrub = window.panel("skin").scrub
     scrub.slider.setValue(1234)
@@ -166,8 +159,7 @@ def test_scrubbing_moves_the_one_playhead(open_window, look):
     assert scrub.slider.value() == 3000
 
 
-def test_what_is_chosen_in_the_measure_line_is_what_is_shown(open_window, look):
-    window = open_window(SHORT, View())
+def test_what_is_chosen_in_the_measure_line_is_what_is_shown(window, look):
     panel = window.panel("skin")
     assert not panel.scrub.isVisible()
     choose(panel.measure.quantity, "Animation: sliding RMS")
@@ -183,8 +175,7 @@ def test_what_is_chosen_in_the_measure_line_is_what_is_shown(open_window, look):
     assert window.document.undo_stack.count() == 0
 
 
-def test_while_time_runs_the_wave_moves_in_place_of_its_level(open_window, look, qtbot):
-    window = open_window(SHORT, View())
+def test_while_time_runs_the_wave_moves_in_place_of_its_level(window, look, qtbot):
     panel, view = window.panel("skin"), window.document.view
     levels = look(window)
     window.do("play")

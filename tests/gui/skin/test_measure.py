@@ -195,6 +195,13 @@ def test_keys_move_the_range(window):
     assert window.settings.map_range_db == pytest.approx((-49.1, 0.9))
 
 
+def test_until_accelerations_are_known_their_bar_has_no_decibels_of_what_was_shown(window):
+    # Nobody computes what it needs.
+    window.show(quantity=Z)
+    low, high = window.panel.colour_bar.value_range
+    assert low == -high < 0.0
+
+
 def test_limits_of_signed_values_stay_alike(window):
     window.show(quantity=Z, z_limits=(-2.0, 2.0))
     bar = window.panel.colour_bar

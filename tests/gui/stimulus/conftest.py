@@ -1,7 +1,6 @@
 """A design of three tracks at two places, and the page that exports it."""
 
 import pytest
-from PySide6.QtWidgets import QFileDialog
 
 import skinsource as ss
 from skinsource.design.view import View
@@ -32,28 +31,26 @@ def desk(make_desk, design):
     return make_desk(design, selected(design))
 
 
-def opened(actions, qtbot):
+def opened(desk, qtbot, kind="stimulus"):
     """The page, once it shows what would be exported."""
-    qtbot.waitExposed(actions.page)
-    part = actions.page.part
+    desk.exports.show(kind)
+    qtbot.waitExposed(desk.exports.page)
+    part = desk.exports.page.part
     qtbot.waitUntil(lambda: not part.busy, timeout=WAIT_MS)
     return part
 
 
 @pytest.fixture
 def page(desk, qtbot):
-    desk.exports.show("stimulus")
-    yield opened(desk.exports, qtbot)
-    desk.exports.end()
+    return opened(desk, qtbot)
 
 
 @pytest.fixture
-def save_as(monkeypatch, tmp_path):
+def save_as(answers, tmp_path):
     """Have the next dialog answer with a name."""
 
     def answer_with(name):
-        path = tmp_path / name
-        monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
-        return path
+        answers["save"] = str(tmp_path / name)
+        return tmp_path / name
 
     return answer_with

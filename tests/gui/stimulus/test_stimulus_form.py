@@ -120,4 +120,3 @@ def test_a_name_without_an_ending_gets_all_of_it_and_the_format_is_remembered(
     qtbot.waitUntil(lambda: (tmp_path / "x_stim.tsv.gz").exists(), **WAIT)
     desk.exports.show("stimulus")
     assert desk.exports.page.part.form.field("format").value == "bids"
-    desk.exports.end()

@@ -192,8 +192,7 @@ def test_what_is_chosen_here_is_an_edit_of_the_design(desk, page, qtbot):
     before = document.design
     without_tap = replace(before, inputs=before.inputs[:2])
     document.edit("Remove the tap", without_tap)
-    desk.exports.show("stimulus")
-    page = opened(desk.exports, qtbot)
+    page = opened(desk, qtbot)
     choose(page, qtbot, "plays", "tracks")
     choose(page, qtbot, "actuator", "kastor-2023-air")
     form, actuation = page.form, document.design.actuation
@@ -210,8 +209,7 @@ def test_what_is_chosen_here_is_an_edit_of_the_design(desk, page, qtbot):
     assert "limited to 2 dB" in label(page, "loses")
     # Closed without an export, and opened again.
     desk.exports.end()
-    desk.exports.show("stimulus_set")
-    page = opened(desk.exports, qtbot)
+    page = opened(desk, qtbot, "stimulus_set")
     assert page.form.field("boost_db").value_si == 2.0
     desk.exports.page.show_export("stimulus")
     desk.exports.page.show_export("stimulus_set")
@@ -228,8 +226,7 @@ def test_amplitudes_of_a_set_are_in_the_unit_that_the_equaliser_leaves(make_desk
     coil = ss.ActuatorAt(actuator="x", model=ss.actuators.load("kastor-2023-air"))
     through = ss.Actuation(actuators=(coil,), equaliser=ss.equalising.RegularisedInverse())
     desk = make_desk(replace(design, inputs=design.inputs[:2], actuation=through), View())
-    desk.exports.show("stimulus_set")
-    part = opened(desk.exports, qtbot)
+    part = opened(desk, qtbot, "stimulus_set")
     variable = part.variables[1]
     variable.choose("amplitude")
     assert variable.currentText() == "Amplitude (m/s²), all tracks"
@@ -237,4 +234,3 @@ def test_amplitudes_of_a_set_are_in_the_unit_that_the_equaliser_leaves(make_desk
     assert variable.currentText() == "Amplitude (V), all tracks"
     part.form.field("equaliser").choose("RegularisedInverse")
     assert desk.document.design.actuated == through
-    desk.exports.end()

@@ -8,11 +8,8 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input, track
-from skinsource.design.view import View
-from skinsource.design.waveforms.pulses import Tap
-from skinsource.design.waveforms.tones import Tone
+from skinsource import Clip, Design, Input, View, track
+from skinsource.design.waveforms import Tap, Tone
 from skinsource_gui.panels.timeline.heads import Heads
 from skinsource_gui.panels.timeline.panel import TimelinePanel
 from tests.gui.menus import lines_of

@@ -8,16 +8,9 @@ from PySide6.QtGui import QGuiApplication, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QApplication, QInputDialog, QToolButton
 
-from skinsource.design import edits
-from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input, track
-from skinsource.design.effects.level import BandLimit, Fade
-from skinsource.design.effects.time import Repeat
-from skinsource.design.view import View
-from skinsource.design.waveforms.pulses import Tap
-from skinsource.design.waveforms.samples import Drawn
-from skinsource.design.waveforms.tones import Tone
-from skinsource.design.waveforms.wavelet_train import WaveletTrain
+from skinsource import Clip, Design, Input, View, edits, track
+from skinsource.design.effects import BandLimit, Fade, Repeat
+from skinsource.design.waveforms import Drawn, Tap, Tone, WaveletTrain
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.clip_editor.tools import Pen
 from skinsource_gui.qt.keys import key_text

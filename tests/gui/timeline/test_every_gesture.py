@@ -6,8 +6,7 @@ from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
-from skinsource.design import edits
-from skinsource.design.clips import Marker
+from skinsource import Marker, edits
 from skinsource_gui.panels.timeline.content import show_gain_curves, timeline_tooltip
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.keys import MOUSE
@@ -307,8 +306,7 @@ MADE = {
 
 
 @pytest.mark.parametrize(
-    ("where", "name"),
-    [(where, name) for where in MADE for name in MOUSE[where].gestures],
+    ("where", "name"), [(where, name) for where in MADE for name in MOUSE[where].gestures]
 )
 def test_what_help_lists_is_what_the_mouse_does(lanes, where, name):
     MADE[where][name](lanes)

@@ -9,8 +9,7 @@ from PySide6.QtCore import QEvent, QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QToolButton, QToolTip
 
-from skinsource.design.design import Design
-from skinsource.design.view import View
+from skinsource import Design, View
 from skinsource.design.waveforms.samples import Recording
 from skinsource.specs.samples import Samples
 from skinsource_gui.fields.inputs import FieldChanges

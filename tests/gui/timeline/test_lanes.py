@@ -7,9 +7,7 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QInputDialog, QMenu, QToolButton
 
-from skinsource.design import edits
-from skinsource.design.clips import Clip
-from skinsource.design.design import Design, track
+from skinsource import Clip, edits
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.panels.timeline.content import (
     overlapping,
@@ -85,16 +83,6 @@ def test_a_double_click_on_the_ruler_puts_playhead_and_marker_at_one_time(lanes)
     lanes.double_click(at)
     assert [marker.time_s for marker in lanes.design.markers] == [lanes.view.playhead_s]
     assert lanes.view.playhead_s == pytest.approx(0.3)
-
-
-def test_another_design_is_fitted_into_the_timeline_whatever_was_seen_of_the_one_before(lanes):
-    lanes.panel.findChild(QToolButton, "timeline_fit").click()
-    fitted = lanes.content.scale.shown_s
-    short = Design(limb="synthetic-1", inputs=(track(7, Tone(duration_s=0.1)),))
-    lanes.show(short)
-    assert lanes.content.scale.shown_s == fitted
-    lanes.panel.start_over()
-    assert lanes.content.scale.shown_s == (0.0, 0.5)
 
 
 def test_markers_are_added_renamed_and_removed_on_the_ruler(lanes, monkeypatch):

@@ -8,8 +8,7 @@ from PySide6.QtCore import QPointF, QSizeF
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QApplication
 
-from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input
+from skinsource import Clip, Design, Input
 from skinsource.design.effects.level import Fade
 from skinsource.design.signal_path import UnplayableInput
 from skinsource.design.waveforms.pulses import Tap
