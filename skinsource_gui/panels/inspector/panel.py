@@ -547,6 +547,8 @@ class InspectorPanel(Panel):
         amplitude, peak = amplitude_spec(self._design), ""
         if is_gain(self._design, track):
             amplitude, peak = AMPLITUDE_GAIN, peak_text(self._design, track)
+        elif len(track.clips) > 1:
+            amplitude = replace(amplitude, label="Track amplitude")
         self._fields.show_limb(limb)
         self._fields.show_input(track, batch, amplitude, self._view, peak)
         self._chain.show_chain(self._design, self._view, clip, clips)
