@@ -225,9 +225,10 @@ class FileActions(QObject):
         # A file that cannot be opened is reported before the question about unsaved edits.
         if not self.may_lose_changes():
             return
-        other = self.leave_file(path)
+        other = self.held.take(path)
+        self.held.keep_only(path)
         self._document.start_over(content.design, content.view, path, read_only=other is not None)
-        self._on_disk = on_disk
+        self._on_disk, self._reported, self.suggested = on_disk, "same", None
         self.note_used(path)
         self.opened.emit(content.layout)
         if other is None:
