@@ -112,17 +112,13 @@ class Head:
             return None
         return abs(self.track.amplitude) * float(np.abs(self.played).max(initial=0.0))
 
-    def looks_like(self, other: "Head") -> bool:
-        """Return whether another head is painted the same; a meter shows no more than a percent."""
-        first, second = (
-            (
-                *(head.track.location, head.track.colour, head.track.amplitude),
-                *(head.track.muted, head.track.solo, head.silent),
-                None if head.peak is None else round(head.peak, 2),
-            )
-            for head in (self, other)
-        )
-        return first == second
+    @property
+    def painted(self) -> tuple[object, ...]:
+        """What is seen of it: a meter shows no more than a percent."""
+        track, peak = self.track, self.peak
+        switches = track.muted, track.solo, self.silent
+        level = None if peak is None else round(peak, 2)
+        return track.location, track.colour, track.amplitude, switches, level
 
 
 def text_of(head: Head, design: Design, view: View) -> str:
@@ -165,7 +161,7 @@ class HeadsModel(QAbstractListModel):
             return
         for row, (old, new) in enumerate(zip(before, self.heads, strict=True)):
             known = new.track is old.track and new.played is old.played
-            if not (known and new.silent == old.silent) and not new.looks_like(old):
+            if not (known and new.silent == old.silent) and new.painted != old.painted:
                 index = self.createIndex(row, 0)
                 self.dataChanged.emit(index, index)
 
