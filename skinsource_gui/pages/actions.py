@@ -19,10 +19,11 @@ from skinsource.design.design_file import SHOW_SUFFIX, SUFFIX
 from skinsource.design.edits.edit import (
     Edit,
     Refusal,
-    clip_of,
     leading_clip,
     leading_input,
     location_text,
+    refusing,
+    with_inputs_added,
 )
 from skinsource.design.edits.inputs import free_location, usual_location
 from skinsource.design.labels import limb_label
@@ -56,32 +57,27 @@ _CLIP_REMOVED = Refusal(sentence="That recording is no longer there; import it t
 
 def options(design: Design, view: View, place: DropPlace | None) -> tuple[tuple[str, str], ...]:
     """Return name and text of each place that a recording can go to, the likeliest one first."""
-    track_options = [
-        _track(design, track.id) for track in design.inputs if track.id in _tracks(view, place)
-    ]
-    first = usual_location(design.limb)
-    if place is not None and place.location is not None:
-        first = place.location
-    elif (selected := leading_input(design, view)) is not None:
-        first = selected.location
+    at, selected = place or DropPlace(), leading_input(design, view)
+    ids = view.selected_inputs[-1:] if at.input_id is None else (at.input_id,)
+    tracks = [_track(design, track.id) for track in design.inputs if track.id in ids]
+    first = at.location or (usual_location(design.limb) if selected is None else selected.location)
     locations = [first, *(k for k in range(1, facts_of(design.limb).n_inputs + 1) if k != first)]
     new = [(f"new {k}", f"A new input at {location_text(k, design.limb)}") for k in locations]
-    by_place = place is not None and place.location is not None and place.input_id is None
-    if place is not None:
-        return (*new, *track_options) if by_place else (*track_options, *new)
-    instead = _instead(design, view)
+    if at.location is not None and at.input_id is None:
+        return (*new, *tracks)
+    instead = None if place is not None else _instead(design, view)
     if instead is None:
-        return (*track_options, *new)
+        return (*tracks, *new)
     option, is_placeholder = instead
-    return (option, *track_options, *new) if is_placeholder else (*track_options, option, *new)
+    return (option, *tracks, *new) if is_placeholder else (*tracks, option, *new)
 
 
 def _instead(design: Design, view: View) -> tuple[tuple[str, str], bool] | None:
     """Return the option to replace the selected recording, and whether that is a placeholder."""
-    track = leading_input(design, view)
-    clip = None if track is None else clip_of(track, view)
-    if track is None or clip is None or not isinstance(clip.waveform, Recording):
+    clip = leading_clip(design, view)
+    if clip is None or not isinstance(clip.waveform, Recording):
         return None
+    track = design.track_of(clip.id)
     where = (
         f"input {design.index_of(track.id) + 1}, at {location_text(track.location, design.limb)}"
     )
@@ -89,16 +85,12 @@ def _instead(design: Design, view: View) -> tuple[tuple[str, str], bool] | None:
     return (f"clip {clip.id}", f"In place of the recording on {where}"), not clip.waveform.name
 
 
-def _tracks(view: View, place: DropPlace | None) -> set[int]:
-    dropped = {place.input_id} if place and place.input_id is not None else set()
-    return dropped or set(view.selected_inputs[-1:])
-
-
 def _track(design: Design, id: int) -> tuple[str, str]:
     where = location_text(design.input(id).location, design.limb)
     return f"track {id}", f"A clip on input {design.index_of(id) + 1}, at {where}"
 
 
+@refusing
 def placed(
     design: Design,
     view: View,
@@ -108,23 +100,21 @@ def placed(
 ) -> Edit | Refusal:
     """Return the edit that puts recordings where ``option`` says, and says where that is.
 
-    Further ones go to the next free places.
+    Further ones go to the next free places, as strong beside the first one as in the file.
     """
     outcome = _placed_first(design, view, option, onset_s, recordings[0])
-    clips: tuple[int, ...] = ()
-    for recording in recordings[1:]:
-        last = None if isinstance(outcome, Refusal) else leading_clip(outcome.design, outcome.view)
-        if isinstance(outcome, Refusal) or last is None:
-            return outcome
-        after, clips = outcome.design, (*clips, last.id)
-        location = free_location(after, after.track_of(last.id).location)
-        outcome = edits.place_waveform(after, outcome.view, location, recording, last.onset_s)
-        if isinstance(outcome, Edit):
-            ids = (*clips, outcome.design.clips[-1].id)
-            shown = edits.select_clips(outcome.design, outcome.view, ids).view
-            outcome = replace(outcome, label=f"Import {len(recordings)} signals", view=shown)
     if isinstance(outcome, Refusal) or (clip := leading_clip(outcome.design, outcome.view)) is None:
         return outcome
+    after, ids = outcome.design, [clip.id]
+    further = after.track_of(clip.id)
+    for recording in recordings[1:]:
+        location = free_location(after, further.location)
+        beside = replace(clip, waveform=recording, label="")
+        further = replace(further, location=location, clips=(beside,))
+        after = with_inputs_added(after, [further])
+        ids.append(after.clips[-1].id)
+        shown = edits.select_clips(after, outcome.view, ids).view
+        outcome = Edit(label=f"Import {len(recordings)} signals", design=after, view=shown)
     tracks = map(outcome.design.input, outcome.view.selected_inputs)
     where = ", ".join(location_text(track.location, design.limb) for track in tracks)
     said = f"Starts at {value_text(clip.onset_s, 's', digits=5)} on {where}"
@@ -246,7 +236,7 @@ class ImportActions(QObject):
         self._window = services.window
         self._pages: list[Any] = []
         # Files whose pages open when the page before is closed.
-        self._waiting: list[tuple[Path, DropPlace | None]] = []
+        self._waiting: list[tuple[Path, DropPlace | None, int, int]] = []
 
     @property
     def pages(self) -> tuple[Any, ...]:
@@ -264,21 +254,32 @@ class ImportActions(QObject):
 
     def open_pages(self, paths: list[Path], place: DropPlace | None = None) -> None:
         """Open the page on one file after the other."""
-        self._waiting += [(path, place) for path in paths]
+        self._waiting += [(path, place, k, len(paths)) for k, path in enumerate(paths, 1)]
         self._open_next()
 
-    def open_page(self, path: Path, place: DropPlace | None = None) -> None:
-        """Open the page on a file that is to go to ``place``, or where the user says."""
+    def open_page(
+        self, path: Path, place: DropPlace | None = None, number: int = 1, count: int = 1
+    ) -> None:
+        """Open the page on a file that is to go to ``place``, or where the user says.
+
+        It is one of ``count``; those after the first go beside the one before.
+        """
         self.risk_ahead.emit()
-        view, at = self._document.view, place or DropPlace()
-        places = options(self._document.design, view, place)
-        limb = facts_of(self._document.design.limb)
+        design, view, at = self._document.design, self._document.view, place or DropPlace()
+        if number > 1:
+            before = leading_input(design, view)
+            location = free_location(design, before.location if before else 0)
+            place = replace(at, location=location, input_id=None)
+        places = options(design, view, place)
+        limb = facts_of(design.limb)
         onset_s = view.playhead_s if at.onset_s is None else at.onset_s
 
         def put_at(recordings: tuple[Recording, ...], option: str) -> Edit | Refusal:
             return placed(self._document.design, self._document.view, option, onset_s, recordings)
 
         page = pages.ImportPage(path, limb, places, put_at, self._window)
+        if count > 1:
+            page.setWindowTitle(f"{page.windowTitle()}, file {number} of {count}")
 
         def put(recordings: tuple[Recording, ...], option: str) -> None:
             outcome = put_at(recordings, option)

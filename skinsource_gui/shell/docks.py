@@ -4,7 +4,7 @@ A dock makes its panel when it first comes into sight. Docks that share a place 
 that Qt makes; a dock has a title of its own only while it floats.
 """
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from functools import partial
 from typing import Any
@@ -96,6 +96,12 @@ class Dock(QtWidgets.QDockWidget):
         self.show()
         self.raise_()
 
+    def enter(self, *, reason: Qt.FocusReason = Qt.FocusReason.ShortcutFocusReason) -> None:
+        """Bring it forward and give the keyboard to its panel."""
+        self.bring_forward()
+        self.panel.activateWindow()
+        focus_into(self.panel, reason)
+
     def turn_floating(self) -> None:
         """Take it out of the window, or put it back where it was."""
         self.setFloating(not self.isFloating())
@@ -178,7 +184,8 @@ class DockTabs(QObject):
         """Bring the tab after the one in front to the front, or the one before: "-1"."""
         bar = self._bar_in_use()
         if bar is not None:
-            self._bring(bar.tabText((bar.currentIndex() + int(step)) % bar.count()))
+            title = bar.tabText((bar.currentIndex() + int(step)) % bar.count())
+            self._enter(self._dock_titled(title), Qt.FocusReason.ShortcutFocusReason)
 
     def _note_child(self, event: QChildEvent) -> None:
         bar = event.child()
@@ -207,13 +214,8 @@ class DockTabs(QObject):
             self._dock_titled(bar.tabText(index)).fill_menu(menu)
             menu.popup(bar.mapToGlobal(at))
 
-    def _bring(self, title: str) -> None:
-        dock = self._dock_titled(title)
-        dock.bring_forward()
-        self._enter(dock, Qt.FocusReason.ShortcutFocusReason)
-
     def _enter(self, dock: Dock, reason: Qt.FocusReason) -> None:
-        focus_into(dock.panel, reason)
+        dock.enter(reason=reason)
         self.used.emit(dock.objectName())
 
     def _dock_titled(self, title: str) -> Dock:
@@ -276,7 +278,7 @@ def toggles(docks: Iterable[Dock]) -> list[QtGui.QAction]:
     """
     actions = []
     for dock in docks:
-        ways = [("Show", dock.bring_forward)]
+        ways: list[tuple[str, Callable[[], object]]] = [("Show", dock.enter)]
         if not dock.isHidden():
             ways.append(("Close", dock.hide))
         for word, act in ways:
@@ -290,7 +292,7 @@ def _turn(dock: Dock, action: QtGui.QAction) -> None:
     if dock.in_sight:
         dock.hide()
     else:
-        dock.bring_forward()
+        dock.enter()
     # Qt has turned the tick of one behind others, which stays.
     _tick(dock, action)
 
@@ -446,9 +448,8 @@ class KeyboardKeeper(QObject):
         in_front = [] if before is None else self._window.tabifiedDockWidgets(before)
         in_sight = [dock for dock in self._docks.values() if dock.in_sight]
         for dock in sorted(in_sight, key=lambda dock: dock not in in_front)[:1]:
-            if not focus_into(dock.panel, Qt.FocusReason.OtherFocusReason):
-                # A window that is not shown yet has no stops.
-                dock.panel.setFocus(Qt.FocusReason.OtherFocusReason)
+            # A window that is not shown yet has no stops.
+            focus_into(dock.panel, Qt.FocusReason.OtherFocusReason)
 
     def _take_from(self, dock: Dock) -> None:
         if dock.in_sight and dock.isVisible():

@@ -76,13 +76,10 @@ def move_focus(
     return True
 
 
-def focus_into(part: QtWidgets.QWidget, reason: Qt.FocusReason) -> bool:
-    """Focus the proxy or the first stop of ``part``; return whether it has a stop."""
-    stops = tab_stops(part, ())
-    if stops:
-        first = part.focusProxy()
-        (first if first in stops else stops[0]).setFocus(reason)
-    return bool(stops)
+def focus_into(part: QtWidgets.QWidget, reason: Qt.FocusReason) -> None:
+    """Focus the proxy or the first stop of ``part``, or itself where it has no stop."""
+    stops, first = tab_stops(part, ()), part.focusProxy() or part
+    (first if first in stops or not stops else stops[0]).setFocus(reason)
 
 
 def _focus_chain(top: QtWidgets.QWidget) -> list[QtWidgets.QWidget]:

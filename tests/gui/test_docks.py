@@ -144,7 +144,8 @@ def test_keys_for_tabs_say_when_no_panels_share_a_place(window):
     assert window.statusBar().currentMessage().startswith("No panel shares its place")
 
 
-def test_the_panels_menu_ticks_what_is_there_and_brings_what_is_behind(window, settle):
+def test_the_panels_menu_ticks_what_is_there_and_brings_what_is_behind(active, settle):
+    window = active
     menu = next(menu for menu in window.findChildren(QMenu) if menu.title() == "Panels")
     entry = {action.text(): action for action in menu.actions()}
     assert {text for text, action in entry.items() if action.isChecked()} == {
@@ -152,6 +153,7 @@ def test_the_panels_menu_ticks_what_is_there_and_brings_what_is_behind(window, s
     }
     entry["Compare"].trigger()
     settle()
+    assert with_keyboard(window) == "compare"
     assert entry["Compare"].isChecked()
     assert "timeline" not in in_sight(window)
     assert entry["Timeline"].isChecked()

@@ -183,11 +183,15 @@ def test_a_frequency_is_set_by_keys_on_an_input_that_was_placed_by_keys(window, 
     assert tuple(others) == before
 
 
-def test_hiding_is_an_entry_of_its_own_while_a_panel_is_in_the_window(window, qtbot):
+def test_hiding_is_an_entry_of_its_own_and_a_panel_that_is_shown_gets_the_keyboard(window, qtbot):
+    window.activateWindow()
     assert listed_for(window, qtbot, "panel: skin") == ["Show panel: Skin", "Close panel: Skin"]
     run_from_palette(window, qtbot, "Close panel: Skin")
     assert window.docks["skin"].isHidden()
     assert listed_for(window, qtbot, "panel: skin") == ["Show panel: Skin"]
+    for panel in map(window.panel, ("skin", "timeline")):
+        run_from_palette(window, qtbot, f"Show panel: {panel.title}")
+        qtbot.waitUntil(lambda panel=panel: panel.isAncestorOf(QApplication.focusWidget()))
 
 
 def test_conditions_follow_the_document(window):

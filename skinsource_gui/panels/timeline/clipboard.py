@@ -11,6 +11,7 @@ from skinsource.design.clips import Clip, Fragment, Lane
 from skinsource.design.design import Design
 from skinsource.design.edits.clips import clips_text, present_clips
 from skinsource.design.edits.edit import Edit, Refusal, change_clips, leading_clip, refusing
+from skinsource.design.effects.time import Trim
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Impulse
 from skinsource_gui.panels.timeline.content import chosen_clips
@@ -56,28 +57,33 @@ def paste_clips(design: Design, view: View) -> Edit | Refusal:
 
 
 def copy_effects(design: Design, view: View) -> Edit | Refusal:
-    """Put the effects of the clip that was selected last on the clipboard; the design stays."""
+    """Put the effects of the clip that was selected last on the clipboard; the design stays.
+
+    What trims it belongs to that clip, as after a split.
+    """
     clip = leading_clip(design, view)
     if clip is None:
         return _NO_CLIPS
+    effects = tuple(effect for effect in clip.effects if not isinstance(effect, Trim))
     # The shortest waveform: with any, effects that repeat must not become too long.
-    holder = Lane(location=1, clips=(Clip(waveform=Impulse(), effects=clip.effects),))
+    holder = Lane(location=1, clips=(Clip(waveform=Impulse(), effects=effects),))
     data = QMimeData()
     data.setData(_MIME.format("effects"), edits.fragment_text(Fragment(lanes=(holder,))).encode())
     QtWidgets.QApplication.clipboard().setMimeData(data)
-    said = f"{counted(len(clip.effects), 'effect')} copied"
+    said = f"{counted(len(effects), 'effect')} copied"
     return Edit(label="Copy effects", design=design, view=view, said=said)
 
 
 @refusing
 def paste_effects(design: Design, view: View) -> Edit | Refusal:
-    """Replace the effects of the selected clips by those of the clipboard."""
+    """Replace the effects of the selected clips by those of the clipboard; what trims one stays."""
     fragment = _pasted("effects")
     if isinstance(fragment, Refusal):
         return fragment
     chosen = present_clips(design, chosen_clips(design, view))
-    effects = fragment.lanes[0].clips[0].effects
-    after = change_clips(design, {clip.id: {"effects": effects} for clip in chosen})
+    new = fragment.lanes[0].clips[0].effects
+    kept = {clip.id: [e for e in clip.effects if isinstance(e, Trim)] for clip in chosen}
+    after = change_clips(design, {id: {"effects": (*kept[id], *new)} for id in kept})
     return Edit(label=f"Paste effects to {clips_text(design, chosen)}", design=after, view=view)
 
 

@@ -278,6 +278,9 @@ def test_a_recording_goes_in_place_of_what_stands_for_one_and_of_another_when_th
     (now,) = document.design.inputs[0].clips
     assert now.waveform.name == "tap.wav, channel 1"
     assert (now.id, now.onset_s) == (clip.id, clip.onset_s)
+    gained = document.design.with_clip(clip.id, gain=0.5, label="Tap")
+    both = actions.placed(gained, document.view, first[0], 0.0, [now.waveform] * 2).design.clips
+    assert [(each.gain, each.label) for each in both] == [(0.5, "Tap"), (0.5, "")]
     again = [name for name, _ in actions.options(document.design, document.view, None)]
     assert again[:2] == [f"track {track.id}", f"clip {clip.id}"]
 
@@ -337,18 +340,21 @@ def test_of_several_files_one_after_the_other_is_asked_about_and_what_is_left_ou
 ):
     second = tmp_path / "second.wav"
     second.write_bytes(sound.read_bytes())
+    row = window.panel("timeline").heads.viewport().mapTo(window, QPoint(60, 10))
     for kind in (QDragEnterEvent, QDropEvent):
-        drop(window, sound, site(window, 13), kind, tmp_path / "a.skinsource", second)
+        drop(window, sound, row, kind, tmp_path / "a.skinsource", second)
     assert "a.skinsource" in window.notice.text
-    for path in (sound, second):
+    for number, path in enumerate((sound, second), 1):
         (page,) = window.imports.pages
         assert path.name in page.windowTitle()
+        assert f"{number} of 2" in page.windowTitle()
         qtbot.waitUntil(lambda page=page: page.ready, timeout=60_000)
         page.accept()
         QApplication.processEvents()
     assert window.imports.pages == ()
-    names = [track.clips[0].waveform.name for track in window.document.design.inputs[1:]]
-    assert names == ["tap.wav, channel 1", "second.wav, channel 1"]
+    tracks = window.document.design.inputs
+    names = [(track.location, track.clips[-1].waveform.name) for track in tracks]
+    assert names == [(7, "tap.wav, channel 1"), (8, "second.wav, channel 1")]
 
 
 def test_a_site_lights_up_while_a_recording_is_held_over_it(window, sound, tmp_path):
@@ -390,6 +396,7 @@ def test_each_channel_gets_a_clip_on_a_place_of_its_own_and_keeps_its_share(
     desk, qtbot, page_at, sound
 ):
     document = desk.document
+    document.edit("Strong", document.design.with_input(0, amplitude=3.603))
     document.apply(edits.move_playhead(document.design, document.view, 1.0))
     page = page_at(sound)
     field = page.form.findChild(QWidget, "import_axes")
@@ -407,7 +414,7 @@ def test_each_channel_gets_a_clip_on_a_place_of_its_own_and_keeps_its_share(
     assert document.undo_stack.count() == before + 1
     assert said == [where(page)]
     tracks = document.design.inputs
-    assert [track.location for track in tracks] == [7, 8]
+    assert [(track.location, track.amplitude) for track in tracks] == [(7, 3.603), (8, 3.603)]
     clips = [track.clips[-1] for track in tracks]
     assert [clip.waveform.name for clip in clips] == ["tap.wav, channel 1", "tap.wav, channel 2"]
     assert [clip.onset_s for clip in clips] == [1.0, 1.0]

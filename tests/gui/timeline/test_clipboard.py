@@ -9,7 +9,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QApplication, QInputDialog, QToolButton
 
 from skinsource import Clip, Design, Input, View, edits, track
-from skinsource.design.effects import BandLimit, Fade, Repeat
+from skinsource.design.effects import BandLimit, Fade, Repeat, Trim
 from skinsource.design.waveforms import Drawn, Tap, Tone, WaveletTrain
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.clip_editor.tools import Pen
@@ -140,25 +140,25 @@ def test_fades_come_and_go_and_leave_the_other_end(two_clips):
     assert not window.actions_by_name["fade_in"].isChecked()
 
 
-def test_effects_are_copied_to_other_clips_in_one_step(two_clips):
+def test_effects_but_not_what_trims_a_clip_are_copied_to_others_in_one_step(two_clips):
     window, document = two_clips, two_clips.document
     QGuiApplication.clipboard().clear()
     refused = []
     document.refused.connect(refused.append)
     window.do("paste_effects")
     assert refused == ["The clipboard holds no effects; copy some first."]
-    chain = (Repeat(400), Fade(0.01, 0.05))
-    document.edit("Effects", document.design.with_clip(2, effects=chain))
+    chain, late, early = (Repeat(400), Fade(0.01, 0.05)), Trim(0.05, 0.1), Trim(0.0, 0.05)
+    document.edit("Effects", document.design.with_clip(2, effects=(*chain, early)))
     document.look(replace(document.view, selected_inputs=(2,), selected_clips=(2,)))
     window.do("copy_effects")
     # They are no clips.
     window.do("paste_clips")
     assert refused[1:] == ["The clipboard holds no clips; copy some first."]
-    document.edit("Other", document.design.with_clip(1, effects=(BandLimit(),)))
+    document.edit("Other", document.design.with_clip(1, effects=(BandLimit(), late)))
     before = document.design
     document.look(replace(document.view, selected_inputs=(1, 2), selected_clips=(1, 2)))
     window.do("paste_effects")
-    assert [clip.effects for clip in document.design.clips] == [chain, chain]
+    assert [clip.effects for clip in document.design.clips] == [(late, *chain), (early, *chain)]
     window.do("undo")
     assert document.design == before
     document.look(replace(document.view, selected_inputs=(), selected_clips=()))
