@@ -101,17 +101,12 @@ class ChannelsView(QtWidgets.QWidget):
                 self._paint_picture(painter, channel, area)
 
     def _paint_text(self, painter: QtGui.QPainter, channel: ChannelOverview, top: float) -> None:
-        title, peak, clipped = (*channel_lines(channel), "")[:3]
         room = QRectF(0, top, _TEXT_PX - UNIT_PX, _ROW_PX / 3)
         left = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
         painter.setFont(tabular(self.font()))
-        metrics = painter.fontMetrics()
-        rows = (
-            (title, current_theme().text),
-            (peak, current_theme().dim),
-            (clipped, current_theme().error),
-        )
-        for number, (text, colour) in enumerate(rows):
+        metrics, theme = painter.fontMetrics(), current_theme()
+        colours = theme.text, theme.dim, theme.error
+        for number, (text, colour) in enumerate(zip(channel_lines(channel), colours, strict=False)):
             painter.setPen(QtGui.QColor(colour))
             elided = metrics.elidedText(text, Qt.TextElideMode.ElideRight, int(room.width()))
             painter.drawText(room.translated(0, number * _ROW_PX / 3), left, elided)
@@ -265,9 +260,8 @@ class StimulusPart(ExportPart):
 
     def suggestion(self) -> tuple[str, str, tuple[str, ...], str]:
         kind = self.form.format
-        title = "Folder" if kind.folder else kind.title
-        kinds = f"{title} (*{kind.suffix})" if kind.suffix else "All files (*)"
-        return f"{self._stem}{kind.suffix}", kinds, (), kind.suffix
+        title = "New folder" if kind.folder else kind.title
+        return f"{self._stem}{kind.suffix}", f"{title} (*{kind.suffix})", (), kind.suffix
 
     def files(self, path: Path) -> Iterable[tuple[Path, ...]]:
         return () if self.prepared is None else written_files(self.prepared, path)
@@ -491,7 +485,7 @@ class SetPart(StimulusPart):
             variable.set_options(titles.items())
 
     def suggestion(self) -> tuple[str, str, tuple[str, ...], str]:
-        return f"{self._stem}-set", "Folder (*)", (), ""
+        return f"{self._stem}-set", "New folder, none replaced (*)", (), ""
 
     def files(self, path: Path) -> tuple[()]:
         return ()
@@ -639,6 +633,5 @@ def _cells(condition: Condition) -> list[tuple[str, str]]:
     return [(text, tooltip(text, condition.weakened)) for text in texts]
 
 
-def _write_set(planned: Any, path: Path, *, largest_error: float, **job: Any) -> Path:
+def _write_set(planned: Any, path: Path, *, largest_error: float, **job: Any) -> None:
     planned.write(path, **job)
-    return path
