@@ -3,7 +3,6 @@
 import csv
 import json
 import re
-from dataclasses import replace
 from itertools import cycle
 
 import numpy as np
@@ -145,7 +144,7 @@ def test_the_command_writes_what_the_function_writes(design, tmp_path, capsys):
 
 def test_a_set_says_which_tracks_become_alike(design):
     second = ss.track(9, ss.waveforms.Tone(frequency_hz=100.0), amplitude=2.0)
-    unlike = replace(design, inputs=(*design.inputs, second))
+    unlike = ss.Design(limb="synthetic-1", inputs=(*design.inputs, second))
     vary = {"amplitude": [1], "2.amplitude": [1], "frequency_hz": [50], "location": [(7, 12)]}
     summary = ss.export_set(unlike, vary, None).summary
     assert re.findall(r"\. (\w+) becomes the same", summary) == ["Amplitude"]
