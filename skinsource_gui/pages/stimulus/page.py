@@ -44,13 +44,7 @@ from skinsource_gui.pages.files.export_parts import ExportPart, scrolled_fields
 from skinsource_gui.pages.files.exports import STIMULUS, STIMULUS_SET
 from skinsource_gui.pages.page import RowTable
 from skinsource_gui.pages.stimulus.form import Order, StimulusForm, recall, remembered
-from skinsource_gui.qt.buttons import (
-    page_button,
-    page_label,
-    progress_bar,
-    scrolled,
-    show_or_hide,
-)
+from skinsource_gui.qt.buttons import page_button, page_label, progress_bar, scrolled, show_or_hide
 from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.overlays import PALE, Staleness
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
@@ -101,17 +95,12 @@ class ChannelsView(QtWidgets.QWidget):
                 self._paint_picture(painter, channel, area)
 
     def _paint_text(self, painter: QtGui.QPainter, channel: ChannelOverview, top: float) -> None:
-        title, peak, clipped = (*channel_lines(channel), "")[:3]
         room = QRectF(0, top, _TEXT_PX - UNIT_PX, _ROW_PX / 3)
         left = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
         painter.setFont(tabular(self.font()))
-        metrics = painter.fontMetrics()
-        rows = (
-            (title, current_theme().text),
-            (peak, current_theme().dim),
-            (clipped, current_theme().error),
-        )
-        for number, (text, colour) in enumerate(rows):
+        metrics, theme = painter.fontMetrics(), current_theme()
+        colours = theme.text, theme.dim, theme.error
+        for number, (text, colour) in enumerate(zip(channel_lines(channel), colours, strict=False)):
             painter.setPen(QtGui.QColor(colour))
             elided = metrics.elidedText(text, Qt.TextElideMode.ElideRight, int(room.width()))
             painter.drawText(room.translated(0, number * _ROW_PX / 3), left, elided)
@@ -265,9 +254,8 @@ class StimulusPart(ExportPart):
 
     def suggestion(self) -> tuple[str, str, tuple[str, ...], str]:
         kind = self.form.format
-        title = "Folder" if kind.folder else kind.title
-        kinds = f"{title} (*{kind.suffix})" if kind.suffix else "All files (*)"
-        return f"{self._stem}{kind.suffix}", kinds, (), kind.suffix
+        title = "New folder" if kind.folder else kind.title
+        return f"{self._stem}{kind.suffix}", f"{title} (*{kind.suffix})", (), kind.suffix
 
     def files(self, path: Path) -> Iterable[tuple[Path, ...]]:
         return () if self.prepared is None else written_files(self.prepared, path)
@@ -491,7 +479,7 @@ class SetPart(StimulusPart):
             variable.set_options(titles.items())
 
     def suggestion(self) -> tuple[str, str, tuple[str, ...], str]:
-        return f"{self._stem}-set", "Folder (*)", (), ""
+        return f"{self._stem}-set", "New folder, none replaced (*)", (), ""
 
     def files(self, path: Path) -> tuple[()]:
         return ()
@@ -639,6 +627,5 @@ def _cells(condition: Condition) -> list[tuple[str, str]]:
     return [(text, tooltip(text, condition.weakened)) for text in texts]
 
 
-def _write_set(planned: Any, path: Path, *, largest_error: float, **job: Any) -> Path:
+def _write_set(planned: Any, path: Path, *, largest_error: float, **job: Any) -> None:
     planned.write(path, **job)
-    return path

@@ -89,15 +89,17 @@ def test_what_is_told_of_a_chip_is_what_it_is_sent(tone, tmp_path):
     assert done.summary.startswith("1 channel, 200 amplitudes a second, 805 ms, about 161 bytes, ")
 
 
-@pytest.mark.parametrize(("name", "numbers"), [("drv2605l", "values"), ("bos1901", "samples")])
-def test_a_sidecar_describes_the_values_of_the_header(tone, tmp_path, name, numbers):
+@pytest.mark.parametrize(("name", "most"), [("drv2605l", 127), ("bos1901", 2047)])
+def test_a_sidecar_describes_the_values_of_the_header(tone, tmp_path, name, most):
     path = tmp_path / "a.h"
     ss.export_stimulus(tone, path, name)
-    _, constants = arrays_of(path)
+    arrays, constants = arrays_of(path)
     about, hz, n = sidecar(path), *(int(constants[key][:-2]) for key in ("STIM_FS_HZ", "STIM_N"))
     assert (about["rate_hz"], about["n_times"], about["duration_s"]) == (hz, n, n / hz)
-    assert about["meaning"].split(" times ")[0] == numbers
-    assert ("amplitudes" in about["meaning"]) == (numbers == "values")
+    # Read literally, the largest value is the largest drive.
+    assert f" divided by {most} and times full_scale are " in about["meaning"]
+    assert (arrays["stim_place_7"] % 2**11).max() == pytest.approx(most, rel=0.02)
+    assert ("amplitudes" in about["meaning"]) == (about["errors"] == {}) == (name == "drv2605l")
 
 
 @pytest.mark.parametrize(
@@ -174,6 +176,7 @@ def test_an_ahap_file_keeps_the_rules_of_its_format(tone, tmp_path):
     points = intensity["ParameterCurveControlPoints"]
     assert all(0.0 <= point["ParameterValue"] <= 1.0 for point in points)
     # Felt strength is quadratic: half an amplitude is the root of it.
+    assert sidecar(tmp_path / "a.ahap")["meaning"].startswith("squares of intensities times ")
     loud, soft = points[20]["ParameterValue"], points[68]["ParameterValue"]
     assert soft / loud == pytest.approx(np.sqrt(0.5), abs=0.02)
     values = [point["ParameterValue"] for point in sharpness["ParameterCurveControlPoints"]]

@@ -181,6 +181,7 @@ def test_a_c_header_compiles_clean_and_holds_the_samples(
     path = tmp_path / "a.h"
     options = ss.StimulusOptions(choices={"samples": kind})
     ss.export_stimulus(design, path, format="c-header", rate_hz=8000, options=options)
+    assert (f" minus {zero}, divided by " in sidecar(path)["meaning"]) == (kind == "uint8")
     flags = ["-Wall", "-Wextra", "-Werror", "-pedantic"]
     for language, standard in (("c", "c99"), ("c++", "c++11")):
         subprocess.run(

@@ -133,13 +133,21 @@ def test_the_command_writes_what_the_function_writes(design, tmp_path, capsys):
     assert main([*call, "--match-output", "29", "--level-db", "-2", "--equalise", "none"]) == 1
     printed = capsys.readouterr()
     assert "condition 3 left out: " in printed.err
-    assert printed.out.startswith(f"{out / 'conditions.csv'}\n  2 stimuli, 2 left out; ")
+    assert f"{out / 'conditions.csv'}\n  2 stimuli in a new folder, 2 left out; " in printed.out
     vary = {"1.frequency_hz": [50], "location": [7, 12]}
     ss.export_set(design, vary, tmp_path / "own", "flac", match_output=29, level_db=-2.0)
     assert content_of(out) == content_of(tmp_path / "own")
     capsys.readouterr()
     assert main([*call[:4], "--vary", "location = 7, 12"]) == 1
     assert "not TOML" in capsys.readouterr().err
+
+
+def test_a_set_says_which_tracks_become_alike(design):
+    second = ss.track(9, ss.waveforms.Tone(frequency_hz=100.0), amplitude=2.0)
+    unlike = ss.Design(limb="synthetic-1", inputs=(*design.inputs, second))
+    vary = {"amplitude": [1], "2.amplitude": [1], "frequency_hz": [50], "location": [(7, 12)]}
+    summary = ss.export_set(unlike, vary, None).summary
+    assert re.findall(r"\. (\w+) becomes the same", summary) == ["Amplitude"]
 
 
 def test_a_set_names_the_files_that_the_equaliser_weakens(tmp_path, capsys):

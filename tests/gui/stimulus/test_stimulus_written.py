@@ -315,6 +315,7 @@ def test_a_variable_that_matching_cancels_is_refused(part, qtbot):
     assert not part.ready
     part.output.choose("")
     qtbot.waitUntil(lambda: part.ready, timeout=WAIT_MS)
+    assert label(part, "set_summary").endswith("Amplitude becomes the same on all tracks.")
 
 
 def test_the_next_set_has_the_same_fields_and_begins_beside_the_last_one(
@@ -333,3 +334,5 @@ def test_the_next_set_has_the_same_fields_and_begins_beside_the_last_one(
     assert part.values[part.variables[1]].value == (50, 120)
     export(desk, part, qtbot)
     assert asked[0][2] == f"{first}-2"
+    # A folder that exists cannot be chosen there.
+    assert asked[0][3].startswith("New folder, none replaced")

@@ -13,13 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.export.formats.format import (
-    SAMPLES,
-    Choices,
-    Facts,
-    StimulusFile,
-    StimulusFormat,
-)
+from skinsource.export.formats.format import SAMPLES, Choices, Facts, StimulusFile, StimulusFormat
 from skinsource.specs.spec import ChoiceSpec
 from skinsource.version import __version__
 

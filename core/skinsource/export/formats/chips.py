@@ -16,7 +16,7 @@ from skinsource.actuators.models import Piezo
 from skinsource.base.arrays import Floats
 from skinsource.engine.stimulus import Stimulus
 from skinsource.export.formats.format import Choices, Facts, StimulusFile, StimulusFormat
-from skinsource.export.formats.text import BYTES, write_header
+from skinsource.export.formats.text import BYTES, rounding_of, write_header
 from skinsource.signals.quantising import quantised
 from skinsource.specs.spec import ChoiceSpec
 
@@ -93,8 +93,6 @@ def strength_of(stimulus: Stimulus, step_s: float) -> Stimulus:
 
 _FIFO_HZ = 8000
 _UPDATES = "updates"
-#: Full scale of the evaluation kit of the BOS1901.
-_BOS_VOLTS = 95
 
 
 class Drv2605l(StimulusFormat):
@@ -107,6 +105,7 @@ class Drv2605l(StimulusFormat):
     rate_hz = _FIFO_HZ
     fixed_rate = True
     plays_waveform = False
+    numbers = "values"
     choices: ClassVar = {
         _UPDATES: ChoiceSpec(
             label="Updates",
@@ -140,7 +139,7 @@ class Drv2605l(StimulusFormat):
             },
         )
         about = {"device_rate_hz": str(step_hz), "samples": "int8", "updates_hz": step_hz}
-        return {**header, **about}
+        return {**header, **about, "integer_zero": 0, "integer_full_scale": 127}
 
     def sent(self, stimulus: Stimulus, choices: Choices) -> Stimulus:
         """Return the amplitudes at their own rate."""
@@ -168,8 +167,6 @@ class _Fifo(StimulusFormat):
         Kind of whole numbers, and the type in C that holds them.
     comment
         Lines at the top of the file.
-    rounding
-        Bits and error of a sample, as part of a sentence.
     """
 
     suffix = ".h"
@@ -179,7 +176,6 @@ class _Fifo(StimulusFormat):
     integers: str
     kind: str
     comment: tuple[str, ...]
-    rounding: str
 
     def write(self, file: StimulusFile, path: Path) -> Facts:
         """Write the file."""
@@ -211,7 +207,7 @@ class _Fifo(StimulusFormat):
 
     def loses(self, choices: Choices) -> str:
         """Return a sentence on what is not in the file."""
-        return f"{self.rounding} below full scale. What lies above 3.7 kHz is left out."
+        return f"{rounding_of(self.integers)} What lies above 3.7 kHz is left out."
 
 
 class Bos1901(_Fifo):
@@ -220,13 +216,13 @@ class Bos1901(_Fifo):
     name = "bos1901"
     title = "BOS1901, FIFO"
     hint = "12-bit words for the piezo driver, at 8 kHz"
+    numbers = "words, read as 12 bits with sign,"
     integers, kind = "int12", "uint16_t"
     comment = (
         "BOS1901: words for register 0x0, the FIFO of 64; PLAY of CONFIG: 8 kHz.",
-        f"Full scale is {_BOS_VOLTS} V on the evaluation kit. First and last word are 0 V;",
+        "Full scale is 95 V on the evaluation kit. First and last word are 0 V;",
         "a wave that stays within about 3 V of 0 without reaching it may stop it.",
     )
-    rounding = "12 bits: each sample is rounded, by at most 72 dB"
 
 
 class Drv2665(_Fifo):
@@ -240,4 +236,3 @@ class Drv2665(_Fifo):
         "DRV2665: bytes for the FIFO of 100, which plays 8000 of them a second. First and",
         "last byte are 0.",
     )
-    rounding = "8 bits: each sample is rounded, by at most 48 dB"

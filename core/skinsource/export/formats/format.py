@@ -183,6 +183,8 @@ class StimulusFormat(ABC):
         Whether full scale is the limit of a device, so that larger samples would be cut off.
     plays_waveform
         Whether the device plays the samples, not only how strong they are.
+    numbers
+        What its numbers are called where the sidecar says what they mean.
     actuators
         Kinds of actuators that it drives, so that an equaliser must be made for one of them; None:
         any.
@@ -200,6 +202,7 @@ class StimulusFormat(ABC):
     folder: bool = False
     to_device: bool = True
     plays_waveform: bool = True
+    numbers: str = "samples"
     actuators: tuple[type[Actuator], ...] | None = None
 
     @abstractmethod

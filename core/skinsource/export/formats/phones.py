@@ -44,6 +44,7 @@ class _Phone(StimulusFormat):
     fixed_rate = True
     one_channel_each = True
     plays_waveform = False
+    numbers = "amplitudes"
     step_s = 0.01
     bytes_per_s: int
     band_hz: tuple[float, float] | None = None
@@ -134,6 +135,7 @@ class Ahap(_Phone):
     title = "Apple AHAP"
     suffix = ".ahap"
     hint = "iPhones: a file for each actuator"
+    numbers = "squares of intensities"
     bytes_per_s = 18_000
     band_hz: tuple[float, float] = (65.0, 300.0)
 

@@ -11,13 +11,8 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import stop_if
 from skinsource.base.quoting import sentence
 from skinsource.base.work import counted
-from skinsource.export.formats.format import (
-    SAMPLES,
-    Choices,
-    Facts,
-    StimulusFile,
-    StimulusFormat,
-)
+from skinsource.export.formats.format import SAMPLES, Choices, Facts, StimulusFile, StimulusFormat
+from skinsource.signals.quantising import KINDS
 from skinsource.specs.spec import ChoiceSpec
 from skinsource.version import __version__
 
@@ -182,6 +177,13 @@ def ascii_of(text: str) -> str:
     return text.replace("²", "^2").encode("ascii", "replace").decode().replace("*/", "* /")
 
 
+def rounding_of(kind: str) -> str:
+    """Return a sentence on how much samples are rounded to a kind of whole numbers."""
+    bits = KINDS[kind].bits
+    most_db = 20.0 * np.log10(2.0**bits - 2.0)
+    return f"{bits} bits: each sample is rounded, by at most {most_db:.0f} dB below full scale."
+
+
 class CHeader(StimulusFormat):
     """Arrays in C."""
 
@@ -228,9 +230,4 @@ class CHeader(StimulusFormat):
 
     def loses(self, choices: Choices) -> str:
         """Return a sentence on what is not in the file."""
-        bits = 8 * BYTES[f"{choices[SAMPLES]}_t"]
-        rounding_db = 20.0 * np.log10(2.0**bits - 2.0)
-        return (
-            f"{bits} bits: each sample is rounded, by at most {rounding_db:.0f} dB below full "
-            "scale. What lies above 0.46 of the rate is left out."
-        )
+        return f"{rounding_of(choices[SAMPLES])} What lies above 0.46 of the rate is left out."

@@ -60,6 +60,8 @@ def sidecar_of(
     """
     (file,) = ready.files
     stimulus, design = file.stimulus, file.design
+    # Predicted through actuators, amplitudes are drives of these, whatever the limb was driven by.
+    known = design.actuated is not None or drive_unit_known(design.limb, design.limb_digest)
     counts = facts.get("clipped_samples", [channel.clipped for channel in file.channels])
     content: dict[str, Any] = {
         "what": "SkinSource stimulus",
@@ -94,14 +96,14 @@ def sidecar_of(
         "equalised": ready.equalised,
         "inputs": [_about_input(track) for track in design.inputs],
         "gain": ready.gain,
-        "meaning": _meaning(ready, stimulus.unit),
-        "scaling_means": _scaling_sentence(design),
+        "meaning": _meaning(ready, stimulus.unit, facts),
+        "scaling_means": label_of(scalings_on(drive_unit_known=known), design.scaling).sentence,
         "predicted_through": _about_prediction(ready, design.actuated),
         **about_validity(design),
         "clip_count": int(sum(counts)),
         "confirmed": list(confirmed),
         "edges": ready.edges,
-        "errors": _errors(stimulus, facts),
+        "errors": _errors(stimulus, facts) if ready.format.plays_waveform else {},
         "loses": ready.loses,
         "versions": versions(),
         **{name: value for name, value in facts.items() if name != "clipped_samples"},
@@ -167,10 +169,13 @@ def _about_model(model: Model | Equaliser | None) -> dict[str, Any]:
     return {"kind": type(model).__name__, **values}
 
 
-def _meaning(ready: PreparedStimulus, unit: str) -> str:
+def _meaning(ready: PreparedStimulus, unit: str, facts: Facts) -> str:
     """Return what the numbers in the file are."""
-    values, scale, drive = "samples", "full_scale", "amplitude times gain times waveform, in "
-    drive += "m/s²" if ready.equaliser is not None else "the unit"
+    values, scale, drive = ready.format.numbers, "full_scale", "amplitude times gain times waveform"
+    if full_scale := facts.get("integer_full_scale"):
+        values += f" minus {facts['integer_zero']}," * bool(facts["integer_zero"])
+        values += f" divided by {full_scale} and"
+    drive += ", in m/s²" if ready.equaliser is not None else ", in the unit"
     if unit == FULL_SCALE_UNIT:
         scale = "full_scale_v and amplifier_gain of the channel, with its polarity,"
         drive = drive.replace("the unit", "V")
@@ -178,14 +183,8 @@ def _meaning(ready: PreparedStimulus, unit: str) -> str:
     if ready.equaliser is not None:
         what = "volts, by which the actuator follows the drive as far as the equaliser lets it"
     elif not ready.format.plays_waveform:
-        values, what = "values", "amplitudes of sines that are as strong as the drive"
+        what = "amplitudes of sines that are as strong as the drive"
     return f"{values} times {scale} are {what}: {drive}"
-
-
-def _scaling_sentence(design: Design) -> str:
-    # Predicted through actuators, amplitudes are drives of these, whatever the limb was driven by.
-    known = design.actuated is not None or drive_unit_known(design.limb, design.limb_digest)
-    return label_of(scalings_on(drive_unit_known=known), design.scaling).sentence
 
 
 def _about_prediction(ready: PreparedStimulus, actuated: Actuation | None) -> Any:

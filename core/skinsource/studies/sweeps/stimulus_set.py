@@ -36,7 +36,8 @@ from skinsource.export.stimulus_export.preparing import (
     common_full_scale,
     prepare_stimulus,
 )
-from skinsource.studies.sweeps.plan import Plan, Value
+from skinsource.specs.models import specs_of
+from skinsource.studies.sweeps.plan import OF_INPUT, Plan, Value
 from skinsource.studies.sweeps.running import Variables, variables_of
 from skinsource.studies.sweeps.table import Cell, SweepTable, cell_of, write_csv
 
@@ -106,7 +107,7 @@ class StimulusSet:
     confirmed
         Whether files are written even though samples clip or limits are passed.
     summary
-        What is written, in a sentence.
+        What is written, in sentences.
     """
 
     conditions: tuple[Condition, ...] = ()
@@ -260,15 +261,28 @@ def export_set(
             for each in conditions
         ]
     planned = replace(planned, conditions=tuple(conditions))
-    summary = counted(len(planned.written), "stimulus", "stimuli")
+    summary = f"{counted(len(planned.written), 'stimulus', 'stimuli')} in a new folder"
     if planned.refused:
         summary += f", {len(planned.refused)} left out"
     if planned.written:
         summary += f"; the first one: {planned.prepared(planned.written[0], stop).summary}"
+    summary += "".join(_evened(design, name, values) for name, values in plan.variables)
     planned = replace(planned, summary=summary)
     if folder is not None:
         planned.write(folder, progress=progress, stop=stop)
     return planned
+
+
+def _evened(design: Design, name: str, values: tuple[Value, ...]) -> str:
+    """Return a sentence where a variable makes unlike tracks or clips alike; "": it does not."""
+    waveforms = (clip.waveform for clip in design.clips)
+    parts = design.inputs if name in OF_INPUT else (*design.clips, *waveforms)
+    found = [part for part in parts if name in specs_of(part)]
+    # A list gives each track a place of its own.
+    if isinstance(values[0], tuple) or len({str(getattr(part, name)) for part in found}) < 2:
+        return ""
+    where = "on all tracks" if len(design.inputs) > 1 else "in all clips"
+    return f". {specs_of(found[0])[name].label} becomes the same {where}"
 
 
 def _targets_db(
