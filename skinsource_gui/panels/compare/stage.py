@@ -477,7 +477,8 @@ class StagePanel(MapsPanel):
             kept = tuple(number for number in outputs if number <= loop.moving.signals.shape[0])
             x, values = loop.spectra(kept) if spectra else loop.traces(kept, end_s)
             values = values + 20.0 * np.log10(gain) if spectra else gain * values
-            for row, number in enumerate(kept):
+            # Of another design the loudest part may lie where this one has ended.
+            for row, number in enumerate(kept if x.size else ()):
                 called = _names(number, limb) if alone else names[k][1:] or names[k]
                 curves.append(Curve(names=called, rank=row if alone else k, x=x, y=values[row]))
         top = max((float(np.abs(curve.y).max()) for curve in curves), default=0.0) or 1.0
