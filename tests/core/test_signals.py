@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.signals.generators import impulse, sample_count, sinusoid, tap, white_noise
+from skinsource.signals.generators import sample_count, sinusoid, white_noise
 
 
 def half_up(milliseconds: int) -> int:
@@ -45,27 +45,6 @@ def test_a_sinusoid_is_exact_to_1e_12_for_an_hour(duration_s, frequency_hz, phas
 def test_a_tone_that_would_alias_is_refused(frequency_hz):
     with pytest.raises(InvalidInputError, match="would alias"):
         sinusoid(frequency_hz, 0.1)
-
-
-@pytest.mark.parametrize("milliseconds", [0, 1, 5, 25, 45, 100, 350, 1000])
-def test_a_tap_starts_at_its_time_and_peaks_ten_samples_later(milliseconds):
-    samples = tap(milliseconds / 1000)
-    start = half_up(milliseconds)
-    assert samples.shape == (start + 21,)
-    assert not samples[:start].any()
-    assert (samples[start:] > 0).all()
-    assert samples.argmax() == start + 10
-    assert samples[start + 10] == 1.0
-
-
-def test_an_impulse_is_one_sample():
-    assert impulse().tolist() == [1.0]
-    samples = impulse(0.01, 0.1)
-    assert samples.shape == (130,)
-    assert np.flatnonzero(samples).tolist() == [13]
-    assert samples[13] == 1.0
-    with pytest.raises(InvalidInputError, match="after the end"):
-        impulse(0.1, 0.1)
 
 
 def test_noise_reaches_up_to_half_the_rate():

@@ -1,13 +1,14 @@
-"""Decibels of extreme amplitudes, and the map between sites in awkward places."""
+"""Decibels of extreme amplitudes, the map between awkward sites, and the table of promises."""
 
 import json
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from skinsource import Design, View, track
-from skinsource.base.decibels import FLOOR_DB, decibels
+from skinsource.base.decibels import FLOOR_DB, decibels, levels_for_tables
 from skinsource.base.errors import InvalidInputError
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.limbs.surface.natural_neighbour import natural_neighbour_weights, triangulate
@@ -234,3 +235,31 @@ def test_two_outputs_at_one_place_have_one_value(noted, distance_mm):
     noted("h twice", refused(lambda: operator.interpolate(values), same_place))
     values[1] = -30.0
     noted("h twice", int(abs(operator.interpolate(values)[row, column] + 30) > 1e-12))
+
+
+@pytest.mark.parametrize("reference", [5e-324, 1e-320, 1e-6, 1.0, 1e300])
+def test_the_reference_has_level_zero_however_extreme_it_is(reference):
+    assert decibels(reference, reference) == 0.0
+    assert decibels(0.0, reference) == FLOOR_DB
+
+
+def test_tables_hold_no_number_where_silence_has_no_level():
+    held = levels_for_tables(decibels([0.0, 1.0, 10.0]))
+    np.testing.assert_array_equal(held, [np.nan, 0.0, 20.0])
+    assert np.isnan(levels_for_tables([np.nan, FLOOR_DB + 1e-9])).all()
+
+
+def test_the_numbers_in_the_table_keep_their_promises(documented):
+    for key, _, promise, value, margin in documented.values():
+        assert float(value) <= float(promise), key
+        if float(value) == 0:
+            assert margin == "exact", key
+        else:
+            times = float(margin.removesuffix("×").replace(" ", ""))
+            assert times == pytest.approx(float(promise) / float(value), rel=0.06), key
+
+
+def test_every_promise_is_measured_by_a_test(documented):
+    paths = Path(__file__).parent.glob("test_stability_*.py")
+    text = "".join(path.read_text(encoding="utf-8") for path in paths)
+    assert [key for key in documented if f'"{key}"' not in text] == []
