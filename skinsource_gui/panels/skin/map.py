@@ -8,7 +8,7 @@ from skinsource.base.work import counted
 from skinsource.design.labels import BACK_SIDE
 from skinsource.limbs.limb import LimbMap
 from skinsource.limbs.locations import input_name
-from skinsource_gui.fields.units import minus, output_text
+from skinsource_gui.fields.units import output_text
 from skinsource_gui.panels.skin.content import InputMark, MapContent
 from skinsource_gui.panels.skin.layout import (
     HAND,
@@ -131,14 +131,14 @@ def selection_hint(outputs: tuple[int, ...]) -> str:
 
 
 def strongest_readout(content: MapContent) -> tuple[str, str]:
-    """Return the strongest output with its level, and with all of it; empty for moving waves."""
+    """Return the strongest output, and the same with its value; empty for a wave that moves."""
     values = content.coloured_values
     if values is None or content.quantity.moves or not np.isfinite(values).any():
         return "", ""
     number = int(np.nanargmax(values)) + 1
-    # In whole decibels the line changes with few steps of a drag.
-    level, place = minus(f"{round(values[number - 1])}"), output_text(number, content.limb)
-    return f"Strongest: {level} dB · {place}", f"Strongest: {output_readout(content, number)}"
+    # Its value changes with each step of a drag, and would lay the panel out each time.
+    place = output_text(number, content.limb)
+    return f"Strongest: {place}", f"Strongest: {output_readout(content, number)}"
 
 
 SYNTHETIC_MARK = "SYNTHETIC"
