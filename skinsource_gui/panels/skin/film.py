@@ -54,7 +54,7 @@ from skinsource_gui.plots.pictures import (
     caption_of,
     with_caption,
 )
-from skinsource_gui.qt.theme import Theme
+from skinsource_gui.qt.theme import Theme, letter_by_letter
 from skinsource_gui.qt.wheel import WHOLE
 
 #: The most pixels on a side that encoders take.
@@ -447,8 +447,9 @@ class _Camera:
         painter = QtGui.QPainter(self._image)
         width, height = self.size
         painter.scale(width / options.width_px, height / options.height_px)
-        font = painter.font()
-        font.setFamily(self._family)
+        # A font of its own: a copy would share with those of the window, in another thread.
+        font = letter_by_letter(QtGui.QFont(self._family))
+        font.setPointSizeF(painter.font().pointSizeF())
         painter.setFont(font)
         with_caption(draw, self._caption)(
             painter, options.width_px, options.height_px, options.theme
