@@ -200,7 +200,7 @@ class FileDrops(QObject):
             left = [path for path in paths if path.suffix in _ALONE]
             self.recordings_dropped.emit([path for path in paths if path not in left], place)
         if names := ", ".join(path.name for path in left):
-            self.failed.emit(f"Not opened: {names}; drop each alone.")
+            self.failed.emit(f"Not opened: {names}. Drop each file alone.")
         return True
 
     def _place(self, at: QPoint) -> DropPlace | None:

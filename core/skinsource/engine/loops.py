@@ -104,11 +104,13 @@ class Loop:
         return scipy.fft.rfftfreq(n_times, 1.0 / self.moving.sample_rate_hz), decibels(magnitude)
 
     def loudest_after_s(self, part_s: float) -> float:
-        """Return after which time such a part begins, its largest acceleration in its middle."""
-        sizes = np.abs(self.moving.signals).max(axis=(0, 1))
-        loudest_s = (self.moving.first + int(np.argmax(sizes))) / self.moving.sample_rate_hz
-        middle_s = loudest_s - self.begin_s
-        return min(max(middle_s - part_s / 2.0, 0.0), self.duration_s - part_s)
+        """Return after which time the part of that length with the most energy begins."""
+        rate_hz = self.moving.sample_rate_hz
+        sums = np.cumsum(np.square(self.moving.signals).sum(axis=(0, 1)))
+        n_part = min(round(part_s * rate_hz), sums.size)
+        energy = sums[n_part - 1 :] - np.pad(sums[:-n_part], (1, 0))
+        begin_s = (self.moving.first + int(np.argmax(energy))) / rate_hz
+        return min(max(begin_s - self.begin_s, 0.0), self.duration_s - part_s)
 
     def part(self, after_s: float, part_s: float) -> "Loop":
         """Return a part of a motion that passes; of a steady tone all of it."""

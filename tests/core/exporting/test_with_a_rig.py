@@ -322,7 +322,7 @@ def test_what_the_limited_boost_takes_is_the_same_number_everywhere(tmp_path, ca
     assert lost("--equalise", "none") == ""
     replaced = ss.equalising.PolePairReplacement(*ss.equalising.resonance_of(model))
     done = ss.export_stimulus(design, tmp_path / "p.wav", equaliser=replaced)
-    assert "limited to its resonance: at 50 Hz" in done.loses
+    assert "limited to the resonance of the actuator: at 50 Hz" in done.loses
     # The flanks of a short wavelet are no frequencies of their own.
     short = ss.track(7, ss.waveforms.Gabor(frequency_hz=50.0, cycles=4.0))
     boosted = replace(chosen, equaliser=RegularisedInverse(boost_db=40.0))

@@ -534,7 +534,7 @@ def weakened_by(
     held = slice(1, int(np.searchsorted(frequency_hz, 0.5 * wanted.own_rate_hz)))
     frequency_hz = frequency_hz[held]
     band = np.rint(10.0 * np.log10(frequency_hz) + 10.0).clip(0.0).astype(int)
-    found = []
+    losses = []
     for row in wanted.driving:
         place = wanted.channels[row].place or 0
         model: Any = actuator_at(place, rig, actuation)[1]
@@ -544,17 +544,17 @@ def weakened_by(
         after = np.bincount(band, energy * np.abs(gain) ** 2)
         level_db = decibels(np.sqrt(before))
         loss_db = level_db - decibels(np.sqrt(after))
-        beside_db = scipy.ndimage.maximum_filter1d(level_db, 3)
-        felt = np.maximum(beside_db - _FLANK_DB, level_db.max() - _WITHIN_DB) <= level_db
+        neighbours_db = scipy.ndimage.maximum_filter1d(level_db, 3)
+        felt = np.maximum(neighbours_db - _FLANK_DB, level_db.max() - _WITHIN_DB) <= level_db
         missing = np.where(felt & (loss_db >= LEAST_WEAKENED_DB), before - after, 0.0)
         if missing.any():
             most = int(missing.argmax())
             middle_hz = np.bincount(band, energy * frequency_hz)[most] / before[most]
-            found.append((float(loss_db[most]), place, middle_hz))
-    if not found:
+            losses.append((float(loss_db[most]), place, middle_hz))
+    if not losses:
         return ""
-    loss, place, middle_hz = max(found)
-    limit = "its resonance"
+    loss, place, middle_hz = max(losses)
+    limit = "the resonance of the actuator"
     if isinstance(equaliser, RegularisedInverse):
         limit = f"{equaliser.boost_db:g} dB, from {band_hz[0]:.4g} to {band_hz[1]:.4g} Hz"
     return (
