@@ -11,6 +11,7 @@ from skinsource.design.clips import Clip, Fragment, Lane
 from skinsource.design.design import Design
 from skinsource.design.edits.clips import clips_text, present_clips
 from skinsource.design.edits.edit import Edit, Refusal, change_clips, leading_clip, refusing
+from skinsource.design.effects.effect import Effect, KeepsTime
 from skinsource.design.effects.time import Trim
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Impulse
@@ -59,12 +60,13 @@ def paste_clips(design: Design, view: View) -> Edit | Refusal:
 def copy_effects(design: Design, view: View) -> Edit | Refusal:
     """Put the effects of the clip that was selected last on the clipboard; the design stays.
 
-    What trims it belongs to that clip, as after a split.
+    What cuts its part belongs to that clip, as after a split.
     """
     clip = leading_clip(design, view)
     if clip is None:
         return _NO_CLIPS
-    effects = tuple(effect for effect in clip.effects if not isinstance(effect, Trim))
+    kept = _cutting(clip)
+    effects = tuple(effect for effect in clip.effects if effect not in kept)
     # The shortest waveform: with any, effects that repeat must not become too long.
     holder = Lane(location=1, clips=(Clip(waveform=Impulse(), effects=effects),))
     data = QMimeData()
@@ -76,15 +78,22 @@ def copy_effects(design: Design, view: View) -> Edit | Refusal:
 
 @refusing
 def paste_effects(design: Design, view: View) -> Edit | Refusal:
-    """Replace the effects of the selected clips by those of the clipboard; what trims one stays."""
+    """Replace the effects of the selected clips by those copied; what cuts a part stays."""
     fragment = _pasted("effects")
     if isinstance(fragment, Refusal):
         return fragment
     chosen = present_clips(design, chosen_clips(design, view))
     new = fragment.lanes[0].clips[0].effects
-    kept = {clip.id: [e for e in clip.effects if isinstance(e, Trim)] for clip in chosen}
-    after = change_clips(design, {id: {"effects": (*kept[id], *new)} for id in kept})
+    changes = {clip.id: {"effects": (*_cutting(clip), *new)} for clip in chosen}
+    after = change_clips(design, changes)
     return Edit(label=f"Paste effects to {clips_text(design, chosen)}", design=after, view=view)
+
+
+def _cutting(clip: Clip) -> tuple[Effect, ...]:
+    """Return the effects that cut a part: those that trim, and what repeats or stretches before."""
+    trims = [k for k, effect in enumerate(clip.effects, 1) if isinstance(effect, Trim)]
+    before = clip.effects[: max(trims, default=0)]
+    return tuple(effect for effect in before if not isinstance(effect, KeepsTime))
 
 
 def _pasted(what: str) -> Fragment | Refusal:

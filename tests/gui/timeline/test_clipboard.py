@@ -140,7 +140,7 @@ def test_fades_come_and_go_and_leave_the_other_end(two_clips):
     assert not window.actions_by_name["fade_in"].isChecked()
 
 
-def test_effects_but_not_what_trims_a_clip_are_copied_to_others_in_one_step(two_clips):
+def test_effects_but_not_what_cuts_a_part_are_copied_to_others_in_one_step(two_clips):
     window, document = two_clips, two_clips.document
     QGuiApplication.clipboard().clear()
     refused = []
@@ -158,7 +158,11 @@ def test_effects_but_not_what_trims_a_clip_are_copied_to_others_in_one_step(two_
     before = document.design
     document.look(replace(document.view, selected_inputs=(1, 2), selected_clips=(1, 2)))
     window.do("paste_effects")
-    assert [clip.effects for clip in document.design.clips] == [(late, *chain), (early, *chain)]
+    repeated, fade = chain
+    assert [each.effects for each in document.design.clips] == [
+        (late, fade),
+        (repeated, early, fade),
+    ]
     window.do("undo")
     assert document.design == before
     document.look(replace(document.view, selected_inputs=(), selected_clips=()))
