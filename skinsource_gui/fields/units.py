@@ -271,7 +271,7 @@ def stepped(value_si: float, direction: int, spec: NumberSpec, size: Fraction = 
     step = _step_shown(value_si, spec, unit) * size
     if spec.whole:
         step = max(step, Fraction(1))
-    position = Fraction(value_si) / unit.si / step
+    position = value_si / float(unit.si * step)
     nearest = round(position)
     if abs(position - nearest) < _TOLERANCE * max(1, abs(nearest)):
         target = nearest + direction
@@ -310,11 +310,11 @@ class Ladder:
 def _step_shown(value_si: float, spec: NumberSpec, unit: DisplayUnit) -> Fraction:
     """Return the plain step at a value, in the display unit: 1, 2 or 5 times a power of ten."""
     size_si = spec.step * value_si if spec.logarithmic and value_si > 0 else spec.step
-    exact = unit.shown(size_si)
-    decade = Fraction(10) ** math.floor(math.log10(exact))
-    return min(
-        (factor * decade for factor in (1, 2, 5, 10)),
-        key=lambda step: abs(math.log(exact / step)),
+    exact = size_si / float(unit.si)
+    power = math.floor(math.log10(exact))
+    digits = exact / 10.0**power
+    return (
+        min((1, 2, 5, 10), key=lambda digit: abs(math.log(digits / digit))) * Fraction(10) ** power
     )
 
 

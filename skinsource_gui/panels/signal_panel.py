@@ -76,9 +76,10 @@ class SignalPanel(OutputsPanel):
 
     def _show_curves(self, curves: Curves, limb: str, notes: tuple[str, ...]) -> None:
         """Show curves of a limb with notes on them, or on the noise."""
-        names = tuple(replace(name, noisy=name.number in self._noisy) for name in curves.names)
-        noise = _NOISY if any(name.noisy for name in names) else ()
-        curves = replace(curves, names=names)
+        noise: tuple[str, ...] = ()
+        if any(name.number in self._noisy for name in curves.names):
+            names = (replace(name, noisy=name.number in self._noisy) for name in curves.names)
+            curves, noise = replace(curves, names=tuple(names)), _NOISY
         self._plot.show_curves(curves, synthetic=facts_of(limb).synthetic, notes=notes or noise)
 
     def _draw(self, results: Mapping[str, Any]) -> None:

@@ -39,8 +39,8 @@ def colour_indices(
     Levels outside the range take the colour of its nearer end, NaN that of the lower end.
     """
     low, high = range_db
-    within = np.fmax(levels_db, low, out=np.empty_like(levels_db))
-    np.fmin(within, high, out=within)
+    within = np.clip(levels_db, low, high, out=np.empty_like(levels_db))
+    within[np.isnan(within)] = low
     within -= low
     within *= (N_COLOURS - 1) / (high - low)
     within += 0.5

@@ -386,16 +386,17 @@ class ExactSpectra:
 
     def _responses(
         self, taps: Floats, name: Hashable, n_times: int, channels: list[Channel]
-    ) -> Complexes:
+    ) -> list[Complexes]:
         keys = [(name, n_times, channel) for channel in channels]
-        spectra = {key: self._known.find(key) for key in keys}
-        missing = [key for key in keys if spectra[key] is None]
+        found = {key: self._known.find(key) for key in keys}
+        spectra = {key: spectrum for key, spectrum in found.items() if spectrum is not None}
+        missing = [key for key in keys if key not in spectra]
         if missing:
             rows = np.array([taps[output - 1, axis] for _, _, (output, axis) in missing])
             for key, spectrum in zip(missing, forward(rows, n_times), strict=True):
                 spectra[key] = spectrum
                 self._known.add(key, spectrum)
-        return np.array([spectra[key] for key in keys])
+        return [spectra[key] for key in keys]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

@@ -16,9 +16,9 @@ from skinsource.design.signal_path import Drive
 #: Lengths are 9, 12 or 15 times a power of two, at least 9 times this one: they are fast, and so
 #: few that spectra of responses are used again when a duration changes a little.
 _SHORTEST_OCTAVE = 64
-# Two threads pay from about a tenth of a millisecond of work on; more threads do not help.  Very
+# Two threads pay from about half a millisecond of work on; more threads do not help.  Very
 # long transforms take so much memory that one thread is better.
-_WORTH_A_THREAD, _LONG = 2**14, 2**17
+_WORTH_A_THREAD, _LONG = 2**16, 2**17
 
 
 def transform_length(n_samples: int) -> int:
@@ -70,9 +70,12 @@ def rows_of(spectrum: Complexes, channels: list[Channel]) -> Complexes:
     return np.array([spectrum[output - 1, axis] for output, axis in channels])
 
 
-def driven(rows: Complexes, drive: Complexes) -> Complexes:
-    """Multiply rows by the spectrum of a drive, (n_bins,), in place."""
-    return np.multiply(rows, drive, out=rows)
+def driven(rows: list[Complexes], drive: Complexes) -> Complexes:
+    """Return rows times the spectrum of a drive, (n_bins,)."""
+    products = np.empty((len(rows), drive.size), np.complex128)
+    for row, product in zip(rows, products, strict=True):
+        np.multiply(row, drive, out=product)
+    return products
 
 
 class ChannelsOnDemand:
@@ -131,7 +134,8 @@ class ChannelsOnDemand:
             rows = np.zeros((0, self._active.size))
             if missing:
                 rows = inverse(self._spectra(missing), self._n_fft)[:, : self._active.size]
-                np.copyto(rows, 0.0, where=~self._active)
+                if not self._active.all():
+                    np.copyto(rows, 0.0, where=~self._active)
                 self._traces.update(zip(missing, rows, strict=True))
             if missing != channels:
                 rows = np.array([self._traces[channel] for channel in channels])

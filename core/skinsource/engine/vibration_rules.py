@@ -137,7 +137,7 @@ def edited_channels(
     name = ref(responses.limb), location, responses.scaling == "probe"
     exact = responses.remembered.exact_spectra
     return ChannelsOnDemand(
-        lambda channels: driven(rows_of(values, channels), edited_spectrum),
+        lambda channels: driven([values[at - 1, axis] for at, axis in channels], edited_spectrum),
         response.n_fft,
         edited_active,
         exact.of(drive.samples, taps, name, edited_active.size),

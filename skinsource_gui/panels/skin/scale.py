@@ -119,9 +119,10 @@ class ColourStrip(QtWidgets.QWidget):
 
     def show_scale(self, scale: ColourScale, marks: tuple[tuple[float, int], ...]) -> None:
         """Show colours and their range, and levels of selected outputs, each in its colour."""
-        if (scale, marks) != (self._scale, self._marks):
-            self.update()
+        before = self._scale, self._placed_marks()
         self._scale, self._marks = scale, marks
+        if (scale, self._placed_marks()) != before:
+            self.update()
 
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         theme = current_theme()
@@ -137,8 +138,7 @@ class ColourStrip(QtWidgets.QWidget):
             self.palette().window().color(),
         )
         painter.setPen(QtGui.QPen(QtGui.QColor(theme.base), 0.5))
-        for level, rank in self._marks:
-            x = self._x_of(level, ramp)
+        for x, rank in self._placed_marks():
             painter.setBrush(theme.output_colour(rank))
             tip, back = ramp.top() - 1, ramp.top() - _MARK_PX
             painter.drawPolygon([QPointF(x, tip), QPointF(x - 4, back), QPointF(x + 4, back)])
@@ -184,9 +184,12 @@ class ColourStrip(QtWidgets.QWidget):
         else:
             self.range_chosen.emit(moved(self.value_range, step_db))
 
-    def _x_of(self, level: float, ramp: QRectF) -> float:
-        low, high = self.value_range
-        return ramp.left() + min(max((level - low) / (high - low), 0.0), 1.0) * ramp.width()
+    def _placed_marks(self) -> list[tuple[float, int]]:
+        """Return x of each mark, in half px: less is not seen, and painted anew for each step."""
+        (low, high), ramp = self.value_range, self._ramp()
+        parts = (min(max((level - low) / (high - low), 0.0), 1.0) for level, _ in self._marks)
+        places = (round(2 * (ramp.left() + part * ramp.width())) / 2 for part in parts)
+        return list(zip(places, (rank for _, rank in self._marks), strict=True))
 
     def _ramp(self) -> QRectF:
         beyond = _beyond_px(self.font())
