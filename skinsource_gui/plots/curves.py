@@ -374,6 +374,7 @@ class SignalCurve(pyqtgraph.GraphicsObject):
         self.points: CurvePoints | None = None
         self.pen = QtGui.QPen()
         self.dots: QtGui.QPolygonF | None = None
+        self._bounds = QRectF()
         self._line: QtGui.QPolygonF | None = None
         self._path: QtGui.QPainterPath | None = None
 
@@ -397,15 +398,16 @@ class SignalCurve(pyqtgraph.GraphicsObject):
         self.update()
 
     def boundingRect(self) -> QRectF:
-        view = self.getViewBox()
-        return QRectF() if view is None else view.viewRect()
+        return self._bounds
 
     def shape(self) -> QtGui.QPainterPath:
         return QtGui.QPainterPath()
 
     def viewTransformChanged(self) -> None:
-        # The bounds are those of the view.
+        # The bounds are those of the view; Qt asks for them three times for each picture.
         self.prepareGeometryChange()
+        view = self.getViewBox()
+        self._bounds = QRectF() if view is None else view.viewRect()
 
     def paint(self, painter: QtGui.QPainter, option: Any, widget: Any) -> None:
         painter.setPen(self.pen)
