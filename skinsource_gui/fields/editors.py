@@ -6,7 +6,7 @@ from typing import Any
 
 from PySide6 import QtWidgets
 
-from skinsource.base.quoting import printable
+from skinsource.base.errors import printable
 from skinsource.design.edits.edit import KindSpec
 from skinsource.specs.breakpoints import BreakpointsSpec
 from skinsource.specs.numbers import (

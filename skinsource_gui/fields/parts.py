@@ -13,8 +13,7 @@ from typing import Any, Generic, TypeVar
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
 
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.quoting import sentence
+from skinsource.base.errors import InvalidInputError, sentence
 from skinsource.design.edits.edit import KindSpec, as_kind
 from skinsource.design.edits.effects import (
     Parts,

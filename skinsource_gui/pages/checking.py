@@ -14,10 +14,9 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QLineF, QPointF, QRectF
 
 from skinsource.base.arrays import Floats
-from skinsource.base.errors import SkinSourceError, Stopped
+from skinsource.base.errors import SkinSourceError, Stopped, printable, sentence
 from skinsource.base.job import Job, Progress, Stop
 from skinsource.base.measurement_conditions import Axes as PublishedAxes
-from skinsource.base.quoting import printable, sentence
 from skinsource.design.design import Design
 from skinsource.design.design_file import open_design
 from skinsource.limbs.own_limbs import facts_of

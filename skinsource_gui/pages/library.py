@@ -5,8 +5,7 @@ from dataclasses import dataclass
 from PySide6 import QtWidgets
 from PySide6.QtCore import Signal
 
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.work import counted
+from skinsource.base.errors import InvalidInputError, counted
 from skinsource.design import edits
 from skinsource.design.clips import Fragment
 from skinsource.design.design import Design

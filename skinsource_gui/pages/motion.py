@@ -12,9 +12,7 @@ from typing import Any
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
 
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.quoting import sentence
-from skinsource.base.work import counted
+from skinsource.base.errors import InvalidInputError, counted, sentence
 from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_unit
 from skinsource.design.design import Design

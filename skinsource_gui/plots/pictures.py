@@ -28,10 +28,8 @@ from PySide6.QtCore import (
 )
 from PySide6.QtSvg import QSvgGenerator
 
-from skinsource.base.errors import StorageError
+from skinsource.base.errors import StorageError, counted, sentence
 from skinsource.base.files import write_bytes
-from skinsource.base.quoting import sentence
-from skinsource.base.work import counted
 from skinsource.design.amplitudes import amplitude_text
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, audible_inputs

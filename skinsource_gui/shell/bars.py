@@ -7,7 +7,7 @@ from functools import partial
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, Qt
 
-from skinsource.base.quoting import printable
+from skinsource.base.errors import printable
 from skinsource.design import edits
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.labels import CHOICES, LIMBS, Word, limb_label, short_limb_title

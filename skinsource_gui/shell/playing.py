@@ -11,7 +11,7 @@ from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
 from skinsource import actuators
 from skinsource.actuators.actuation import Actuation, ActuatorAt
 from skinsource.actuators.equalising import PolePairReplacement, RegularisedInverse
-from skinsource.base.quoting import printable
+from skinsource.base.errors import printable
 from skinsource.design.design import Design
 from skinsource.design.edits.setup import choose_actuation, choose_rig
 from skinsource.design.panel_settings import STAGE

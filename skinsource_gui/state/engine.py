@@ -16,8 +16,8 @@ from typing import Any
 from PySide6 import QtWidgets
 from PySide6.QtCore import QEvent, QObject, QTimer, Signal
 
-from skinsource.base.errors import Stopped
-from skinsource.base.work import Work, counted
+from skinsource.base.errors import Stopped, counted
+from skinsource.base.work import Work
 from skinsource.design import edits
 from skinsource.design.comparing import at_frequency
 from skinsource.design.design import Design

@@ -16,8 +16,7 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from skinsource import lab
 from skinsource.actuators import rigs
-from skinsource.base.errors import InvalidInputError, SkinSourceError
-from skinsource.base.quoting import quoted
+from skinsource.base.errors import InvalidInputError, SkinSourceError, quoted
 from skinsource.design import edits
 from skinsource.design.comparing import louder
 from skinsource.design.design import Design

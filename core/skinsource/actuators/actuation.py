@@ -22,9 +22,8 @@ from skinsource.actuators.equalising import (
     followed_band,
 )
 from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError
+from skinsource.base.errors import InvalidInputError, lowered, quoted
 from skinsource.base.measurement_conditions import BAND_HZ, MOST_LOCATIONS, Band
-from skinsource.base.quoting import lowered, quoted
 from skinsource.specs import fields
 from skinsource.specs.numbers import ListSpec, ModelSpec, NumberSpec, OptionalSpec
 from skinsource.specs.spec import SwitchSpec, TextSpec

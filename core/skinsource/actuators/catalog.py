@@ -14,10 +14,9 @@ from skinsource.actuators.models import Piezo, RecoilVoiceCoil, VoiceCoil
 from skinsource.actuators.prediction import Limits, Thermal
 from skinsource.base.arguments import one_of
 from skinsource.base.assets import data_folder
-from skinsource.base.errors import InvalidInputError
+from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.base.files import read_bytes
 from skinsource.base.json_text import MAX_TEXT_BYTES
-from skinsource.base.quoting import quoted
 from skinsource.specs import fields, models
 from skinsource.specs.codec import from_plain_text
 from skinsource.specs.numbers import ModelSpec, OptionalSpec

@@ -8,8 +8,7 @@ from typing import Literal, get_args
 
 import numpy as np
 
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.quoting import quoted
+from skinsource.base.errors import InvalidInputError, quoted
 
 #: Lowest and highest frequency, Hz.  ``Band | None``: that of a limb, None where it is not known.
 Band = tuple[float, float]

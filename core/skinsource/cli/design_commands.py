@@ -7,10 +7,8 @@ from typing import Any
 
 from skinsource.actuators.rigs import open_rig
 from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError
+from skinsource.base.errors import InvalidInputError, counted, escaped, printable
 from skinsource.base.files import make_folder
-from skinsource.base.quoting import escaped, printable
-from skinsource.base.work import counted
 from skinsource.design.amplitudes import amplitude_note, amplitude_text, is_gain
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, audible_inputs

@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, Any
 from skinsource.actuators.actuation import Actuation
 from skinsource.actuators.rigs import Rig
 from skinsource.base.arguments import checking
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.quoting import quoted
+from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.design import labels
 from skinsource.design.clips import ID, LATEST_S, MAX_CLIPS, PLACE, Clip, Marker, numbered
 from skinsource.design.waveform import Waveform

@@ -26,10 +26,9 @@ from pathlib import Path
 from typing import Any
 
 from skinsource.base.arguments import brief, checking
-from skinsource.base.errors import DesignFileError, FileFormatError, InvalidInputError
+from skinsource.base.errors import DesignFileError, FileFormatError, InvalidInputError, sentence
 from skinsource.base.files import path_text, read_bytes, write_bytes
 from skinsource.base.json_text import Tree
-from skinsource.base.quoting import sentence
 from skinsource.design.design import NOTES, TITLE, Design
 from skinsource.design.panel_settings import (
     ALL,

@@ -6,9 +6,8 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from skinsource.base.arguments import brief
-from skinsource.base.errors import InvalidInputError
+from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.base.measurement_conditions import MOST_LOCATIONS, Axes
-from skinsource.base.quoting import quoted
 from skinsource.design import labels
 from skinsource.design.comparing import NUMBERS, Snapshot, shown_snapshot
 from skinsource.design.design import Design

@@ -16,11 +16,10 @@ import scipy
 
 from skinsource.actuators.actuation import Actuation, ActuatorAt
 from skinsource.base.arrays import Floats
-from skinsource.base.errors import TooInaccurateError
+from skinsource.base.errors import TooInaccurateError, counted
 from skinsource.base.files import replacing
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.base.measurement_conditions import ALL_AXES, Axes, axes_of
-from skinsource.base.work import counted
 from skinsource.design.amplitudes import amplitude_note
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, audible_inputs

@@ -8,8 +8,7 @@ from skinsource.actuators.actuation import Actuation
 from skinsource.actuators.equalising import Equaliser
 from skinsource.actuators.rigs import Rig
 from skinsource.base.arguments import checking
-from skinsource.base.quoting import lowered, sentence
-from skinsource.base.work import counted
+from skinsource.base.errors import counted, lowered, sentence
 from skinsource.design.amplitudes import amplitude_meaning, amplitude_text
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, audible_inputs

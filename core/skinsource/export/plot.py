@@ -28,11 +28,10 @@ from numpy.typing import ArrayLike, NDArray
 from skinsource.base.arguments import checking, finite_array, one_of, positive_number
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
-from skinsource.base.errors import InvalidInputError
+from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.base.extras import package_of_extra
 from skinsource.base.files import FilePath
 from skinsource.base.job import Progress, Stop, never, silent
-from skinsource.base.quoting import quoted
 from skinsource.design.design import Design, audible_inputs
 from skinsource.design.labels import limb_label, signal_label
 from skinsource.design.view import View

@@ -10,9 +10,8 @@ import numpy as np
 
 from skinsource.base.arguments import checking
 from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError
+from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.base.extras import package_of_extra
-from skinsource.base.quoting import quoted
 from skinsource.design.design import Design
 from skinsource.design.labels import limb_label, signal_label
 from skinsource.design.view import View

@@ -19,12 +19,18 @@ import numpy as np
 
 from skinsource.actuators.rigs import Rig
 from skinsource.base.arguments import checking, integer, one_of, real_number
-from skinsource.base.errors import FileFormatError, InvalidInputError
+from skinsource.base.errors import (
+    FileFormatError,
+    InvalidInputError,
+    counted,
+    csv_text,
+    printable,
+    quoted,
+    sentence,
+)
 from skinsource.base.files import path_exists, path_text, read_bytes, write_bytes
 from skinsource.base.lock import Lock
 from skinsource.base.measurement_conditions import MOST_LOCATIONS
-from skinsource.base.quoting import csv_text, printable, quoted, sentence
-from skinsource.base.work import counted
 from skinsource.design.design import Design, Input, track
 from skinsource.design.waveforms.tones import Tone
 from skinsource.lab.playing.devices import Output

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError
+from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.base.measurement_conditions import (
     AXES,
     BAND_HZ,
@@ -27,7 +27,6 @@ from skinsource.base.measurement_conditions import (
     Band,
     check_input_location,
 )
-from skinsource.base.quoting import quoted
 from skinsource.base.work import tally
 
 

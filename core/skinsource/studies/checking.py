@@ -18,11 +18,10 @@ import numpy as np
 import scipy
 
 from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError, RecordingError
+from skinsource.base.errors import InvalidInputError, RecordingError, printable, quoted
 from skinsource.base.files import path_text
 from skinsource.base.job import Progress, Stop, never, silent
 from skinsource.base.measurement_conditions import N_AXES, N_OUTPUTS, Axes, Band
-from skinsource.base.quoting import printable, quoted
 from skinsource.design.comparing import louder, same_but_rounding
 from skinsource.design.design import Design, Input, audible_inputs
 from skinsource.design.labels import AXES, label_of, limb_label

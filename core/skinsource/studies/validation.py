@@ -16,11 +16,10 @@ import numpy as np
 import scipy
 
 from skinsource.base.arrays import Booleans, Floats
-from skinsource.base.errors import InvalidInputError, RecordingError
+from skinsource.base.errors import InvalidInputError, RecordingError, counted
 from skinsource.base.files import path_text
 from skinsource.base.job import Stop, never
 from skinsource.base.run_limited import run_limited
-from skinsource.base.work import counted
 from skinsource.readers import limits
 from skinsource.readers.reader import Found, Series
 from skinsource.readers.reading_process import ReadingProcess

@@ -14,9 +14,8 @@ from typing import Any
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QDeadlineTimer, QObject, QRectF, QSize, Qt, QTimer, Signal
 
-from skinsource.base.errors import SkinSourceError
+from skinsource.base.errors import SkinSourceError, sentence
 from skinsource.base.files import path_text
-from skinsource.base.quoting import sentence
 from skinsource.design import recovery
 from skinsource.design.design import Design
 from skinsource.design.design_file import DesignFile, open_design

@@ -13,10 +13,9 @@ from PySide6 import QtWidgets
 from PySide6.QtCore import QObject, Signal
 
 from skinsource.base.arrays import Floats
-from skinsource.base.errors import SkinSourceError, Stopped
+from skinsource.base.errors import SkinSourceError, Stopped, counted
 from skinsource.base.files import path_text
 from skinsource.base.job import Job, Progress, Stop, stop_if
-from skinsource.base.work import counted
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.recordings import (
     ImportChoice,

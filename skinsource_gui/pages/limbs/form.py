@@ -10,7 +10,7 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QPointF, QRectF, QSize, Qt, Signal
 
 from skinsource.base.arrays import Floats
-from skinsource.base.work import counted
+from skinsource.base.errors import counted
 from skinsource.design.labels import AXES
 from skinsource.limbs.limb_import import LimbSource
 from skinsource.limbs.own_limbs import NAME_RULE

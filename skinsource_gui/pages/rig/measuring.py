@@ -20,9 +20,8 @@ from skinsource.actuators.catalog import profile_of
 from skinsource.actuators.rigs import Rig, RigChannel
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
-from skinsource.base.errors import InvalidInputError, Stopped
+from skinsource.base.errors import InvalidInputError, Stopped, sentence
 from skinsource.base.measurement_conditions import BAND_HZ
-from skinsource.base.quoting import sentence
 from skinsource.lab.rig_measuring.duplex import InputDevice, input_devices
 from skinsource.lab.rig_measuring.measurement import (
     ChannelMeasurement,

@@ -14,9 +14,8 @@ from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.measuring import open_response
 from skinsource.actuators.prediction import Limits
 from skinsource.actuators.rigs import SUFFIX, Rig, RigChannel, open_rig, save_rig
-from skinsource.base.errors import InvalidInputError, SkinSourceError
+from skinsource.base.errors import InvalidInputError, SkinSourceError, sentence
 from skinsource.base.files import path_text
-from skinsource.base.quoting import sentence
 from skinsource.design import edits
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of

@@ -19,9 +19,7 @@ from PySide6.QtCore import QLineF, QRectF, QSize, Qt, Signal
 from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.actuators.rigs import UNCALIBRATED
 from skinsource.base.arrays import Floats
-from skinsource.base.errors import Stopped
-from skinsource.base.quoting import sentence
-from skinsource.base.work import counted
+from skinsource.base.errors import Stopped, counted, sentence
 from skinsource.design.amplitudes import amplitude_unit
 from skinsource.design.design import Design, audible_inputs
 from skinsource.design.edits.edit import Edit

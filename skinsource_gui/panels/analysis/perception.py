@@ -8,8 +8,7 @@ import numpy as np
 from PySide6 import QtWidgets
 from PySide6.QtCore import QSize, Qt
 
-from skinsource.base.errors import SkinSourceError
-from skinsource.base.quoting import printable
+from skinsource.base.errors import SkinSourceError, printable
 from skinsource.design.comparing import match_text
 from skinsource.design.design import Design
 from skinsource.design.panel_settings import settings_of

@@ -7,8 +7,7 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import Qt, Signal
 
 from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.quoting import sentence
+from skinsource.base.errors import InvalidInputError, sentence
 from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design

@@ -10,8 +10,8 @@ from PySide6.QtCore import QPointF
 
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import FLOOR_DB
+from skinsource.base.errors import printable
 from skinsource.base.measurement_conditions import Axes
-from skinsource.base.quoting import printable
 from skinsource.design.comparing import (
     EDITED,
     MOST_SIDE_BY_SIDE,

@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt, QTimer, Signal
 
-from skinsource.base.quoting import quoted
+from skinsource.base.errors import quoted
 from skinsource.design import edits
 from skinsource.design.design import Design, Input, audible_inputs
 from skinsource.design.edits.edit import Edit, Refusal

@@ -21,8 +21,7 @@ from PySide6.QtCore import (
 )
 
 from skinsource.base.arrays import Floats
-from skinsource.base.errors import SkinSourceError
-from skinsource.base.quoting import sentence
+from skinsource.base.errors import SkinSourceError, sentence
 from skinsource.design.presets.presets import Entry, Preset, mixed
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of

@@ -7,8 +7,7 @@ from typing import ClassVar, cast
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt, Signal
 
-from skinsource.base.errors import SkinSourceError
-from skinsource.base.work import counted
+from skinsource.base.errors import SkinSourceError, counted
 from skinsource.design import edits
 from skinsource.design.design import Design
 from skinsource.design.presets import presets

@@ -8,7 +8,7 @@ import numpy as np
 
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import FLOOR_DB, decibels
-from skinsource.base.quoting import sentence
+from skinsource.base.errors import sentence
 from skinsource.design.comparing import match_text
 from skinsource.design.design import Design, audible_indices
 from skinsource.design.view import View

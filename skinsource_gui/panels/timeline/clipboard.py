@@ -3,9 +3,7 @@
 from PySide6 import QtWidgets
 from PySide6.QtCore import QMimeData
 
-from skinsource.base.errors import SkinSourceError
-from skinsource.base.quoting import sentence
-from skinsource.base.work import counted
+from skinsource.base.errors import SkinSourceError, counted, sentence
 from skinsource.design import edits
 from skinsource.design.clips import Clip, Fragment, Lane
 from skinsource.design.design import Design

@@ -10,8 +10,7 @@ from dataclasses import replace
 from typing import Any
 
 from skinsource.base.arguments import checking
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.work import counted
+from skinsource.base.errors import InvalidInputError, counted
 from skinsource.design.clips import GAIN as CLIP_GAIN
 from skinsource.design.clips import LABEL, MAX_CLIPS, MUTED, ONSET, Clip, Fragment, Lane, numbered
 from skinsource.design.design import Design, Input

@@ -14,8 +14,7 @@ from typing import Any, TypeAlias, TypeVar
 
 from skinsource.base.arguments import checking, one_of
 from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.quoting import quoted
+from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.design.clips import GAIN, LABEL, MAX_EFFECTS, ONSET, Clip
 from skinsource.design.design import AMPLITUDE, GAIN_CURVE, Design, Input
 from skinsource.design.edits.clips import chosen_clips, clips_text, present_clips

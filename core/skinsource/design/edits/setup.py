@@ -9,9 +9,8 @@ import numpy as np
 
 from skinsource.actuators.actuation import Actuation
 from skinsource.actuators.rigs import Rig
-from skinsource.base.errors import InvalidInputError, SkinSourceError
+from skinsource.base.errors import InvalidInputError, SkinSourceError, lowered, quoted
 from skinsource.base.measurement_conditions import ALL_AXES
-from skinsource.base.quoting import lowered, quoted
 from skinsource.design.clips import Clip
 from skinsource.design.comparing import louder
 from skinsource.design.design import Design, audible_inputs

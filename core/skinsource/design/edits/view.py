@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
-from skinsource.base.quoting import quoted
+from skinsource.base.errors import quoted
 from skinsource.design.clips import Marker
 from skinsource.design.comparing import (
     EDITED,

@@ -18,11 +18,12 @@ from skinsource.base.errors import (
     MissingExtraError,
     NothingToPlayOnError,
     PlaybackError,
+    counted,
+    printable,
+    quoted,
 )
 from skinsource.base.extras import extra_line, package_of_extra
 from skinsource.base.measurement_conditions import MOST_LOCATIONS
-from skinsource.base.quoting import printable, quoted
-from skinsource.base.work import counted
 from skinsource.design.design import Design
 from skinsource.signals.resampling import resample
 

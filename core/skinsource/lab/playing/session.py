@@ -17,9 +17,9 @@ from skinsource.base.errors import (
     NothingToPlayOnError,
     PlaybackError,
     SkinSourceError,
+    quoted,
 )
 from skinsource.base.job import Stop, never, stop_if
-from skinsource.base.quoting import quoted
 from skinsource.design.amplitudes import equaliser_of
 from skinsource.design.design import Design
 from skinsource.design.view import View

@@ -12,8 +12,7 @@ from typing import Any
 import numpy as np
 
 from skinsource.base.arrays import Floats
-from skinsource.base.errors import PlaybackError
-from skinsource.base.work import counted
+from skinsource.base.errors import PlaybackError, counted
 from skinsource.lab.playing.devices import Device, refusal_text, sound_library
 from skinsource.lab.playing.mix import (
     MOST_SAMPLES,

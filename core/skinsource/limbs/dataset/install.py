@@ -12,11 +12,10 @@ from zipfile import ZipFile, ZipInfo
 import numpy as np
 
 from skinsource.base.assets import user_folder
-from skinsource.base.errors import DownloadError
+from skinsource.base.errors import DownloadError, printable
 from skinsource.base.extras import package_of_extra
 from skinsource.base.files import is_file, make_folder, replacing, storage_errors_of
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
-from skinsource.base.quoting import printable
 from skinsource.limbs.dataset import published
 from skinsource.limbs.dataset.matlab_files import N_ROWS, read_map_files, read_responses
 from skinsource.limbs.dataset.published import (

@@ -17,7 +17,7 @@ import numpy as np
 
 from skinsource.base import files
 from skinsource.base.arrays import Floats
-from skinsource.base.errors import DatasetError
+from skinsource.base.errors import DatasetError, counted, printable
 from skinsource.base.extras import package_of_extra
 from skinsource.base.job import Progress, Stop, stop_if
 from skinsource.base.measurement_conditions import (
@@ -27,8 +27,6 @@ from skinsource.base.measurement_conditions import (
     N_TAPS,
     VOLAR_OUTPUTS,
 )
-from skinsource.base.quoting import printable
-from skinsource.base.work import counted
 from skinsource.limbs.dataset.published import (
     ADVICE,
     LIMBS,

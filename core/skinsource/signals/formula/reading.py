@@ -14,8 +14,7 @@ from typing import Any, Literal
 import numpy as np
 
 from skinsource.base.arrays import Floats
-from skinsource.base.errors import FormulaError
-from skinsource.base.quoting import escaped, printable, quoted
+from skinsource.base.errors import FormulaError, escaped, printable, quoted
 from skinsource.signals.formula.functions import (
     COMPARISONS,
     FUNCTIONS,

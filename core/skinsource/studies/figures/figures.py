@@ -11,9 +11,8 @@ import scipy
 
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels, levels_for_tables
-from skinsource.base.errors import InvalidInputError
+from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.base.measurement_conditions import Band
-from skinsource.base.quoting import quoted
 from skinsource.design.amplitudes import amplitude_unit
 from skinsource.design.labels import signal_label
 from skinsource.design.waveforms.tones import Chirp

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from skinsource.base.arrays import Floats
+from skinsource.base.errors import sentence
 from skinsource.base.measurement_conditions import AXES, Axes, axis_numbers
-from skinsource.base.quoting import sentence
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design
 from skinsource.design.labels import SCALINGS, label_of, limb_label

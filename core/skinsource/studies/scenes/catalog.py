@@ -10,8 +10,7 @@ from typing import Any
 
 from skinsource.base.arguments import checking
 from skinsource.base.assets import data_folder
-from skinsource.base.errors import InvalidInputError, SkinSourceError
-from skinsource.base.quoting import quoted
+from skinsource.base.errors import InvalidInputError, SkinSourceError, quoted
 from skinsource.design.amplitudes import ARBITRARY_UNIT, amplitude_unit
 from skinsource.design.design import Design
 from skinsource.design.design_file import SUFFIX, DesignFile, open_design

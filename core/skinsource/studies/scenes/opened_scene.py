@@ -14,10 +14,8 @@ import scipy
 
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
-from skinsource.base.errors import InvalidInputError, SkinSourceError
+from skinsource.base.errors import InvalidInputError, SkinSourceError, counted, quoted, sentence
 from skinsource.base.measurement_conditions import axes_text
-from skinsource.base.quoting import quoted, sentence
-from skinsource.base.work import counted
 from skinsource.design.amplitudes import ARBITRARY_UNIT, amplitude_unit
 from skinsource.design.design import Design
 from skinsource.design.edits.edit import Refusal

@@ -13,10 +13,9 @@ from skinsource.actuators.prediction import Limits, breaches, predicted
 from skinsource.actuators.rigs import strictest
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
-from skinsource.base.errors import InvalidInputError, SkinSourceError, Stopped
+from skinsource.base.errors import InvalidInputError, SkinSourceError, Stopped, sentence
 from skinsource.base.job import Stop, never, stop_if
 from skinsource.base.measurement_conditions import Band
-from skinsource.base.quoting import sentence
 from skinsource.design.signal_path import Drive
 from skinsource.design.view import View
 from skinsource.engine.actuator_demand import drive_at
