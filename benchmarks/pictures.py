@@ -21,8 +21,7 @@ from PySide6.QtWidgets import QApplication
 from window_figures import print_figures
 
 from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input, track
-from skinsource.design.view import View
+from skinsource.design.design import Design, Input, View, track
 from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.tones import Chirp, Tone
 from skinsource.design.waveforms.wavelet_train import WaveletTrain

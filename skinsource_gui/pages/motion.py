@@ -15,7 +15,7 @@ from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
 from skinsource.base.errors import InvalidInputError, counted, sentence
 from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_unit
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.edits.edit import Edit, Refusal, leading_clip
 from skinsource.design.edits.motions import motion_of
 from skinsource.design.motions import (
@@ -26,7 +26,6 @@ from skinsource.design.motions import (
     with_motion_field,
     with_path_of,
 )
-from skinsource.design.view import View
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import ModelSpec

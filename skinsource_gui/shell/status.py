@@ -12,9 +12,8 @@ from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 
 from skinsource.base.job import time_left_text
 from skinsource.design.comparing import match_text
-from skinsource.design.design import Design, audible_inputs
+from skinsource.design.design import Design, View, audible_inputs
 from skinsource.design.panel_settings import settings_of
-from skinsource.design.view import View
 from skinsource.engine.gains import TraceError
 from skinsource_gui.panels.skin.settings import (
     LEVELS,

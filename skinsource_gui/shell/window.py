@@ -6,8 +6,7 @@ from functools import partial
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEventLoop, QObject, Qt
 
-from skinsource.design.design import Design
-from skinsource.design.view import View
+from skinsource.design.design import Design, View
 from skinsource.engine.quantities import graphs_that_share
 from skinsource.limbs.dataset.store import NOT_INSTALLED
 from skinsource_gui.pages.actions import FileDrops, ImportActions, LibraryActions, SceneActions

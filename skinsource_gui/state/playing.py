@@ -18,9 +18,7 @@ from skinsource import lab
 from skinsource.actuators import rigs
 from skinsource.base.errors import InvalidInputError, SkinSourceError, quoted
 from skinsource.design import edits
-from skinsource.design.comparing import louder
-from skinsource.design.design import Design
-from skinsource.design.view import View
+from skinsource.design.design import Design, View, louder
 from skinsource.lab.playing.devices import Output, output_from_text, outputs_by_place
 from skinsource.lab.playing.mix import HIGHEST_DB, LOWEST_DB, START_DB
 from skinsource_gui.state.document import Document

@@ -6,8 +6,7 @@ import pytest
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.clips import Clip
-from skinsource.design.comparing import Snapshot
-from skinsource.design.design import Design, Input, audible_inputs, track
+from skinsource.design.design import Design, Input, Snapshot, audible_inputs, track
 from skinsource.design.waveforms.pulses import Tap
 
 THREE = Design(limb="synthetic-1", inputs=tuple(track(location=k, colour=k) for k in (1, 2, 3)))

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import pytest
 
 from skinsource.base.errors import InvalidInputError
+from skinsource.design.design import View
 from skinsource.design.panel_settings import settings_of, with_settings
-from skinsource.design.view import View
 from skinsource.specs import fields
 from skinsource.specs.numbers import Range, RangeSpec
 from skinsource.specs.spec import ChoiceSpec, SwitchSpec, TextSpec

@@ -12,9 +12,8 @@ from skinsource.base.arguments import checking
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.base.extras import package_of_extra
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.labels import limb_label, signal_label
-from skinsource.design.view import View
 from skinsource.engine.evaluation import Quantity, evaluate, quantities
 from skinsource.export import plot
 

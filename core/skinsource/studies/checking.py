@@ -22,10 +22,9 @@ from skinsource.base.errors import InvalidInputError, RecordingError, printable,
 from skinsource.base.files import path_text
 from skinsource.base.job import Progress, Stop, never, silent
 from skinsource.base.measurement_conditions import N_AXES, N_OUTPUTS, Axes, Band
-from skinsource.design.comparing import louder, same_but_rounding
-from skinsource.design.design import Design, Input, audible_inputs
+from skinsource.design.comparing import same_but_rounding
+from skinsource.design.design import Design, Input, View, audible_inputs, louder
 from skinsource.design.labels import AXES, label_of, limb_label
-from skinsource.design.view import View
 from skinsource.design.waveforms import Tone
 from skinsource.engine.analysis_rules import place_noise
 from skinsource.engine.quantities import new_graph, sources

@@ -19,8 +19,7 @@ from skinsource.base.errors import InvalidInputError, SkinSourceError, quoted
 from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ
 from skinsource.design import edits
 from skinsource.design.amplitudes import ARBITRARY_UNIT, drive_unit, equaliser_of
-from skinsource.design.design import Design
-from skinsource.design.view import View
+from skinsource.design.design import Design, View
 from skinsource.engine.stimulus import LONGEST_LEAD_IN_S
 from skinsource.export.formats import FORMATS, format_named
 from skinsource.export.formats.format import StimulusFormat

@@ -21,10 +21,9 @@ from skinsource.actuators.rigs import UNCALIBRATED
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import Stopped, counted, sentence
 from skinsource.design.amplitudes import amplitude_unit
-from skinsource.design.design import Design, audible_inputs
+from skinsource.design.design import Design, View, audible_inputs
 from skinsource.design.edits.edit import Edit
 from skinsource.design.edits.setup import mend_through
-from skinsource.design.view import View
 from skinsource.export.formats.format import ChannelOverview
 from skinsource.export.methods import methods_of
 from skinsource.export.stimulus_export.export import write_prepared, written_files

@@ -9,10 +9,8 @@ from PySide6 import QtWidgets
 
 from skinsource.base.arrays import Floats
 from skinsource.design.amplitudes import amplitude_unit, is_gain
-from skinsource.design.comparing import EDITED, NUMBERS, Snapshot
-from skinsource.design.design import Design
+from skinsource.design.design import EDITED, NUMBERS, Design, Snapshot, View
 from skinsource.design.panel_settings import settings_of
-from skinsource.design.view import View
 from skinsource.limbs.own_limbs import axes_on, facts_of
 from skinsource.specs.spec import SwitchSpec
 from skinsource.studies.checking import (

@@ -11,7 +11,7 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
 from skinsource.design.comparing import match_text
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.labels import signal_label
 from skinsource.design.panel_settings import (
     CEILING,
@@ -20,7 +20,6 @@ from skinsource.design.panel_settings import (
     SpectrogramSettings,
     settings_of,
 )
-from skinsource.design.view import View
 from skinsource.limbs.locations import output_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.signals.analysis.spectrogram import Spectrogram

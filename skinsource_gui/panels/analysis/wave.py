@@ -9,8 +9,7 @@ from PySide6.QtCore import QPointF
 
 from skinsource.base.arrays import Booleans, Floats
 from skinsource.design.comparing import match_text
-from skinsource.design.design import Design
-from skinsource.design.view import View
+from skinsource.design.design import Design, View
 from skinsource.engine.analysis_rules import LineWave
 from skinsource.signals.analysis.wave_speed import LEAST_EXPLAINED, LEAST_STRAIGHT, TravellingWave
 from skinsource_gui.fields.units import minus

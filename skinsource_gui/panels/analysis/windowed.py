@@ -12,9 +12,15 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.design.comparing import match_text
-from skinsource.design.design import Design, audible_inputs
+from skinsource.design.design import (
+    WINDOW_COUNT,
+    WINDOW_LENGTH,
+    WINDOWS_CUT,
+    Design,
+    View,
+    audible_inputs,
+)
 from skinsource.design.labels import limb_label, signal_label
-from skinsource.design.view import WINDOW_COUNT, WINDOW_LENGTH, WINDOWS_CUT, View
 from skinsource.limbs.extent import Extent
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.signals.analysis.windows import Windows

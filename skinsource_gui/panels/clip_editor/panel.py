@@ -10,13 +10,12 @@ from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError, sentence
 from skinsource.design import edits
 from skinsource.design.clips import Clip
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.edits.edit import Edit, Refusal, leading_clip
 from skinsource.design.edits.effects import bake_clip, time_effects_end
 from skinsource.design.effects.breakpoints import Points, with_point_after
 from skinsource.design.effects.level import UNCHANGED, Envelope
 from skinsource.design.signal_path import UnplayableInput
-from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms.samples import Drawn
 from skinsource.design.waveforms.tones import Glide

@@ -10,10 +10,9 @@ from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt, QTimer, S
 
 from skinsource.base.errors import quoted
 from skinsource.design import edits
-from skinsource.design.design import Design, Input, audible_inputs
+from skinsource.design.design import Design, Input, View, audible_inputs
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.panel_settings import settings_of, with_settings
-from skinsource.design.view import View
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.fields.editor import new_gesture

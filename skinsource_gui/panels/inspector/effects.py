@@ -8,12 +8,11 @@ from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 
 from skinsource.design import edits
 from skinsource.design.clips import Clip
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.edits.clips import of_each
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.effects import effect_kinds
 from skinsource.design.effects.effect import ON, Effect
-from skinsource.design.view import View
 from skinsource.specs.models import specs_of
 from skinsource_gui.fields.curve_field import CurveField
 from skinsource_gui.fields.editors import FieldCell

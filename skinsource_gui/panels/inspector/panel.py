@@ -19,6 +19,7 @@ from skinsource.design.design import (
     GAIN_CURVE,
     Design,
     Input,
+    View,
     audible_inputs,
 )
 from skinsource.design.edits.edit import (
@@ -32,7 +33,6 @@ from skinsource.design.edits.edit import (
 )
 from skinsource.design.labels import SCALINGS, scalings_on
 from skinsource.design.signal_path import UnplayableInput
-from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms.samples import Recording
 from skinsource.limbs.limb import LimbFacts

@@ -9,10 +9,9 @@ from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt, Signal
 
 from skinsource.base.errors import SkinSourceError, counted
 from skinsource.design import edits
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.presets import presets
 from skinsource.design.presets.presets import Entry, Fault, PresetFolder, matching
-from skinsource.design.view import View
 from skinsource_gui.fields.choice_field import DropDown
 from skinsource_gui.panels.library.list import PresetList, PresetPreview, PresetsModel
 from skinsource_gui.qt.buttons import page_button, page_label, passing_menu

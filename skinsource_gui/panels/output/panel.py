@@ -25,11 +25,10 @@ from skinsource.actuators.equalising import (
 from skinsource.base.measurement_conditions import Band
 from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_unit, equaliser_of
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.edits.edit import Edit
 from skinsource.design.edits.setup import mend_through
 from skinsource.design.panel_settings import settings_of, with_settings
-from skinsource.design.view import View
 from skinsource.engine.actuator_demand import Demand, listed_name, profile_of
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.models import specs_of

@@ -9,10 +9,9 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QSize, Qt, Signal
 
 from skinsource.design import edits
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.labels import AXES, METHODS, SPANS, TRIAD_SENTENCE, label_of
-from skinsource.design.view import View
 from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.skin.content import MapContent

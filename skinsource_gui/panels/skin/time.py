@@ -7,7 +7,7 @@ from itertools import count as counted
 from PySide6 import QtWidgets
 from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt, Signal
 
-from skinsource.design.view import View
+from skinsource.design.design import View
 from skinsource.limbs.limb import LimbFacts
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField

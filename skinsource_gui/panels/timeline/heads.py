@@ -32,9 +32,8 @@ from PySide6.QtCore import (
 from skinsource.base.arrays import Floats
 from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_spec, amplitude_text, amplitude_unit, is_gain
-from skinsource.design.design import AMPLITUDE_GAIN, Design, Input, audible_inputs
+from skinsource.design.design import AMPLITUDE_GAIN, Design, Input, View, audible_inputs
 from skinsource.design.edits.edit import Edit, Refusal, change_inputs, clip_of
-from skinsource.design.view import View
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.fields.editor import Burst, new_gesture

@@ -10,10 +10,9 @@ from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt, Signal
 
 from skinsource.design import edits
 from skinsource.design.clips import NAME, Clip
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.edits.motions import motion_of
-from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms.samples import Layers
 from skinsource.limbs.locations import input_name

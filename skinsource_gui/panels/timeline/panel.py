@@ -12,11 +12,10 @@ from skinsource.base.arrays import Floats
 from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ
 from skinsource.design import edits
 from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input, audible_inputs
+from skinsource.design.design import Design, Input, View, audible_inputs
 from skinsource.design.edits.edit import leading_clip
 from skinsource.design.edits.inputs import add_track
 from skinsource.design.signal_path import UnplayableInput
-from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.samples import Drawn

@@ -12,9 +12,8 @@ from skinsource.base.arrays import Floats
 from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.design import edits
 from skinsource.design.comparing import match_text
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.panel_settings import settings_of
-from skinsource.design.view import View
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.signals.analysis.intervals import interval_of
 from skinsource.signals.resampling import finer

@@ -9,7 +9,7 @@ import skinsource as ss
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import LIMB_NAMES
 from skinsource.cli.command_line import main
-from skinsource.design.comparing import shown_snapshot
+from skinsource.design.design import shown_snapshot
 from skinsource.design.design_file import open_design
 from skinsource.design.panel_settings import stage_settings
 from skinsource.studies.scenes.catalog import path_of

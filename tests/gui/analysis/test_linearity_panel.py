@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
 from skinsource import View, evaluate
-from skinsource.design.comparing import Snapshot
+from skinsource.design.design import Snapshot
 from skinsource.design.edits.setup import remove_delay
 from skinsource.design.panel_settings import settings_of
 from skinsource.perception.validity import probe_velocity

@@ -8,10 +8,9 @@ from dataclasses import replace
 
 from skinsource.base.errors import InvalidInputError, counted, quoted
 from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input, MotionGroup
+from skinsource.design.design import Design, Input, MotionGroup, View
 from skinsource.design.edits.edit import Edit, Refusal, refusing, with_inputs_added
 from skinsource.design.motions import Motion, with_motion_field
-from skinsource.design.view import View
 
 
 @refusing

@@ -21,8 +21,7 @@ from skinsource.base.errors import (
 )
 from skinsource.base.job import Stop, never, stop_if
 from skinsource.design.amplitudes import equaliser_of
-from skinsource.design.design import Design
-from skinsource.design.view import View
+from skinsource.design.design import Design, View
 from skinsource.engine.loops import animation_of
 from skinsource.engine.stimulus import Stimulus, for_rig, stimulus_of, through_actuators
 from skinsource.lab.playing.devices import (

@@ -10,9 +10,8 @@ from skinsource.base.arrays import Floats
 from skinsource.base.errors import sentence
 from skinsource.base.measurement_conditions import AXES, Axes, axis_numbers
 from skinsource.design.clips import Clip
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.labels import SCALINGS, label_of, limb_label
-from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.evaluation import evaluate
 from skinsource.export.plot import (

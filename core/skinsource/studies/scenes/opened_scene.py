@@ -17,10 +17,9 @@ from skinsource.base.decibels import decibels
 from skinsource.base.errors import InvalidInputError, SkinSourceError, counted, quoted, sentence
 from skinsource.base.measurement_conditions import axes_text
 from skinsource.design.amplitudes import ARBITRARY_UNIT, amplitude_unit
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.edits.edit import Refusal
 from skinsource.design.edits.setup import change_limb
-from skinsource.design.view import View
 from skinsource.engine.evaluation import evaluate
 from skinsource.limbs.dataset.store import NOT_INSTALLED
 from skinsource.limbs.limb import LimbFacts

@@ -16,8 +16,8 @@ from skinsource.base.decibels import decibels
 from skinsource.base.errors import InvalidInputError, SkinSourceError, Stopped, sentence
 from skinsource.base.job import Stop, never, stop_if
 from skinsource.base.measurement_conditions import Band
+from skinsource.design.design import View
 from skinsource.design.signal_path import Drive
-from skinsource.design.view import View
 from skinsource.engine.actuator_demand import drive_at
 from skinsource.engine.gains import Placed
 from skinsource.engine.quantities import new_graph, sources

@@ -22,8 +22,7 @@ from skinsource.base.errors import InvalidInputError, counted, quoted
 from skinsource.base.json_text import Tree
 from skinsource.base.measurement_conditions import Axes
 from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input
-from skinsource.design.view import View
+from skinsource.design.design import Design, Input, View
 from skinsource.lab.matching import Strengths
 from skinsource.perception.thresholds import sensation_levels_db
 from skinsource.signals.projection import Method

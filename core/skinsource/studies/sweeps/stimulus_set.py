@@ -21,8 +21,8 @@ from skinsource.base.errors import InvalidInputError, SkinSourceError, Stopped, 
 from skinsource.base.files import FilePath, replacing_folder
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.design.amplitudes import amplitude_unit
-from skinsource.design.comparing import louder, matching_gain
-from skinsource.design.design import Design
+from skinsource.design.comparing import matching_gain
+from skinsource.design.design import Design, louder
 from skinsource.engine.evaluation import Evaluator
 from skinsource.engine.levelling import output_level_db
 from skinsource.engine.stimulus import FULL_SCALE_UNIT

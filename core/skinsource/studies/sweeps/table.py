@@ -32,8 +32,7 @@ from skinsource.base.files import (
 )
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.base.lock import Lock
-from skinsource.design.comparing import louder
-from skinsource.design.design import Design
+from skinsource.design.design import Design, louder
 from skinsource.export.formats import format_named
 from skinsource.export.stimulus_export.export import export_stimulus
 from skinsource.export.stimulus_export.options import StimulusOptions
