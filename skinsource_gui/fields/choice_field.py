@@ -8,7 +8,7 @@ from PySide6.QtCore import QEvent, QPointF, Qt, Signal
 from skinsource.base.errors import printable
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.editor import MIXED, Burst, Editor
-from skinsource_gui.qt.tooltips import tooltip
+from skinsource_gui.qt.layouts import tooltip
 
 # Between an icon and its text.
 _BESIDE_PX = 4

@@ -34,9 +34,8 @@ from skinsource_gui.fields.kinds import fill_kind_menu
 from skinsource_gui.qt.buttons import remove_button
 from skinsource_gui.qt.frames import drop_line
 from skinsource_gui.qt.keys import claims_shortcut, key_text, meaning_of
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import in_column, in_row, tooltip
 from skinsource_gui.qt.theme import UNIT_PX
-from skinsource_gui.qt.tooltips import tooltip
 
 
 class AddButton(QtWidgets.QToolButton):

@@ -30,9 +30,8 @@ from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.qt.buttons import page_button, page_label, progress_bar
 from skinsource_gui.qt.fitting import fit_to_letters
 from skinsource_gui.qt.keys import KEYS
-from skinsource_gui.qt.layouts import add_row, form_of, in_column, in_row, named
+from skinsource_gui.qt.layouts import add_row, form_of, in_column, in_row, named, tooltip
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
-from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.state.playing import end_sound, sound_worker
 
 #: Captions of the buttons, by the names of their gestures.

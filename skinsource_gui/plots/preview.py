@@ -22,6 +22,7 @@ from skinsource_gui.plots.figure import Axes, Axis, fitted_axes
 from skinsource_gui.plots.ranges import CachedColumns, Range, linear_ticks, wave_of
 from skinsource_gui.qt.buttons import paint_swatch
 from skinsource_gui.qt.frames import CachedPicture
+from skinsource_gui.qt.layouts import show_tooltip
 from skinsource_gui.qt.theme import (
     UNIT_PX,
     current_theme,
@@ -31,7 +32,6 @@ from skinsource_gui.qt.theme import (
     thin_pen,
     translucent,
 )
-from skinsource_gui.qt.tooltips import show_tooltip
 
 _LOWEST_HZ, _FLOOR_DB = 10.0, -80.0
 _BAND_ALPHA = 24

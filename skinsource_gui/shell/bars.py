@@ -17,9 +17,8 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.dataset import TITLE
 from skinsource_gui.qt.buttons import menu_of
-from skinsource_gui.qt.layouts import in_row, named
+from skinsource_gui.qt.layouts import in_row, named, show_tooltip, tooltip
 from skinsource_gui.qt.theme import UNIT_PX, icon_of
-from skinsource_gui.qt.tooltips import show_tooltip, tooltip
 from skinsource_gui.state.document import MOST_STEPS, Document, ReplaceDesign
 
 #: Height of the line in letters of the usual size.

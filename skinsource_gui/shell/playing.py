@@ -19,10 +19,9 @@ from skinsource_gui import pages
 from skinsource_gui.fields.rig_field import RESPONSE_FILES
 from skinsource_gui.pages.actions import MatchingActions
 from skinsource_gui.qt.keys import shortcut_text
-from skinsource_gui.qt.layouts import in_row, named
+from skinsource_gui.qt.layouts import in_row, named, tooltip
 from skinsource_gui.qt.questions import ask_open
 from skinsource_gui.qt.theme import icon_of, set_tone
-from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.shell.focus import KeyboardFilter
 from skinsource_gui.shell.notices import Reports
 from skinsource_gui.state.document import Document

@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skinsource.actuators.catalog import LIMITS, MODEL, THERMAL, Model, load, names, profile_of
+from skinsource.actuators.actuation import LIMITS, MODEL, THERMAL, Model, load, names, profile_of
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.prediction import Breach, Limits, Thermal, breaches, limit_text, predicted
 from skinsource.base.arguments import checking, finite_array, integer

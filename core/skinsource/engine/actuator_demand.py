@@ -6,8 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.actuators.actuation import Actuation, ActuatorAt
-from skinsource.actuators.catalog import ActuatorProfile, names, profile
+from skinsource.actuators.actuation import Actuation, ActuatorAt, ActuatorProfile, names, profile
 from skinsource.actuators.equalising import equalised, followed_band, net_velocity
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.prediction import Prediction, duty_of, predicted

@@ -10,8 +10,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 import scipy
 
-from skinsource.actuators.actuation import Actuation, transfers_of
-from skinsource.actuators.catalog import ActuatorProfile
+from skinsource.actuators.actuation import Actuation, ActuatorProfile, transfers_of
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Stop, stop_if

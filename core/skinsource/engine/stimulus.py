@@ -14,8 +14,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from skinsource.actuators.actuation import Actuation
-from skinsource.actuators.catalog import names
+from skinsource.actuators.actuation import Actuation, names
 from skinsource.actuators.equalising import Equaliser, equalised, followed_band
 from skinsource.actuators.rigs import (
     Rig,

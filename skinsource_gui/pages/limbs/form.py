@@ -21,9 +21,8 @@ from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.hand.picture import spacing_of
 from skinsource_gui.qt.buttons import page_button
 from skinsource_gui.qt.frames import fitted
-from skinsource_gui.qt.layouts import add_row, form_of, in_row, named
+from skinsource_gui.qt.layouts import add_row, form_of, in_row, named, tooltip
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
-from skinsource_gui.qt.tooltips import tooltip
 
 _NO_POINTS, _TURN = np.empty((0, 2)), np.array((1.0, -1.0))
 

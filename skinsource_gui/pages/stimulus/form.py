@@ -31,8 +31,7 @@ from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.rig_field import RigField
 from skinsource_gui.panels.output.panel import EQUALISER, OF_EQUALISER, fields_of, with_field
 from skinsource_gui.qt.buttons import page_label, tool_button
-from skinsource_gui.qt.layouts import form_of, named
-from skinsource_gui.qt.tooltips import tooltip
+from skinsource_gui.qt.layouts import form_of, named, tooltip
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

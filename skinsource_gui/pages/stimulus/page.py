@@ -35,17 +35,16 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource.studies.sweeps.plan import HIGHEST_DB, LOWEST_DB, names_in
 from skinsource.studies.sweeps.stimulus_set import MOST_CONDITIONS, Condition, export_set
 from skinsource_gui.fields.choice_field import ChoiceField
-from skinsource_gui.fields.list_editors import NumbersEditor
+from skinsource_gui.fields.editors import NumbersEditor
 from skinsource_gui.fields.units import display_unit, level_text, minus, output_text, value_text
 from skinsource_gui.pages.files.export_parts import ExportPart, scrolled_fields
 from skinsource_gui.pages.files.exports import STIMULUS, STIMULUS_SET
 from skinsource_gui.pages.page import RowTable
 from skinsource_gui.pages.stimulus.form import Order, StimulusForm, recall, remembered
 from skinsource_gui.qt.buttons import page_button, page_label, progress_bar, scrolled, show_or_hide
-from skinsource_gui.qt.layouts import in_column, in_row, named
+from skinsource_gui.qt.layouts import in_column, in_row, named, tooltip
 from skinsource_gui.qt.overlays import PALE, Staleness
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
-from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.state.worker import fault_text
 
 _ROW_PX, _GAP_PX = 58, 6

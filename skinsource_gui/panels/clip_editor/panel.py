@@ -29,9 +29,8 @@ from skinsource_gui.panels.clip_editor.view import EditorView, SpectrumStrip, To
 from skinsource_gui.qt.buttons import page_label, tool_button
 from skinsource_gui.qt.keys import arrow_steps, key_text, meaning_of
 from skinsource_gui.qt.labels import HOW_TO_SELECT_CLIP, FittingLabel, how_to_add
-from skinsource_gui.qt.layouts import in_column, in_row, named
+from skinsource_gui.qt.layouts import in_column, in_row, named, show_tooltip
 from skinsource_gui.qt.theme import set_tone
-from skinsource_gui.qt.tooltips import show_tooltip
 from skinsource_gui.state.panel import Panel
 
 _CANVAS_PART, _SPECTRUM_PART = 3, 1

@@ -22,7 +22,7 @@ from skinsource_gui.plots.time_scale import Range, TimeScale, panned, range_by_w
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.frames import CachedPicture, Same
 from skinsource_gui.qt.labels import FittingLabel
-from skinsource_gui.qt.layouts import in_column, named
+from skinsource_gui.qt.layouts import in_column, named, show_tooltip
 from skinsource_gui.qt.theme import (
     Theme,
     current_theme,
@@ -33,7 +33,6 @@ from skinsource_gui.qt.theme import (
     tabular,
     thin_pen,
 )
-from skinsource_gui.qt.tooltips import show_tooltip
 
 #: Values up to this are always visible, so that there is room to draw.
 REACH = 1.1

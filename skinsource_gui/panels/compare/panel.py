@@ -15,7 +15,7 @@ from skinsource.design.labels import limb_label
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.limbs.catalog import available_limbs
 from skinsource_gui.fields.choice_field import ChoiceField
-from skinsource_gui.fields.list_editors import NumbersEditor
+from skinsource_gui.fields.editors import NumbersEditor
 from skinsource_gui.panels.compare.card import Card
 from skinsource_gui.panels.compare.content import KINDS, LEAST_COMPARED, tab_separated
 from skinsource_gui.panels.compare.maps import MapsPanel

@@ -18,9 +18,8 @@ from skinsource_gui.fields.curve_field import CurveField
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.parts import AddButton, FieldsRow, RowColumn, RowTitle, lay_out_list
 from skinsource_gui.qt.buttons import Fold, passing_menu
-from skinsource_gui.qt.layouts import named
+from skinsource_gui.qt.layouts import named, tooltip
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
-from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.qt.wheel import scroll_to
 
 _MIXED = "Clips differ; typing and dragging set all"

@@ -66,9 +66,8 @@ from skinsource_gui.qt.buttons import (
     tool_button,
 )
 from skinsource_gui.qt.labels import HOW_TO_SELECT_INPUT, FittingLabel, how_to_add
-from skinsource_gui.qt.layouts import in_column, in_row, named
+from skinsource_gui.qt.layouts import in_column, in_row, named, show_tooltip, tooltip
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
-from skinsource_gui.qt.tooltips import show_tooltip, tooltip
 from skinsource_gui.state.panel import Panel
 
 

@@ -27,9 +27,8 @@ from skinsource_gui.fields.rig_field import RigField
 from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.fitting import fit_to_letters
 from skinsource_gui.qt.labels import FittingLabel
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import in_column, in_row, show_tooltip
 from skinsource_gui.qt.theme import UNIT_PX, set_tone, tabular
-from skinsource_gui.qt.tooltips import show_tooltip
 from skinsource_gui.state.playing import Played
 
 _NUMBER_PX, _OUTPUT_NUMBER_PX, _METER_PX = 88, 56, 8

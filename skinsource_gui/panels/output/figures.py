@@ -8,8 +8,8 @@ import numpy as np
 from PySide6 import QtWidgets
 from PySide6.QtCore import QEvent, Qt
 
+from skinsource.actuators.actuation import ActuatorProfile
 from skinsource.actuators.actuator import Actuator
-from skinsource.actuators.catalog import ActuatorProfile
 from skinsource.actuators.equalising import Equaliser, curves, mean_of
 from skinsource.actuators.prediction import Prediction, breaches
 from skinsource.base.arrays import Floats

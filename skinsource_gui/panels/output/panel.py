@@ -14,8 +14,7 @@ from typing import Any, ClassVar
 from PySide6 import QtWidgets
 from PySide6.QtCore import QObject, QSize, Qt, Signal
 
-from skinsource.actuators.actuation import Actuation, ActuatorAt
-from skinsource.actuators.catalog import load, names, profile
+from skinsource.actuators.actuation import Actuation, ActuatorAt, load, names, profile
 from skinsource.actuators.equalising import (
     PolePairReplacement,
     RegularisedInverse,

@@ -28,8 +28,7 @@ from skinsource_gui.panels.skin.settings import (
 from skinsource_gui.plots.small_map import COLOURS
 from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.keys import key_text
-from skinsource_gui.qt.layouts import in_row
-from skinsource_gui.qt.tooltips import show_tooltip, tooltip
+from skinsource_gui.qt.layouts import in_row, show_tooltip, tooltip
 
 _ARROW = " ▾"
 

@@ -44,9 +44,8 @@ from skinsource_gui.plots.ranges import SteadyRange
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.keys import key_text
 from skinsource_gui.qt.labels import FittingLabel
-from skinsource_gui.qt.layouts import in_column
+from skinsource_gui.qt.layouts import in_column, tooltip
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, set_tone, tabular
-from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.qt.wheel import WHOLE
 from skinsource_gui.state.compared import Compared
 from skinsource_gui.state.panel import Panel

@@ -13,9 +13,8 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.panels.skin.settings import MAGNITUDE, RMS, SkinSettings, Z, time_text
 from skinsource_gui.qt.keys import shortcut_text
-from skinsource_gui.qt.layouts import in_row
+from skinsource_gui.qt.layouts import in_row, tooltip
 from skinsource_gui.qt.theme import UNIT_PX, icon_of, tabular
-from skinsource_gui.qt.tooltips import tooltip
 
 #: How many times slower it can be chosen to run.
 PACES = (1, 2, 5, 10, 20, 50, 100, 200)

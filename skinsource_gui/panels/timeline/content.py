@@ -24,7 +24,7 @@ from skinsource_gui.fields.units import value_text
 from skinsource_gui.plots.ranges import number_text
 from skinsource_gui.plots.time_scale import Range, TimeScale, grid_step_s
 from skinsource_gui.qt.keys import MOUSE, key_text
-from skinsource_gui.qt.tooltips import tooltip
+from skinsource_gui.qt.layouts import tooltip
 
 #: Free space above and below a clip, px.
 MARGIN_PX = 3.0

@@ -14,8 +14,7 @@ from typing import Any, Literal
 import numpy as np
 import scipy
 
-from skinsource.actuators.actuation import Actuation
-from skinsource.actuators.catalog import Model
+from skinsource.actuators.actuation import Actuation, Model
 from skinsource.actuators.equalising import Equaliser, RegularisedInverse, followed_band
 from skinsource.actuators.rigs import Rig, calibration_words, known_model, rig_breaches
 from skinsource.base.arrays import Floats

@@ -7,8 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.actuators.actuation import Actuation
-from skinsource.actuators.catalog import Model
+from skinsource.actuators.actuation import Actuation, Model
 from skinsource.actuators.equalising import Equaliser
 from skinsource.base.decibels import decibels
 from skinsource.base.errors import SkinSourceError

@@ -6,8 +6,7 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from skinsource.actuators.actuation import Actuation
-from skinsource.actuators.catalog import profile_of
+from skinsource.actuators.actuation import Actuation, profile_of
 from skinsource.actuators.equalising import equalised, followed_band
 from skinsource.actuators.prediction import Limits, breaches, predicted
 from skinsource.actuators.rigs import strictest

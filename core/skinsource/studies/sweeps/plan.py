@@ -12,8 +12,7 @@ from typing import Literal, get_args
 
 import numpy as np
 
-from skinsource.actuators.actuation import Actuation, ActuatorAt
-from skinsource.actuators.catalog import load
+from skinsource.actuators.actuation import Actuation, ActuatorAt, load
 from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.actuators.prediction import Limits
 from skinsource.base.arguments import checking, integer, one_of
