@@ -392,9 +392,7 @@ def new_editor(spec: Spec, parent: QtWidgets.QWidget) -> Editor:
 class FieldCell(EditedCell):
     """A labelled cell with the editor for ``spec``; ``edited`` gets its signals."""
 
-    def __init__(
-        self, name: str, spec: Spec, parent: QtWidgets.QWidget | None = None, *, edited: Any = None
-    ) -> None:
-        super().__init__(name, spec, new_editor, parent)
+    def __init__(self, name: str, spec: Spec, *, edited: Any = None) -> None:
+        super().__init__(name, spec, new_editor)
         if edited is not None:
             self.edited.connect(edited)

@@ -208,10 +208,8 @@ class RowTitle(QtWidgets.QToolButton):
     #: The drag was cancelled.
     cancelled = Signal()
 
-    def __init__(
-        self, text: str, place: str, where: str, parent: QtWidgets.QWidget | None = None
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, text: str, place: str, where: str) -> None:
+        super().__init__()
         self._text, self._place = "", place
         self._start_y: int | None = None
         self._dragging = False
@@ -465,8 +463,8 @@ class RowColumn(QtWidgets.QWidget, Generic[Row]):
     #: Index of a row, and the index to which it shall move.
     moved = Signal(int, int)
 
-    def __init__(self, head: QtWidgets.QWidget, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, head: QtWidgets.QWidget) -> None:
+        super().__init__()
         self._head = head
         self.rows: tuple[Row, ...] = ()
         self._column = in_column(of=self, margins=0, gap_px=UNIT_PX // 4)

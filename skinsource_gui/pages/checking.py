@@ -71,8 +71,8 @@ class BoxFigure(Figure):
         Title of the y axis, with its unit.
     """
 
-    def __init__(self, name: str, title: str, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(name, title, parent)
+    def __init__(self, name: str, title: str) -> None:
+        super().__init__(name, title)
         self._title = title
         self.groups: Sequence[tuple[str, Floats]] = ()
         self.say(_NOTHING)

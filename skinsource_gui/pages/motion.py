@@ -256,8 +256,8 @@ class PathRow(QtWidgets.QWidget):
     #: Typing is over.
     finished = Signal()
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._path: tuple[int, ...] = ()
         self.field = QtWidgets.QLineEdit()
         named(self.field, "path_field", "Path", "Numbers of places, in their order: 16, 18, 20")

@@ -298,10 +298,8 @@ class Figure(QtWidgets.QWidget):
     #: What the cursor reads; "" without a cursor.
     reading = Signal(str)
 
-    def __init__(
-        self, name: str, accessible_name: str, parent: QtWidgets.QWidget | None = None
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, name: str, accessible_name: str) -> None:
+        super().__init__()
         self.cursor_at: QPointF | None = None
         self.axes: Axes | None = None
         self.message, self.steady_range = "", SteadyRange()

@@ -41,8 +41,8 @@ class LimbField(ChoiceField):
 class SetupBar(QtWidgets.QWidget):
     """Choices for what the whole window shows."""
 
-    def __init__(self, document: Document, parent: QtWidgets.QWidget | None = None):
-        super().__init__(parent)
+    def __init__(self, document: Document) -> None:
+        super().__init__()
         self._document = document
         self._limb_options: tuple[Word, ...] = LIMBS
         _, label, sentence, options = CHOICES[0]

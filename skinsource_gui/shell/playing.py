@@ -195,8 +195,8 @@ _STATES = {
 class OutputButton(QtWidgets.QToolButton):
     """Says in the status bar what lies between the design and the skin, and whether it moves."""
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setObjectName("output_button")
         self.setAutoRaise(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)

@@ -299,8 +299,8 @@ def _fill(form: QtWidgets.QFormLayout, field: ChoiceField, options: list[tuple[s
 class ImportPreview(QtWidgets.QWidget):
     """Shows waveform, spectrum and numbers of a `Taken`, or why there is none."""
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setObjectName("import_preview")
         self._waveform, self._spectrum = Plot(), SpectrumPreview()
         self._waveform.setAccessibleName("Waveform")
@@ -427,8 +427,8 @@ class OverviewStrip(pyqtgraph.PlotWidget):
     #: Start and length of the chosen part, s.
     part_chosen = Signal(float, float)
 
-    def __init__(self, longest_s: float, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, longest_s: float) -> None:
+        super().__init__()
         self.extremes: Floats | None = None
         self._landmarks_s: Floats | None = None
         self._longest_s, self._lasts_s = longest_s, 1.0

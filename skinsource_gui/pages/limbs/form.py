@@ -159,8 +159,8 @@ class PlacesCanvas(QtWidgets.QWidget):
     #: x, y
     clicked = Signal(float, float)
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._draft = Draft()
         self._photograph = QtGui.QImage()
         named(self, "places_canvas", "Outline and places")

@@ -167,8 +167,8 @@ class StimulusForm(QtWidgets.QWidget):
     #: Why the fields make no order.
     refused = Signal(str)
 
-    def __init__(self, design: Design, view: View, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, design: Design, view: View) -> None:
+        super().__init__()
         self._design, self._view = design, view
         self._about = page_label("stimulus_format_hint", tone="dim")
         self._choices: dict[str, ChoiceField] = {}

@@ -55,8 +55,8 @@ _LEAST_PX = 160
 class ChannelsView(QtWidgets.QWidget):
     """Paints one row for each channel."""
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         named(self, "stimulus_channels", "Channels as written")
         #: The channels that are painted.
         self.channels: tuple[ChannelOverview, ...] = ()

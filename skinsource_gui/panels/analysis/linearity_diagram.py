@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
-from PySide6 import QtGui, QtWidgets
+from PySide6 import QtGui
 from PySide6.QtCore import QPointF, QRectF, Qt
 
 from skinsource.base.arrays import Floats
@@ -409,10 +409,8 @@ _LINES_WIDE, _DIAGRAM_LEAST_PART, _LEAST_PX = 10.0, 0.5, 11.0
 class DiagramsPicture(Figure):
     """Diagrams side by side where there is room, else one above the other."""
 
-    def __init__(
-        self, name: str, accessible_name: str, parent: QtWidgets.QWidget | None = None
-    ) -> None:
-        super().__init__(name, accessible_name, parent)
+    def __init__(self, name: str, accessible_name: str) -> None:
+        super().__init__(name, accessible_name)
         self.diagrams: tuple[Diagram, ...] = ()
         self.outputs: tuple[int, ...] = ()
         #: Where each diagram begins, and its axes there.

@@ -66,8 +66,8 @@ class SpectrogramContent:
 class SpectrogramPicture(Figure):
     """Amplitude as colour, over time and frequency."""
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__("spectrogram_picture", "Spectrogram", parent)
+    def __init__(self) -> None:
+        super().__init__("spectrogram_picture", "Spectrogram")
         self.content: SpectrogramContent | None = None
         self.range_db: Range = (-SPAN_DB, 0.0)
         self._playhead_s: float | None = None

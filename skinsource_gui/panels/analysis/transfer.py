@@ -40,8 +40,8 @@ class TransferContent:
 class TransferPicture(Figure):
     """One curve of each output; below, where it is more than noise."""
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__("transfer_picture", "Transfer functions", parent)
+    def __init__(self) -> None:
+        super().__init__("transfer_picture", "Transfer functions")
         self.content: TransferContent | None = None
         self._top_db = 0.0
 

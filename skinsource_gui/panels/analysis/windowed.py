@@ -392,8 +392,8 @@ class StripView(Figure):
     #: Begin of a window that was chosen, s.
     time_chosen = Signal(float)
 
-    def __init__(self, parent: QtWidgets.QWidget) -> None:
-        super().__init__("window_strip", "Windows", parent)
+    def __init__(self) -> None:
+        super().__init__("window_strip", "Windows")
         self.content: WindowedContent | None = None
         self.chosen: int | None = None
         self.setAccessibleDescription("Left and right go from window to window")
@@ -498,11 +498,11 @@ class WindowedView(AnalysisView):
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._design = Design(limb="")
-        self.strip = StripView(self)
+        self.strip = StripView()
         self.cells = {
-            "windows_cut": FieldCell("windows_cut", WINDOWS_CUT, self, edited=self._change),
-            "window_count": FieldCell("window_count", WINDOW_COUNT, self, edited=self._change),
-            "window_s": FieldCell("window_s", WINDOW_LENGTH, self, edited=self._change),
+            "windows_cut": FieldCell("windows_cut", WINDOWS_CUT, edited=self._change),
+            "window_count": FieldCell("window_count", WINDOW_COUNT, edited=self._change),
+            "window_s": FieldCell("window_s", WINDOW_LENGTH, edited=self._change),
         }
         cut, *others = self.cells.values()
         fields = [part for cell in others for part in (cell.label, cell)]

@@ -42,13 +42,8 @@ _WIDE = 3
 class EditorBody(QtWidgets.QWidget):
     """Canvas and spectrum: where the panel is low and wide, the spectrum is at the right."""
 
-    def __init__(
-        self,
-        canvas: QtWidgets.QWidget,
-        spectrum: QtWidgets.QWidget,
-        parent: QtWidgets.QWidget | None = None,
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, canvas: QtWidgets.QWidget, spectrum: QtWidgets.QWidget) -> None:
+        super().__init__()
         self._layout = QtWidgets.QBoxLayout(QtWidgets.QBoxLayout.Direction.TopToBottom, self)
         self._layout.setContentsMargins(0, 0, 0, 0)
         self._layout.setSpacing(0)
@@ -181,8 +176,8 @@ class EditorToolbar(QtWidgets.QWidget):
 
     tool_requested = Signal(str)
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setStyleSheet("QToolButton { padding: 2px 8px; }")
         row = in_row(of=self, margins=(4, 2, 4, 2), gap_px=2)
         self._group = QtWidgets.QButtonGroup(self)

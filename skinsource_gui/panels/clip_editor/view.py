@@ -347,8 +347,8 @@ class EditorView(Canvas):
     #: The key event of a key that belongs to the editor.
     key_pressed = Signal(object)
 
-    def __init__(self, tool: Tool, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, tool: Tool) -> None:
+        super().__init__()
         named(self, "clip_editor_view", "Waveform of the clip")
         self.setMouseTracking(True)
         self.setMinimumSize(160, 80)
@@ -519,8 +519,8 @@ class SpectrumStrip(QtWidgets.QWidget):
         Share of the energy outside the band, from 0 to 1.
     """
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setObjectName("clip_spectrum")
         self._preview, self._label = SpectrumPreview(), FittingLabel()
         self._preview.setAccessibleName("Spectrum of the clip")

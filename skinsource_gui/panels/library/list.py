@@ -180,8 +180,8 @@ class PresetList(QtWidgets.QListView):
     #: The `Entry` under the pointer, else the one at the keyboard's cursor, or None.
     preview_changed = Signal(object)
 
-    def __init__(self, model: PresetsModel, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, model: PresetsModel) -> None:
+        super().__init__()
         self._message = ""
         self._under: Entry | None = None
         self._delegate = PresetDelegate(self)
@@ -282,8 +282,8 @@ class PresetPreview(QtWidgets.QWidget):
         The preset that is shown.
     """
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.preset: Preset | None = None
         self._limb = ""
         self.strip, self.spectrum, self.text = ClipStrip(), SpectrumPreview(), QtWidgets.QLabel()

@@ -69,8 +69,8 @@ class SearchRow(QtWidgets.QWidget):
     #: Down was pressed.
     left_downwards = Signal()
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.line, self.tags = QtWidgets.QLineEdit(), DropDown()
         self.line.setObjectName("preset_search")
         self.line.setPlaceholderText("Search")

@@ -176,8 +176,8 @@ class FiguresTable(QtWidgets.QLabel):
         What it shows.
     """
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         named(self, "actuator_figures", "Predicted figures")
         self.setTextFormat(Qt.TextFormat.RichText)
         self.figures: tuple[Figure, ...] = ()
@@ -225,8 +225,8 @@ class DemandView(QtWidgets.QWidget):
         Its parts; the table of all figures is laid out elsewhere.
     """
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.heading = page_label("actuator_heading")
         self.refusal = page_label("actuator_refusal")
         self.limits = page_label("actuator_limits", tone="error")

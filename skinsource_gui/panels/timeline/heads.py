@@ -404,8 +404,8 @@ class Heads(QtWidgets.QListView):
     #: Other heads are there, or they have another size; Qt tells no other way.
     laid_out = Signal()
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setObjectName("input_rows")
         self.setAccessibleName("Inputs")
         self.setFrameShape(QtWidgets.QFrame.Shape.NoFrame)

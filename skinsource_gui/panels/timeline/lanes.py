@@ -575,8 +575,8 @@ class LanesView(Canvas):
     #: Lanes are to be scrolled by so many notches.
     scroll_requested = Signal(float)
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         design = Design(limb="")
         self.content = TimelineContent(design=design, view=View(), lengths=ClipLengths(design))
         self.elsewhere: Callable[[QPointF | None], DropPlace | None] = lambda at: None

@@ -46,8 +46,8 @@ class TimeBar(QtWidgets.QScrollBar):
     #: The part to see.
     range_requested = Signal(object)
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(Qt.Orientation.Horizontal, parent)
+    def __init__(self) -> None:
+        super().__init__(Qt.Orientation.Horizontal)
         named(self, "time_bar", "Time shown")
         self.valueChanged.connect(self._emit)
         self.hide()
@@ -96,8 +96,8 @@ class TimelineToolbar(QtWidgets.QWidget):
     track_requested = Signal()
     zoom_requested = Signal(float)
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setStyleSheet("QToolButton { padding: 1px 6px; }")
         self._row, keys = in_row(of=self, margins=(4, 1, 4, 1), gap_px=2), KEYS["timeline"].gestures
         self.add = self._button("add", "+ Add", "Add a clip at the playhead, or a track")
