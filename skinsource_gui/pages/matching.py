@@ -19,9 +19,8 @@ from skinsource.design.amplitudes import amplitude_unit
 from skinsource.design.design import Design
 from skinsource.lab.matching import MOST_AMPLITUDE, STEP_DB, MatchingRun, Presenter, Procedure
 from skinsource.lab.playing.devices import Output
-from skinsource.lab.playing.mix import HIGHEST_DB, LOWEST_DB
 from skinsource.lab.playing.session import Playing
-from skinsource.lab.playing.stream import Stream
+from skinsource.lab.playing.stream import HIGHEST_DB, LOWEST_DB, Stream
 from skinsource.limbs.locations import input_name
 from skinsource.specs.numbers import ListSpec, NumberSpec
 from skinsource_gui.fields.number_field import NumberField

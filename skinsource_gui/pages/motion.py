@@ -33,9 +33,8 @@ from skinsource_gui.fields.editors import new_editor
 from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.fields.parts import PartFields
 from skinsource_gui.pages.page import ToolPage
-from skinsource_gui.panels.hand.layout import HandLayout, Marker, paint_occupied
 from skinsource_gui.panels.hand.panel import HandDiagram
-from skinsource_gui.panels.hand.picture import drawing_of
+from skinsource_gui.panels.hand.picture import HandLayout, Marker, drawing_of, paint_occupied
 from skinsource_gui.plots.preview import ClipDrawings, ClipStrip, Lane
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled
 from skinsource_gui.qt.layouts import in_column, in_row, named

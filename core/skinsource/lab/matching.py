@@ -34,9 +34,8 @@ from skinsource.base.measurement_conditions import MOST_LOCATIONS
 from skinsource.design.design import Design, Input, track
 from skinsource.design.waveforms.tones import Tone
 from skinsource.lab.playing.devices import Output
-from skinsource.lab.playing.mix import START_DB
 from skinsource.lab.playing.session import Playing, Session
-from skinsource.lab.playing.stream import Stream
+from skinsource.lab.playing.stream import START_DB, Stream
 
 Direction = Literal["ascending", "descending"]
 DIRECTIONS: tuple[Direction, ...] = get_args(Direction)

@@ -17,8 +17,15 @@ from skinsource.limbs.limb import Limb
 from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.fields.editor import new_gesture
 from skinsource_gui.fields.inputs import EMPTY, fill_inputs_menu
-from skinsource_gui.panels.hand.layout import HandDrawing, HandState, Mark
-from skinsource_gui.panels.hand.picture import HandStage, PlacesOfMap, drawing_of, places_of_map
+from skinsource_gui.panels.hand.picture import (
+    HandDrawing,
+    HandStage,
+    HandState,
+    Mark,
+    PlacesOfMap,
+    drawing_of,
+    places_of_map,
+)
 from skinsource_gui.panels.hand.settings import HAND, HandSettings
 from skinsource_gui.qt.accessible import Told
 from skinsource_gui.qt.buttons import page_label, passing_menu, tool_button

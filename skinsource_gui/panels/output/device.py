@@ -15,7 +15,7 @@ from skinsource.lab.playing.devices import (
     SHORTEST_LATENCY_S,
     Output,
 )
-from skinsource.lab.playing.mix import HIGHEST_DB, LOWEST_DB, START_DB
+from skinsource.lab.playing.stream import HIGHEST_DB, LOWEST_DB, START_DB
 from skinsource.limbs.locations import input_name
 from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec, Spec, SwitchSpec

@@ -34,8 +34,7 @@ from skinsource.lab.playing.devices import (
     outputs_by_place,
     refresh_devices,
 )
-from skinsource.lab.playing.mix import SHORTEST_LOOP_S, Mix, PlayQueue, mix_of, tone_of
-from skinsource.lab.playing.stream import Stream
+from skinsource.lab.playing.stream import SHORTEST_LOOP_S, Mix, PlayQueue, Stream, mix_of, tone_of
 from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.limb import Limb
 
