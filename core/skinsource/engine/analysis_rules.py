@@ -27,7 +27,6 @@ from skinsource.engine.transforms import Played, forward, transform_length
 from skinsource.limbs.limb import PUBLISHED, Limb
 from skinsource.limbs.scaling import Scaling, per_probe_acceleration
 from skinsource.limbs.surface.operator import SurfaceOperator
-from skinsource.perception.hand_arm import weighted_rms
 from skinsource.perception.thresholds import (
     CHANNELS,
     PerceptionSettings,
@@ -35,6 +34,7 @@ from skinsource.perception.thresholds import (
     site_offsets_db,
     table_threshold,
     threshold_rms,
+    weighted_rms,
 )
 from skinsource.perception.validity import (
     SPATIAL_LIMIT_HZ,

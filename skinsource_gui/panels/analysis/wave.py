@@ -13,7 +13,7 @@ from skinsource.design.design import Design, View
 from skinsource.engine.analysis_rules import LineWave
 from skinsource.signals.analysis.wave_speed import LEAST_EXPLAINED, LEAST_STRAIGHT, TravellingWave
 from skinsource_gui.fields.units import minus
-from skinsource_gui.panels.analysis.linearity_diagram import Curve, Diagram, DiagramsPicture
+from skinsource_gui.panels.analysis.linearity import Curve, Diagram, DiagramsPicture
 from skinsource_gui.panels.analysis.view import FigureView
 from skinsource_gui.plots.figure import Axis
 from skinsource_gui.qt.questions import copied_level, tab_separated

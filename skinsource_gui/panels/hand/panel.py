@@ -18,7 +18,9 @@ from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.fields.editor import new_gesture
 from skinsource_gui.fields.inputs import EMPTY, fill_inputs_menu
 from skinsource_gui.panels.hand.picture import (
+    HAND,
     HandDrawing,
+    HandSettings,
     HandStage,
     HandState,
     Mark,
@@ -26,7 +28,6 @@ from skinsource_gui.panels.hand.picture import (
     drawing_of,
     places_of_map,
 )
-from skinsource_gui.panels.hand.settings import HAND, HandSettings
 from skinsource_gui.qt.accessible import Told
 from skinsource_gui.qt.buttons import page_label, passing_menu, tool_button
 from skinsource_gui.qt.frames import DropPlace, paint_focus_frame

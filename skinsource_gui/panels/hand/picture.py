@@ -18,12 +18,33 @@ from skinsource.limbs.limb import LimbFacts, LimbMap
 from skinsource.limbs.locations import DIGITS, input_name
 from skinsource.limbs.own_limbs import facts_of, own_map
 from skinsource.limbs.synthetic import HandShape, drawn_hand
+from skinsource.specs import fields
+from skinsource.specs.spec import SwitchSpec
 from skinsource_gui.plots.outputs import output_beyond
 from skinsource_gui.plots.small_map import paint_ring
 from skinsource_gui.qt.buttons import text_colour_on
 from skinsource_gui.qt.frames import Frame
 from skinsource_gui.qt.theme import UNIT_PX, Theme, current_theme, is_on_paper, tabular, translucent
 from skinsource_gui.qt.wheel import WHOLE, PanZoom
+
+#: Name of the panel, under which a view keeps its settings.
+HAND = "hand"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HandSettings(fields.CheckedModel):
+    """How the hand is seen.
+
+    Attributes
+    ----------
+    mirrored
+        Whether the palm is seen through the hand, so that it lines up with the back on the map.
+    """
+
+    mirrored: bool = fields.switch(
+        False, SwitchSpec(label="Mirror", hint="Palm seen through the hand, as on the map")
+    )
+
 
 # Corner radius and circumradius of the triangle, in radii of the circle: about the same area.
 _TRIANGLE_RADII, _ROUNDING = 1.42, 0.3

@@ -53,8 +53,8 @@ from skinsource.signals.projection import magnitude
 from skinsource.signals.resampling import finer
 from skinsource.signals.sampling import NEAR, values_at
 from skinsource.signals.spectra import MEAN_OF_BINS, mean_of_bins
+from skinsource.studies.checking import pearson, straight_lines
 from skinsource.studies.scenes.scenes import Condition, OpenedScene
-from skinsource.studies.validation import pearson, straight_lines
 
 
 def setup_text(opened: OpenedScene) -> str:
