@@ -22,7 +22,7 @@ from skinsource.base.measurement_conditions import N_AXES, N_INPUTS, N_OUTPUTS, 
 from skinsource.limbs.limb import Limb, LimbMap
 from skinsource.signals.generators import sample_count
 
-#: Made with mpmath by ``tests/references/make_bench_references.py``.
+#: Made with mpmath by ``benchmarks/make_bench_references.py``.
 FILE_NAME = "bench-references.npz"
 #: Places at which errors are measured: outputs, each along all axes, and samples.
 _N_OUTPUTS_CHECKED, _N_SAMPLES_CHECKED = 4, 32
