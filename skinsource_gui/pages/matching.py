@@ -13,8 +13,8 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from skinsource.actuators.rigs import Rig
+from skinsource.base.conventions import MOST_LOCATIONS
 from skinsource.base.errors import InvalidInputError, SkinSourceError, sentence
-from skinsource.base.measurement_conditions import MOST_LOCATIONS
 from skinsource.design.amplitudes import amplitude_unit
 from skinsource.design.design import Design
 from skinsource.lab.matching import MOST_AMPLITUDE, STEP_DB, MatchingRun, Presenter, Procedure

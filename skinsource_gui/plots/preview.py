@@ -10,8 +10,7 @@ from pyqtgraph.functions import arrayToQPath
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, QSizeF, Qt
 
-from skinsource.base.arrays import Floats
-from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ, Band
+from skinsource.base.conventions import SAMPLE_RATE_HZ, Band, Floats
 from skinsource.design.clips import Clip, Fragment
 from skinsource.design.effects.effect import Effect
 from skinsource.design.effects.playing import played

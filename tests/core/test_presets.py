@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 import skinsource as ss
 from skinsource import Design, Input, View, edits, track
+from skinsource.base.conventions import BAND_HZ
 from skinsource.base.errors import FileFormatError, InvalidInputError, StorageError
-from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.design.clips import MAX_EFFECTS, Clip, Fragment, Lane
 from skinsource.design.effects import Reverse, SoftClip, Trim
 from skinsource.design.presets import presets

@@ -27,12 +27,11 @@ from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.models import Piezo, RecoilVoiceCoil, VoiceCoil
 from skinsource.actuators.prediction import Limits, Thermal
 from skinsource.base.arguments import one_of
-from skinsource.base.arrays import Floats
 from skinsource.base.assets import data_folder
+from skinsource.base.conventions import BAND_HZ, MOST_LOCATIONS, Band, Floats
 from skinsource.base.errors import InvalidInputError, lowered, quoted
 from skinsource.base.files import read_bytes
 from skinsource.base.json_text import MAX_TEXT_BYTES
-from skinsource.base.measurement_conditions import BAND_HZ, MOST_LOCATIONS, Band
 from skinsource.specs import fields, models
 from skinsource.specs.codec import from_plain_text
 from skinsource.specs.numbers import ListSpec, ModelSpec, NumberSpec, OptionalSpec

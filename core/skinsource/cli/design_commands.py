@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from skinsource.actuators.rigs import open_rig
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.errors import InvalidInputError, counted, escaped, printable
 from skinsource.base.files import make_folder
 from skinsource.design.amplitudes import amplitude_note, amplitude_text, is_gain

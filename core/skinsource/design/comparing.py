@@ -13,10 +13,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skinsource.base.arguments import finite_array, real_array
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import N_OUTPUTS, Floats
 from skinsource.base.decibels import FLOOR_DB, decibels
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import N_OUTPUTS
 from skinsource.design.clips import Clip
 from skinsource.design.design import EDITED, Design, Snapshot, shown_snapshot
 from skinsource.limbs.limb import PUBLISHED

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any
 from skinsource.actuators.actuation import Actuation
 from skinsource.actuators.rigs import Rig
 from skinsource.base.arguments import brief, checking
+from skinsource.base.conventions import MOST_LOCATIONS, Axes
 from skinsource.base.errors import InvalidInputError, quoted
-from skinsource.base.measurement_conditions import MOST_LOCATIONS, Axes
 from skinsource.design import labels
 from skinsource.design.clips import ID, LATEST_S, MAX_CLIPS, PLACE, Clip, Marker, numbered
 from skinsource.design.waveform import Waveform

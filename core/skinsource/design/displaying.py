@@ -4,7 +4,7 @@ from html import escape
 
 import numpy as np
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.errors import InvalidInputError, counted, sentence
 from skinsource.design.amplitudes import amplitude_text
 from skinsource.design.design import Design, Input, audible_indices

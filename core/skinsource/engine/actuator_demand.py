@@ -10,9 +10,8 @@ from skinsource.actuators.actuation import Actuation, ActuatorAt, ActuatorProfil
 from skinsource.actuators.equalising import equalised, followed_band, net_velocity
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.prediction import Prediction, duty_of, predicted
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import BAND_HZ, Band, Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import BAND_HZ, Band
 from skinsource.engine.gains import Placed
 from skinsource.limbs.scaling import Scaling
 

@@ -11,10 +11,9 @@ import numpy as np
 import scipy
 
 from skinsource.actuators.actuation import Actuation, ActuatorProfile, transfers_of
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Band, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Stop, stop_if
-from skinsource.base.measurement_conditions import Band
 from skinsource.design.panel_settings import SpectrogramSettings
 from skinsource.design.signal_path import Drive, UnplayableInput, Voice, unplayable_text
 from skinsource.engine import level_rules

@@ -6,7 +6,7 @@ from math import ceil
 import numpy as np
 import scipy
 
-from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.conventions import Complexes, Floats
 from skinsource.base.decibels import decibels
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, View, audible_inputs

@@ -24,10 +24,9 @@ from skinsource.actuators.rigs import (
     wired_channel,
 )
 from skinsource.base.arguments import checking, integer, one_of, real_number
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import BAND_HZ, Band, Floats, check_input_location
 from skinsource.base.errors import InvalidInputError, counted, quoted
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
-from skinsource.base.measurement_conditions import BAND_HZ, Band, check_input_location
 from skinsource.design.amplitudes import ARBITRARY_UNIT, drive_unit
 from skinsource.design.design import Design, Input, audible_inputs
 from skinsource.design.effects.playing import played

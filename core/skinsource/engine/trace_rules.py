@@ -1,6 +1,6 @@
 """Rules from vibrations to traces and spectra of the selected outputs."""
 
-from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.conventions import Complexes, Floats
 from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.base.job import Stop
 from skinsource.engine.gains import (

@@ -15,11 +15,10 @@ import numpy as np
 import scipy
 
 from skinsource.actuators.actuation import Actuation, ActuatorAt
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import ALL_AXES, Axes, Floats, axes_of
 from skinsource.base.errors import TooInaccurateError, counted
 from skinsource.base.files import replacing
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
-from skinsource.base.measurement_conditions import ALL_AXES, Axes, axes_of
 from skinsource.design.amplitudes import amplitude_note
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, View, audible_inputs

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from skinsource.base.arguments import checking
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.base.extras import package_of_extra
 from skinsource.design.design import Design, View

@@ -19,6 +19,7 @@ import numpy as np
 
 from skinsource.actuators.rigs import Rig
 from skinsource.base.arguments import checking, integer, one_of, real_number
+from skinsource.base.conventions import MOST_LOCATIONS
 from skinsource.base.errors import (
     FileFormatError,
     InvalidInputError,
@@ -30,7 +31,6 @@ from skinsource.base.errors import (
 )
 from skinsource.base.files import path_exists, path_text, read_bytes, write_bytes
 from skinsource.base.lock import Lock
-from skinsource.base.measurement_conditions import MOST_LOCATIONS
 from skinsource.design.design import Design, Input, track
 from skinsource.design.waveforms.tones import Tone
 from skinsource.lab.playing.devices import Output

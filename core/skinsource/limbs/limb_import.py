@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.errors import FileFormatError, InvalidInputError, quoted
 from skinsource.base.files import is_file, path_text
 from skinsource.base.job import Progress, Stop, never, silent

@@ -23,7 +23,7 @@ import numpy as np
 import scipy
 
 from skinsource.base import files
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.errors import InvalidInputError, RecordingError, quoted
 from skinsource.base.files import path_text, read_bytes, replacing
 from skinsource.base.job import Progress, Stop, never, silent, stop_if

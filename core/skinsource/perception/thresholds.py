@@ -21,10 +21,9 @@ import scipy
 from numpy.typing import ArrayLike
 
 from skinsource.base.arguments import checking, finite_array, one_of, positive_number, real_array
-from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.conventions import BAND_HZ, LIMB_NAMES, Band, Complexes, Floats
 from skinsource.base.errors import FileFormatError, InvalidInputError, quoted
 from skinsource.base.files import read_bytes
-from skinsource.base.measurement_conditions import BAND_HZ, LIMB_NAMES, Band
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.locations import ARM_REGIONS, OUTPUTS
 from skinsource.signals.loudest_window import loudest_energy, window_samples

@@ -21,11 +21,10 @@ from typing import Any, Literal
 import numpy as np
 import scipy
 
-from skinsource.base.arrays import Booleans, Floats
+from skinsource.base.conventions import N_AXES, N_OUTPUTS, Axes, Band, Booleans, Floats
 from skinsource.base.errors import InvalidInputError, RecordingError, counted, printable, quoted
 from skinsource.base.files import path_text
 from skinsource.base.job import Progress, Stop, never, silent
-from skinsource.base.measurement_conditions import N_AXES, N_OUTPUTS, Axes, Band
 from skinsource.base.run_limited import run_limited
 from skinsource.design.comparing import same_but_rounding
 from skinsource.design.design import Design, Input, View, audible_inputs, louder

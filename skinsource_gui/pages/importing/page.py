@@ -16,11 +16,10 @@ import pyqtgraph
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QPointF, QSignalBlocker, QSize, Qt, Signal
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import SAMPLE_RATE_HZ, Band, Floats
 from skinsource.base.errors import SkinSourceError, Stopped, counted
 from skinsource.base.files import path_text
 from skinsource.base.job import Job, Progress, Stop, stop_if
-from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ, Band
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.recordings import (
     ImportChoice,

@@ -9,7 +9,7 @@ import numpy as np
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QPointF, QRectF, QSize, Qt, Signal
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.errors import counted
 from skinsource.design.labels import AXES
 from skinsource.limbs.limb_import import LimbSource

@@ -23,11 +23,10 @@ from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.measuring import open_response
 from skinsource.actuators.prediction import Limits
 from skinsource.actuators.rigs import SUFFIX, Rig, RigChannel, open_rig, save_rig
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import BAND_HZ, Floats
 from skinsource.base.decibels import decibels
 from skinsource.base.errors import InvalidInputError, SkinSourceError, Stopped, sentence
 from skinsource.base.files import path_text
-from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.design import edits
 from skinsource.lab.rig_measuring.duplex import InputDevice, input_devices
 from skinsource.lab.rig_measuring.measurement import (

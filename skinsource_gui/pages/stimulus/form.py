@@ -15,8 +15,8 @@ from PySide6.QtCore import QSignalBlocker, Qt, Signal
 
 from skinsource.actuators.equalising import BOOST, NEW_QUALITY, PHASE
 from skinsource.actuators.rigs import open_rig
+from skinsource.base.conventions import SAMPLE_RATE_HZ
 from skinsource.base.errors import InvalidInputError, SkinSourceError, quoted
-from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ
 from skinsource.design import edits
 from skinsource.design.amplitudes import ARBITRARY_UNIT, drive_unit, equaliser_of
 from skinsource.design.design import Design, View

@@ -18,7 +18,7 @@ from PySide6.QtCore import QLineF, QRectF, QSize, Qt, Signal
 
 from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.actuators.rigs import UNCALIBRATED
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.errors import Stopped, counted, sentence
 from skinsource.design.amplitudes import amplitude_unit
 from skinsource.design.design import Design, View, audible_inputs

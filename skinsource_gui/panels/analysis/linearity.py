@@ -8,7 +8,7 @@ import numpy as np
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QPointF, QRectF, Qt
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.design.amplitudes import amplitude_unit, is_gain
 from skinsource.design.design import EDITED, NUMBERS, Design, Snapshot, View
 from skinsource.design.panel_settings import settings_of

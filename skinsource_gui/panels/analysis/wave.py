@@ -7,7 +7,7 @@ import numpy as np
 from PySide6 import QtWidgets
 from PySide6.QtCore import QPointF
 
-from skinsource.base.arrays import Booleans, Floats
+from skinsource.base.conventions import Booleans, Floats
 from skinsource.design.comparing import match_text
 from skinsource.design.design import Design, View
 from skinsource.engine.analysis_rules import LineWave

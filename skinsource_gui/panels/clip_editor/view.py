@@ -9,8 +9,7 @@ from pyqtgraph.functions import arrayToQPath
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QLineF, QObject, QPointF, QRectF, QSize, Qt, Signal
 
-from skinsource.base.arrays import Floats
-from skinsource.base.measurement_conditions import Band
+from skinsource.base.conventions import Band, Floats
 from skinsource.design.clips import Clip
 from skinsource.signals.spectra import share_outside_band
 from skinsource_gui.fields.units import axis_unit

@@ -8,10 +8,9 @@ from typing import Any, ClassVar
 import numpy as np
 from PySide6.QtCore import QPointF
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Axes, Floats
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.base.errors import printable
-from skinsource.base.measurement_conditions import Axes
 from skinsource.design.comparing import (
     MOST_SIDE_BY_SIDE,
     difference_db,

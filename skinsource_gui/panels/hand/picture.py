@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QPointF, QRectF, QSize, QSizeF, Qt, Signal
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.limbs.limb import LimbFacts, LimbMap
 from skinsource.limbs.locations import DIGITS, input_name
 from skinsource.limbs.own_limbs import facts_of, own_map

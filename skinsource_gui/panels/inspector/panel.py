@@ -8,8 +8,7 @@ from typing import Any
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QSize, Qt, Signal, SignalInstance
 
-from skinsource.base.arrays import Floats
-from skinsource.base.measurement_conditions import Band
+from skinsource.base.conventions import Band, Floats
 from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_spec, is_gain, peak_text
 from skinsource.design.clips import GAIN, ONSET, Clip

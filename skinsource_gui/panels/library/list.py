@@ -20,7 +20,7 @@ from PySide6.QtCore import (
     Signal,
 )
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.errors import SkinSourceError, sentence
 from skinsource.design.presets.presets import Entry, Preset, mixed
 from skinsource.limbs.locations import input_name

@@ -12,9 +12,8 @@ from skinsource.actuators.actuation import ActuatorProfile
 from skinsource.actuators.actuator import Actuator
 from skinsource.actuators.equalising import Equaliser, curves, mean_of
 from skinsource.actuators.prediction import Prediction, breaches
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import LARGEST_VELOCITY_M_PER_S, Band, Floats
 from skinsource.base.decibels import decibels
-from skinsource.base.measurement_conditions import LARGEST_VELOCITY_M_PER_S, Band
 from skinsource.engine.actuator_demand import LONGEST_S, Demand
 from skinsource.limbs.locations import input_name
 from skinsource.specs import fields

@@ -21,7 +21,7 @@ from skinsource.actuators.equalising import (
     followed_band,
     resonance_of,
 )
-from skinsource.base.measurement_conditions import Band
+from skinsource.base.conventions import Band
 from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_unit, equaliser_of
 from skinsource.design.design import Design, View

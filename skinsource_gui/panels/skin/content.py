@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.decibels import FLOOR_DB, decibels
 from skinsource.base.errors import sentence
 from skinsource.design.comparing import match_text

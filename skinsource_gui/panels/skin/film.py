@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 from PySide6 import QtGui
 from PySide6.QtCore import QSizeF
 
+from skinsource.base.conventions import axes_text
 from skinsource.base.errors import InvalidInputError, SkinSourceError
 from skinsource.base.job import Progress, Stop, never, silent
-from skinsource.base.measurement_conditions import axes_text
 from skinsource.design.design import Design, View, audible_inputs
 from skinsource.design.labels import limb_label
 from skinsource.design.panel_settings import settings_of, with_settings

@@ -7,7 +7,7 @@ from functools import lru_cache
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.specs.numbers import NumberSpec
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.skin.content import MapContent

@@ -9,9 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6 import QtWidgets
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Band, Floats
 from skinsource.base.decibels import decibels
-from skinsource.base.measurement_conditions import Band
 from skinsource.design.comparing import match_text
 from skinsource.design.design import Design, View
 from skinsource.design.panel_settings import settings_of

@@ -8,9 +8,8 @@ from functools import cached_property
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import SAMPLE_RATE_HZ, Floats
 from skinsource.base.decibels import decibels
-from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ
 from skinsource.design.clips import Clip, Marker
 from skinsource.design.design import MAX_INPUTS, Design, Input, View
 from skinsource.design.edits.cutting import last_fade

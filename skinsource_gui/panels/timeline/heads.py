@@ -29,7 +29,7 @@ from PySide6.QtCore import (
     Signal,
 )
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_spec, amplitude_text, amplitude_unit, is_gain
 from skinsource.design.design import AMPLITUDE_GAIN, Design, Input, View, audible_inputs

@@ -8,8 +8,7 @@ import numpy as np
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSignalBlocker, QSize, Qt, Signal
 
-from skinsource.base.arrays import Floats
-from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ
+from skinsource.base.conventions import SAMPLE_RATE_HZ, Floats
 from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, View, audible_inputs

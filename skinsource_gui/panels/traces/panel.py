@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 from PySide6 import QtGui, QtWidgets
 
-from skinsource.base.arrays import Floats
-from skinsource.base.measurement_conditions import BAND_HZ
+from skinsource.base.conventions import BAND_HZ, Floats
 from skinsource.design import edits
 from skinsource.design.comparing import match_text
 from skinsource.design.design import Design, View

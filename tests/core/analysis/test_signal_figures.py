@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from skinsource.base.conventions import BAND_HZ
 from skinsource.base.errors import Stopped
-from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.signals.analysis import statistics
 from skinsource.signals.analysis.noise import noise_rms, quiet_rms
 from skinsource.signals.analysis.spectrogram import MOST_COLUMNS, spectrogram

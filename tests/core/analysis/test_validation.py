@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from skinsource.base.conventions import BAND_HZ
 from skinsource.base.errors import InvalidInputError, RecordingError
-from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.signals.resampling import resample
 from skinsource.studies.checking import agreement, aligned, open_recorded, proportion
 

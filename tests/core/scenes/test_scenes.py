@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import skinsource as ss
+from skinsource.base.conventions import LIMB_NAMES
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import LIMB_NAMES
 from skinsource.cli.command_line import main
 from skinsource.design.design import shown_snapshot
 from skinsource.design.design_file import open_design

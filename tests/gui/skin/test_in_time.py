@@ -8,7 +8,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
-from skinsource.base.measurement_conditions import PRE_TRIGGER_DELAY_S
+from skinsource.base.conventions import PRE_TRIGGER_DELAY_S
 from skinsource.design.design import View
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.engine.quantities import new_graph, sources

@@ -13,7 +13,7 @@ from math import isfinite
 from typing import Any, TypeAlias, TypeVar
 
 from skinsource.base.arguments import checking, one_of
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.design.clips import GAIN, LABEL, MAX_EFFECTS, ONSET, Clip
 from skinsource.design.design import AMPLITUDE, GAIN_CURVE, Design, Input, View

@@ -9,8 +9,8 @@ import numpy as np
 
 from skinsource.actuators.actuation import Actuation
 from skinsource.actuators.rigs import Rig
+from skinsource.base.conventions import ALL_AXES
 from skinsource.base.errors import InvalidInputError, SkinSourceError, lowered, quoted
-from skinsource.base.measurement_conditions import ALL_AXES
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, View, audible_inputs, louder
 from skinsource.design.edits.edit import Edit, Refusal, change_view, refusing

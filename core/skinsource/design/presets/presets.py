@@ -12,8 +12,8 @@ from pathlib import Path
 
 import numpy as np
 
-from skinsource.base.arrays import Floats
 from skinsource.base.assets import data_folder, user_folder
+from skinsource.base.conventions import Floats
 from skinsource.base.errors import FileFormatError, InvalidInputError, SkinSourceError, sentence
 from skinsource.base.files import (
     make_folder,

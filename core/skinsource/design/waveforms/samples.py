@@ -6,8 +6,7 @@ from typing import ClassVar, Literal
 
 import numpy as np
 
-from skinsource.base.arrays import Floats
-from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ
+from skinsource.base.conventions import SAMPLE_RATE_HZ, Floats
 from skinsource.design.clips import Clip
 from skinsource.design.waveform import DURATION
 from skinsource.design.waveforms.tones import count_of

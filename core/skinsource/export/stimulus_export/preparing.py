@@ -17,7 +17,7 @@ import scipy
 from skinsource.actuators.actuation import Actuation, Model
 from skinsource.actuators.equalising import Equaliser, RegularisedInverse, followed_band
 from skinsource.actuators.rigs import Rig, calibration_words, known_model, rig_breaches
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.decibels import decibels
 from skinsource.base.errors import InvalidInputError, counted, lowered
 from skinsource.base.job import Progress, Stop, never, silent, stop_if

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from skinsource.base.arguments import integer, real_number
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import MOST_LOCATIONS, Floats
 from skinsource.base.errors import (
     InvalidInputError,
     MissingExtraError,
@@ -23,7 +23,6 @@ from skinsource.base.errors import (
     quoted,
 )
 from skinsource.base.extras import extra_line, package_of_extra
-from skinsource.base.measurement_conditions import MOST_LOCATIONS
 from skinsource.design.design import Design
 from skinsource.signals.resampling import resample
 

@@ -11,7 +11,7 @@ import numpy as np
 import scipy
 
 from skinsource.actuators.rigs import Margin, Rig, RigChannel, highest_gain
-from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.conventions import Complexes, Floats
 from skinsource.base.errors import (
     InvalidInputError,
     NothingToPlayOnError,

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.base.arguments import finite_array, real_number
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.decibels import decibels
 from skinsource.base.errors import InvalidInputError, PlaybackError, counted
 from skinsource.lab.playing.devices import Device, refusal_text, sound_library

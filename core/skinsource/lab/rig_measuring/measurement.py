@@ -32,7 +32,7 @@ from skinsource.actuators.rigs import (
     wired_channel,
 )
 from skinsource.base.arguments import checking
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.decibels import decibels
 from skinsource.base.errors import InvalidInputError, PlaybackError, sentence
 from skinsource.base.job import Progress, Stop, never, silent, stop_if

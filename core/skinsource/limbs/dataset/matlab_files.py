@@ -16,17 +16,17 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from skinsource.base import files
-from skinsource.base.arrays import Floats
-from skinsource.base.errors import DatasetError, counted, printable
-from skinsource.base.extras import package_of_extra
-from skinsource.base.job import Progress, Stop, stop_if
-from skinsource.base.measurement_conditions import (
+from skinsource.base.conventions import (
     N_AXES,
     N_INPUTS,
     N_OUTPUTS,
     N_TAPS,
     VOLAR_OUTPUTS,
+    Floats,
 )
+from skinsource.base.errors import DatasetError, counted, printable
+from skinsource.base.extras import package_of_extra
+from skinsource.base.job import Progress, Stop, stop_if
 from skinsource.limbs.dataset.published import (
     ADVICE,
     LIMBS,

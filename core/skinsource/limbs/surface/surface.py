@@ -25,8 +25,8 @@ import numpy as np
 import scipy
 
 from skinsource.base.arguments import checking, real_number
-from skinsource.base.arrays import Booleans, Floats, Indices
 from skinsource.base.assets import cache_folder
+from skinsource.base.conventions import Booleans, Floats, Indices
 from skinsource.base.errors import InvalidInputError, SkinSourceError
 from skinsource.base.files import make_folder, read_bytes, write_bytes
 from skinsource.base.job import Stop, never, stop_if

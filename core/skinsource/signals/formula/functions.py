@@ -6,7 +6,7 @@ from functools import reduce
 
 import numpy as np
 
-from skinsource.base.arrays import Booleans, Floats
+from skinsource.base.conventions import Booleans, Floats
 from skinsource.signals.formula.values import PI, Grid, Value, band_noise
 
 # Most values of ``min`` and ``max``.

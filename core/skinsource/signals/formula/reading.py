@@ -13,7 +13,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.errors import FormulaError, escaped, printable, quoted
 from skinsource.signals.formula.functions import (
     COMPARISONS,

@@ -14,11 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.actuators.models import VoiceCoil
-from skinsource.base.arrays import Floats, Integers
 from skinsource.base.assets import data_folder
+from skinsource.base.conventions import N_AXES, N_INPUTS, N_OUTPUTS, N_TAPS, Floats, Integers
 from skinsource.base.errors import FileFormatError, printable, quoted
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
-from skinsource.base.measurement_conditions import N_AXES, N_INPUTS, N_OUTPUTS, N_TAPS
 from skinsource.limbs.limb import Limb, LimbMap
 from skinsource.signals.generators import sample_count
 

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import scipy
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.errors import csv_text
 from skinsource.base.extras import package_of_extra
 from skinsource.base.files import write_bytes

@@ -13,10 +13,9 @@ from typing import Any
 import numpy as np
 import scipy
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import AXES, Axes, Band, Floats, axis_numbers
 from skinsource.base.decibels import decibels, levels_for_tables
 from skinsource.base.errors import InvalidInputError, quoted, sentence
-from skinsource.base.measurement_conditions import AXES, Axes, Band, axis_numbers
 from skinsource.design.amplitudes import amplitude_unit
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, View

@@ -17,11 +17,10 @@ import numpy as np
 import scipy
 
 from skinsource.base.arguments import checking
-from skinsource.base.arrays import Floats
 from skinsource.base.assets import data_folder
+from skinsource.base.conventions import Floats, axes_text
 from skinsource.base.decibels import decibels
 from skinsource.base.errors import InvalidInputError, SkinSourceError, counted, quoted, sentence
-from skinsource.base.measurement_conditions import axes_text
 from skinsource.design.amplitudes import ARBITRARY_UNIT, amplitude_unit
 from skinsource.design.design import Design, View
 from skinsource.design.design_file import SUFFIX, DesignFile, open_design

@@ -16,10 +16,9 @@ from skinsource.actuators.actuation import Actuation, ActuatorAt, load
 from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.actuators.prediction import Limits
 from skinsource.base.arguments import checking, integer, one_of
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Axes, Floats
 from skinsource.base.errors import InvalidInputError, counted, quoted
 from skinsource.base.json_text import Tree
-from skinsource.base.measurement_conditions import Axes
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, View
 from skinsource.lab.matching import Strengths

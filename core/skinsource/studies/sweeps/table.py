@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from skinsource.base.arguments import integer
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.errors import InvalidInputError, StorageError, cell_text, csv_text, quoted
 from skinsource.base.extras import package_of_extra
 from skinsource.base.files import (
