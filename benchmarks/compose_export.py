@@ -9,8 +9,7 @@ import soundfile
 from composer import Composer
 from PySide6.QtWidgets import QCheckBox, QFileDialog
 
-from skinsource.actuators.actuation import Actuation
-from skinsource.actuators.catalog import load, names
+from skinsource.actuators.actuation import Actuation, load, names
 from skinsource.engine.stimulus import stimulus_of
 from skinsource.signals.resampling import resample
 

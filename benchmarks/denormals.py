@@ -17,8 +17,7 @@ from time import perf_counter
 
 import numpy as np
 
-from skinsource.design.design import Design, track
-from skinsource.design.view import View
+from skinsource.design.design import Design, View, track
 from skinsource.design.waveforms.pulses import Impulse
 from skinsource.engine.prediction import predict
 from skinsource.engine.quantities import new_graph, sources

@@ -21,8 +21,7 @@ from scipy.signal import fftconvolve
 
 from skinsource.base.allocation import keep_freed_memory
 from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input, track
-from skinsource.design.view import View
+from skinsource.design.design import Design, Input, View, track
 from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.prediction import predict

@@ -31,8 +31,7 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication
 from yardstick import Beside, computing_and_painting, judge
 
-from skinsource.design.design import Design, track
-from skinsource.design.view import View
+from skinsource.design.design import Design, View, track
 from skinsource.design.waveforms.tones import Tone
 from skinsource.limbs.catalog import available_limbs, default_limb
 from skinsource_gui.app.app import make_application, manage_garbage_collection

@@ -17,8 +17,13 @@ from skinsource.base.assets import data_folder
 from skinsource.base.files import write_bytes
 from skinsource.export.plot import module
 from skinsource.studies.figures.writing import draw_figure
-from skinsource.studies.scenes.catalog import all_scenes, missing_panels, open_scene
-from skinsource.studies.scenes.opened_scene import OpenedScene, Scene
+from skinsource.studies.scenes.scenes import (
+    OpenedScene,
+    Scene,
+    all_scenes,
+    missing_panels,
+    open_scene,
+)
 
 #: Width of a picture, px.
 WIDTH_PX = 900

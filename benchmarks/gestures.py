@@ -28,9 +28,8 @@ from PySide6.QtWidgets import QApplication, QWidget
 from yardstick import Beside, computing_and_painting
 
 from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input
+from skinsource.design.design import Design, Input, View
 from skinsource.design.effects.level import Envelope
-from skinsource.design.view import View
 from skinsource.design.waveforms.samples import Drawn
 from skinsource.design.waveforms.tones import Tone
 from skinsource.limbs.catalog import available_limbs, default_limb

@@ -31,8 +31,7 @@ from growth_limit import Machine, least_work, this_machine
 from growth_plot import EDITS, Point, write
 
 from skinsource.base.allocation import keep_freed_memory
-from skinsource.design.design import Design, Input, track
-from skinsource.design.view import View
+from skinsource.design.design import Design, Input, View, track
 from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.graph import Graph

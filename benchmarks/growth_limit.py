@@ -24,7 +24,7 @@ from time import perf_counter
 import numpy as np
 from scipy import fft
 
-from skinsource.base.measurement_conditions import N_AXES, N_OUTPUTS, N_TAPS
+from skinsource.base.conventions import N_AXES, N_OUTPUTS, N_TAPS
 
 CHANNELS = N_OUTPUTS * N_AXES
 BLOCK_FFT, BLOCK_SAMPLES = 4096, 4096 - N_TAPS + 1

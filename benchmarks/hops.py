@@ -23,8 +23,7 @@ from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication
 
-from skinsource.design.design import Design, track
-from skinsource.design.view import View
+from skinsource.design.design import Design, View, track
 from skinsource.design.waveforms.tones import Tone
 from skinsource.limbs.catalog import available_limbs, default_limb
 from skinsource_gui.app.app import make_application

@@ -28,8 +28,7 @@ from resident import resident_mb
 
 from skinsource.base.allocation import keep_freed_memory
 from skinsource.base.errors import Stopped
-from skinsource.design.design import Design, Input, track
-from skinsource.design.view import View
+from skinsource.design.design import Design, Input, View, track
 from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.graph import Graph

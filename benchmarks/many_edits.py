@@ -28,8 +28,7 @@ from PySide6.QtWidgets import QApplication
 from random_edits import RandomEdits
 from resident import held_mb, resident_mb
 
-from skinsource.design.design import Design, track
-from skinsource.design.view import View
+from skinsource.design.design import Design, View, track
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.limbs.catalog import available_limbs, default_limb

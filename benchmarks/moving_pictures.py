@@ -21,9 +21,8 @@ from PySide6.QtGui import QColor, QImage, QMouseEvent, QPainter, QPolygonF
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource.design.design import Design, track
+from skinsource.design.design import Design, View, track
 from skinsource.design.panel_settings import with_settings
-from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.app.app import make_application
 from skinsource_gui.fields.number_field import NumberField

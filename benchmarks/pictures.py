@@ -21,14 +21,13 @@ from PySide6.QtWidgets import QApplication
 from window_figures import print_figures
 
 from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input, track
-from skinsource.design.view import View
+from skinsource.design.design import Design, Input, View, track
 from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.tones import Chirp, Tone
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.limbs.catalog import available_limbs, default_limb
 from skinsource_gui.app.app import make_application
-from skinsource_gui.pages.importing.form import OverviewStrip
+from skinsource_gui.pages.importing.page import OverviewStrip
 from skinsource_gui.plots.colour_maps import colour_table
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.document import NEW_VIEW

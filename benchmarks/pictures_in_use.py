@@ -17,9 +17,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QListView, QPushButton
 
 from skinsource.design.clips import Clip, Marker
-from skinsource.design.design import Design, Input
+from skinsource.design.design import Design, Input, View
 from skinsource.design.effects.level import Envelope, Fade
-from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource.design.waveforms.wavelet_train import WaveletTrain

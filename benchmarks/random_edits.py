@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from skinsource.base.measurement_conditions import AXES, N_INPUTS, N_OUTPUTS
+from skinsource.base.conventions import AXES, N_INPUTS, N_OUTPUTS
 from skinsource.design.design import Design, Input, track
 from skinsource.design.panel_settings import with_settings
 from skinsource.design.waveforms.pulses import Impulse, Noise, Tap

@@ -15,8 +15,7 @@ from time import perf_counter
 
 from skinsource.base.allocation import keep_freed_memory
 from skinsource.design.clips import Clip
-from skinsource.design.design import Design, track
-from skinsource.design.view import View
+from skinsource.design.design import Design, View, track
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.graph import Graph
 from skinsource.engine.quantities import graphs_that_share, sources

@@ -22,8 +22,7 @@ import numpy as np
 import psutil
 from PySide6.QtWidgets import QApplication
 
-from skinsource.design.design import Design, track
-from skinsource.design.view import View
+from skinsource.design.design import Design, View, track
 from skinsource.design.waveforms.pulses import Noise
 from skinsource.limbs.catalog import available_limbs, default_limb
 from skinsource.limbs.own_limbs import OwnLimb, install_limb

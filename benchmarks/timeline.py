@@ -19,8 +19,7 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtWidgets import QApplication
 
 from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input
-from skinsource.design.view import View
+from skinsource.design.design import Design, Input, View
 from skinsource.design.waveforms.pulses import Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource.design.waveforms.wavelets import Gabor

@@ -14,8 +14,8 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from skinsource.base.errors import escaped
 from skinsource.base.extras import extra_line
-from skinsource.base.quoting import escaped
 from skinsource.base.run_limited import serve_if_asked
 from skinsource.version import __version__
 from skinsource_gui.qt.lazy_modules import leave_sources_unread, make_lazy

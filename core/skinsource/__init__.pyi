@@ -18,6 +18,7 @@ from .design.clips import Clip as Clip
 from .design.clips import Marker as Marker
 from .design.design import Design as Design
 from .design.design import Input as Input
+from .design.design import View as View
 from .design.design import track as track
 from .design.design_file import ShowEntry as ShowEntry
 from .design.design_file import UnreadEntry as UnreadEntry
@@ -26,7 +27,6 @@ from .design.design_file import open_show as open_show
 from .design.design_file import save_design as save_design
 from .design.design_file import save_show as save_show
 from .design.signal_path import actuation_of_rig as actuation_of_rig
-from .design.view import View as View
 from .engine.evaluation import Quantity as Quantity
 from .engine.evaluation import evaluate as evaluate
 from .engine.evaluation import quantities as quantities

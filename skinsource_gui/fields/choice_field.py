@@ -5,10 +5,10 @@ from collections.abc import Iterable
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPointF, Qt, Signal
 
-from skinsource.base.quoting import printable
+from skinsource.base.errors import printable
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.editor import MIXED, Burst, Editor
-from skinsource_gui.qt.tooltips import tooltip
+from skinsource_gui.qt.layouts import tooltip
 
 # Between an icon and its text.
 _BESIDE_PX = 4

@@ -31,8 +31,8 @@ from skinsource.specs.breakpoints import (
 from skinsource_gui.fields.editor import Burst, Editor, new_gesture
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.keys import arrow_steps, claims_shortcut, meaning_of
+from skinsource_gui.qt.layouts import tooltip
 from skinsource_gui.qt.theme import Theme, current_theme, tabular
-from skinsource_gui.qt.tooltips import tooltip
 
 # A click selects a point or the curve from this far away.
 _NEAR_PX = 8.0

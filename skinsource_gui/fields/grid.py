@@ -45,8 +45,8 @@ class LabelledCell(QtWidgets.QWidget):
         Whether the cell contains its label and takes the whole width.
     """
 
-    def __init__(self, text: str, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, text: str) -> None:
+        super().__init__()
         self.across = False
         self.label: QtWidgets.QLabel = _FieldLabel(text)
         set_tone(self.label, "dim")
@@ -86,10 +86,8 @@ class EditedCell(LabelledCell):
     #: Name of the field, its new value, number of the gesture or None.
     edited = Signal(str, object, object)
 
-    def __init__(
-        self, name: str, spec: Spec, new_editor: NewEditor, parent: QtWidgets.QWidget | None = None
-    ) -> None:
-        super().__init__(spec.label, parent)
+    def __init__(self, name: str, spec: Spec, new_editor: NewEditor) -> None:
+        super().__init__(spec.label)
         self.name, self._label_text = name, spec.label
         self._value: object = None
         self._warns = self._mixed = False
@@ -192,8 +190,8 @@ _Event = QEvent.Type
 class FieldGrid(QtWidgets.QWidget):
     """Cells in one column, with their labels beside them; in a narrow grid above them."""
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._cells: tuple[LabelledCell, ...] = ()
         self._above = False
         self._grid = QtWidgets.QGridLayout(self)

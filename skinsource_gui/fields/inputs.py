@@ -7,14 +7,13 @@ from typing import Any
 
 from PySide6 import QtWidgets
 
-from skinsource.base.arrays import Floats
-from skinsource.base.quoting import printable
+from skinsource.base.conventions import Floats
+from skinsource.base.errors import printable
 from skinsource.design import edits
 from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input
+from skinsource.design.design import Design, Input, View
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.effects.time import stretched_by
-from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
 from skinsource.signals.generators import sample_count
 from skinsource.specs.models import specs_of

@@ -8,9 +8,8 @@ from pyqtgraph.functions import arrayToQPath
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPoint, QPointF, QSize, Qt
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import SAMPLE_RATE_HZ, Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms import COMMON, kinds
 from skinsource.design.waveforms.periodic import PulseTrain, Saw, Square, Triangle

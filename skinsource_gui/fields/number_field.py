@@ -27,8 +27,8 @@ from skinsource_gui.fields.units import (
     with_unit,
 )
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
+from skinsource_gui.qt.layouts import show_tip_below, tooltip
 from skinsource_gui.qt.theme import current_theme, letter_scale, tabular
-from skinsource_gui.qt.tooltips import show_tip_below, tooltip
 from skinsource_gui.qt.wheel import NOTCH
 
 #: Marks a number with fewer digits than usual, and replaces a number for which there is no room.

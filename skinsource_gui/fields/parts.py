@@ -13,8 +13,7 @@ from typing import Any, Generic, TypeVar
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
 
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.quoting import sentence
+from skinsource.base.errors import InvalidInputError, sentence
 from skinsource.design.edits.edit import KindSpec, as_kind
 from skinsource.design.edits.effects import (
     Parts,
@@ -35,9 +34,8 @@ from skinsource_gui.fields.kinds import fill_kind_menu
 from skinsource_gui.qt.buttons import remove_button
 from skinsource_gui.qt.frames import drop_line
 from skinsource_gui.qt.keys import claims_shortcut, key_text, meaning_of
-from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.layouts import in_column, in_row, tooltip
 from skinsource_gui.qt.theme import UNIT_PX
-from skinsource_gui.qt.tooltips import tooltip
 
 
 class AddButton(QtWidgets.QToolButton):
@@ -210,10 +208,8 @@ class RowTitle(QtWidgets.QToolButton):
     #: The drag was cancelled.
     cancelled = Signal()
 
-    def __init__(
-        self, text: str, place: str, where: str, parent: QtWidgets.QWidget | None = None
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, text: str, place: str, where: str) -> None:
+        super().__init__()
         self._text, self._place = "", place
         self._start_y: int | None = None
         self._dragging = False
@@ -467,8 +463,8 @@ class RowColumn(QtWidgets.QWidget, Generic[Row]):
     #: Index of a row, and the index to which it shall move.
     moved = Signal(int, int)
 
-    def __init__(self, head: QtWidgets.QWidget, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, head: QtWidgets.QWidget) -> None:
+        super().__init__()
         self._head = head
         self.rows: tuple[Row, ...] = ()
         self._column = in_column(of=self, margins=0, gap_px=UNIT_PX // 4)

@@ -7,7 +7,7 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.signals.formula.reading import column_of
 from skinsource.specs.spec import TextSpec
 from skinsource_gui.fields.editor import MIXED, Burst, Editor, TextMark
-from skinsource_gui.qt.tooltips import tooltip
+from skinsource_gui.qt.layouts import tooltip
 
 _MOST_LINES = 6
 _EDGE_PX = 5

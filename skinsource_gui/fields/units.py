@@ -13,8 +13,7 @@ from functools import lru_cache
 from itertools import pairwise
 
 from skinsource.base.decibels import FLOOR_DB
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.quoting import sentence
+from skinsource.base.errors import InvalidInputError, sentence
 from skinsource.design.amplitudes import ARBITRARY_UNIT
 from skinsource.design.labels import span_label
 from skinsource.limbs.locations import output_name

@@ -46,8 +46,8 @@ _SLOPE_DEGREES = -55.0
 class AccuracyPlot(Figure):
     """Plots a point for each row, with names beside those of one case; lower left is better."""
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__("accuracy_plot", "Error against run time", parent)
+    def __init__(self) -> None:
+        super().__init__("accuracy_plot", "Error against run time")
         self._rows: Sequence[Row] = ()
         self._case = ""
         self.say(_NOTHING)

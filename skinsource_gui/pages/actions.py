@@ -14,7 +14,7 @@ from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.design import edits
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.design_file import SHOW_SUFFIX, SUFFIX
 from skinsource.design.edits.edit import (
     Edit,
@@ -28,7 +28,6 @@ from skinsource.design.edits.edit import (
 from skinsource.design.edits.inputs import free_location, usual_location
 from skinsource.design.labels import limb_label
 from skinsource.design.presets import presets
-from skinsource.design.view import View
 from skinsource.design.waveforms.samples import Recording
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.studies import scenes

@@ -13,11 +13,10 @@ import numpy as np
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QLineF, QPointF, QRectF
 
-from skinsource.base.arrays import Floats
-from skinsource.base.errors import SkinSourceError, Stopped
+from skinsource.base.conventions import Axes as PublishedAxes
+from skinsource.base.conventions import Floats
+from skinsource.base.errors import SkinSourceError, Stopped, printable, sentence
 from skinsource.base.job import Job, Progress, Stop
-from skinsource.base.measurement_conditions import Axes as PublishedAxes
-from skinsource.base.quoting import printable, sentence
 from skinsource.design.design import Design
 from skinsource.design.design_file import open_design
 from skinsource.limbs.own_limbs import facts_of
@@ -72,8 +71,8 @@ class BoxFigure(Figure):
         Title of the y axis, with its unit.
     """
 
-    def __init__(self, name: str, title: str, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(name, title, parent)
+    def __init__(self, name: str, title: str) -> None:
+        super().__init__(name, title)
         self._title = title
         self.groups: Sequence[tuple[str, Floats]] = ()
         self.say(_NOTHING)

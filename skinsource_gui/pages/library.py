@@ -5,13 +5,11 @@ from dataclasses import dataclass
 from PySide6 import QtWidgets
 from PySide6.QtCore import Signal
 
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.work import counted
+from skinsource.base.errors import InvalidInputError, counted
 from skinsource.design import edits
 from skinsource.design.clips import Fragment
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.presets.presets import Preset, tags_of, whole_design
-from skinsource.design.view import View
 from skinsource_gui.fields.choice_field import DropDown
 from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.qt.layouts import add_row, in_column

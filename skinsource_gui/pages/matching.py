@@ -13,16 +13,14 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from skinsource.actuators.rigs import Rig
-from skinsource.base.errors import InvalidInputError, SkinSourceError
-from skinsource.base.measurement_conditions import MOST_LOCATIONS
-from skinsource.base.quoting import sentence
+from skinsource.base.conventions import MOST_LOCATIONS
+from skinsource.base.errors import InvalidInputError, SkinSourceError, sentence
 from skinsource.design.amplitudes import amplitude_unit
 from skinsource.design.design import Design
 from skinsource.lab.matching import MOST_AMPLITUDE, STEP_DB, MatchingRun, Presenter, Procedure
 from skinsource.lab.playing.devices import Output
-from skinsource.lab.playing.mix import HIGHEST_DB, LOWEST_DB
 from skinsource.lab.playing.session import Playing
-from skinsource.lab.playing.stream import Stream
+from skinsource.lab.playing.stream import HIGHEST_DB, LOWEST_DB, Stream
 from skinsource.limbs.locations import input_name
 from skinsource.specs.numbers import ListSpec, NumberSpec
 from skinsource_gui.fields.number_field import NumberField
@@ -31,9 +29,8 @@ from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.qt.buttons import page_button, page_label, progress_bar
 from skinsource_gui.qt.fitting import fit_to_letters
 from skinsource_gui.qt.keys import KEYS
-from skinsource_gui.qt.layouts import add_row, form_of, in_column, in_row, named
+from skinsource_gui.qt.layouts import add_row, form_of, in_column, in_row, named, tooltip
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
-from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.state.playing import end_sound, sound_worker
 
 #: Captions of the buttons, by the names of their gestures.

@@ -12,12 +12,10 @@ from typing import Any
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
 
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.quoting import sentence
-from skinsource.base.work import counted
+from skinsource.base.errors import InvalidInputError, counted, sentence
 from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_unit
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.edits.edit import Edit, Refusal, leading_clip
 from skinsource.design.edits.motions import motion_of
 from skinsource.design.motions import (
@@ -28,7 +26,6 @@ from skinsource.design.motions import (
     with_motion_field,
     with_path_of,
 )
-from skinsource.design.view import View
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import ModelSpec
@@ -36,9 +33,8 @@ from skinsource_gui.fields.editors import new_editor
 from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.fields.parts import PartFields
 from skinsource_gui.pages.page import ToolPage
-from skinsource_gui.panels.hand.layout import HandLayout, Marker, paint_occupied
 from skinsource_gui.panels.hand.panel import HandDiagram
-from skinsource_gui.panels.hand.picture import drawing_of
+from skinsource_gui.panels.hand.picture import HandLayout, Marker, drawing_of, paint_occupied
 from skinsource_gui.plots.preview import ClipDrawings, ClipStrip, Lane
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled
 from skinsource_gui.qt.layouts import in_column, in_row, named
@@ -259,8 +255,8 @@ class PathRow(QtWidgets.QWidget):
     #: Typing is over.
     finished = Signal()
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._path: tuple[int, ...] = ()
         self.field = QtWidgets.QLineEdit()
         named(self.field, "path_field", "Path", "Numbers of places, in their order: 16, 18, 20")

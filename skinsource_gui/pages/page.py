@@ -6,8 +6,7 @@ from pathlib import Path
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QRectF, QSize, Qt
 
-from skinsource.base.errors import SkinSourceError
-from skinsource.base.quoting import sentence
+from skinsource.base.errors import SkinSourceError, sentence
 from skinsource_gui.qt.buttons import page_button, page_label
 from skinsource_gui.qt.labels import set_table_look
 from skinsource_gui.qt.theme import set_tone

@@ -12,7 +12,7 @@ from pyqtgraph.functions import arrayToQPath, arrayToQPolygonF
 from PySide6 import QtGui
 from PySide6.QtCore import QRectF, QSize, Qt
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.limbs.locations import LocationNames, output_name
 from skinsource.signals.resampling import Extremes
 from skinsource_gui.plots.ranges import (

@@ -7,7 +7,7 @@ import numpy as np
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QLineF, QPoint, QPointF, QRect, QRectF, QSize, Qt, Signal
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource_gui.plots.ranges import Range, SteadyRange, Tick, log_ticks, readable_ticks
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.frames import paint_focus_frame
@@ -298,10 +298,8 @@ class Figure(QtWidgets.QWidget):
     #: What the cursor reads; "" without a cursor.
     reading = Signal(str)
 
-    def __init__(
-        self, name: str, accessible_name: str, parent: QtWidgets.QWidget | None = None
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, name: str, accessible_name: str) -> None:
+        super().__init__()
         self.cursor_at: QPointF | None = None
         self.axes: Axes | None = None
         self.message, self.steady_range = "", SteadyRange()

@@ -4,7 +4,7 @@ import numpy as np
 from PySide6 import QtGui
 from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource_gui.qt.keys import meaning_of
 
 Outputs = tuple[int, ...]

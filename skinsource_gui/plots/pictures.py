@@ -28,10 +28,8 @@ from PySide6.QtCore import (
 )
 from PySide6.QtSvg import QSvgGenerator
 
-from skinsource.base.errors import StorageError
+from skinsource.base.errors import StorageError, counted, sentence
 from skinsource.base.files import write_bytes
-from skinsource.base.quoting import sentence
-from skinsource.base.work import counted
 from skinsource.design.amplitudes import amplitude_text
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, audible_inputs
@@ -638,21 +636,20 @@ class PictureForm(QtWidgets.QWidget):
     def __init__(
         self,
         options: PictureOptions,
-        parent: QtWidgets.QWidget | None = None,
         *,
         most_px: int | None = None,
         remark: RemarkOf | None = None,
         shape: tuple[int, int] | None = None,
         below: Below | None = None,
     ) -> None:
-        super().__init__(parent)
+        super().__init__()
         self.options, self._most_px, self._remark = options, most_px, remark
         self._usual, self._below = shape or (options.width_px, options.height_px), below
         self._cells: dict[str, FieldCell] = {}
         self._form = QtWidgets.QFormLayout(self)
         self._form.setContentsMargins(0, 0, 0, 0)
         for name, spec in _specs(options).items():
-            self._cells[name] = cell = FieldCell(name, spec, self)
+            self._cells[name] = cell = FieldCell(name, spec)
             cell.set_value(getattr(options, name))
             cell.edited.connect(self._edit)
             self._form.addRow(cell.label, cell)

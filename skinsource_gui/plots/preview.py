@@ -10,8 +10,7 @@ from pyqtgraph.functions import arrayToQPath
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, QSizeF, Qt
 
-from skinsource.base.arrays import Floats
-from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ, Band
+from skinsource.base.conventions import SAMPLE_RATE_HZ, Band, Floats
 from skinsource.design.clips import Clip, Fragment
 from skinsource.design.effects.effect import Effect
 from skinsource.design.effects.playing import played
@@ -22,6 +21,7 @@ from skinsource_gui.plots.figure import Axes, Axis, fitted_axes
 from skinsource_gui.plots.ranges import CachedColumns, Range, linear_ticks, wave_of
 from skinsource_gui.qt.buttons import paint_swatch
 from skinsource_gui.qt.frames import CachedPicture
+from skinsource_gui.qt.layouts import show_tooltip
 from skinsource_gui.qt.theme import (
     UNIT_PX,
     current_theme,
@@ -31,7 +31,6 @@ from skinsource_gui.qt.theme import (
     thin_pen,
     translucent,
 )
-from skinsource_gui.qt.tooltips import show_tooltip
 
 _LOWEST_HZ, _FLOOR_DB = 10.0, -80.0
 _BAND_ALPHA = 24
@@ -40,8 +39,8 @@ _BAND_ALPHA = 24
 class _Preview(QtWidgets.QWidget):
     """A small picture, which takes the room that there is."""
 
-    def __init__(self, name: str, title: str, parent: QtWidgets.QWidget | None) -> None:
-        super().__init__(parent)
+    def __init__(self, name: str, title: str) -> None:
+        super().__init__()
         self.setObjectName(name)
         self.setAccessibleName(title)
         self.setFont(tabular(self.font()))
@@ -56,8 +55,8 @@ class SpectrumPreview(_Preview):
     The measured band of the limb is shaded.
     """
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__("spectrum_preview", "Spectrum", parent)
+    def __init__(self) -> None:
+        super().__init__("spectrum_preview", "Spectrum")
         self._lines: tuple[Floats, Floats] | None = None
         self._highest_hz = SAMPLE_RATE_HZ / 2.0
         self._band_hz: Band | None = None
@@ -256,8 +255,8 @@ class WaveformPreview(_Preview):
     The height is 1, or the peak where that is larger.
     """
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__("waveform_preview", "Waveform", parent)
+    def __init__(self) -> None:
+        super().__init__("waveform_preview", "Waveform")
         self._samples: Floats | None = None
         self._sample_rate_hz = self._height = 1.0
         #: The message in place of a curve, or "".
@@ -396,8 +395,8 @@ def strip_lanes(fragment: Fragment, sample_rate_hz: float) -> tuple[Lane, ...]:
 class ClipStrip(_Preview):
     """A lane for each of ``lanes`` above an axis of time, or a ``message`` in place of them."""
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__("clip_strip", "Clips", parent)
+    def __init__(self) -> None:
+        super().__init__("clip_strip", "Clips")
         #: What is shown, and the message in its place, or "".
         self.lanes: tuple[Lane, ...] = ()
         self.message = ""

@@ -12,7 +12,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.signals.resampling import Extremes, extremes_between, finer
 

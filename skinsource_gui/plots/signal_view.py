@@ -625,8 +625,8 @@ def heading_of(results: Mapping[str, Any], *, each_axis: bool = False) -> tuple[
 class ResponseView(SignalView):
     """Plots curves, and keeps zoom and layout itself."""
 
-    def __init__(self, name: str, title: str, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(name, title, parent)
+    def __init__(self, name: str, title: str) -> None:
+        super().__init__(name, title)
         self._axis: XAxis | None = None
         self._zoom: tuple[float, float] | None = None
         self._layout = "overlaid"

@@ -11,11 +11,10 @@ from numpy.typing import NDArray
 from PySide6 import QtGui
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.decibels import FLOOR_DB
-from skinsource.design.design import Design, audible_indices
+from skinsource.design.design import Design, View, audible_indices
 from skinsource.design.panel_settings import settings_of, with_settings
-from skinsource.design.view import View
 from skinsource.limbs.limb import Limb, LimbMap
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.limbs.surface.operator import SurfaceOperator

@@ -174,8 +174,8 @@ def _number_font(font: QtGui.QFont) -> QtGui.QFont:
 class Swatch(QtWidgets.QWidget):
     """The colour of an input with the number of its place."""
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setObjectName("swatch")
         self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Fixed, QtWidgets.QSizePolicy.Policy.Fixed)
         self._number = 0

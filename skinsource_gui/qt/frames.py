@@ -7,7 +7,7 @@ import numpy as np
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource_gui.qt.theme import Theme, is_on_paper
 
 # The nearest point of an outline is at most so far from the middle, in smaller sides of the room.

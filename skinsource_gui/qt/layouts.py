@@ -1,11 +1,38 @@
-"""Names of widgets, and rows and columns of them."""
+"""Names and tooltips of widgets, and rows and columns of them."""
 
+from functools import lru_cache
+from textwrap import fill
 from typing import TypeVar
 
 from PySide6 import QtWidgets
-from PySide6.QtCore import QRect, QSize, Qt
+from PySide6.QtCore import QPoint, QRect, QSize, Qt
 
-from skinsource_gui.qt.tooltips import tooltip
+# Characters in a line: about as wide as a panel.
+_LINE = 64
+
+
+def tooltip(*sentences: str) -> str:
+    """Return sentences below each other, in lines of readable length, without empty ones."""
+    return "\n".join(_in_lines(sentence) for sentence in sentences if sentence)
+
+
+def show_tooltip(widget: QtWidgets.QWidget, text: str) -> None:
+    """Set the tooltip of a widget, unless it is the same, which would cause an event."""
+    if widget.toolTip() != text:
+        widget.setToolTip(text)
+
+
+def show_tip_below(widget: QtWidgets.QWidget, text: str) -> None:
+    """Show a tooltip below a widget at once, if the widget is visible."""
+    if widget.isVisible():
+        QtWidgets.QToolTip.showText(widget.mapToGlobal(QPoint(0, widget.height())), text, widget)
+
+
+@lru_cache(maxsize=512)
+def _in_lines(sentence: str) -> str:
+    # Many fields have the same sentences on keys and mouse.
+    return fill(sentence, _LINE)
+
 
 #: A widget or a layout, with its share of the spare room if it gets some; None: empty room.
 Part = (

@@ -7,7 +7,7 @@ import numpy as np
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QPoint, QPointF, QRectF, Qt, Signal
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource_gui.qt.frames import Frame
 
 

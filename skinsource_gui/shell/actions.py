@@ -11,12 +11,10 @@ from typing import Any
 
 from skinsource.design import edits
 from skinsource.design.clips import Clip
-from skinsource.design.comparing import NUMBERS
-from skinsource.design.design import Design, Input
+from skinsource.design.design import NUMBERS, Design, Input, View
 from skinsource.design.edits.clips import of_each
 from skinsource.design.edits.cutting import last_fade
 from skinsource.design.edits.edit import Edit, Refusal, leading_clip
-from skinsource.design.view import View
 from skinsource_gui.pages.files.exports import EXPORTS
 from skinsource_gui.panels.skin.settings import has_colours, use_colours
 from skinsource_gui.panels.timeline.clipboard import (

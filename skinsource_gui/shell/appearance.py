@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QMargins, QObject, QRect, Qt, QTimer, Signal
 
-from skinsource.base.quoting import printable
+from skinsource.base.errors import printable
 from skinsource.design.design import Design
 from skinsource.limbs.own_limbs import missing_limb
 from skinsource.studies import scenes

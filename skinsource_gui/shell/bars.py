@@ -7,7 +7,7 @@ from functools import partial
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, Qt
 
-from skinsource.base.quoting import printable
+from skinsource.base.errors import printable
 from skinsource.design import edits
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.labels import CHOICES, LIMBS, Word, limb_label, short_limb_title
@@ -17,9 +17,8 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.dataset import TITLE
 from skinsource_gui.qt.buttons import menu_of
-from skinsource_gui.qt.layouts import in_row, named
+from skinsource_gui.qt.layouts import in_row, named, show_tooltip, tooltip
 from skinsource_gui.qt.theme import UNIT_PX, icon_of
-from skinsource_gui.qt.tooltips import show_tooltip, tooltip
 from skinsource_gui.state.document import MOST_STEPS, Document, ReplaceDesign
 
 #: Height of the line in letters of the usual size.
@@ -42,8 +41,8 @@ class LimbField(ChoiceField):
 class SetupBar(QtWidgets.QWidget):
     """Choices for what the whole window shows."""
 
-    def __init__(self, document: Document, parent: QtWidgets.QWidget | None = None):
-        super().__init__(parent)
+    def __init__(self, document: Document) -> None:
+        super().__init__()
         self._document = document
         self._limb_options: tuple[Word, ...] = LIMBS
         _, label, sentence, options = CHOICES[0]

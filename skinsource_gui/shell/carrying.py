@@ -9,7 +9,8 @@ from typing import Any
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEventLoop, QPoint, QRect, QRectF, QSize, Qt
 
-from skinsource.design.comparing import EDITED, Snapshot, shown_snapshot, with_edited
+from skinsource.design.comparing import with_edited
+from skinsource.design.design import EDITED, Snapshot, shown_snapshot
 from skinsource.design.labels import short_limb_title
 from skinsource.perception.validity import Judged, in_full, in_short
 from skinsource_gui.panels.skin.panel import SkinPanel

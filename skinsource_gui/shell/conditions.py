@@ -70,8 +70,8 @@ def chip_text(findings: Findings) -> str:
 class ConditionsChip(QtWidgets.QToolButton):
     """Says which conditions the design leaves; pale while that is of an older design."""
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setObjectName("conditions")
         self.setAutoRaise(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)

@@ -10,11 +10,10 @@ from PySide6.QtCore import QEvent, QObject, QPoint, QRect, Qt, QTimer, Signal
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.job import Job
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.edits.setup import mends
 from skinsource.design.labels import LIMBS
 from skinsource.design.signal_path import unplayable_text
-from skinsource.design.view import View
 from skinsource.limbs.dataset.store import StoreInfo
 from skinsource_gui.qt.buttons import page_button, page_label, tool_button
 from skinsource_gui.qt.layouts import in_column, in_row, named

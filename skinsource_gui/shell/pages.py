@@ -8,7 +8,7 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, Qt, QUrl
 
 from skinsource.base.assets import manual_file
-from skinsource.base.measurement_conditions import PRE_TRIGGER_DELAY_S
+from skinsource.base.conventions import PRE_TRIGGER_DELAY_S
 from skinsource.design.design import Design
 from skinsource.design.labels import limb_label
 from skinsource.export import packing

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from skinsource.design.panel_settings import StageSettings
 from skinsource_gui.panels.analysis.settings import AnalysisSettings
 from skinsource_gui.panels.compare.settings import CompareSettings
-from skinsource_gui.panels.hand.settings import HandSettings
-from skinsource_gui.panels.output.settings import OutputSettings
+from skinsource_gui.panels.hand.picture import HandSettings
+from skinsource_gui.panels.output.figures import OutputSettings
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.spectra.panel import SpectraSettings
 from skinsource_gui.panels.timeline.content import TimelineSettings

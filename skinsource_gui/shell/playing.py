@@ -11,7 +11,7 @@ from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
 from skinsource import actuators
 from skinsource.actuators.actuation import Actuation, ActuatorAt
 from skinsource.actuators.equalising import PolePairReplacement, RegularisedInverse
-from skinsource.base.quoting import printable
+from skinsource.base.errors import printable
 from skinsource.design.design import Design
 from skinsource.design.edits.setup import choose_actuation, choose_rig
 from skinsource.design.panel_settings import STAGE
@@ -19,10 +19,9 @@ from skinsource_gui import pages
 from skinsource_gui.fields.rig_field import RESPONSE_FILES
 from skinsource_gui.pages.actions import MatchingActions
 from skinsource_gui.qt.keys import shortcut_text
-from skinsource_gui.qt.layouts import in_row, named
+from skinsource_gui.qt.layouts import in_row, named, tooltip
 from skinsource_gui.qt.questions import ask_open
 from skinsource_gui.qt.theme import icon_of, set_tone
-from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.shell.focus import KeyboardFilter
 from skinsource_gui.shell.notices import Reports
 from skinsource_gui.state.document import Document
@@ -196,8 +195,8 @@ _STATES = {
 class OutputButton(QtWidgets.QToolButton):
     """Says in the status bar what lies between the design and the skin, and whether it moves."""
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setObjectName("output_button")
         self.setAutoRaise(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)

@@ -12,10 +12,9 @@ from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from shiboken6 import isValid
 
 from skinsource.base.errors import DesignFileError, SkinSourceError
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.design_file import SUFFIX, ShowEntry, UnreadEntry, open_design, open_show
 from skinsource.design.panel_settings import STAGE, stage_settings
-from skinsource.design.view import View
 from skinsource.studies import scenes
 from skinsource_gui import pages
 from skinsource_gui.pages.files.file_actions import FileActions

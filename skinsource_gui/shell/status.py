@@ -12,9 +12,8 @@ from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 
 from skinsource.base.job import time_left_text
 from skinsource.design.comparing import match_text
-from skinsource.design.design import Design, audible_inputs
+from skinsource.design.design import Design, View, audible_inputs
 from skinsource.design.panel_settings import settings_of
-from skinsource.design.view import View
 from skinsource.engine.gains import TraceError
 from skinsource_gui.panels.skin.settings import (
     LEVELS,
@@ -307,14 +306,10 @@ class MatchNote(QtWidgets.QToolButton):
     ----------
     actions
         The actions of its menu.
-    parent
-        As in Qt.
     """
 
-    def __init__(
-        self, actions: Sequence[QtGui.QAction], parent: QtWidgets.QWidget | None = None
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, actions: Sequence[QtGui.QAction]) -> None:
+        super().__init__()
         self.setObjectName("match_note")
         self.setAutoRaise(True)
         menu_of(self).addActions(list(actions))
@@ -344,8 +339,8 @@ _STEPS = 1000
 class JobBar(QtWidgets.QWidget):
     """The running job: title, progress, time left, and Cancel; hidden while no job runs."""
 
-    def __init__(self, runner: JobRunner, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, runner: JobRunner) -> None:
+        super().__init__()
         self.setObjectName("job")
         self._runner = runner
         self._name = named(QtWidgets.QLabel(), "job_name", "Running task")

@@ -7,10 +7,9 @@ from typing import Any
 import numpy as np
 
 from skinsource.base.decibels import FLOOR_DB
-from skinsource.design.comparing import EDITED, Snapshot, gain_text, match_text
-from skinsource.design.design import Design
+from skinsource.design.comparing import gain_text, match_text
+from skinsource.design.design import EDITED, Design, Snapshot, View
 from skinsource.design.signal_path import unplayable_text
-from skinsource.design.view import View
 
 #: The note where designs are shown with matched levels.
 LEVELS_MATCHED = "levels matched"

@@ -13,18 +13,16 @@ from PySide6.QtCore import QEventLoop, QObject, Signal
 
 from skinsource.design import edits
 from skinsource.design.comparing import (
-    Snapshot,
     loudest_db,
     match_text,
     matching_gain,
     other_snapshot,
-    shown_snapshot,
     snapshot_name,
     why_no_comparison,
     with_edited,
 )
+from skinsource.design.design import Snapshot, View, shown_snapshot
 from skinsource.design.edits.edit import Edit, Refusal
-from skinsource.design.view import View
 from skinsource.perception.validity import Judged
 from skinsource_gui.fields.editor import new_gesture
 from skinsource_gui.state.compared import Compared

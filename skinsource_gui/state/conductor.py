@@ -9,9 +9,9 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 
 from skinsource.design import edits
+from skinsource.design.design import View
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.signal_path import UnplayableInput
-from skinsource.design.view import View
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import (
     FIRST_SLOT,

@@ -11,10 +11,9 @@ from PySide6 import QtGui
 from PySide6.QtCore import QObject, Signal
 
 from skinsource.design.comparing import restored_snapshots
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.edits.edit import Edit, Refusal, kept_selection
 from skinsource.design.edits.motions import with_whole_motions
-from skinsource.design.view import View
 from skinsource.limbs.own_limbs import axes_on, missing_limb, outputs_on
 
 #: So many can be taken back; the oldest ones are forgotten first.

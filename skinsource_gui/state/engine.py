@@ -16,13 +16,12 @@ from typing import Any
 from PySide6 import QtWidgets
 from PySide6.QtCore import QEvent, QObject, QTimer, Signal
 
-from skinsource.base.errors import Stopped
-from skinsource.base.work import Work, counted
+from skinsource.base.errors import Stopped, counted
+from skinsource.base.work import Work
 from skinsource.design import edits
 from skinsource.design.comparing import at_frequency
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.edits.edit import Refusal
-from skinsource.design.view import View
 from skinsource.engine.graph import Graph
 from skinsource.engine.quantities import sources
 from skinsource.limbs.limb import LIVE_INPUTS, LIVE_OUTPUTS

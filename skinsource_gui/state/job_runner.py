@@ -18,9 +18,8 @@ from skinsource.base.errors import Stopped
 from skinsource.base.job import Job, Progress, Stop, seconds_left
 from skinsource.design import edits
 from skinsource.design.clips import Clip
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.edits.edit import Edit, Refusal, leading_clip
-from skinsource.design.view import View
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.engine.levelling import MEASURE, track_levels_db, wavelet_levels_db
 from skinsource_gui.state.document import Document

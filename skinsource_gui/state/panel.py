@@ -10,11 +10,9 @@ from typing import Any, ClassVar
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QPoint, Qt, Signal
 
-from skinsource.design.comparing import Snapshot
-from skinsource.design.design import Design
+from skinsource.design.design import Design, Snapshot, View
 from skinsource.design.panel_settings import with_settings
 from skinsource.design.signal_path import UnplayableInput
-from skinsource.design.view import View
 from skinsource_gui.plots.pictures import DrawableWidget
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.labels import HOW_TO_SELECT_OUTPUT

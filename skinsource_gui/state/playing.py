@@ -16,14 +16,11 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from skinsource import lab
 from skinsource.actuators import rigs
-from skinsource.base.errors import InvalidInputError, SkinSourceError
-from skinsource.base.quoting import quoted
+from skinsource.base.errors import InvalidInputError, SkinSourceError, quoted
 from skinsource.design import edits
-from skinsource.design.comparing import louder
-from skinsource.design.design import Design
-from skinsource.design.view import View
+from skinsource.design.design import Design, View, louder
 from skinsource.lab.playing.devices import Output, output_from_text, outputs_by_place
-from skinsource.lab.playing.mix import HIGHEST_DB, LOWEST_DB, START_DB
+from skinsource.lab.playing.stream import HIGHEST_DB, LOWEST_DB, START_DB
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
 from skinsource_gui.state.worker import Worker
@@ -31,9 +28,8 @@ from skinsource_gui.state.worker import Worker
 if TYPE_CHECKING:
     from skinsource.actuators.rigs import Rig
     from skinsource.lab.playing.devices import Device
-    from skinsource.lab.playing.mix import Delay, Levels
     from skinsource.lab.playing.session import Peak, Playing, Session
-    from skinsource.lab.playing.stream import Stream
+    from skinsource.lab.playing.stream import Delay, Levels, Stream
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

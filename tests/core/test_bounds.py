@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from skinsource.base.measurement_conditions import N_TAPS
+from skinsource.base.conventions import N_TAPS
 from skinsource.engine.gains import channel_bounds
 from skinsource.engine.spectra import SECTIONS, ResponseSpectrum
 from skinsource.engine.transforms import forward, transform_length

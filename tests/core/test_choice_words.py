@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from skinsource.base.measurement_conditions import AXES, LIMB_NAMES
+from skinsource.base.conventions import AXES, LIMB_NAMES
 from skinsource.design import labels
 from skinsource.limbs.scaling import SCALINGS
 from skinsource.signals.loudest_window import SPANS

@@ -12,19 +12,16 @@ from skinsource import Design, View, edits, track
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.comparing import (
-    EDITED,
-    Snapshot,
     difference_db,
     gain_text,
-    louder,
     loudest_db,
     matching_gain,
     other_snapshot,
     restored_snapshots,
     same_but_rounding,
-    shown_snapshot,
     why_no_comparison,
 )
+from skinsource.design.design import EDITED, Snapshot, louder, shown_snapshot
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.waveforms import Noise, Tone
 

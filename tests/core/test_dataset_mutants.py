@@ -15,8 +15,7 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import DatasetError
-from skinsource.limbs.dataset.install import install
-from skinsource.limbs.dataset.matlab_files import check_contiguous
+from skinsource.limbs.dataset.install import check_contiguous, install
 
 SEED = 20263
 #: More of an array than a node of the index holds: there are nodes of nodes.
@@ -32,7 +31,7 @@ from pathlib import Path
 
 import h5py
 
-from skinsource.limbs.dataset.matlab_files import check_contiguous
+from skinsource.limbs.dataset.install import check_contiguous
 
 path, flips = Path(sys.argv[1]), json.loads(sys.stdin.read())
 

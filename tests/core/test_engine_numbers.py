@@ -7,8 +7,8 @@ import pytest
 
 import skinsource as ss
 from skinsource import Clip, Limb, LimbMap, View, decibels
+from skinsource.base.conventions import AXES
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import AXES
 from skinsource.design.design import Design, Input, audible_inputs, track
 from skinsource.design.signal_path import drive_of
 from skinsource.design.waveforms.pulses import Impulse, Noise, Tap

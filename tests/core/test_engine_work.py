@@ -15,8 +15,8 @@ import pytest
 
 import skinsource as ss
 from skinsource import Design, View, track
+from skinsource.base.conventions import N_AXES, N_OUTPUTS
 from skinsource.base.errors import InvalidInputError, Stopped
-from skinsource.base.measurement_conditions import N_AXES, N_OUTPUTS
 from skinsource.base.run_limited import resident_bytes
 from skinsource.base.work import counting
 from skinsource.design.waveforms import Noise, Tap, Tone

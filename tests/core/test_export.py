@@ -15,8 +15,8 @@ import scipy
 
 import skinsource as ss
 from skinsource import Design, View, track
+from skinsource.base.conventions import VOLAR_OUTPUTS
 from skinsource.base.errors import Stopped, StorageError, TooInaccurateError
-from skinsource.base.measurement_conditions import VOLAR_OUTPUTS
 from skinsource.design.waveforms import Noise, Tap, Tone
 from skinsource.engine import shared, trace_rules
 from skinsource.engine.gains import TraceError

@@ -10,7 +10,7 @@ import scipy
 import skinsource as ss
 from skinsource.base.errors import FormulaError
 from skinsource.design.waveforms.samples import Formula
-from skinsource.signals.formula import functions, reading
+from skinsource.signals.formula import reading
 from skinsource.signals.formula.values import Grid, band_noise
 
 REFERENCES = Path(__file__).parents[1] / "references" / "formulas.json"
@@ -147,7 +147,7 @@ def test_what_is_not_finite_late_is_refused_when_it_is_played():
 
 def test_the_page_about_formulas_names_every_function_and_limit():
     page = (Path(__file__).parents[2] / "docs" / "formulas.md").read_text(encoding="utf-8")
-    for name, function in functions.FUNCTIONS.items():
+    for name, function in reading.FUNCTIONS.items():
         assert f"`{function.usage}`" in page, name
     for limit in (reading.LONGEST, reading.MAX_STEPS, reading.MAX_DEPTH):
         assert f" {limit} " in page

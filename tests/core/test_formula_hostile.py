@@ -8,7 +8,7 @@ import pytest
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.waveforms.samples import Formula
 from skinsource.signals.formula import reading
-from skinsource.signals.formula.functions import FUNCTIONS
+from skinsource.signals.formula.reading import FUNCTIONS
 
 COUNT, SEED = 10_000, 20261122
 OPERATORS = ["+", "-", "*", "/", "^", "<", "<=", ">", ">=", "==", "!="]

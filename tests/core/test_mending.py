@@ -3,9 +3,9 @@
 import pytest
 
 import skinsource as ss
+from skinsource.design.design import View
 from skinsource.design.edits.setup import mends
 from skinsource.design.presets.presets import read_preset, shipped_folder
-from skinsource.design.view import View
 
 COIL = ss.ActuatorAt(actuator="Coil", model=ss.actuators.load("kastor-2023-air"))
 EQUALISED = ss.Actuation(actuators=(COIL,), equaliser=ss.equalising.RegularisedInverse())

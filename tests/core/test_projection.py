@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from skinsource.base.conventions import AXES
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import AXES
 from skinsource.signals.projection import METHODS, project_axes
 
 SEED = 20240405

@@ -5,8 +5,7 @@ import numpy as np
 import pytest
 
 import skinsource
-from skinsource.base.quoting import MOST_CHARACTERS, printable, quoted
-from skinsource.base.work import counted
+from skinsource.base.errors import MOST_CHARACTERS, counted, printable, quoted
 
 
 class Strange:

@@ -1,4 +1,4 @@
-"""`ss.resample` against the band-limited signal itself, and curves between samples."""
+"""`ss.resample` against the band-limited signal, what passes it, and rounding for a device."""
 
 import tracemalloc
 from fractions import Fraction
@@ -7,11 +7,15 @@ from itertools import permutations
 import mpmath
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError
+from skinsource.signals import quantising
 from skinsource.signals import resampling as conversion
-from skinsource.signals.resampling import FINER, Kernel, by_ratio, finer
+from skinsource.signals.quantising import KINDS, quantised
+from skinsource.signals.resampling import FINER, Kernel, by_ratio, finer, passed
 
 PAIRS = [
     *((1300, rate) for rate in (2000, 8000, 44_100, 48_000, 96_000, 192_000, 1301, 47_999)),
@@ -219,3 +223,145 @@ def test_a_stretch_has_the_points_that_it_has_in_the_whole(first, end):
 def test_a_single_sample_stays_alone():
     time_s, signals = finer(np.array([0.5]), np.array([[2.0]]))
     assert (time_s.tolist(), signals.tolist()) == ([0.5], [[2.0]])
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_nothing_wraps_and_what_is_cut_off_is_counted(kind):
+    loud = [[1.5, -1.5, 1e300, 1.0 + 1e-15, 1.0], [0.0, -1e9, 0.5, -0.5, -1.0]]
+    result = quantised(loud, kind)
+    signed = result.values.astype(np.int64) - result.kind.zero
+    most = result.kind.most
+    assert signed[0].tolist() == [most, -most, most, most, most]
+    assert signed[1, 1] == -most
+    assert result.clipped.tolist() == [4, 1]
+
+
+@given(st.lists(st.floats(-1.0, 1.0), min_size=1, max_size=30), st.sampled_from(sorted(KINDS)))
+def test_every_sample_is_rounded_to_the_nearest(samples, kind):
+    result = quantised([samples], kind)
+    for sample, value in zip(samples, result.values[0].tolist(), strict=True):
+        # In exact arithmetic; the product may round by half a step of a float, no more.
+        off = Fraction(sample) * result.full_scale - (value - result.kind.zero)
+        assert abs(off) <= Fraction(1, 2) + Fraction(1, 2**20)
+    assert result.largest_error <= 0.5 / result.full_scale * (1 + 1e-6)
+
+
+def test_dither_is_triangular_and_makes_the_error_independent_of_the_signal():
+    # A signal of a quarter of a step is lost without dither, and is there on average with it.
+    level = 0.25 / 32766
+    result = quantised(np.full((1, 200_000), level), "int16", dither_seed=3)
+    steps = result.values[0] - 0.25
+    assert abs(steps.mean()) < 0.01
+    # Of a triangle of two steps, 1/6, and of rounding, 1/12.
+    assert np.var(steps) == pytest.approx(1 / 4, rel=0.02)
+    assert not quantised(np.full((1, 10), level), "int16").values.any()
+
+
+def test_dither_never_clips_a_signal_of_full_scale():
+    result = quantised(np.ones((2, 100_000)), "int16", dither_seed=0)
+    assert result.clipped.tolist() == [0, 0]
+    assert result.full_scale == 32766
+    assert result.values.max() == 32767
+    assert result.values.min() == 32765
+
+
+def test_dither_is_that_of_its_seed_other_in_each_channel_and_without_seams(monkeypatch):
+    samples = np.zeros((2, 5000))
+    result = quantised(samples, "int16", dither_seed=7).values
+    assert np.any(result[0] != result[1])
+    assert np.any(result != quantised(samples, "int16", dither_seed=8).values)
+    monkeypatch.setattr(quantising, "_BLOCK", 333)
+    np.testing.assert_array_equal(quantised(samples, "int16", dither_seed=7).values, result)
+
+
+RATE_HZ = 1300
+TIME_S = np.arange(RATE_HZ) / RATE_HZ
+
+
+def burst(frequency_hz, phase_rad=0.3):
+    """A second of a tone that begins and ends softly, so that it holds little else."""
+    return np.hanning(RATE_HZ) * np.sin(2.0 * np.pi * frequency_hz * TIME_S + phase_rad)
+
+
+def loss_db(signal, to_hz):
+    return 10.0 * np.log10(np.sum(signal**2) / np.sum(passed(signal, RATE_HZ, to_hz) ** 2))
+
+
+def energy(samples, rate_hz):
+    return np.sum(samples**2) / rate_hz
+
+
+def above_db(signal, edge_hz):
+    """What is missing without all that lies above an edge, by a plain transform."""
+    power = np.abs(np.fft.rfft(signal, 16 * signal.size)) ** 2
+    frequency_hz = np.fft.rfftfreq(16 * signal.size, 1.0 / RATE_HZ)
+    return 10.0 * np.log10(power.sum() / power[frequency_hz < edge_hz].sum())
+
+
+@pytest.mark.parametrize(
+    ("signal", "to_hz"),
+    [
+        (burst(100.0) + burst(560.0), 1000),
+        (burst(100.0) + 3.0 * burst(300.0), 400),
+        (burst(60.0) + 0.1 * burst(200.0), 300),
+        (burst(60.0) + burst(90.0), 300),
+        (burst(200.0) + burst(450.0), 1000),
+    ],
+)
+def test_what_lies_clear_of_the_edge_is_lost_or_is_not(signal, to_hz):
+    assert loss_db(signal, to_hz) == pytest.approx(above_db(signal, to_hz / 2), abs=1e-3)
+
+
+@pytest.mark.parametrize(
+    "signal",
+    [
+        ss.white_noise(0.5, seed=3, sample_rate_hz=RATE_HZ),
+        burst(100.0) + burst(470.0),
+        burst(485.0),
+        # As of something that is struck, and of a click.
+        np.exp(-TIME_S / 0.004) * np.sin(2.0 * np.pi * 250.0 * TIME_S),
+        np.eye(1, 40, 20)[0],
+    ],
+    ids=["noise", "beside the edge", "in the transition", "struck", "click"],
+)
+def test_it_is_the_energy_that_resampling_leaves(signal):
+    # Room at both ends: what rings there counts.
+    room = np.pad(signal, 1300)
+    passed_energy = energy(ss.resample(room, RATE_HZ, 1000), 1000)
+    # What folds back beside the edge adds a little.
+    assert loss_db(signal, 1000) == pytest.approx(
+        10.0 * np.log10(energy(room, RATE_HZ) / passed_energy), abs=0.12
+    )
+
+
+@pytest.mark.parametrize("to_hz", [1000, 1001])
+@pytest.mark.parametrize("phase_rad", [0.0, 0.4, np.pi / 2])
+def test_a_tone_at_half_the_rate_is_halved_whatever_its_phase(to_hz, phase_rad):
+    assert loss_db(burst(500.0, phase_rad), to_hz) == pytest.approx(6.0, abs=0.4)
+
+
+def test_a_higher_rate_loses_what_lies_beyond_the_pass_band():
+    assert loss_db(burst(590.0), 48_000) < 0.01
+    # From 600 Hz on the filter falls, also on the way up.
+    inside = ss.resample(np.pad(burst(640.0), 1300), RATE_HZ, 48_000)
+    spectrum = np.abs(np.fft.rfft(inside)) ** 2
+    at_own_hz = np.fft.rfftfreq(inside.size, 1.0 / 48_000) < RATE_HZ / 2
+    lost_db = 10.0 * np.log10(
+        energy(burst(640.0), RATE_HZ) / (2.0 * spectrum[at_own_hz].sum() / inside.size / 48_000)
+    )
+    assert loss_db(burst(640.0), 48_000) == pytest.approx(lost_db, abs=0.01)
+    assert lost_db > 1.0
+
+
+def test_steeper_filters_between_1200_and_1300_hz_keep_600_hz():
+    assert loss_db(burst(590.0), 1250) < 0.01
+    assert loss_db(burst(640.0), 1250) > 20.0
+
+
+@pytest.mark.parametrize("to_hz", [100, 900, 1250, 48_000])
+def test_what_passes_stays_where_it_is(to_hz):
+    signal = burst(30.0)
+    left = passed(signal, RATE_HZ, to_hz)
+    ring = (left.size - signal.size) // 2
+    np.testing.assert_allclose(left[ring:-ring], signal, atol=2e-4)
+    assert np.abs(left[:ring]).max() < 2e-4

@@ -5,8 +5,8 @@ import json
 import numpy as np
 import pytest
 
+from skinsource.base.conventions import axis_numbers
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import axis_numbers
 from skinsource.engine.moments import directions_of, energies, moments_of, without_main_axis
 from skinsource.engine.transforms import forward, transform_length
 from skinsource.signals.projection import (

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from scipy.sparse import csr_array
 
+from skinsource.base.conventions import VOLAR_OUTPUTS
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import VOLAR_OUTPUTS
 from skinsource.limbs.limb import LimbMap
 from skinsource.limbs.surface.surface import surface_operator, surface_operator_from_map
 from skinsource.limbs.synthetic import load_synthetic_limb

@@ -5,7 +5,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from skinsource.limbs.surface.outline import (
+from skinsource.limbs.surface.surface import (
     count_crossings,
     densified,
     distinct_vertices,

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from skinsource.limbs.surface.outline import (
+from skinsource.limbs.surface.surface import (
     boundary_by_sight,
     boundary_from_table,
     densified,

@@ -2,8 +2,8 @@
 
 from dataclasses import replace
 
+from skinsource.design.design import View
 from skinsource.design.edits.edit import Refusal
-from skinsource.design.view import View
 
 
 class PanelHost:

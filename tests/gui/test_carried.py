@@ -11,8 +11,8 @@ from PySide6.QtSvg import QSvgGenerator
 from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
+from skinsource.design.design import View
 from skinsource.design.panel_settings import with_settings
-from skinsource.design.view import View
 from skinsource_gui.panels.analysis.settings import VIEWS
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.colour_maps import colour_table

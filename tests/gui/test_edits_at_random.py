@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from skinsource import Actuation, ActuatorAt, Design, View, actuators, edits, track
 from skinsource.actuators.rigs import Rig, RigChannel
-from skinsource.base.measurement_conditions import LIMB_NAMES
+from skinsource.base.conventions import LIMB_NAMES
 from skinsource.design.effects import EFFECTS
 from skinsource.design.motions import MOTIONS, Alternation
 from skinsource.design.waveforms import Noise, Tap, Tone

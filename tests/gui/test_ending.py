@@ -16,7 +16,7 @@ from skinsource.design.design_file import open_design
 # It edits every 10 ms, and says each time which edit was made and when; so it does of copies, when
 # they are asked for in the window's thread and when they are written.
 STUDIO = """
-import os, sys, time
+import sys, time
 from pathlib import Path
 from PySide6.QtCore import QTimer
 from skinsource_gui.pages.files import autosave
@@ -60,9 +60,6 @@ def begin(_outcome):
     print("ready", made[0].notice.text, flush=True)
     if sys.argv[1] == "edited":
         edit()
-    if sys.argv[1] == "dies of a copy":
-        autosave.open_design = lambda path: os._exit(9)
-        made[0].keeping.recovery.open(made[0].keeping.recovery.look().left[0])
     if sys.argv[1] == "works":
         timer = QTimer(made[0], interval=10)
         timer.timeout.connect(edit)
@@ -181,23 +178,3 @@ def test_the_next_start_offers_what_killed_studios_left_with_pictures(killed):
     assert sum(picture.startswith(b"\x89PNG") for picture in pictures) >= len(pictures) // 2
     leftovers = [path.name for path in Path(folder).rglob("*.part")]
     assert leftovers == []
-
-
-def test_a_copy_that_ends_the_studio_is_set_aside_by_the_next_start(killed):
-    folder, _ = killed
-    before = recovery.find(folder)
-    newest = before.left[0].copies[0]
-    content = newest.read_bytes()
-    studio, _ = run_until_ready("dies of a copy", folder)
-    studio.communicate(timeout=60)
-    assert studio.returncode == 9
-    studio, notice = run_until_ready("nothing", folder)
-    studio.terminate()
-    studio.communicate(timeout=60)
-    assert f"{newest.name} stopped the studio when it was opened" in notice
-    (aside,) = (folder / "unsaved" / recovery.ASIDE).iterdir()
-    assert aside.read_bytes() == content
-    copies = {copy for unsaved in before.left for copy in unsaved.copies}
-    assert {copy for unsaved in recovery.find(folder).left for copy in unsaved.copies} == copies - {
-        newest
-    }

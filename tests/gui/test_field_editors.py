@@ -14,8 +14,7 @@ from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import CurveSpec, ListSpec, NumberSpec
 from skinsource.specs.spec import ChoiceSpec, PlainSpec, SwitchSpec, TextSpec
 from skinsource_gui.fields.curve_field import CurveField
-from skinsource_gui.fields.editors import FieldCell, ValueLabel
-from skinsource_gui.fields.list_editors import GlideCurve, SweepDialog
+from skinsource_gui.fields.editors import FieldCell, GlideCurve, SweepDialog, ValueLabel
 from skinsource_gui.fields.text_field import LiveText
 from skinsource_gui.fields.units import numbers_text, points_text, read_numbers, read_points
 

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QApplication, QDialog, QLabel, QMessageBox, QTextE
 
 from skinsource import Actuation, ActuatorAt, Design, Input, View, actuators
 from skinsource.design.clips import Clip, Fragment, Lane, Marker
-from skinsource.design.comparing import Snapshot
+from skinsource.design.design import Snapshot
 from skinsource.design.presets.presets import Preset, save_preset, users_folder
 from skinsource.design.waveforms.samples import Recording
 from tests.core.own_limbs.lab_bench import N_INPUTS, N_OUTPUTS, installed

@@ -8,7 +8,7 @@ import pytest
 
 import skinsource as ss
 from skinsource.base.extras import extra_line
-from skinsource.design.view import View
+from skinsource.design.design import View
 from skinsource.export.tables import export_levels
 from skinsource_gui import __main__ as start
 from skinsource_gui.qt import system_libraries

@@ -125,20 +125,6 @@ def test_an_actuator_that_is_chosen_and_not_predicted_through(window, page, writ
         np.testing.assert_allclose(row * scale, made, atol=2e-4 * np.abs(made).max())
 
 
-def test_an_actuator_that_is_chosen_on_the_page(window, page, written, qtbot):
-    part = page()
-    part.form.field("actuator").choose(COIL)
-    part.form.field("phase").choose("minimum")
-    qtbot.waitUntil(lambda: not part.busy, **WAIT)
-    _, about, said = written(part)
-    assert f"equalised for {TITLE}" in said
-    assert about["equaliser"]["phase"] == "minimum"
-    rest(window)
-    panel = brought_forward(window, qtbot)
-    shown = [panel.choices.cell(name).field.value for name in ("actuator", "equaliser", "phase")]
-    assert shown == [COIL, "RegularisedInverse", "minimum"]
-
-
 def test_an_option_of_the_command_goes_before_the_design(tmp_path, capsys):
     actuator = ss.ActuatorAt(actuator=COIL, model=ss.actuators.load(COIL))
     equaliser = ss.equalising.RegularisedInverse(boost_db=12.0)
@@ -157,39 +143,6 @@ def test_an_option_of_the_command_goes_before_the_design(tmp_path, capsys):
     assert about("--rig", "none") == (None, 12.0)
     assert about("--equalise", "none") == ("Bench 3", None)
     assert about("--equalise", "linear", "--boost", "3") == ("Bench 3", 3.0)
-
-
-def test_a_clip_that_cannot_be_played(window, page, written, qtbot, tmp_path, capsys):
-    document = window.document
-    panel = brought_forward(window, qtbot)
-    choose(panel, "actuator", COIL)
-    panel.through.click()
-    good = document.design
-    document.apply(edits.place_waveform(good, document.view, 3, ss.waveforms.Tap(), 0.0))
-    rest(window)
-    # Said once, with three ways out.
-    bad = document.design.inputs[2]
-    reason = "52 % of its energy lies below 25 Hz"
-    assert reason in window.notice.text
-    buttons = [button.text() for button in window.notice._choices]
-    assert buttons == ["Use a centred tap", "Mute it", "Predict without the actuator"]
-    # Neither the page nor the command writes a file without it.
-    refused = page()
-    assert reason in label(refused, "problem")
-    assert not refused.ready
-    refused.window().reject()
-    ss.save_design(tmp_path / "bad.skinsource", document.design)
-    assert main(["export", str(tmp_path / "bad.skinsource"), "--out", str(tmp_path / "b.wav")])
-    assert reason in capsys.readouterr().err
-    assert not (tmp_path / "b.wav").exists()
-    window.notice._choices[1].click()
-    rest(window)
-    assert window.notice.text == ""
-    assert document.design == replace(good, inputs=(*good.inputs, replace(bad, muted=True)))
-    volts, about, _ = written(page())
-    assert volts.shape[0] == about["n_channels"] == 2
-    assert about["predicted_through"] == "the same"
-    assert about["actuator"][0]["name"] == TITLE
 
 
 def test_a_recording_in_g(window, page, written, qtbot, tmp_path):

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from skinsource.actuators.simulation import ActuatorMotion, Equations, Hold, simulated
 from skinsource.base.arguments import finite_array, positive_number
-from skinsource.base.arrays import Complexes
+from skinsource.base.conventions import Complexes
 from skinsource.base.errors import InvalidInputError
 from skinsource.specs import fields
 from skinsource.specs.numbers import SMALLEST, NumberSpec

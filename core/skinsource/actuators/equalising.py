@@ -25,11 +25,9 @@ from numpy.typing import ArrayLike
 from skinsource.actuators.actuator import Actuator
 from skinsource.actuators.models import VoiceCoil
 from skinsource.base.arguments import checking, finite_array, positive_number, real_number
-from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.conventions import BAND_HZ, Band, Complexes, Floats
 from skinsource.base.decibels import decibels
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import BAND_HZ, Band
-from skinsource.base.quoting import quoted
+from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.signals.resampling import PASSED_SHARE
 from skinsource.specs import fields
 from skinsource.specs.numbers import NumberSpec

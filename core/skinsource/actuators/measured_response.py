@@ -14,7 +14,7 @@ from skinsource.actuators.actuator import Actuator
 from skinsource.actuators.models import VoiceCoil
 from skinsource.actuators.simulation import ActuatorMotion, Hold, samples_of
 from skinsource.base.arguments import finite_array, positive_number
-from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.conventions import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.specs import fields
 from skinsource.specs.numbers import SMALLEST, NumberSpec, PointsSpec

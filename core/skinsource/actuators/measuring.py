@@ -19,10 +19,9 @@ from numpy.typing import ArrayLike
 from skinsource.actuators.equalising import minimum_phase_of
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.base.arguments import checking, finite_array, positive_number, real_number
-from skinsource.base.arrays import Complexes, Floats, Indices
-from skinsource.base.errors import InvalidInputError, RecordingError
+from skinsource.base.conventions import Complexes, Floats, Indices
+from skinsource.base.errors import InvalidInputError, RecordingError, sentence
 from skinsource.base.files import path_text
-from skinsource.base.quoting import sentence
 from skinsource.readers.reader import Found
 from skinsource.readers.reading_process import ReadingProcess
 

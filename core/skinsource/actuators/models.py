@@ -8,7 +8,7 @@ import numpy as np
 from skinsource.actuators import actuator
 from skinsource.actuators.actuator import LinearActuator
 from skinsource.actuators.simulation import Equations
-from skinsource.base.arrays import Complexes
+from skinsource.base.conventions import Complexes
 from skinsource.specs import fields
 
 

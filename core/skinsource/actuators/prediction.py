@@ -13,10 +13,8 @@ from numpy.typing import ArrayLike
 from skinsource.actuators.actuator import Actuator
 from skinsource.actuators.simulation import ActuatorMotion
 from skinsource.base.arguments import checking, finite_array, integer
-from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import LARGEST_VELOCITY_M_PER_S
-from skinsource.base.quoting import lowered
+from skinsource.base.conventions import LARGEST_VELOCITY_M_PER_S, Floats
+from skinsource.base.errors import InvalidInputError, lowered
 from skinsource.signals.loudest_window import loudest_energy
 from skinsource.signals.resampling import MAX_RATE_HZ, resample
 from skinsource.specs import fields

@@ -18,16 +18,14 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skinsource.actuators.catalog import LIMITS, MODEL, THERMAL, Model, load, names, profile_of
+from skinsource.actuators.actuation import LIMITS, MODEL, THERMAL, Model, load, names, profile_of
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.prediction import Breach, Limits, Thermal, breaches, limit_text, predicted
 from skinsource.base.arguments import checking, finite_array, integer
-from skinsource.base.arrays import Floats
-from skinsource.base.errors import FileFormatError, InvalidInputError
+from skinsource.base.conventions import MOST_LOCATIONS, Floats
+from skinsource.base.errors import FileFormatError, InvalidInputError, quoted, sentence
 from skinsource.base.files import path_text, read_bytes, write_bytes
 from skinsource.base.json_text import MAX_TEXT_BYTES
-from skinsource.base.measurement_conditions import MOST_LOCATIONS
-from skinsource.base.quoting import quoted, sentence
 from skinsource.signals.resampling import MAX_RATE_HZ
 from skinsource.specs import fields, models
 from skinsource.specs.codec import from_plain_text, to_plain_text

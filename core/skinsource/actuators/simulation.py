@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skinsource.base.arguments import finite_array, one_of
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.work import tally
 from skinsource.signals.generators import MAX_SAMPLES

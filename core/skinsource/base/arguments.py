@@ -17,9 +17,8 @@ from typing import Any, Literal, ParamSpec, TypeVar, Union, get_args, get_origin
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError, SkinSourceError
-from skinsource.base.quoting import quoted
+from skinsource.base.conventions import Floats
+from skinsource.base.errors import InvalidInputError, SkinSourceError, quoted
 
 Text = TypeVar("Text", bound=str)
 P = ParamSpec("P")

@@ -5,8 +5,7 @@ import sys
 from pathlib import Path
 from types import ModuleType
 
-from skinsource.base.errors import MissingExtraError
-from skinsource.base.quoting import printable, quoted
+from skinsource.base.errors import MissingExtraError, printable, quoted
 
 
 def extra_line(extra: str) -> str:

@@ -21,8 +21,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from skinsource.base.errors import FileFormatError, StorageError
-from skinsource.base.quoting import escaped, printable
+from skinsource.base.errors import FileFormatError, StorageError, escaped, printable
 
 # Four digits of the computer, eight of the process that writes, four at random.
 _TEMPORARY_NAME = re.compile(r"\..+\.([0-9a-f]{4})([0-9a-f]{8})[0-9a-f]{4}\.part", re.DOTALL)

@@ -3,8 +3,7 @@
 import json
 from typing import Any, NoReturn
 
-from skinsource.base.errors import FileFormatError
-from skinsource.base.quoting import quoted
+from skinsource.base.errors import FileFormatError, quoted
 
 #: Texts, numbers, True, False, None, lists of trees, and dictionaries of trees.
 Tree = Any

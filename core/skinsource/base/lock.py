@@ -17,10 +17,9 @@ from threading import RLock
 
 import psutil
 
-from skinsource.base.errors import FileFormatError, SkinSourceError, StorageError
+from skinsource.base.errors import FileFormatError, SkinSourceError, StorageError, printable
 from skinsource.base.files import path_text, read_bytes, storage_errors_of, temporary_path
 from skinsource.base.json_text import dumped, loaded
-from skinsource.base.quoting import printable
 
 # The content of a lock is far shorter.
 _MOST_BYTES = 2**14

@@ -30,10 +30,9 @@ import numpy as np
 import psutil
 
 from skinsource.base import errors
-from skinsource.base.errors import RecordingError, SkinSourceError, Stopped, StorageError
+from skinsource.base.errors import RecordingError, SkinSourceError, Stopped, StorageError, printable
 from skinsource.base.files import path_text
 from skinsource.base.job import Stop, never
-from skinsource.base.quoting import printable
 
 #: Argument with which a frozen program starts itself as the process that reads.
 FLAG = "--run-limited"

@@ -1,4 +1,4 @@
-"""Counts of the work that an evaluation does, for tests; and counts of things in a sentence."""
+"""Counts of the work that an evaluation does, for tests."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -59,18 +59,3 @@ def tally(**counts: int) -> None:
     if work is not None:
         for name, count in counts.items():
             setattr(work, name, getattr(work, name) + count)
-
-
-def counted(count: int, noun: str, plural: str = "") -> str:
-    """Return ``"1 clip"``, ``"3 clips"``.
-
-    Parameters
-    ----------
-    count
-        How many.
-    noun
-        Its singular; words before it stay as they are: ``"more clip"``.
-    plural
-        Its plural, where that is not the noun with an s.
-    """
-    return f"{count} {noun if count == 1 else plural or f'{noun}s'}"

@@ -6,17 +6,14 @@ from pathlib import Path
 from typing import Any
 
 from skinsource.actuators.rigs import open_rig
-from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError
+from skinsource.base.conventions import Floats
+from skinsource.base.errors import InvalidInputError, counted, escaped, printable
 from skinsource.base.files import make_folder
-from skinsource.base.quoting import escaped, printable
-from skinsource.base.work import counted
 from skinsource.design.amplitudes import amplitude_note, amplitude_text, is_gain
 from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input, audible_inputs
+from skinsource.design.design import Design, Input, View, audible_inputs, view_on
 from skinsource.design.design_file import open_design
 from skinsource.design.labels import AXES, SCALINGS, label_of, level_label, limb_label, signal_label
-from skinsource.design.view import View, view_on
 from skinsource.engine.evaluation import evaluate
 from skinsource.export import plot
 from skinsource.export.exported_design import ExportedDesign

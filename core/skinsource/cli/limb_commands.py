@@ -5,8 +5,8 @@ import sys
 from pathlib import Path
 from typing import Any
 
+from skinsource.base.conventions import AXES
 from skinsource.base.files import make_folder
-from skinsource.base.measurement_conditions import AXES
 from skinsource.cli.help_format import given
 from skinsource.limbs.catalog import available_limbs, load_limb
 from skinsource.limbs.dataset.commands import ProgressBar

@@ -11,7 +11,7 @@ from skinsource.export.plot import SYNTHETIC
 from skinsource.limbs.catalog import available_limbs
 from skinsource.limbs.dataset.commands import ProgressBar
 from skinsource.studies.figures.writing import write_figures
-from skinsource.studies.scenes.catalog import (
+from skinsource.studies.scenes.scenes import (
     all_scenes,
     missing_panels,
     names,

@@ -10,8 +10,7 @@ import numpy as np
 
 from skinsource.actuators.actuation import Actuation
 from skinsource.actuators.equalising import Equaliser
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.quoting import lowered
+from skinsource.base.errors import InvalidInputError, lowered
 from skinsource.design.clips import Clip
 from skinsource.design.design import AMPLITUDE, Design, Input
 from skinsource.design.signal_path import Curve, drive_of_clips

@@ -4,10 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import count
 
-from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import MOST_LOCATIONS
-from skinsource.base.quoting import quoted
+from skinsource.base.conventions import MOST_LOCATIONS, Floats
+from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.design.effects import effect_kinds
 from skinsource.design.effects.effect import Effect
 from skinsource.design.effects.playing import LONGEST_S, placed, played, played_s

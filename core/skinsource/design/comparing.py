@@ -6,24 +6,21 @@ last is the last of them.  Levels of two designs are matched by their loudest ou
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from skinsource.base.arguments import finite_array, real_array
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import N_OUTPUTS, Floats
 from skinsource.base.decibels import FLOOR_DB, decibels
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import N_OUTPUTS
 from skinsource.design.clips import Clip
-from skinsource.design.design import Design
+from skinsource.design.design import EDITED, Design, Snapshot, shown_snapshot
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.locations import DIGITS, OUTPUTS
 from skinsource.limbs.own_limbs import facts_of, own_limb_names
-from skinsource.specs import fields
-from skinsource.specs.numbers import ModelSpec, NumberSpec
 
 #: Levels farther below the loudest output are raised to this depth: next to the loudest output
 #: nobody can feel them.
@@ -212,57 +209,6 @@ def region_levels_db(rms: ArrayLike) -> dict[str, float]:
     }
 
 
-#: Numbers under which the user stores snapshots.
-NUMBERS: tuple[int, ...] = (1, 2, 3, 4)
-#: Number of the edited design that was not stored when another one was shown.
-EDITED = 0
-
-NUMBER = NumberSpec(label="Number", minimum=0, maximum=max(NUMBERS), whole=True)
-GAIN = NumberSpec(label="Gain", minimum=1e-12, maximum=1e12)
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Snapshot:
-    """A design stored under a number.
-
-    Attributes
-    ----------
-    number
-        1 to 4; 0 is the design that was edited when a snapshot was shown.
-    gain
-        Factor on predictions and playback that matched its level when it was shown last; it is
-        not in the amplitudes of ``design``.
-    """
-
-    number: int = fields.number(EDITED, NUMBER)
-    design: Design = fields.field(ModelSpec(label="Design", kinds=lambda: (Design,)))
-    gain: float = fields.number(1.0, GAIN)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
-        # `played` must not fail later.
-        louder(self.design, self.gain)
-
-    @property
-    def played(self) -> Design:
-        """The design as loud as it was when it was shown last."""
-        return louder(self.design, self.gain)
-
-
-def louder(design: Design, gain: float) -> Design:
-    """Return ``design`` with all amplitudes times ``gain``; every level rises by 20 log10(gain).
-
-    Raises
-    ------
-    InvalidInputError
-        An amplitude would be larger than any input may have.
-    """
-    if gain == 1.0:
-        return design
-    inputs = tuple(replace(track, amplitude=track.amplitude * gain) for track in design.inputs)
-    return replace(design, inputs=inputs)
-
-
 def at_frequency(design: Design, frequency_hz: float) -> Design:
     """Return ``design`` with all that has a frequency of its own, such as tones, at another one."""
 
@@ -294,12 +240,6 @@ def same_but_rounding(design: Design, other: Design) -> bool:
         math.isclose(track.amplitude, other_track.amplitude, rel_tol=1e-9)
         for track, other_track in pairs
     )
-
-
-def shown_snapshot(snapshots: Sequence[Snapshot], design: Design) -> Snapshot | None:
-    """Return the snapshot that holds ``design``, if any."""
-    # The one that was shown last is the last.
-    return next((snapshot for snapshot in reversed(snapshots) if snapshot.design == design), None)
 
 
 def with_edited(snapshots: Sequence[Snapshot], design: Design) -> tuple[Snapshot, ...]:

@@ -26,11 +26,10 @@ from pathlib import Path
 from typing import Any
 
 from skinsource.base.arguments import brief, checking
-from skinsource.base.errors import DesignFileError, FileFormatError, InvalidInputError
+from skinsource.base.errors import DesignFileError, FileFormatError, InvalidInputError, sentence
 from skinsource.base.files import path_text, read_bytes, write_bytes
 from skinsource.base.json_text import Tree
-from skinsource.base.quoting import sentence
-from skinsource.design.design import NOTES, TITLE, Design
+from skinsource.design.design import NOTES, TITLE, Design, View
 from skinsource.design.panel_settings import (
     ALL,
     CONTROL,
@@ -40,7 +39,6 @@ from skinsource.design.panel_settings import (
     stage_settings,
     with_settings,
 )
-from skinsource.design.view import View
 from skinsource.specs import fields, image, models
 from skinsource.specs.codec import check_version
 from skinsource.specs.numbers import ModelSpec

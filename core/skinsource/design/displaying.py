@@ -4,10 +4,8 @@ from html import escape
 
 import numpy as np
 
-from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.quoting import sentence
-from skinsource.base.work import counted
+from skinsource.base.conventions import Floats
+from skinsource.base.errors import InvalidInputError, counted, sentence
 from skinsource.design.amplitudes import amplitude_text
 from skinsource.design.design import Design, Input, audible_indices
 from skinsource.design.labels import SCALINGS, label_of, limb_label

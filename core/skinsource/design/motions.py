@@ -13,9 +13,7 @@ from itertools import groupby, pairwise
 from math import degrees, pi, remainder, sqrt
 from typing import Any, ClassVar, Protocol, runtime_checkable
 
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.quoting import quoted
-from skinsource.base.work import counted
+from skinsource.base.errors import InvalidInputError, counted, quoted
 from skinsource.design.clips import PLACE, Clip
 from skinsource.design.design import AMPLITUDE, Input
 from skinsource.design.effects.level import Fade

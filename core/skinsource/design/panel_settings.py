@@ -10,7 +10,7 @@ from dataclasses import fields as dataclass_fields
 from typing import Any, TypeVar, cast
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.view import Plain, View
+from skinsource.design.design import Plain, View
 from skinsource.specs import fields
 from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec, SwitchSpec

@@ -22,12 +22,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.base.arguments import checking, one_of, positive_number, real_number
-from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError, RecordingError
+from skinsource.base.conventions import SAMPLE_RATE_HZ, Floats
+from skinsource.base.errors import InvalidInputError, RecordingError, quoted, sentence
 from skinsource.base.files import path_text
 from skinsource.base.job import Progress, Stop, never, silent
-from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ
-from skinsource.base.quoting import quoted, sentence
 from skinsource.design.waveforms.samples import Recording
 from skinsource.readers import limits
 from skinsource.readers.reader import Block, Found, Series, dft321

@@ -20,10 +20,8 @@ from skinsource.actuators.equalising import (
 )
 from skinsource.actuators.rigs import Rig, known_model
 from skinsource.base.arguments import checking
-from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import Band
-from skinsource.base.quoting import first_sentence
+from skinsource.base.conventions import Band, Floats
+from skinsource.base.errors import InvalidInputError, first_sentence
 from skinsource.design.clips import Clip
 from skinsource.design.effects.effect import Effect
 from skinsource.design.effects.playing import placed, played

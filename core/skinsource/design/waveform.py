@@ -10,8 +10,8 @@ from typing import Any, ClassVar, Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import NDArray
 
+from skinsource.base.conventions import BAND_HZ
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.signals.generators import OTHER_NAMES
 from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec

@@ -6,14 +6,12 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.actuators.actuation import Actuation, ActuatorAt
-from skinsource.actuators.catalog import ActuatorProfile, names, profile
+from skinsource.actuators.actuation import Actuation, ActuatorAt, ActuatorProfile, names, profile
 from skinsource.actuators.equalising import equalised, followed_band, net_velocity
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.prediction import Prediction, duty_of, predicted
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import BAND_HZ, Band, Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import BAND_HZ, Band
 from skinsource.engine.gains import Placed
 from skinsource.limbs.scaling import Scaling
 

@@ -10,12 +10,10 @@ from weakref import WeakKeyDictionary
 import numpy as np
 import scipy
 
-from skinsource.actuators.actuation import Actuation, transfers_of
-from skinsource.actuators.catalog import ActuatorProfile
-from skinsource.base.arrays import Floats
+from skinsource.actuators.actuation import Actuation, ActuatorProfile, transfers_of
+from skinsource.base.conventions import Band, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Stop, stop_if
-from skinsource.base.measurement_conditions import Band
 from skinsource.design.panel_settings import SpectrogramSettings
 from skinsource.design.signal_path import Drive, UnplayableInput, Voice, unplayable_text
 from skinsource.engine import level_rules
@@ -28,7 +26,6 @@ from skinsource.engine.transforms import Played, forward, transform_length
 from skinsource.limbs.limb import PUBLISHED, Limb
 from skinsource.limbs.scaling import Scaling, per_probe_acceleration
 from skinsource.limbs.surface.operator import SurfaceOperator
-from skinsource.perception.hand_arm import weighted_rms
 from skinsource.perception.thresholds import (
     CHANNELS,
     PerceptionSettings,
@@ -36,6 +33,7 @@ from skinsource.perception.thresholds import (
     site_offsets_db,
     table_threshold,
     threshold_rms,
+    weighted_rms,
 )
 from skinsource.perception.validity import (
     SPATIAL_LIMIT_HZ,

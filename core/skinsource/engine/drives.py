@@ -4,7 +4,7 @@ from collections.abc import Callable, Hashable
 
 import numpy as np
 
-from skinsource.base.arrays import Booleans, Complexes, Floats
+from skinsource.base.conventions import Booleans, Complexes, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Stop, stop_if
 from skinsource.base.work import tally

@@ -12,8 +12,7 @@ from typing import Any, NamedTuple
 from skinsource.base.arguments import checking
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.work import Work
-from skinsource.design.design import Design
-from skinsource.design.view import View
+from skinsource.design.design import Design, View
 from skinsource.engine.graph import Graph, UnknownQuantity
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.shared import Shared

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.actuators.actuation import Actuation
-from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.conventions import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Stop, never, stop_if
 from skinsource.base.work import tally

@@ -14,8 +14,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from skinsource.base.errors import quoted
 from skinsource.base.job import Stop, never, stop_if
-from skinsource.base.quoting import quoted
 from skinsource.base.work import Work, counting
 
 

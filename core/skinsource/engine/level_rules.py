@@ -9,11 +9,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from skinsource.base.arrays import Booleans, Complexes, Floats
+from skinsource.base.conventions import Axes, Booleans, Complexes, Floats
+from skinsource.base.conventions import axis_numbers as numbers_of
 from skinsource.base.decibels import decibels
 from skinsource.base.job import Stop
-from skinsource.base.measurement_conditions import Axes
-from skinsource.base.measurement_conditions import axis_numbers as numbers_of
 from skinsource.engine.moments import (
     CrossMatrix,
     Moments,

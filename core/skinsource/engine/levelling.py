@@ -6,8 +6,7 @@ from dataclasses import replace
 from skinsource.base.arguments import integer
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
-from skinsource.design.design import Design
-from skinsource.design.view import View
+from skinsource.design.design import Design, View
 from skinsource.design.waveforms.wavelet_train import SOFTEST_DB, WaveletTrain
 from skinsource.engine.evaluation import Evaluator
 from skinsource.signals.loudest_window import LOUDEST_WINDOW_S

@@ -6,11 +6,10 @@ from math import ceil
 import numpy as np
 import scipy
 
-from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.conventions import Complexes, Floats
 from skinsource.base.decibels import decibels
 from skinsource.design.clips import Clip
-from skinsource.design.design import Design, audible_inputs
-from skinsource.design.view import View
+from skinsource.design.design import Design, View, audible_inputs
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.evaluation import evaluate
 from skinsource.engine.time_rules import Moving

@@ -14,7 +14,7 @@ from weakref import WeakValueDictionary
 
 import numpy as np
 
-from skinsource.base.arrays import Complexes
+from skinsource.base.conventions import Complexes
 
 V = TypeVar("V")
 

@@ -11,7 +11,7 @@ from itertools import combinations
 
 import numpy as np
 
-from skinsource.base.arrays import Booleans, Complexes, Floats
+from skinsource.base.conventions import Booleans, Complexes, Floats
 from skinsource.signals.projection import Method, magnitude, no_main_axis, principal_axis_of
 
 #: Below this share of its terms a sum has lost too many digits, and is computed in another way.

@@ -17,9 +17,8 @@ from numpy.typing import ArrayLike
 
 from skinsource.actuators.actuation import Actuation
 from skinsource.base.arguments import checking, real_array
-from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.conventions import Complexes, Floats, check_input_location
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import check_input_location
 from skinsource.design.signal_path import LARGEST, Drive, check_drive, drive_of, first_unusable
 from skinsource.engine.drives import active_samples
 from skinsource.engine.gains import Gains, unit_gain, unit_gains

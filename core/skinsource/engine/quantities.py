@@ -12,13 +12,11 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Band, Floats
 from skinsource.base.job import Stop
-from skinsource.base.measurement_conditions import Band
-from skinsource.design.design import Design, Input, audible_indices
+from skinsource.design.design import Design, Input, View, audible_indices
 from skinsource.design.panel_settings import SpectrogramSettings, settings_of
 from skinsource.design.signal_path import Voice
-from skinsource.design.view import View
 from skinsource.engine import (
     analysis_rules,
     level_rules,

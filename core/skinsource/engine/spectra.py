@@ -14,7 +14,7 @@ import scipy
 from numpy.typing import NDArray
 
 from skinsource.actuators.actuation import Actuation, transfers_of
-from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.conventions import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.work import tally
 from skinsource.design.signal_path import LARGEST, first_unusable

@@ -14,8 +14,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from skinsource.actuators.actuation import Actuation
-from skinsource.actuators.catalog import names
+from skinsource.actuators.actuation import Actuation, names
 from skinsource.actuators.equalising import Equaliser, equalised, followed_band
 from skinsource.actuators.rigs import (
     Rig,
@@ -25,12 +24,9 @@ from skinsource.actuators.rigs import (
     wired_channel,
 )
 from skinsource.base.arguments import checking, integer, one_of, real_number
-from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError
+from skinsource.base.conventions import BAND_HZ, Band, Floats, check_input_location
+from skinsource.base.errors import InvalidInputError, counted, quoted
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
-from skinsource.base.measurement_conditions import BAND_HZ, Band, check_input_location
-from skinsource.base.quoting import quoted
-from skinsource.base.work import counted
 from skinsource.design.amplitudes import ARBITRARY_UNIT, drive_unit
 from skinsource.design.design import Design, Input, audible_inputs
 from skinsource.design.effects.playing import played

@@ -12,7 +12,7 @@ from functools import partial
 
 import numpy as np
 
-from skinsource.base.arrays import Booleans, Complexes, Floats, Indices
+from skinsource.base.conventions import Booleans, Complexes, Floats, Indices
 from skinsource.base.job import Stop, never, stop_if
 from skinsource.engine.drives import active_samples, delayed
 from skinsource.engine.moments import Moments, Projection

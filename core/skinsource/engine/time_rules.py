@@ -9,11 +9,9 @@ from math import floor
 
 import numpy as np
 
-from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError
+from skinsource.base.conventions import Floats, axes_text, axis_numbers
+from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.base.job import Stop, stop_if
-from skinsource.base.measurement_conditions import axes_text, axis_numbers
-from skinsource.base.quoting import quoted
 from skinsource.engine.moments import Projection
 from skinsource.engine.spectra import TotalSpectrum
 from skinsource.engine.streaming import StreamedVibration, output_groups

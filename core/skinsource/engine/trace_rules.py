@@ -1,9 +1,8 @@
 """Rules from vibrations to traces and spectra of the selected outputs."""
 
-from skinsource.base.arrays import Complexes, Floats
-from skinsource.base.errors import InvalidInputError
+from skinsource.base.conventions import Complexes, Floats
+from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.base.job import Stop
-from skinsource.base.quoting import quoted
 from skinsource.engine.gains import (
     ExactVoice,
     Placed,

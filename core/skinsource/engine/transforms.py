@@ -9,7 +9,7 @@ from functools import cache
 import numpy as np
 import scipy
 
-from skinsource.base.arrays import Booleans, Complexes, Floats
+from skinsource.base.conventions import Booleans, Complexes, Floats
 from skinsource.base.work import tally
 from skinsource.design.signal_path import Drive
 

@@ -8,7 +8,7 @@ from weakref import ref
 
 import numpy as np
 
-from skinsource.base.arrays import Booleans, Complexes
+from skinsource.base.conventions import Booleans, Complexes
 from skinsource.base.job import Stop
 from skinsource.design.signal_path import Drive, UnitVoice, Voice
 from skinsource.engine.drives import delayed

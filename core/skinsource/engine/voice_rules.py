@@ -9,7 +9,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from skinsource.actuators.actuation import Actuation
-from skinsource.base.arrays import Booleans, Floats
+from skinsource.base.conventions import Booleans, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Stop, stop_if
 from skinsource.design.signal_path import Drive, UnitVoice, UnplayableInput, Voice

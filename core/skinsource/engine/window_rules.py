@@ -4,7 +4,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.decibels import decibels
 from skinsource.base.job import Stop
 from skinsource.design.signal_path import Voice

@@ -15,17 +15,14 @@ import numpy as np
 import scipy
 
 from skinsource.actuators.actuation import Actuation, ActuatorAt
-from skinsource.base.arrays import Floats
-from skinsource.base.errors import TooInaccurateError
+from skinsource.base.conventions import ALL_AXES, Axes, Floats, axes_of
+from skinsource.base.errors import TooInaccurateError, counted
 from skinsource.base.files import replacing
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
-from skinsource.base.measurement_conditions import ALL_AXES, Axes, axes_of
-from skinsource.base.work import counted
 from skinsource.design.amplitudes import amplitude_note
 from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input, audible_inputs
+from skinsource.design.design import Design, Input, View, audible_inputs
 from skinsource.design.labels import AXES, METHODS, SCALINGS, SPANS, label_of, limb_label
-from skinsource.design.view import View
 from skinsource.engine.gains import ESTIMATE_FACTOR, N_SAMPLES, TraceError
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.streaming import StreamedVibration

@@ -8,13 +8,11 @@ from skinsource.actuators.actuation import Actuation
 from skinsource.actuators.equalising import Equaliser
 from skinsource.actuators.rigs import Rig
 from skinsource.base.arguments import checking
-from skinsource.base.quoting import lowered, sentence
-from skinsource.base.work import counted
+from skinsource.base.errors import counted, lowered, sentence
 from skinsource.design.amplitudes import amplitude_meaning, amplitude_text
 from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input, audible_inputs
+from skinsource.design.design import Design, Input, View, audible_inputs, view_on
 from skinsource.design.labels import level_label, limb_label, signal_label
-from skinsource.design.view import View, view_on
 from skinsource.engine.evaluation import evaluate
 from skinsource.export.formats import format_named
 from skinsource.export.stimulus_export.options import StimulusOptions

@@ -16,10 +16,9 @@ from skinsource.base.errors import MissingExtraError, SkinSourceError
 from skinsource.base.extras import package_of_extra
 from skinsource.base.files import replacing
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
-from skinsource.design.design import Design, audible_inputs
+from skinsource.design.design import Design, View, audible_inputs
 from skinsource.design.design_file import save_design
 from skinsource.design.labels import limb_label
-from skinsource.design.view import View
 from skinsource.export.exported_design import ExportedDesign, versions
 from skinsource.export.tables import write_levels, write_map, write_map_picture, write_traces
 from skinsource.limbs.dataset.store import describe

@@ -26,16 +26,14 @@ import scipy
 from numpy.typing import ArrayLike, NDArray
 
 from skinsource.base.arguments import checking, finite_array, one_of, positive_number
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.decibels import decibels
-from skinsource.base.errors import InvalidInputError
+from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.base.extras import package_of_extra
 from skinsource.base.files import FilePath
 from skinsource.base.job import Progress, Stop, never, silent
-from skinsource.base.quoting import quoted
-from skinsource.design.design import Design, audible_inputs
+from skinsource.design.design import Design, View, audible_inputs
 from skinsource.design.labels import limb_label, signal_label
-from skinsource.design.view import View
 from skinsource.engine.evaluation import evaluate
 from skinsource.export.video import frames_per_s, video_file
 from skinsource.limbs.catalog import limb_of

@@ -9,13 +9,11 @@ from typing import Any
 import numpy as np
 
 from skinsource.base.arguments import checking
-from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError
+from skinsource.base.conventions import Floats
+from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.base.extras import package_of_extra
-from skinsource.base.quoting import quoted
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.labels import limb_label, signal_label
-from skinsource.design.view import View
 from skinsource.engine.evaluation import Quantity, evaluate, quantities
 from skinsource.export import plot
 

@@ -17,12 +17,11 @@ import numpy as np
 from numpy.lib import format as npy
 from numpy.typing import NDArray
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import ALL_AXES, Floats
 from skinsource.base.decibels import levels_for_tables
+from skinsource.base.errors import counted
 from skinsource.base.files import check_free_space
 from skinsource.base.job import Stop, stop_if
-from skinsource.base.measurement_conditions import ALL_AXES
-from skinsource.base.work import counted
 from skinsource.export.exported_design import (
     PIECE_SAMPLES,
     Export,

@@ -8,11 +8,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.base.errors import InvalidInputError, StorageError
+from skinsource.base.errors import InvalidInputError, StorageError, printable, quoted
 from skinsource.base.extras import package_of_extra
 from skinsource.base.files import replacing
 from skinsource.base.job import Stop, stop_if
-from skinsource.base.quoting import printable, quoted
 
 #: Adds one frame, (rows, columns, 3) of uint8.
 AddFrame = Callable[[NDArray[np.uint8]], None]

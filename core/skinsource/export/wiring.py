@@ -10,9 +10,8 @@ from typing import Any
 from skinsource.actuators.actuation import Actuation
 from skinsource.actuators.rigs import Rig
 from skinsource.base.arguments import checking
-from skinsource.base.errors import InvalidInputError
+from skinsource.base.errors import InvalidInputError, printable
 from skinsource.base.files import FilePath, write_bytes
-from skinsource.base.quoting import printable
 from skinsource.design.design import Design
 from skinsource.design.labels import limb_label
 from skinsource.engine.stimulus import Channel, in_order, stimulus_of, with_sync

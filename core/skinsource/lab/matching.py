@@ -19,18 +19,23 @@ import numpy as np
 
 from skinsource.actuators.rigs import Rig
 from skinsource.base.arguments import checking, integer, one_of, real_number
-from skinsource.base.errors import FileFormatError, InvalidInputError
+from skinsource.base.conventions import MOST_LOCATIONS
+from skinsource.base.errors import (
+    FileFormatError,
+    InvalidInputError,
+    counted,
+    csv_text,
+    printable,
+    quoted,
+    sentence,
+)
 from skinsource.base.files import path_exists, path_text, read_bytes, write_bytes
 from skinsource.base.lock import Lock
-from skinsource.base.measurement_conditions import MOST_LOCATIONS
-from skinsource.base.quoting import csv_text, printable, quoted, sentence
-from skinsource.base.work import counted
 from skinsource.design.design import Design, Input, track
 from skinsource.design.waveforms.tones import Tone
 from skinsource.lab.playing.devices import Output
-from skinsource.lab.playing.mix import START_DB
 from skinsource.lab.playing.session import Playing, Session
-from skinsource.lab.playing.stream import Stream
+from skinsource.lab.playing.stream import START_DB, Stream
 
 Direction = Literal["ascending", "descending"]
 DIRECTIONS: tuple[Direction, ...] = get_args(Direction)

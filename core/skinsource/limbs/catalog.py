@@ -1,9 +1,8 @@
 """All limbs that can be loaded, by name."""
 
 from skinsource.base.arguments import checking
-from skinsource.base.errors import InvalidInputError, UnknownLimbError
-from skinsource.base.measurement_conditions import LIMB_NAMES
-from skinsource.base.quoting import quoted
+from skinsource.base.conventions import LIMB_NAMES
+from skinsource.base.errors import InvalidInputError, UnknownLimbError, quoted
 from skinsource.limbs.dataset.store import is_installed, load_measured_limb
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.own_limbs import facts_of, load_own_limb, missing_limb, own_limb_names

@@ -9,10 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skinsource.base.arguments import checking, finite_array
-from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import check_input_location
-from skinsource.base.quoting import quoted
+from skinsource.base.conventions import Floats, check_input_location
+from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.limbs.catalog import limb_of
 from skinsource.limbs.limb import Limb
 

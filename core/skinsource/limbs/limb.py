@@ -10,9 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import (
+from skinsource.base.conventions import (
     AXES,
     BAND_HZ,
     HAND_LENGTHS_MM,
@@ -25,9 +23,10 @@ from skinsource.base.measurement_conditions import (
     SAMPLE_RATE_HZ,
     Axes,
     Band,
+    Floats,
     check_input_location,
 )
-from skinsource.base.quoting import quoted
+from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.base.work import tally
 
 

@@ -12,11 +12,10 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.base.arrays import Floats
-from skinsource.base.errors import FileFormatError, InvalidInputError
+from skinsource.base.conventions import Floats
+from skinsource.base.errors import FileFormatError, InvalidInputError, quoted
 from skinsource.base.files import is_file, path_text
 from skinsource.base.job import Progress, Stop, never, silent
-from skinsource.base.quoting import quoted
 from skinsource.base.run_limited import LimitedProcess, run_limited
 from skinsource.limbs.limb import LimbFacts
 from skinsource.limbs.limb_layout import POINT_FIELDS, USUAL_ORDERS, hull_around

@@ -23,11 +23,10 @@ import numpy as np
 import scipy
 
 from skinsource.base import files
-from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError, RecordingError
+from skinsource.base.conventions import Floats
+from skinsource.base.errors import InvalidInputError, RecordingError, quoted
 from skinsource.base.files import path_text, read_bytes, replacing
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
-from skinsource.base.quoting import quoted
 from skinsource.limbs.own_limbs import LimbFile, OwnLimb, existing_path
 from skinsource.limbs.svg_path import outline_of
 from skinsource.readers import arrays

@@ -19,20 +19,20 @@ from typing import IO, Any
 import numpy as np
 
 from skinsource.base.arguments import integer, one_of, real_array, real_number
-from skinsource.base.arrays import Floats
 from skinsource.base.assets import user_folder
+from skinsource.base.conventions import AXES, BAND_HZ, Axes, Band, Floats, axes_of, axes_text
 from skinsource.base.errors import (
     FileFormatError,
     InvalidInputError,
     SkinSourceError,
     StorageError,
     UnknownLimbError,
+    counted,
+    printable,
+    quoted,
 )
 from skinsource.base.files import is_file, make_folder, path_text, replacing, storage_errors_of
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
-from skinsource.base.measurement_conditions import AXES, BAND_HZ, Axes, Band, axes_of, axes_text
-from skinsource.base.quoting import printable, quoted
-from skinsource.base.work import counted
 from skinsource.limbs.limb import PUBLISHED, Limb, LimbFacts, LimbMap, limb_like
 
 MOST_INPUTS, MOST_OUTPUTS, MOST_TAPS = 256, 512, 2**20

@@ -6,7 +6,7 @@ import numpy as np
 import scipy
 
 from skinsource.base.arguments import one_of
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 
 #: Mean peak of the probe's acceleration during the measuring pulse, m/s² (SkinSource, 2024).
 PULSE_PEAK_M_PER_S2 = 22.9

@@ -7,8 +7,8 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-from skinsource.base.arrays import Floats
-from skinsource.base.quoting import quoted
+from skinsource.base.conventions import Floats
+from skinsource.base.errors import quoted
 
 _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _TOKEN = re.compile(rf"([MmLlHhVvCcSsQqTtAaZz])|({_NUMBER})|([\s,]+)")

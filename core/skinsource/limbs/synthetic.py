@@ -16,15 +16,16 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.assets import data_folder
-from skinsource.base.measurement_conditions import (
+from skinsource.base.conventions import (
     N_AXES,
     N_INPUTS,
     N_OUTPUTS,
     N_TAPS,
     SAMPLE_RATE_HZ,
     VOLAR_OUTPUTS,
+    Complexes,
+    Floats,
 )
 from skinsource.limbs.limb import Limb, LimbMap
 from skinsource.limbs.locations import ARM_REGIONS, DIGITS, INPUTS, OUTPUTS

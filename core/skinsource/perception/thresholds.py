@@ -3,6 +3,9 @@
 Displacements in dB re 1 µm peak, at the thenar eminence, with a contactor of 2.9 cm²; the shape
 follows Bolanowski, Gescheider, Verrillo and Checkosky, "Four channels mediate the mechanical
 aspects of touch", J. Acoust. Soc. Am. 84, 1988, doi:10.1121/1.397184; the anchors are rounded.
+
+The weighting of hand-transmitted vibration after ISO 5349-1 is for health, not for perception: the
+standard measures at the surface that vibrates, near the grip, not on the skin.
 """
 
 from __future__ import annotations
@@ -18,11 +21,9 @@ import scipy
 from numpy.typing import ArrayLike
 
 from skinsource.base.arguments import checking, finite_array, one_of, positive_number, real_array
-from skinsource.base.arrays import Floats
-from skinsource.base.errors import FileFormatError, InvalidInputError
+from skinsource.base.conventions import BAND_HZ, LIMB_NAMES, Band, Complexes, Floats
+from skinsource.base.errors import FileFormatError, InvalidInputError, quoted
 from skinsource.base.files import read_bytes
-from skinsource.base.measurement_conditions import BAND_HZ, LIMB_NAMES, Band
-from skinsource.base.quoting import quoted
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.locations import ARM_REGIONS, OUTPUTS
 from skinsource.signals.loudest_window import loudest_energy, window_samples
@@ -374,3 +375,43 @@ def sensation_magnitude(levels_db: dict[Channel, Floats]) -> Floats:
     ]
     magnitude: Floats = np.maximum(*parts) + 0.5 * np.minimum(*parts)
     return magnitude
+
+
+#: Frequencies and qualities of Wh (ISO 5349-1:2001, annex A): band limits, transition.
+_F1_HZ, _F2_HZ, _F3_HZ, _F4_HZ = 6.310, 1258.9, 15.915, 15.915
+_Q1, _Q2 = 0.71, 0.64
+
+
+def hand_arm_weighting(frequency_hz: Floats) -> Complexes:
+    """Return the analogue response of Wh at frequencies, same shape; 0 at 0 Hz.
+
+    |H| is 0.954 at 10 Hz, 0.325 at 50 Hz, 0.0797 at 200 Hz.
+    """
+    s = 2j * np.pi * frequency_hz
+    w1, w2, w3, w4 = (2.0 * np.pi * f for f in (_F1_HZ, _F2_HZ, _F3_HZ, _F4_HZ))
+    band = s**2 * w2**2 / ((s**2 + s * w1 / _Q1 + w1**2) * (s**2 + s * w2 / _Q1 + w2**2))
+    gain = 2.0 * np.pi * _F4_HZ**2 / _F3_HZ
+    transition = (s + w3) * gain / (s**2 + s * w4 / _Q2 + w4**2)
+    response: Complexes = band * transition
+    return response
+
+
+def weighted_rms(acceleration: Floats, sample_rate_hz: float) -> float:
+    """Return the RMS of an acceleration through Wh, m/s².
+
+    On the bins of the transform, so that no digital filter warps the response near half the rate.
+
+    Parameters
+    ----------
+    acceleration : (n_times,)
+        Of the surface at the contact, m/s².
+    sample_rate_hz
+        Its rate.
+    """
+    n_times = acceleration.size
+    spectrum = scipy.fft.rfft(acceleration)
+    frequency_hz = np.arange(spectrum.size, dtype=np.float64) * (sample_rate_hz / n_times)
+    weight = np.abs(hand_arm_weighting(frequency_hz))
+    power = np.square(np.abs(spectrum) * weight)
+    power[1 : (n_times + 1) // 2] *= 2.0
+    return float(np.sqrt(power.sum()) / n_times)

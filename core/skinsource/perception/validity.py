@@ -11,9 +11,8 @@ from typing import Literal
 
 import numpy as np
 
-from skinsource.base.arrays import Floats
-from skinsource.base.measurement_conditions import BAND_HZ, LARGEST_VELOCITY_M_PER_S, Band
-from skinsource.base.quoting import sentence
+from skinsource.base.conventions import BAND_HZ, LARGEST_VELOCITY_M_PER_S, Band, Floats
+from skinsource.base.errors import sentence
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.scaling import Scaling
 from skinsource.signals.analysis.intervals import integrated

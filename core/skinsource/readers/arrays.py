@@ -21,7 +21,7 @@ import scipy
 from numpy.lib import format as npy
 
 from skinsource.base import files
-from skinsource.base.quoting import printable, quoted
+from skinsource.base.errors import printable, quoted
 from skinsource.readers import limits
 from skinsource.readers.reader import Block, Found, Series, reading_error, unknown_series_error
 from skinsource.readers.units import time_unit_s, unit_named

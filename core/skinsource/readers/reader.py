@@ -14,7 +14,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.errors import RecordingError
 from skinsource.base.files import path_text
 from skinsource.readers import limits

@@ -6,7 +6,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.errors import StorageError
 from skinsource.base.files import is_file, path_text, storage_errors_of
 from skinsource.readers import arrays, audio, text

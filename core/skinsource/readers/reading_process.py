@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.errors import RecordingError
 from skinsource.base.files import path_text
 from skinsource.base.job import Progress, Stop, never, silent

@@ -13,9 +13,8 @@ from typing import TextIO
 
 import numpy as np
 
-from skinsource.base.arrays import Floats
-from skinsource.base.quoting import printable, quoted
-from skinsource.base.work import counted
+from skinsource.base.conventions import Floats
+from skinsource.base.errors import counted, printable, quoted
 from skinsource.readers import limits
 from skinsource.readers.reader import Block, Found, Series, reading_error, unknown_series_error
 from skinsource.readers.timestamps import stated_rate_hz

@@ -10,7 +10,7 @@ from math import ceil
 import numpy as np
 import scipy
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.readers import limits
 

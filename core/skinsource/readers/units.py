@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 import scipy
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 
 #: The spectrum of a differentiated signal is empty below `EMPTY_HZ` and complete above `FULL_HZ`.
 EMPTY_HZ, FULL_HZ = 15.0, 25.0

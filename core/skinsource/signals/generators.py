@@ -14,10 +14,8 @@ import scipy
 from numpy.typing import NDArray
 
 from skinsource.base.arguments import finite_array, integer, one_of, positive_number, real_number
-from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import BAND_HZ, SAMPLE_RATE_HZ, Band
-from skinsource.base.quoting import quoted
+from skinsource.base.conventions import BAND_HZ, SAMPLE_RATE_HZ, Band, Floats
+from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.signals.sampling import shift_of, turns
 
 WindowName = Literal["none", "tukey", "hanning"]

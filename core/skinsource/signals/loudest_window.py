@@ -9,7 +9,7 @@ from typing import Literal, get_args
 import numpy as np
 
 from skinsource.base.arguments import positive_number
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.signals.generators import sample_count
 
 Span = Literal["record", "loudest"]

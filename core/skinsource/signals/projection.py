@@ -12,9 +12,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skinsource.base.arguments import LARGEST_SAMPLE, one_of, real_array
-from skinsource.base.arrays import Booleans, Floats
+from skinsource.base.conventions import AXES, Axes, Booleans, Floats, axis_numbers
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import AXES, Axes, axis_numbers
 
 Method = Literal["mag", "pca", "rms", "soc"]
 METHODS: tuple[Method, ...] = get_args(Method)

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from skinsource.base.arguments import finite_array, integer, one_of
-from skinsource.base.arrays import Integers
+from skinsource.base.conventions import Integers
 
 _BLOCK = 2**18
 _LARGEST_SEED = 2**63 - 1

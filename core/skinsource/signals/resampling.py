@@ -26,10 +26,9 @@ from numpy.lib.stride_tricks import as_strided, sliding_window_view
 from numpy.typing import ArrayLike, NDArray
 
 from skinsource.base.arguments import integer, real_array
-from skinsource.base.arrays import Floats, Indices
+from skinsource.base.conventions import BAND_HZ, Floats, Indices
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Stop, never, stop_if
-from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.signals.generators import MAX_SAMPLES
 
 _STOP_BAND_DB = 140.0

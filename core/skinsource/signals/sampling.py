@@ -10,7 +10,7 @@ from math import floor
 import numpy as np
 
 from skinsource.base.arguments import positive_number, real_number
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.errors import InvalidInputError
 
 #: Samples on each side of an instant that its value is made of.

@@ -17,10 +17,9 @@ from skinsource.base.arguments import (
     one_of,
     positive_number,
 )
-from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.conventions import BAND_HZ, SAMPLE_RATE_HZ, Band, Complexes, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Stop, never, stop_if
-from skinsource.base.measurement_conditions import BAND_HZ, SAMPLE_RATE_HZ, Band
 from skinsource.signals.loudest_window import (
     HOLD_WINDOW_S,
     SPANS,

@@ -20,7 +20,7 @@ import numpy as np
 import scipy
 
 from skinsource.base.arguments import positive_number, real_number
-from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.conventions import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.signals.generators import MAX_SAMPLES, WindowName, window_between
 from skinsource.signals.sampling import turns

@@ -14,9 +14,8 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.base.errors import FileFormatError, InvalidInputError
+from skinsource.base.errors import FileFormatError, InvalidInputError, quoted
 from skinsource.base.json_text import MAX_TEXT_BYTES, Tree, dumped, loaded
-from skinsource.base.quoting import quoted
 from skinsource.specs.samples import Samples
 
 #: Key in a tree of the digest of samples; no field of a model has this name.

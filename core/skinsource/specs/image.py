@@ -22,9 +22,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.base import files
-from skinsource.base.errors import FileFormatError, InvalidInputError
+from skinsource.base.errors import FileFormatError, InvalidInputError, quoted
 from skinsource.base.json_text import MAX_TEXT_BYTES, Tree, dumped, loaded
-from skinsource.base.quoting import quoted
 from skinsource.specs.codec import with_samples, without_samples
 from skinsource.specs.samples import Samples
 

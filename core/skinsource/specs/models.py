@@ -9,9 +9,8 @@ from contextlib import suppress
 from functools import cached_property, lru_cache
 from typing import Any
 
-from skinsource.base.errors import FileFormatError, InvalidInputError
+from skinsource.base.errors import FileFormatError, InvalidInputError, printable, quoted
 from skinsource.base.json_text import Tree
-from skinsource.base.quoting import printable, quoted
 from skinsource.specs.spec import Address, Spec, ValidationError
 
 #: Key of the kind of a model in a tree.

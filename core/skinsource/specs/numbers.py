@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
+from skinsource.base.conventions import BAND_HZ, Band
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.json_text import Tree
-from skinsource.base.measurement_conditions import BAND_HZ, Band
 from skinsource.specs.models import decode, encode, nesting
 from skinsource.specs.samples import MAX_SAMPLES, Samples
 from skinsource.specs.spec import MAX_DEPTH, Address, Spec, ValidationError, tuple_of_points

@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from skinsource.base.arguments import positive_number
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.quoting import quoted
+from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.signals.generators import sample_count
 from skinsource.signals.resampling import by_ratio
 from skinsource.signals.sampling import band_limited_delay, shift_of

@@ -15,10 +15,9 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from skinsource.base.errors import FileFormatError, InvalidInputError
+from skinsource.base.conventions import BAND_HZ, Band
+from skinsource.base.errors import FileFormatError, InvalidInputError, quoted
 from skinsource.base.json_text import Tree
-from skinsource.base.measurement_conditions import BAND_HZ, Band
-from skinsource.base.quoting import quoted
 
 #: Most levels of models within models; a deeper tree is a mistake or an attack.
 MAX_DEPTH = 32

@@ -14,14 +14,12 @@ from typing import Any
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QDeadlineTimer, QObject, QRectF, QSize, Qt, QTimer, Signal
 
-from skinsource.base.errors import SkinSourceError
+from skinsource.base.errors import SkinSourceError, sentence
 from skinsource.base.files import path_text
-from skinsource.base.quoting import sentence
 from skinsource.design import recovery
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.design_file import DesignFile, open_design
 from skinsource.design.recovery import Found, Session, UnsavedWork
-from skinsource.design.view import View
 from skinsource_gui.plots.pictures import png_of
 from skinsource_gui.plots.small_map import SmallMap, paint_small_map, small_map_of
 from skinsource_gui.qt.theme import LIGHT

@@ -5,8 +5,7 @@ from typing import Any
 from PySide6 import QtWidgets
 from PySide6.QtCore import Qt, Signal
 
-from skinsource.design.design import Design
-from skinsource.design.view import View
+from skinsource.design.design import Design, View
 from skinsource_gui.pages.files import exports
 from skinsource_gui.pages.files.export_parts import ExportPart, FilePart
 from skinsource_gui.pages.files.exports import STIMULUS, STIMULUS_SET, DrawerOf

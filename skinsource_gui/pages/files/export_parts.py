@@ -11,12 +11,10 @@ import numpy as np
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import Qt, Signal
 
-from skinsource.base.errors import SkinSourceError, Stopped
+from skinsource.base.errors import SkinSourceError, Stopped, sentence
 from skinsource.base.extras import package_of_extra
 from skinsource.base.job import Stop, silent
-from skinsource.base.quoting import sentence
-from skinsource.design.design import Design
-from skinsource.design.view import View
+from skinsource.design.design import Design, View
 from skinsource.export.stimulus_export.preparing import size_text
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField

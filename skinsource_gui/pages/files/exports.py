@@ -19,9 +19,8 @@ from PySide6.QtCore import QObject, Signal
 from skinsource.base.errors import SkinSourceError, TooInaccurateError
 from skinsource.base.files import path_exists
 from skinsource.base.job import Job
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.edits.edit import Edit
-from skinsource.design.view import View
 from skinsource.export import packing
 from skinsource.export.tables import (
     export_field,

@@ -12,10 +12,9 @@ from typing import Literal
 from PySide6 import QtWidgets
 from PySide6.QtCore import QEvent, QObject, Signal
 
-from skinsource.base.errors import SkinSourceError, StorageError
+from skinsource.base.errors import SkinSourceError, StorageError, printable
 from skinsource.base.files import path_exists, path_text, read_bytes
 from skinsource.base.lock import Lock, Owner, still_runs
-from skinsource.base.quoting import printable
 from skinsource.design import edits
 from skinsource.design.design import Design
 from skinsource.design.design_file import (

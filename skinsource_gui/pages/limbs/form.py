@@ -9,8 +9,8 @@ import numpy as np
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QPointF, QRectF, QSize, Qt, Signal
 
-from skinsource.base.arrays import Floats
-from skinsource.base.work import counted
+from skinsource.base.conventions import Floats
+from skinsource.base.errors import counted
 from skinsource.design.labels import AXES
 from skinsource.limbs.limb_import import LimbSource
 from skinsource.limbs.own_limbs import NAME_RULE
@@ -21,9 +21,8 @@ from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.hand.picture import spacing_of
 from skinsource_gui.qt.buttons import page_button
 from skinsource_gui.qt.frames import fitted
-from skinsource_gui.qt.layouts import add_row, form_of, in_row, named
+from skinsource_gui.qt.layouts import add_row, form_of, in_row, named, tooltip
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
-from skinsource_gui.qt.tooltips import tooltip
 
 _NO_POINTS, _TURN = np.empty((0, 2)), np.array((1.0, -1.0))
 
@@ -160,8 +159,8 @@ class PlacesCanvas(QtWidgets.QWidget):
     #: x, y
     clicked = Signal(float, float)
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._draft = Draft()
         self._photograph = QtGui.QImage()
         named(self, "places_canvas", "Outline and places")

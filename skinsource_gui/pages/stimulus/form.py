@@ -15,13 +15,11 @@ from PySide6.QtCore import QSignalBlocker, Qt, Signal
 
 from skinsource.actuators.equalising import BOOST, NEW_QUALITY, PHASE
 from skinsource.actuators.rigs import open_rig
-from skinsource.base.errors import InvalidInputError, SkinSourceError
-from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ
-from skinsource.base.quoting import quoted
+from skinsource.base.conventions import SAMPLE_RATE_HZ
+from skinsource.base.errors import InvalidInputError, SkinSourceError, quoted
 from skinsource.design import edits
 from skinsource.design.amplitudes import ARBITRARY_UNIT, drive_unit, equaliser_of
-from skinsource.design.design import Design
-from skinsource.design.view import View
+from skinsource.design.design import Design, View
 from skinsource.engine.stimulus import LONGEST_LEAD_IN_S
 from skinsource.export.formats import FORMATS, format_named
 from skinsource.export.formats.format import StimulusFormat
@@ -33,8 +31,7 @@ from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.rig_field import RigField
 from skinsource_gui.panels.output.panel import EQUALISER, OF_EQUALISER, fields_of, with_field
 from skinsource_gui.qt.buttons import page_label, tool_button
-from skinsource_gui.qt.layouts import form_of, named
-from skinsource_gui.qt.tooltips import tooltip
+from skinsource_gui.qt.layouts import form_of, named, tooltip
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -170,8 +167,8 @@ class StimulusForm(QtWidgets.QWidget):
     #: Why the fields make no order.
     refused = Signal(str)
 
-    def __init__(self, design: Design, view: View, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, design: Design, view: View) -> None:
+        super().__init__()
         self._design, self._view = design, view
         self._about = page_label("stimulus_format_hint", tone="dim")
         self._choices: dict[str, ChoiceField] = {}

@@ -18,15 +18,12 @@ from PySide6.QtCore import QLineF, QRectF, QSize, Qt, Signal
 
 from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.actuators.rigs import UNCALIBRATED
-from skinsource.base.arrays import Floats
-from skinsource.base.errors import Stopped
-from skinsource.base.quoting import sentence
-from skinsource.base.work import counted
+from skinsource.base.conventions import Floats
+from skinsource.base.errors import Stopped, counted, sentence
 from skinsource.design.amplitudes import amplitude_unit
-from skinsource.design.design import Design, audible_inputs
+from skinsource.design.design import Design, View, audible_inputs
 from skinsource.design.edits.edit import Edit
 from skinsource.design.edits.setup import mend_through
-from skinsource.design.view import View
 from skinsource.export.formats.format import ChannelOverview
 from skinsource.export.methods import methods_of
 from skinsource.export.stimulus_export.export import write_prepared, written_files
@@ -38,17 +35,16 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource.studies.sweeps.plan import HIGHEST_DB, LOWEST_DB, names_in
 from skinsource.studies.sweeps.stimulus_set import MOST_CONDITIONS, Condition, export_set
 from skinsource_gui.fields.choice_field import ChoiceField
-from skinsource_gui.fields.list_editors import NumbersEditor
+from skinsource_gui.fields.editors import NumbersEditor
 from skinsource_gui.fields.units import display_unit, level_text, minus, output_text, value_text
 from skinsource_gui.pages.files.export_parts import ExportPart, scrolled_fields
 from skinsource_gui.pages.files.exports import STIMULUS, STIMULUS_SET
 from skinsource_gui.pages.page import RowTable
 from skinsource_gui.pages.stimulus.form import Order, StimulusForm, recall, remembered
 from skinsource_gui.qt.buttons import page_button, page_label, progress_bar, scrolled, show_or_hide
-from skinsource_gui.qt.layouts import in_column, in_row, named
+from skinsource_gui.qt.layouts import in_column, in_row, named, tooltip
 from skinsource_gui.qt.overlays import PALE, Staleness
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
-from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.state.worker import fault_text
 
 _ROW_PX, _GAP_PX = 58, 6
@@ -59,8 +55,8 @@ _LEAST_PX = 160
 class ChannelsView(QtWidgets.QWidget):
     """Paints one row for each channel."""
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         named(self, "stimulus_channels", "Channels as written")
         #: The channels that are painted.
         self.channels: tuple[ChannelOverview, ...] = ()

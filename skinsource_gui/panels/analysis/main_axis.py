@@ -51,8 +51,8 @@ class MainAxisContent:
 class MainAxisPicture(Figure):
     """For each output its ellipse in each plane of two axes, and the main axis through it."""
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__("main_axis_picture", "Principal axes", parent)
+    def __init__(self) -> None:
+        super().__init__("main_axis_picture", "Principal axes")
         self.content: MainAxisContent | None = None
         self._cells: list[tuple[QRectF, int]] = []
 

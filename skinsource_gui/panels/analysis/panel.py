@@ -10,9 +10,8 @@ from typing import Any, ClassVar
 from PySide6 import QtWidgets
 from PySide6.QtCore import QEvent
 
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.panel_settings import settings_of, with_settings
-from skinsource.design.view import View
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.panels.analysis.settings import SHOWN, VIEWS, AnalysisSettings
 from skinsource_gui.panels.analysis.view import AnalysisView

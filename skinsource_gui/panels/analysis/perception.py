@@ -8,12 +8,10 @@ import numpy as np
 from PySide6 import QtWidgets
 from PySide6.QtCore import QSize, Qt
 
-from skinsource.base.errors import SkinSourceError
-from skinsource.base.quoting import printable
+from skinsource.base.errors import SkinSourceError, printable
 from skinsource.design.comparing import match_text
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.panel_settings import settings_of
-from skinsource.design.view import View
 from skinsource.engine.analysis_rules import SILENT_DB, Sensation
 from skinsource.limbs.locations import output_name
 from skinsource.perception.thresholds import (

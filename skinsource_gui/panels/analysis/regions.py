@@ -11,9 +11,8 @@ from PySide6.QtCore import QEvent, QSize, Qt
 
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.design.comparing import REGION_OUTPUTS, region_levels_db, related_limbs
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.labels import LIMBS, label_of, signal_label, span_label
-from skinsource.design.view import View
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.own_limbs import missing_limb
 from skinsource_gui.fields.units import minus

@@ -8,10 +8,10 @@ import numpy as np
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.decibels import decibels
 from skinsource.design.comparing import match_text
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.labels import signal_label
 from skinsource.design.panel_settings import (
     CEILING,
@@ -20,7 +20,6 @@ from skinsource.design.panel_settings import (
     SpectrogramSettings,
     settings_of,
 )
-from skinsource.design.view import View
 from skinsource.limbs.locations import output_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.signals.analysis.spectrogram import Spectrogram
@@ -67,8 +66,8 @@ class SpectrogramContent:
 class SpectrogramPicture(Figure):
     """Amplitude as colour, over time and frequency."""
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__("spectrogram_picture", "Spectrogram", parent)
+    def __init__(self) -> None:
+        super().__init__("spectrogram_picture", "Spectrogram")
         self.content: SpectrogramContent | None = None
         self.range_db: Range = (-SPAN_DB, 0.0)
         self._playhead_s: float | None = None

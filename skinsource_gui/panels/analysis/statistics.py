@@ -8,7 +8,7 @@ import numpy as np
 from PySide6 import QtWidgets
 from PySide6.QtCore import QSize
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.design.comparing import match_text
 from skinsource.design.labels import signal_label, span_label
 from skinsource.limbs.locations import output_name

@@ -9,9 +9,8 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 
 from skinsource.base.decibels import decibels
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.panel_settings import settings_of
-from skinsource.design.view import View
 from skinsource.limbs.locations import input_name
 from skinsource.signals.analysis.transfer import LEAST_COHERENCE, Transfer
 from skinsource_gui.fields.units import minus
@@ -41,8 +40,8 @@ class TransferContent:
 class TransferPicture(Figure):
     """One curve of each output; below, where it is more than noise."""
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__("transfer_picture", "Transfer functions", parent)
+    def __init__(self) -> None:
+        super().__init__("transfer_picture", "Transfer functions")
         self.content: TransferContent | None = None
         self._top_db = 0.0
 

@@ -7,14 +7,13 @@ import numpy as np
 from PySide6 import QtWidgets
 from PySide6.QtCore import QPointF
 
-from skinsource.base.arrays import Booleans, Floats
+from skinsource.base.conventions import Booleans, Floats
 from skinsource.design.comparing import match_text
-from skinsource.design.design import Design
-from skinsource.design.view import View
+from skinsource.design.design import Design, View
 from skinsource.engine.analysis_rules import LineWave
 from skinsource.signals.analysis.wave_speed import LEAST_EXPLAINED, LEAST_STRAIGHT, TravellingWave
 from skinsource_gui.fields.units import minus
-from skinsource_gui.panels.analysis.linearity_diagram import Curve, Diagram, DiagramsPicture
+from skinsource_gui.panels.analysis.linearity import Curve, Diagram, DiagramsPicture
 from skinsource_gui.panels.analysis.view import FigureView
 from skinsource_gui.plots.figure import Axis
 from skinsource_gui.qt.questions import copied_level, tab_separated

@@ -9,12 +9,18 @@ import numpy as np
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.design.comparing import match_text
-from skinsource.design.design import Design, audible_inputs
+from skinsource.design.design import (
+    WINDOW_COUNT,
+    WINDOW_LENGTH,
+    WINDOWS_CUT,
+    Design,
+    View,
+    audible_inputs,
+)
 from skinsource.design.labels import limb_label, signal_label
-from skinsource.design.view import WINDOW_COUNT, WINDOW_LENGTH, WINDOWS_CUT, View
 from skinsource.limbs.extent import Extent
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.signals.analysis.windows import Windows
@@ -386,8 +392,8 @@ class StripView(Figure):
     #: Begin of a window that was chosen, s.
     time_chosen = Signal(float)
 
-    def __init__(self, parent: QtWidgets.QWidget) -> None:
-        super().__init__("window_strip", "Windows", parent)
+    def __init__(self) -> None:
+        super().__init__("window_strip", "Windows")
         self.content: WindowedContent | None = None
         self.chosen: int | None = None
         self.setAccessibleDescription("Left and right go from window to window")
@@ -492,11 +498,11 @@ class WindowedView(AnalysisView):
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self._design = Design(limb="")
-        self.strip = StripView(self)
+        self.strip = StripView()
         self.cells = {
-            "windows_cut": FieldCell("windows_cut", WINDOWS_CUT, self, edited=self._change),
-            "window_count": FieldCell("window_count", WINDOW_COUNT, self, edited=self._change),
-            "window_s": FieldCell("window_s", WINDOW_LENGTH, self, edited=self._change),
+            "windows_cut": FieldCell("windows_cut", WINDOWS_CUT, edited=self._change),
+            "window_count": FieldCell("window_count", WINDOW_COUNT, edited=self._change),
+            "window_s": FieldCell("window_s", WINDOW_LENGTH, edited=self._change),
         }
         cut, *others = self.cells.values()
         fields = [part for cell in others for part in (cell.label, cell)]

@@ -6,18 +6,16 @@ from typing import Any
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import Qt, Signal
 
-from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.quoting import sentence
+from skinsource.base.conventions import Floats
+from skinsource.base.errors import InvalidInputError, sentence
 from skinsource.design import edits
 from skinsource.design.clips import Clip
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.edits.edit import Edit, Refusal, leading_clip
 from skinsource.design.edits.effects import bake_clip, time_effects_end
 from skinsource.design.effects.breakpoints import Points, with_point_after
 from skinsource.design.effects.level import UNCHANGED, Envelope
 from skinsource.design.signal_path import UnplayableInput
-from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms.samples import Drawn
 from skinsource.design.waveforms.tones import Glide
@@ -31,9 +29,8 @@ from skinsource_gui.panels.clip_editor.view import EditorView, SpectrumStrip, To
 from skinsource_gui.qt.buttons import page_label, tool_button
 from skinsource_gui.qt.keys import arrow_steps, key_text, meaning_of
 from skinsource_gui.qt.labels import HOW_TO_SELECT_CLIP, FittingLabel, how_to_add
-from skinsource_gui.qt.layouts import in_column, in_row, named
+from skinsource_gui.qt.layouts import in_column, in_row, named, show_tooltip
 from skinsource_gui.qt.theme import set_tone
-from skinsource_gui.qt.tooltips import show_tooltip
 from skinsource_gui.state.panel import Panel
 
 _CANVAS_PART, _SPECTRUM_PART = 3, 1
@@ -45,13 +42,8 @@ _WIDE = 3
 class EditorBody(QtWidgets.QWidget):
     """Canvas and spectrum: where the panel is low and wide, the spectrum is at the right."""
 
-    def __init__(
-        self,
-        canvas: QtWidgets.QWidget,
-        spectrum: QtWidgets.QWidget,
-        parent: QtWidgets.QWidget | None = None,
-    ) -> None:
-        super().__init__(parent)
+    def __init__(self, canvas: QtWidgets.QWidget, spectrum: QtWidgets.QWidget) -> None:
+        super().__init__()
         self._layout = QtWidgets.QBoxLayout(QtWidgets.QBoxLayout.Direction.TopToBottom, self)
         self._layout.setContentsMargins(0, 0, 0, 0)
         self._layout.setSpacing(0)
@@ -184,8 +176,8 @@ class EditorToolbar(QtWidgets.QWidget):
 
     tool_requested = Signal(str)
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setStyleSheet("QToolButton { padding: 2px 8px; }")
         row = in_row(of=self, margins=(4, 2, 4, 2), gap_px=2)
         self._group = QtWidgets.QButtonGroup(self)

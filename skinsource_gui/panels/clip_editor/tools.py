@@ -11,7 +11,7 @@ from pyqtgraph.functions import arrayToQPath
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.effects import breakpoints as algebra
 from skinsource.design.effects.breakpoints import Points

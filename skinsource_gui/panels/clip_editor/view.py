@@ -9,8 +9,7 @@ from pyqtgraph.functions import arrayToQPath
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QLineF, QObject, QPointF, QRectF, QSize, Qt, Signal
 
-from skinsource.base.arrays import Floats
-from skinsource.base.measurement_conditions import Band
+from skinsource.base.conventions import Band, Floats
 from skinsource.design.clips import Clip
 from skinsource.signals.spectra import share_outside_band
 from skinsource_gui.fields.units import axis_unit
@@ -22,7 +21,7 @@ from skinsource_gui.plots.time_scale import Range, TimeScale, panned, range_by_w
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.frames import CachedPicture, Same
 from skinsource_gui.qt.labels import FittingLabel
-from skinsource_gui.qt.layouts import in_column, named
+from skinsource_gui.qt.layouts import in_column, named, show_tooltip
 from skinsource_gui.qt.theme import (
     Theme,
     current_theme,
@@ -33,7 +32,6 @@ from skinsource_gui.qt.theme import (
     tabular,
     thin_pen,
 )
-from skinsource_gui.qt.tooltips import show_tooltip
 
 #: Values up to this are always visible, so that there is room to draw.
 REACH = 1.1
@@ -348,8 +346,8 @@ class EditorView(Canvas):
     #: The key event of a key that belongs to the editor.
     key_pressed = Signal(object)
 
-    def __init__(self, tool: Tool, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, tool: Tool) -> None:
+        super().__init__()
         named(self, "clip_editor_view", "Waveform of the clip")
         self.setMouseTracking(True)
         self.setMinimumSize(160, 80)
@@ -520,8 +518,8 @@ class SpectrumStrip(QtWidgets.QWidget):
         Share of the energy outside the band, from 0 to 1.
     """
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setObjectName("clip_spectrum")
         self._preview, self._label = SpectrumPreview(), FittingLabel()
         self._preview.setAccessibleName("Spectrum of the clip")

@@ -6,7 +6,7 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPoint, QSize, Qt, Signal
 
 from skinsource.base.decibels import FLOOR_DB
-from skinsource.base.quoting import printable
+from skinsource.base.errors import printable
 from skinsource.design.comparing import gain_text, loudest_db, snapshot_name
 from skinsource.studies import scenes
 from skinsource_gui.fields.units import minus

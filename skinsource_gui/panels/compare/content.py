@@ -8,24 +8,20 @@ from typing import Any, ClassVar
 import numpy as np
 from PySide6.QtCore import QPointF
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Axes, Floats
 from skinsource.base.decibels import FLOOR_DB
-from skinsource.base.measurement_conditions import Axes
-from skinsource.base.quoting import printable
+from skinsource.base.errors import printable
 from skinsource.design.comparing import (
-    EDITED,
     MOST_SIDE_BY_SIDE,
-    Snapshot,
     difference_db,
     frequency_of,
     mean_and_spread_over,
     same_outputs,
     scale_end_db,
-    shown_snapshot,
     snapshot_name,
     why_no_comparison,
 )
-from skinsource.design.design import Design
+from skinsource.design.design import EDITED, Design, Snapshot, View, shown_snapshot
 from skinsource.design.labels import (
     AXES,
     label_of,
@@ -34,7 +30,6 @@ from skinsource.design.labels import (
     signal_label,
     span_label,
 )
-from skinsource.design.view import View
 from skinsource.engine.loops import moving_name
 from skinsource.engine.time_rules import Moving
 from skinsource.limbs.limb import PUBLISHED

@@ -6,8 +6,7 @@ from typing import Any, ClassVar
 from PySide6 import QtGui, QtWidgets
 
 from skinsource.design import edits
-from skinsource.design.design import Design
-from skinsource.design.view import View
+from skinsource.design.design import Design, View
 from skinsource_gui.panels.compare.content import (
     KINDS,
     Cell,

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from PySide6.QtCore import QElapsedTimer, QObject, Qt, QTimer, Signal
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.design.comparing import gain_text
 from skinsource.engine.loops import (
     PICTURES_PER_PERIOD,

@@ -9,20 +9,13 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QRectF, QSize, Signal
 
 from skinsource.design import edits
-from skinsource.design.comparing import (
-    EDITED,
-    MOST_SIDE_BY_SIDE,
-    NUMBERS,
-    other_snapshot,
-    shown_snapshot,
-)
-from skinsource.design.design import Design
+from skinsource.design.comparing import MOST_SIDE_BY_SIDE, other_snapshot
+from skinsource.design.design import EDITED, NUMBERS, Design, View, shown_snapshot
 from skinsource.design.labels import limb_label
 from skinsource.design.panel_settings import settings_of, with_settings
-from skinsource.design.view import View
 from skinsource.limbs.catalog import available_limbs
 from skinsource_gui.fields.choice_field import ChoiceField
-from skinsource_gui.fields.list_editors import NumbersEditor
+from skinsource_gui.fields.editors import NumbersEditor
 from skinsource_gui.panels.compare.card import Card
 from skinsource_gui.panels.compare.content import KINDS, LEAST_COMPARED, tab_separated
 from skinsource_gui.panels.compare.maps import MapsPanel

@@ -11,11 +11,11 @@ import numpy as np
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSignalBlocker, QSize, Qt, QTimer, Signal
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_spec, is_gain
 from skinsource.design.clips import ONSET as ONSET_SPEC
-from skinsource.design.design import AMPLITUDE_GAIN, Design, Input
+from skinsource.design.design import AMPLITUDE_GAIN, Design, Input, View
 from skinsource.design.edits.edit import clip_of, leading_input
 from skinsource.design.panel_settings import (
     AMPLITUDE,
@@ -27,7 +27,6 @@ from skinsource.design.panel_settings import (
     stage_settings,
     with_settings,
 )
-from skinsource.design.view import View
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import NumberSpec

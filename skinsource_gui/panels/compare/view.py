@@ -9,7 +9,7 @@ import numpy as np
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource_gui.panels.compare.content import Cell, CompareContent
 from skinsource_gui.plots.colour_maps import colour_table
 from skinsource_gui.plots.curves import fitting

@@ -8,19 +8,26 @@ from typing import Any, ClassVar
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt, QTimer, Signal
 
-from skinsource.base.quoting import quoted
+from skinsource.base.errors import quoted
 from skinsource.design import edits
-from skinsource.design.design import Design, Input, audible_inputs
+from skinsource.design.design import Design, Input, View, audible_inputs
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.panel_settings import settings_of, with_settings
-from skinsource.design.view import View
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.fields.editor import new_gesture
 from skinsource_gui.fields.inputs import EMPTY, fill_inputs_menu
-from skinsource_gui.panels.hand.layout import HandDrawing, HandState, Mark
-from skinsource_gui.panels.hand.picture import HandStage, PlacesOfMap, drawing_of, places_of_map
-from skinsource_gui.panels.hand.settings import HAND, HandSettings
+from skinsource_gui.panels.hand.picture import (
+    HAND,
+    HandDrawing,
+    HandSettings,
+    HandStage,
+    HandState,
+    Mark,
+    PlacesOfMap,
+    drawing_of,
+    places_of_map,
+)
 from skinsource_gui.qt.accessible import Told
 from skinsource_gui.qt.buttons import page_label, passing_menu, tool_button
 from skinsource_gui.qt.frames import DropPlace, paint_focus_frame

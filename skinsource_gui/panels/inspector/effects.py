@@ -8,20 +8,18 @@ from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 
 from skinsource.design import edits
 from skinsource.design.clips import Clip
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.edits.clips import of_each
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.effects import effect_kinds
 from skinsource.design.effects.effect import ON, Effect
-from skinsource.design.view import View
 from skinsource.specs.models import specs_of
 from skinsource_gui.fields.curve_field import CurveField
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.parts import AddButton, FieldsRow, RowColumn, RowTitle, lay_out_list
 from skinsource_gui.qt.buttons import Fold, passing_menu
-from skinsource_gui.qt.layouts import named
+from skinsource_gui.qt.layouts import named, tooltip
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
-from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.qt.wheel import scroll_to
 
 _MIXED = "Clips differ; typing and dragging set all"

@@ -8,8 +8,7 @@ from typing import Any
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QSize, Qt, Signal, SignalInstance
 
-from skinsource.base.arrays import Floats
-from skinsource.base.measurement_conditions import Band
+from skinsource.base.conventions import Band, Floats
 from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_spec, is_gain, peak_text
 from skinsource.design.clips import GAIN, ONSET, Clip
@@ -19,6 +18,7 @@ from skinsource.design.design import (
     GAIN_CURVE,
     Design,
     Input,
+    View,
     audible_inputs,
 )
 from skinsource.design.edits.edit import (
@@ -32,7 +32,6 @@ from skinsource.design.edits.edit import (
 )
 from skinsource.design.labels import SCALINGS, scalings_on
 from skinsource.design.signal_path import UnplayableInput
-from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms.samples import Recording
 from skinsource.limbs.limb import LimbFacts
@@ -66,9 +65,8 @@ from skinsource_gui.qt.buttons import (
     tool_button,
 )
 from skinsource_gui.qt.labels import HOW_TO_SELECT_INPUT, FittingLabel, how_to_add
-from skinsource_gui.qt.layouts import in_column, in_row, named
+from skinsource_gui.qt.layouts import in_column, in_row, named, show_tooltip, tooltip
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
-from skinsource_gui.qt.tooltips import show_tooltip, tooltip
 from skinsource_gui.state.panel import Panel
 
 

@@ -20,9 +20,8 @@ from PySide6.QtCore import (
     Signal,
 )
 
-from skinsource.base.arrays import Floats
-from skinsource.base.errors import SkinSourceError
-from skinsource.base.quoting import sentence
+from skinsource.base.conventions import Floats
+from skinsource.base.errors import SkinSourceError, sentence
 from skinsource.design.presets.presets import Entry, Preset, mixed
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
@@ -181,8 +180,8 @@ class PresetList(QtWidgets.QListView):
     #: The `Entry` under the pointer, else the one at the keyboard's cursor, or None.
     preview_changed = Signal(object)
 
-    def __init__(self, model: PresetsModel, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, model: PresetsModel) -> None:
+        super().__init__()
         self._message = ""
         self._under: Entry | None = None
         self._delegate = PresetDelegate(self)
@@ -283,8 +282,8 @@ class PresetPreview(QtWidgets.QWidget):
         The preset that is shown.
     """
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.preset: Preset | None = None
         self._limb = ""
         self.strip, self.spectrum, self.text = ClipStrip(), SpectrumPreview(), QtWidgets.QLabel()

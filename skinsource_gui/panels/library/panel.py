@@ -7,13 +7,11 @@ from typing import ClassVar, cast
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt, Signal
 
-from skinsource.base.errors import SkinSourceError
-from skinsource.base.work import counted
+from skinsource.base.errors import SkinSourceError, counted
 from skinsource.design import edits
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.presets import presets
 from skinsource.design.presets.presets import Entry, Fault, PresetFolder, matching
-from skinsource.design.view import View
 from skinsource_gui.fields.choice_field import DropDown
 from skinsource_gui.panels.library.list import PresetList, PresetPreview, PresetsModel
 from skinsource_gui.qt.buttons import page_button, page_label, passing_menu
@@ -71,8 +69,8 @@ class SearchRow(QtWidgets.QWidget):
     #: Down was pressed.
     left_downwards = Signal()
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.line, self.tags = QtWidgets.QLineEdit(), DropDown()
         self.line.setObjectName("preset_search")
         self.line.setPlaceholderText("Search")

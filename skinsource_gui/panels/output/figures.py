@@ -8,15 +8,16 @@ import numpy as np
 from PySide6 import QtWidgets
 from PySide6.QtCore import QEvent, Qt
 
+from skinsource.actuators.actuation import ActuatorProfile
 from skinsource.actuators.actuator import Actuator
-from skinsource.actuators.catalog import ActuatorProfile
 from skinsource.actuators.equalising import Equaliser, curves, mean_of
 from skinsource.actuators.prediction import Prediction, breaches
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import LARGEST_VELOCITY_M_PER_S, Band, Floats
 from skinsource.base.decibels import decibels
-from skinsource.base.measurement_conditions import LARGEST_VELOCITY_M_PER_S, Band
 from skinsource.engine.actuator_demand import LONGEST_S, Demand
 from skinsource.limbs.locations import input_name
+from skinsource.specs import fields
+from skinsource.specs.spec import SwitchSpec
 from skinsource_gui.fields.units import value_text
 from skinsource_gui.plots.curves import CurveName, Curves
 from skinsource_gui.plots.ranges import XAxis
@@ -24,6 +25,14 @@ from skinsource_gui.qt.buttons import page_button, page_label, show_or_hide
 from skinsource_gui.qt.layouts import in_column, named
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
 from skinsource_gui.state.panel import PREPARING
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class OutputSettings(fields.CheckedModel):
+    """Whether parameters, figures and responses are unfolded."""
+
+    more: bool = fields.switch(False, SwitchSpec(label="More"))
+
 
 # Smallest drawn range of frequencies, and how far it extends beyond the band, in factors.
 _SHOWN_HZ, _BELOW, _ABOVE, _POINTS = (10.0, 2000.0), 0.4, 2.0, 500
@@ -176,8 +185,8 @@ class FiguresTable(QtWidgets.QLabel):
         What it shows.
     """
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         named(self, "actuator_figures", "Predicted figures")
         self.setTextFormat(Qt.TextFormat.RichText)
         self.figures: tuple[Figure, ...] = ()
@@ -225,8 +234,8 @@ class DemandView(QtWidgets.QWidget):
         Its parts; the table of all figures is laid out elsewhere.
     """
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.heading = page_label("actuator_heading")
         self.refusal = page_label("actuator_refusal")
         self.limits = page_label("actuator_limits", tone="error")

@@ -6,12 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.decibels import FLOOR_DB, decibels
-from skinsource.base.quoting import sentence
+from skinsource.base.errors import sentence
 from skinsource.design.comparing import match_text
-from skinsource.design.design import Design, audible_indices
-from skinsource.design.view import View
+from skinsource.design.design import Design, View, audible_indices
 from skinsource.engine.time_rules import Moving, SlidingEnergy
 from skinsource.limbs.limb import Limb, LimbMap
 from skinsource.limbs.own_limbs import facts_of, own_map

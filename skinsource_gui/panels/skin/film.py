@@ -8,13 +8,12 @@ from numpy.typing import NDArray
 from PySide6 import QtGui
 from PySide6.QtCore import QSizeF
 
+from skinsource.base.conventions import axes_text
 from skinsource.base.errors import InvalidInputError, SkinSourceError
 from skinsource.base.job import Progress, Stop, never, silent
-from skinsource.base.measurement_conditions import axes_text
-from skinsource.design.design import Design, audible_inputs
+from skinsource.design.design import Design, View, audible_inputs
 from skinsource.design.labels import limb_label
 from skinsource.design.panel_settings import settings_of, with_settings
-from skinsource.design.view import View
 from skinsource.engine.evaluation import evaluate
 from skinsource.engine.loops import PICTURES_PER_PERIOD, SHOWN_HZ, loop_of
 from skinsource.engine.time_rules import block_of

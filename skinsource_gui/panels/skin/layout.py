@@ -5,8 +5,7 @@ from dataclasses import dataclass
 from PySide6 import QtGui
 from PySide6.QtCore import QPointF, QRectF, QSizeF
 
-from skinsource.base.arrays import Floats
-from skinsource.base.measurement_conditions import VOLAR_OUTPUTS
+from skinsource.base.conventions import VOLAR_OUTPUTS, Floats
 from skinsource.design.labels import PALM_SIDE
 from skinsource.limbs.limb import LimbMap
 from skinsource_gui.plots.small_map import bounds_of, hand_bounds, smallest_spacing

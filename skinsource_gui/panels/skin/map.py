@@ -4,7 +4,7 @@ import numpy as np
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRectF, QSize, QSizeF, Qt, Signal
 
-from skinsource.base.work import counted
+from skinsource.base.errors import counted
 from skinsource.design.labels import BACK_SIDE
 from skinsource.limbs.limb import LimbMap
 from skinsource.limbs.locations import input_name

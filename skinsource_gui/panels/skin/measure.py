@@ -9,10 +9,9 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QSize, Qt, Signal
 
 from skinsource.design import edits
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.labels import AXES, METHODS, SPANS, TRIAD_SENTENCE, label_of
-from skinsource.design.view import View
 from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.skin.content import MapContent
@@ -29,8 +28,7 @@ from skinsource_gui.panels.skin.settings import (
 from skinsource_gui.plots.small_map import COLOURS
 from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.keys import key_text
-from skinsource_gui.qt.layouts import in_row
-from skinsource_gui.qt.tooltips import show_tooltip, tooltip
+from skinsource_gui.qt.layouts import in_row, show_tooltip, tooltip
 
 _ARROW = " ▾"
 

@@ -9,11 +9,9 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QPoint, QSize, QSizeF, Qt
 
 from skinsource.design import edits
-from skinsource.design.comparing import Snapshot
-from skinsource.design.design import Design
+from skinsource.design.design import Design, Snapshot, View
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.panel_settings import settings_of, with_settings
-from skinsource.design.view import View
 from skinsource.engine.time_rules import block_of
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.perception.thresholds import LIMITS, LIMITS_IN_SHORT
@@ -46,9 +44,8 @@ from skinsource_gui.plots.ranges import SteadyRange
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.keys import key_text
 from skinsource_gui.qt.labels import FittingLabel
-from skinsource_gui.qt.layouts import in_column
+from skinsource_gui.qt.layouts import in_column, tooltip
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, set_tone, tabular
-from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.qt.wheel import WHOLE
 from skinsource_gui.state.compared import Compared
 from skinsource_gui.state.panel import Panel

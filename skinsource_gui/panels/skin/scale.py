@@ -7,7 +7,7 @@ from functools import lru_cache
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.specs.numbers import NumberSpec
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.skin.content import MapContent
@@ -26,9 +26,8 @@ from skinsource_gui.panels.skin.settings import (
 from skinsource_gui.plots.small_map import ColourScale, paint_ramp
 from skinsource_gui.qt.frames import CachedPicture
 from skinsource_gui.qt.keys import meaning_of
-from skinsource_gui.qt.layouts import in_row
+from skinsource_gui.qt.layouts import in_row, tooltip
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
-from skinsource_gui.qt.tooltips import tooltip
 
 #: Returns a range of which an end, or both, was moved.
 Change = Callable[[LevelRange, float], LevelRange]

@@ -3,11 +3,10 @@
 from dataclasses import dataclass, replace
 
 from skinsource.base.decibels import FLOOR_DB
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.edits.edit import Edit
 from skinsource.design.labels import AXES, label_of, level_label, signal_label, span_label
 from skinsource.design.panel_settings import settings_of, with_settings
-from skinsource.design.view import View
 from skinsource.signals.map_range import MAP_HIGHEST_DB, SILENT_MAP_RANGE_DB
 from skinsource.specs import fields
 from skinsource.specs.numbers import NumberSpec, Range, RangeSpec

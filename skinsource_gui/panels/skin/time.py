@@ -7,15 +7,14 @@ from itertools import count as counted
 from PySide6 import QtWidgets
 from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt, Signal
 
-from skinsource.design.view import View
+from skinsource.design.design import View
 from skinsource.limbs.limb import LimbFacts
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.panels.skin.settings import MAGNITUDE, RMS, SkinSettings, Z, time_text
 from skinsource_gui.qt.keys import shortcut_text
-from skinsource_gui.qt.layouts import in_row
+from skinsource_gui.qt.layouts import in_row, tooltip
 from skinsource_gui.qt.theme import UNIT_PX, icon_of, tabular
-from skinsource_gui.qt.tooltips import tooltip
 
 #: How many times slower it can be chosen to run.
 PACES = (1, 2, 5, 10, 20, 50, 100, 200)

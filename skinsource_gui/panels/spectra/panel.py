@@ -9,13 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6 import QtWidgets
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Band, Floats
 from skinsource.base.decibels import decibels
-from skinsource.base.measurement_conditions import Band
 from skinsource.design.comparing import match_text
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.panel_settings import settings_of
-from skinsource.design.view import View
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.signals.loudest_window import HOLD_WINDOW_S, LOUDEST_WINDOW_S, Span
 from skinsource.signals.spectra import MEAN_OF_BINS, mean_of_bins

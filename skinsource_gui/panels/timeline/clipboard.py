@@ -3,17 +3,14 @@
 from PySide6 import QtWidgets
 from PySide6.QtCore import QMimeData
 
-from skinsource.base.errors import SkinSourceError
-from skinsource.base.quoting import sentence
-from skinsource.base.work import counted
+from skinsource.base.errors import SkinSourceError, counted, sentence
 from skinsource.design import edits
 from skinsource.design.clips import Clip, Fragment, Lane
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.edits.clips import clips_text, present_clips
 from skinsource.design.edits.edit import Edit, Refusal, change_clips, leading_clip, refusing
 from skinsource.design.effects.effect import Effect, KeepsTime
 from skinsource.design.effects.time import Trim
-from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Impulse
 from skinsource_gui.panels.timeline.content import chosen_clips
 

@@ -8,24 +8,22 @@ from functools import cached_property
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import SAMPLE_RATE_HZ, Floats
 from skinsource.base.decibels import decibels
-from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ
 from skinsource.design.clips import Clip, Marker
-from skinsource.design.design import MAX_INPUTS, Design, Input
+from skinsource.design.design import MAX_INPUTS, Design, Input, View
 from skinsource.design.edits.cutting import last_fade
 from skinsource.design.edits.edit import Edit, clips_of, leading_clip
 from skinsource.design.effects.breakpoints import Points, curve_at
 from skinsource.design.effects.level import Fade
 from skinsource.design.panel_settings import settings_of, with_settings
-from skinsource.design.view import View
 from skinsource.specs import fields
 from skinsource.specs.numbers import ListSpec, NumberSpec
 from skinsource_gui.fields.units import value_text
 from skinsource_gui.plots.ranges import number_text
 from skinsource_gui.plots.time_scale import Range, TimeScale, grid_step_s
 from skinsource_gui.qt.keys import MOUSE, key_text
-from skinsource_gui.qt.tooltips import tooltip
+from skinsource_gui.qt.layouts import tooltip
 
 #: Free space above and below a clip, px.
 MARGIN_PX = 3.0

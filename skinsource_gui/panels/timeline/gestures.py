@@ -8,11 +8,10 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 
 from skinsource.design import edits
 from skinsource.design.clips import Marker
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.edits.cutting import last_fade
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.effects.breakpoints import Points, moved
-from skinsource.design.view import View
 from skinsource_gui.fields.editor import new_gesture
 from skinsource_gui.fields.units import value_text
 from skinsource_gui.panels.timeline.content import (

@@ -29,12 +29,11 @@ from PySide6.QtCore import (
     Signal,
 )
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_spec, amplitude_text, amplitude_unit, is_gain
-from skinsource.design.design import AMPLITUDE_GAIN, Design, Input, audible_inputs
+from skinsource.design.design import AMPLITUDE_GAIN, Design, Input, View, audible_inputs
 from skinsource.design.edits.edit import Edit, Refusal, change_inputs, clip_of
-from skinsource.design.view import View
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.fields.editor import Burst, new_gesture
@@ -405,8 +404,8 @@ class Heads(QtWidgets.QListView):
     #: Other heads are there, or they have another size; Qt tells no other way.
     laid_out = Signal()
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setObjectName("input_rows")
         self.setAccessibleName("Inputs")
         self.setFrameShape(QtWidgets.QFrame.Shape.NoFrame)

@@ -10,10 +10,9 @@ from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt, Signal
 
 from skinsource.design import edits
 from skinsource.design.clips import NAME, Clip
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.edits.motions import motion_of
-from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms.samples import Layers
 from skinsource.limbs.locations import input_name
@@ -576,8 +575,8 @@ class LanesView(Canvas):
     #: Lanes are to be scrolled by so many notches.
     scroll_requested = Signal(float)
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         design = Design(limb="")
         self.content = TimelineContent(design=design, view=View(), lengths=ClipLengths(design))
         self.elsewhere: Callable[[QPointF | None], DropPlace | None] = lambda at: None

@@ -12,7 +12,7 @@ import pyqtgraph
 from PySide6 import QtGui
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.design.effects.level import Fade
 from skinsource_gui.fields.units import axis_unit
 from skinsource_gui.panels.timeline.content import MARGIN_PX, Box, Lane, TimelineContent, clip_name

@@ -8,15 +8,13 @@ import numpy as np
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSignalBlocker, QSize, Qt, Signal
 
-from skinsource.base.arrays import Floats
-from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ
+from skinsource.base.conventions import SAMPLE_RATE_HZ, Floats
 from skinsource.design import edits
 from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input, audible_inputs
+from skinsource.design.design import Design, Input, View, audible_inputs
 from skinsource.design.edits.edit import leading_clip
 from skinsource.design.edits.inputs import add_track
 from skinsource.design.signal_path import UnplayableInput
-from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.samples import Drawn
@@ -47,8 +45,8 @@ class TimeBar(QtWidgets.QScrollBar):
     #: The part to see.
     range_requested = Signal(object)
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(Qt.Orientation.Horizontal, parent)
+    def __init__(self) -> None:
+        super().__init__(Qt.Orientation.Horizontal)
         named(self, "time_bar", "Time shown")
         self.valueChanged.connect(self._emit)
         self.hide()
@@ -97,8 +95,8 @@ class TimelineToolbar(QtWidgets.QWidget):
     track_requested = Signal()
     zoom_requested = Signal(float)
 
-    def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setStyleSheet("QToolButton { padding: 1px 6px; }")
         self._row, keys = in_row(of=self, margins=(4, 1, 4, 1), gap_px=2), KEYS["timeline"].gestures
         self.add = self._button("add", "+ Add", "Add a clip at the playhead, or a track")

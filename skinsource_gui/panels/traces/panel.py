@@ -8,13 +8,11 @@ from typing import Any
 import numpy as np
 from PySide6 import QtGui, QtWidgets
 
-from skinsource.base.arrays import Floats
-from skinsource.base.measurement_conditions import BAND_HZ
+from skinsource.base.conventions import BAND_HZ, Floats
 from skinsource.design import edits
 from skinsource.design.comparing import match_text
-from skinsource.design.design import Design
+from skinsource.design.design import Design, View
 from skinsource.design.panel_settings import settings_of
-from skinsource.design.view import View
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.signals.analysis.intervals import interval_of
 from skinsource.signals.resampling import finer

@@ -7,13 +7,13 @@ import pytest
 
 import skinsource as ss
 from skinsource.base.errors import FileFormatError
+from skinsource.design.design import View
 from skinsource.design.panel_settings import with_settings
-from skinsource.design.view import View
 from skinsource.engine.analysis_rules import SILENT_DB
 from skinsource.engine.quantities import new_graph, sources
-from skinsource.perception.hand_arm import hand_arm_weighting
 from skinsource.perception.thresholds import (
     PerceptionSettings,
+    hand_arm_weighting,
     read_threshold_table,
     settings_table,
     table_threshold,

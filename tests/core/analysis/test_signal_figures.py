@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from skinsource.base.conventions import BAND_HZ
 from skinsource.base.errors import Stopped
-from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.signals.analysis import statistics
 from skinsource.signals.analysis.noise import noise_rms, quiet_rms
 from skinsource.signals.analysis.spectrogram import MOST_COLUMNS, spectrogram
@@ -12,7 +12,7 @@ from skinsource.signals.analysis.statistics import crest_factor, dominant_freque
 from skinsource.signals.analysis.transfer import transfer_function
 from skinsource.signals.analysis.wave_speed import line_distances_mm, straightness, travelling_wave
 from skinsource.signals.projection import ellipse, main_axes
-from skinsource.studies.validation import straight_lines
+from skinsource.studies.checking import straight_lines
 
 RATE = 1300.0
 

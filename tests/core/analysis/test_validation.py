@@ -3,11 +3,10 @@
 import numpy as np
 import pytest
 
+from skinsource.base.conventions import BAND_HZ
 from skinsource.base.errors import InvalidInputError, RecordingError
-from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.signals.resampling import resample
-from skinsource.studies.checking import proportion
-from skinsource.studies.validation import agreement, aligned, open_recorded
+from skinsource.studies.checking import agreement, aligned, open_recorded, proportion
 
 RNG = np.random.default_rng(21)
 FIELD = RNG.normal(size=(6, 3, 400)) * RNG.uniform(0.5, 2.0, (6, 3, 1))

@@ -9,8 +9,8 @@ from hypothesis import reject
 from hypothesis import strategies as st
 
 from skinsource import Actuation, Design, Input
+from skinsource.base.conventions import LIMB_NAMES
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import LIMB_NAMES
 from skinsource.specs.breakpoints import SEGMENTS, BreakpointsSpec
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import (

@@ -14,7 +14,7 @@ from skinsource.design.amplitudes import (
     amplitude_unit,
     drive_unit,
 )
-from skinsource.design.view import View
+from skinsource.design.design import View
 from skinsource.export.tables import export_traces
 from skinsource.limbs.own_limbs import drive_unit_known, facts_of, remove_limb
 from skinsource.limbs.scaling import SCALINGS

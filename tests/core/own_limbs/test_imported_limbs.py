@@ -230,8 +230,7 @@ def test_an_own_limb_is_replaced_only_where_that_is_asked_for(user_data, tmp_pat
 
 
 def test_the_largest_limb_is_computed_as_a_job(user_data, tmp_path):
-    from skinsource.design.design import Design, track
-    from skinsource.design.view import View
+    from skinsource.design.design import Design, View, track
     from skinsource.export.tables import export_levels
 
     array = RNG.standard_normal((256, 512, 1, 40)).astype("f4")

@@ -4,8 +4,7 @@ import threading
 
 import numpy as np
 
-from skinsource.lab.playing.mix import Mix, PlayQueue, mix_of
-from skinsource.lab.playing.stream import next_block
+from skinsource.lab.playing.stream import Mix, PlayQueue, mix_of, next_block
 
 RATE_HZ = 8000
 #: Samples of a fade at that rate, and of the fall to silence.

@@ -14,7 +14,7 @@ from skinsource.base.errors import InvalidInputError, NothingToPlayOnError, Play
 from skinsource.base.extras import extra_line
 from skinsource.lab.playing import devices, stream
 from skinsource.lab.playing.devices import DeviceRows, Output, output_from_text
-from skinsource.lab.playing.mix import PlayQueue
+from skinsource.lab.playing.stream import PlayQueue
 from tests.core.playing.synthetic_sound import SoundLibrary
 
 CARDS = (

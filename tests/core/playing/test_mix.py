@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.lab.playing.mix import FREQUENCY_HZ, DeviceClock, HeardPosition, mix_of, tone_of
+from skinsource.lab.playing.stream import FREQUENCY_HZ, DeviceClock, HeardPosition, mix_of, tone_of
 from tests.core.playing.playing_bench import RATE_HZ, mix
 
 

@@ -17,8 +17,7 @@ import scipy
 
 from skinsource.actuators.rigs import Rig, RigChannel
 from skinsource.lab.playing.devices import Output, device_of, devices
-from skinsource.lab.playing.mix import PlayQueue, factor_of, fade_samples, mix_of
-from skinsource.lab.playing.stream import Stream
+from skinsource.lab.playing.stream import PlayQueue, Stream, factor_of, fade_samples, mix_of
 from skinsource.lab.rig_measuring import measurement
 from skinsource.lab.rig_measuring.duplex import Duplex
 

@@ -6,14 +6,13 @@ import numpy as np
 import pytest
 
 import skinsource as ss
+from skinsource.base.conventions import LIMB_NAMES
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import LIMB_NAMES
 from skinsource.cli.command_line import main
-from skinsource.design.comparing import shown_snapshot
+from skinsource.design.design import shown_snapshot
 from skinsource.design.design_file import open_design
 from skinsource.design.panel_settings import stage_settings
-from skinsource.studies.scenes.catalog import path_of
-from skinsource.studies.scenes.opened_scene import _later_and_weaker
+from skinsource.studies.scenes.scenes import _later_and_weaker, path_of
 
 MEASURED = tuple(name for name in LIMB_NAMES if name.startswith("measured"))
 NAMES = ss.scenes.names()

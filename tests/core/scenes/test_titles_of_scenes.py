@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 import skinsource as ss
-from skinsource.studies.scenes.catalog import title_of
+from skinsource.studies.scenes.scenes import title_of
 from tests.core.own_limbs.lab_bench import installed
 
 MEASURED = tuple(f"measured-{k}" for k in range(1, 5))

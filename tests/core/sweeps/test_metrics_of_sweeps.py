@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.design.comparing import louder
+from skinsource.design.design import louder
 from skinsource.signals.spectra import share_outside_band
 from skinsource.studies.sweeps.measuring import Measurer
 from skinsource.studies.sweeps.plan import Plan

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.base.measurement_conditions import BAND_HZ
+from skinsource.base.conventions import BAND_HZ
 from skinsource.studies.sweeps.measuring import METRICS, Measurer
 from skinsource.studies.sweeps.plan import Plan
 from tests.core.own_limbs.lab_bench import installed

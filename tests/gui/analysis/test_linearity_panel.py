@@ -11,13 +11,12 @@ from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
 from skinsource import View, evaluate
-from skinsource.design.comparing import Snapshot
+from skinsource.design.design import Snapshot
 from skinsource.design.edits.setup import remove_delay
 from skinsource.design.panel_settings import settings_of
 from skinsource.perception.validity import probe_velocity
 from skinsource.studies.checking import Proportion, Superposition, proportion, superposition
-from skinsource_gui.panels.analysis.linearity import table_text
-from skinsource_gui.panels.analysis.linearity_diagram import (
+from skinsource_gui.panels.analysis.linearity import (
     Curve,
     diagrams_of_proportion,
     diagrams_of_superposition,
@@ -25,6 +24,7 @@ from skinsource_gui.panels.analysis.linearity_diagram import (
     part_of,
     places_of_labels,
     proportion_text,
+    table_text,
     x_with_room_for_labels,
 )
 from skinsource_gui.panels.analysis.settings import LinearitySettings

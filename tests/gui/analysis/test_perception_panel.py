@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from skinsource import Design, decibels, evaluate, track
-from skinsource.design.comparing import Snapshot, region_levels_db
+from skinsource.design.comparing import region_levels_db
+from skinsource.design.design import Snapshot
 from skinsource.design.edits.edit import Edit
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.engine.analysis_rules import Sensation

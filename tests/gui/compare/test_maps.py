@@ -10,7 +10,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from skinsource import Design, View, evaluate, track
-from skinsource.design.comparing import Snapshot, scale_end_db
+from skinsource.design.comparing import scale_end_db
+from skinsource.design.design import Snapshot
 from skinsource.design.panel_settings import with_settings
 from skinsource.signals.map_range import MAP_RANGE_DB, map_range_db
 from skinsource_gui.panels.compare.content import (

@@ -9,7 +9,8 @@ from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QApplication, QFileDialog
 
 from skinsource import Design, open_design, track
-from skinsource.design.comparing import louder, match_text
+from skinsource.design.comparing import match_text
+from skinsource.design.design import louder
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource_gui.panels.analysis.settings import VIEWS
 from skinsource_gui.panels.skin.settings import SkinSettings

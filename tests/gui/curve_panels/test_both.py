@@ -11,8 +11,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
+from skinsource.design.design import View
 from skinsource.design.panel_settings import settings_of, with_settings
-from skinsource.design.view import View
 from skinsource.engine.quantities import RULES, sources
 from skinsource.signals.analysis.intervals import interval_of
 from skinsource_gui.panels.spectra.panel import SpectraPanel, SpectraSettings, measured_between

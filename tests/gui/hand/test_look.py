@@ -12,10 +12,8 @@ from skinsource.design.design import track
 from skinsource.engine import evaluation
 from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.own_limbs import install_limb
-from skinsource_gui.panels.hand import layout as site_marker
-from skinsource_gui.panels.hand.layout import HandState, Mark
-from skinsource_gui.panels.hand.picture import caption_of
-from skinsource_gui.panels.hand.settings import HandSettings
+from skinsource_gui.panels.hand import picture as site_marker
+from skinsource_gui.panels.hand.picture import HandSettings, HandState, Mark, caption_of
 from skinsource_gui.qt.buttons import text_colour_on
 from skinsource_gui.qt.theme import DARK, LIGHT, Theme, current_theme
 from skinsource_gui.qt.wheel import FREE, WHOLE

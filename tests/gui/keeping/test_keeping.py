@@ -130,6 +130,13 @@ def test_a_bad_copy_is_set_aside_and_named_and_the_one_before_is_opened(window, 
     assert aside.read_bytes() == b"damaged"
 
 
+def test_a_copy_that_ended_the_studio_is_set_aside_and_named(window, leave, user_data):
+    newest = copies(user_data.parent / leave(2.5, 3.5).parents[1].name)[-1]
+    newest.with_name(f"{newest.name}.opening").write_bytes(b"")
+    window.keeping.offer(window.notice)
+    assert f"{newest.name} stopped the studio when it was opened" in window.notice.text
+
+
 def test_several_are_offered_in_a_list(window, leave, qtbot, user_data):
     leave(2.5)
     leave(3.5)

@@ -11,8 +11,8 @@ from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt
 from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
+from skinsource.design.design import View
 from skinsource.design.panel_settings import settings_of, with_settings
-from skinsource.design.view import View
 from skinsource_gui.panels.skin.settings import LEVELS, SkinSettings
 from skinsource_gui.state.document import MOST_STEPS
 from skinsource_gui.state.preferences import start_design

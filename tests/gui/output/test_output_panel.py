@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QFileDialog
 
 import skinsource as ss
 from skinsource import View, edits, track
-from skinsource.base.measurement_conditions import BAND_HZ
+from skinsource.base.conventions import BAND_HZ
 from skinsource.base.work import counting
 from skinsource.design.waveforms.pulses import CentredTap, Tap
 from skinsource.design.waveforms.tones import Tone

@@ -7,9 +7,9 @@ from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QApplication, QLabel, QToolButton
 
 from skinsource import Actuation, ActuatorAt, Design, View, edits, track
-from skinsource.actuators.catalog import load
+from skinsource.actuators.actuation import load
 from skinsource.actuators.equalising import RegularisedInverse
-from skinsource.design.comparing import Snapshot
+from skinsource.design.design import Snapshot
 from skinsource.design.presets.presets import read_preset_folder, shipped_folder
 from skinsource.design.waveforms.tones import Tone
 from skinsource.limbs.own_limbs import remove_limb

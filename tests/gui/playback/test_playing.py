@@ -10,8 +10,8 @@ from PySide6.QtCore import QObject
 import skinsource as ss
 from skinsource.design.edits.edit import Edit
 from skinsource.lab.playing.devices import Output
-from skinsource.lab.playing.mix import START_DB
 from skinsource.lab.playing.session import Playing
+from skinsource.lab.playing.stream import START_DB
 from skinsource_gui.state.document import NEW_VIEW, Document
 from skinsource_gui.state.playing import LiveEdits, Player
 from tests.gui.playback.conftest import DESIGN, TONE

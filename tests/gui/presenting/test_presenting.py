@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QApplication
 
 from skinsource.base.lock import Lock
 from skinsource.design.design_file import open_design
-from skinsource.studies.scenes.catalog import all_scenes
+from skinsource.studies.scenes.scenes import all_scenes
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.qt.overlays import COVERED, Cover
 from skinsource_gui.shell.presenting import NotesWindow, steps_of_folder

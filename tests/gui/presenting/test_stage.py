@@ -9,9 +9,9 @@ from PySide6.QtTest import QTest
 
 import skinsource as ss
 from skinsource.design.comparing import gain_text
+from skinsource.design.design import Snapshot
 from skinsource.design.design_file import save_design
 from skinsource.design.panel_settings import StageSettings, settings_of, with_settings
-from skinsource.design.view import Snapshot
 from skinsource_gui.panels.compare.motion import MOST_S
 from skinsource_gui.panels.compare.settings import CompareSettings
 

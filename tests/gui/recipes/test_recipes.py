@@ -117,7 +117,7 @@ import skinsource as ss
 from skinsource.design.design import Design, track
 from skinsource.design.edits import change_kind
 from skinsource.design.panel_settings import settings_of, with_settings
-from skinsource.design.view import View
+from skinsource.design.design import View
 from skinsource.design.waveforms.clicks import Clicks
 from skinsource_gui.app.app import make_application
 from skinsource_gui.fields.editors import FieldCell

@@ -16,8 +16,7 @@ from skinsource.actuators.rigs import Rig, RigChannel, open_rig, save_rig
 from skinsource.lab.playing.devices import Output
 from skinsource.lab.rig_measuring.measurement import MeasuringSetup
 from skinsource.limbs.locations import input_name
-from skinsource_gui.pages.rig.measuring import MeasurePage, setup_of, setup_text
-from skinsource_gui.pages.rig.page import RigPage, title_of
+from skinsource_gui.pages.rig.page import MeasurePage, RigPage, setup_of, setup_text, title_of
 from tests.core.own_limbs.lab_bench import N_INPUTS, installed
 from tests.core.rig_measuring.bench_top import (
     COIL,

@@ -11,8 +11,8 @@ from PySide6.QtGui import QColor
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError, Stopped, StorageError
 from skinsource.base.job import never
+from skinsource.design.design import View
 from skinsource.design.panel_settings import settings_of, with_settings
-from skinsource.design.view import View
 from skinsource.export import exported_design
 from skinsource.export.video import video_file
 from skinsource.limbs import own_limbs

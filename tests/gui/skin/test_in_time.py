@@ -8,9 +8,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
-from skinsource.base.measurement_conditions import PRE_TRIGGER_DELAY_S
+from skinsource.base.conventions import PRE_TRIGGER_DELAY_S
+from skinsource.design.design import View
 from skinsource.design.panel_settings import settings_of, with_settings
-from skinsource.design.view import View
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.time_rules import BLOCK_S
 from skinsource_gui.panels.skin.content import signals_name

@@ -6,7 +6,7 @@ from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource.design.comparing import Snapshot
+from skinsource.design.design import Snapshot
 from skinsource.design.labels import AXES, METHODS, SPANS
 from skinsource.signals.map_range import map_range_db
 from skinsource_gui.panels.skin.settings import LEVELS, MAGNITUDE, SENSATION, Z

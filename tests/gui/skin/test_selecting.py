@@ -8,7 +8,7 @@ from PySide6.QtGui import QFontMetricsF, QHelpEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolTip
 
-from skinsource.base.measurement_conditions import VOLAR_OUTPUTS
+from skinsource.base.conventions import VOLAR_OUTPUTS
 from skinsource.design.design import track
 from skinsource.design.waveforms.pulses import Tap
 from skinsource_gui.panels.skin.layout import HAND

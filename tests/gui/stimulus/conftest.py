@@ -3,7 +3,7 @@
 import pytest
 
 import skinsource as ss
-from skinsource.design.view import View
+from skinsource.design.design import View
 from tests.gui.stimulus.stimulus_bench import WAIT_MS
 
 GABOR = ss.waveforms.Gabor(frequency_hz=200.0)

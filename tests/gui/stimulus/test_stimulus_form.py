@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QFileDialog
 
 import skinsource as ss
 from skinsource.actuators.equalising import RegularisedInverse
-from skinsource.design.view import View
+from skinsource.design.design import View
 from skinsource_gui.pages.stimulus.form import StimulusForm, recall, remembered
 from skinsource_gui.panels.output.panel import OutputPanel
 

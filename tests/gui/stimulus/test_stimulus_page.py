@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QFileDialog, QPushButton
 import skinsource as ss
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
-from skinsource.design.view import View
+from skinsource.design.design import View
 from skinsource.export.formats import FORMATS
 from skinsource.export.stimulus_export.preparing import size_text
 from skinsource_gui.fields.choice_field import ChoiceField

@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 import skinsource as ss
 from skinsource.base.job import stop_if
 from skinsource.cli.command_line import main
-from skinsource.design.view import View
+from skinsource.design.design import View
 from skinsource.engine import stimulus
 from skinsource.export.stimulus_export import preparing, sidecar
 from skinsource_gui.pages.stimulus import page as preparing_worker

@@ -10,11 +10,10 @@ from dataclasses import replace
 from typing import Any
 
 from skinsource.base.arguments import checking
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.work import counted
+from skinsource.base.errors import InvalidInputError, counted
 from skinsource.design.clips import GAIN as CLIP_GAIN
 from skinsource.design.clips import LABEL, MAX_CLIPS, MUTED, ONSET, Clip, Fragment, Lane, numbered
-from skinsource.design.design import Design, Input
+from skinsource.design.design import Design, Input, View
 from skinsource.design.edits.edit import (
     Edit,
     Refusal,
@@ -25,7 +24,6 @@ from skinsource.design.edits.edit import (
     refusing,
     with_inputs_added,
 )
-from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
 from skinsource.specs import codec, models
 from skinsource.specs.spec import Address, Spec

@@ -13,7 +13,7 @@ import numpy as np
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.clips import LATEST_S, MAX_EFFECTS, ONSET, Clip, numbered
-from skinsource.design.design import Design, Input
+from skinsource.design.design import Design, Input, View
 from skinsource.design.edits.clips import (
     NO_TIME,
     chosen_clips,
@@ -29,7 +29,6 @@ from skinsource.design.effects.level import Fade
 from skinsource.design.effects.playing import played_s
 from skinsource.design.effects.time import Reverse, Stretch, Trim
 from skinsource.design.signal_path import Curve
-from skinsource.design.view import View
 from skinsource.specs.models import specs_of
 
 #: Times that differ by less are the same.

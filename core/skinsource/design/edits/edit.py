@@ -12,11 +12,9 @@ from itertools import islice
 from typing import Any, ParamSpec, TypeVar
 
 from skinsource.base.arguments import checking
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.quoting import sentence
+from skinsource.base.errors import InvalidInputError, sentence
 from skinsource.design.clips import Clip
-from skinsource.design.design import MAX_INPUTS, Design, Input
-from skinsource.design.view import View
+from skinsource.design.design import MAX_INPUTS, Design, Input, View
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms import kinds
 from skinsource.design.waveforms.tones import Glide

@@ -13,11 +13,10 @@ from math import isfinite
 from typing import Any, TypeAlias, TypeVar
 
 from skinsource.base.arguments import checking, one_of
-from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.quoting import quoted
+from skinsource.base.conventions import Floats
+from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.design.clips import GAIN, LABEL, MAX_EFFECTS, ONSET, Clip
-from skinsource.design.design import AMPLITUDE, GAIN_CURVE, Design, Input
+from skinsource.design.design import AMPLITUDE, GAIN_CURVE, Design, Input, View
 from skinsource.design.edits.clips import chosen_clips, clips_text, present_clips
 from skinsource.design.edits.edit import (
     NOTHING_CHOSEN,
@@ -41,7 +40,6 @@ from skinsource.design.effects.level import BandLimit, Envelope, Fade
 from skinsource.design.effects.playing import played
 from skinsource.design.effects.time import Reverse, Trim
 from skinsource.design.labels import span_label
-from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms import kinds as waveform_kinds
 from skinsource.design.waveforms.samples import Drawn

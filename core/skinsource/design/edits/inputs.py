@@ -6,7 +6,7 @@ from itertools import count
 from typing import Any
 
 from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input, track
+from skinsource.design.design import Design, Input, View, track
 from skinsource.design.edits.clips import (
     add_clip,
     chosen_clips,
@@ -31,7 +31,6 @@ from skinsource.design.edits.edit import (
     tracks_text,
     with_inputs_added,
 )
-from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms.samples import MAX_PARTS, Layers, Mode
 from skinsource.limbs.own_limbs import facts_of

@@ -6,14 +6,11 @@ another waveform as a whole, it is that motion.  Otherwise edited by hand it is 
 
 from dataclasses import replace
 
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.quoting import quoted
-from skinsource.base.work import counted
+from skinsource.base.errors import InvalidInputError, counted, quoted
 from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input, MotionGroup
+from skinsource.design.design import Design, Input, MotionGroup, View
 from skinsource.design.edits.edit import Edit, Refusal, refusing, with_inputs_added
 from skinsource.design.motions import Motion, with_motion_field
-from skinsource.design.view import View
 
 
 @refusing

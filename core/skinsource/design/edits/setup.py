@@ -9,18 +9,15 @@ import numpy as np
 
 from skinsource.actuators.actuation import Actuation
 from skinsource.actuators.rigs import Rig
-from skinsource.base.errors import InvalidInputError, SkinSourceError
-from skinsource.base.measurement_conditions import ALL_AXES
-from skinsource.base.quoting import lowered, quoted
+from skinsource.base.conventions import ALL_AXES
+from skinsource.base.errors import InvalidInputError, SkinSourceError, lowered, quoted
 from skinsource.design.clips import Clip
-from skinsource.design.comparing import louder
-from skinsource.design.design import Design, audible_inputs
+from skinsource.design.design import Design, View, audible_inputs, louder
 from skinsource.design.edits.edit import Edit, Refusal, change_view, refusing
 from skinsource.design.edits.effects import limit_to_band
 from skinsource.design.effects.level import BandLimit, Fade
 from skinsource.design.labels import SCALINGS, label_of
 from skinsource.design.signal_path import actuation_of_rig, check_drive, drive_of_clips
-from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import CentredTap, Tap
 from skinsource.design.waveforms.samples import Drawn
 from skinsource.limbs.own_limbs import axes_on, facts_of

@@ -4,20 +4,20 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
-from skinsource.base.quoting import quoted
+from skinsource.base.errors import quoted
 from skinsource.design.clips import Marker
-from skinsource.design.comparing import (
+from skinsource.design.comparing import gain_text, snapshot_name
+from skinsource.design.design import (
     EDITED,
+    MAX_MARKERS,
     NUMBERS,
+    Design,
     Snapshot,
-    gain_text,
+    View,
     louder,
     shown_snapshot,
-    snapshot_name,
 )
-from skinsource.design.design import MAX_MARKERS, Design
 from skinsource.design.edits.edit import Edit, Refusal, change_inputs, change_view, listed, refusing
-from skinsource.design.view import View
 
 
 @refusing

@@ -11,9 +11,8 @@ from typing import Any
 import numpy as np
 import scipy
 
-from skinsource.base.arrays import Booleans, Floats
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.quoting import quoted
+from skinsource.base.conventions import Booleans, Floats
+from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.specs.breakpoints import SEGMENTS, Breakpoint, Segment, SlopedPoint, slope_of
 
 Points = tuple[Breakpoint, ...]

@@ -12,7 +12,7 @@ from typing import ClassVar, Protocol, runtime_checkable
 import numpy as np
 import scipy
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.signals.sampling import values_between
 from skinsource.specs.models import CheckedModel
 from skinsource.specs.spec import SwitchSpec

@@ -6,9 +6,8 @@ from typing import ClassVar
 import numpy as np
 import scipy
 
-from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.conventions import BAND_HZ, Complexes, Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.design.effects.breakpoints import curve_at
 from skinsource.design.effects.effect import ON, KeepsTime, TimedEffect
 from skinsource.design.effects.playing import own_times, silent_outside

@@ -11,7 +11,7 @@ from math import ceil
 import numpy as np
 
 from skinsource.base.arguments import checking
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.effects.effect import Effect
 from skinsource.design.waveform import Waveform

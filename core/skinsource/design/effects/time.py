@@ -8,7 +8,7 @@ from typing import ClassVar
 import numpy as np
 
 from skinsource.base.arguments import checking
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.design.effects.effect import (
     ON,
     Effect,

@@ -12,9 +12,9 @@ from pathlib import Path
 
 import numpy as np
 
-from skinsource.base.arrays import Floats
 from skinsource.base.assets import data_folder, user_folder
-from skinsource.base.errors import FileFormatError, InvalidInputError, SkinSourceError
+from skinsource.base.conventions import Floats
+from skinsource.base.errors import FileFormatError, InvalidInputError, SkinSourceError, sentence
 from skinsource.base.files import (
     make_folder,
     path_exists,
@@ -25,7 +25,6 @@ from skinsource.base.files import (
     write_bytes,
 )
 from skinsource.base.json_text import MAX_TEXT_BYTES
-from skinsource.base.quoting import sentence
 from skinsource.design.clips import MAX_EFFECTS, Clip, Fragment
 from skinsource.design.design import Design, Input, audible_indices
 from skinsource.design.edits.clips import fragment_of

@@ -8,7 +8,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.conventions import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.waveform import DURATION, WINDOW
 from skinsource.design.waveforms.tones import FREQUENCY, PHASE, count_of

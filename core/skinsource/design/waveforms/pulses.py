@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.base.arguments import positive_number
+from skinsource.base.conventions import BAND_HZ, SAMPLE_RATE_HZ
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import BAND_HZ, SAMPLE_RATE_HZ
 from skinsource.design.waveform import DURATION, WINDOW
 from skinsource.design.waveforms.tones import FREQUENCY, PHASE, angles, count_of
 from skinsource.signals.generators import TAP_S, WindowName, impulse, sample_count, tap, white_noise

@@ -6,12 +6,11 @@ from typing import ClassVar, Literal
 
 import numpy as np
 
-from skinsource.base.arrays import Floats
-from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ
+from skinsource.base.conventions import SAMPLE_RATE_HZ, Floats
 from skinsource.design.clips import Clip
 from skinsource.design.waveform import DURATION
 from skinsource.design.waveforms.tones import count_of
-from skinsource.signals.formula import functions, reading
+from skinsource.signals.formula import reading
 from skinsource.signals.generators import window
 from skinsource.specs import fields, models
 from skinsource.specs.numbers import ListSpec, ModelSpec, NumberSpec, OptionalSpec, SamplesSpec
@@ -102,7 +101,7 @@ TEXT = TextSpec(
     one_line=True,
     reader=reading.read,
     hint="Of t in s, such as sin(2*pi*100*t) * hann(). Functions: "
-    + ", ".join(function.usage for function in functions.FUNCTIONS.values()),
+    + ", ".join(function.usage for function in reading.FUNCTIONS.values()),
 )
 # A new formula is checked over this time at 1300 Hz; the rest is checked when it is played.
 _TRIED_S = 10.0

@@ -8,9 +8,8 @@ from typing import Any, ClassVar, Literal
 
 import numpy as np
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import BAND_HZ, Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.design.waveform import DURATION, LONGEST_S, WINDOW, lists_to_tuples
 from skinsource.signals.generators import WindowName, sample_count, sinusoid
 from skinsource.signals.sampling import shift_of, turns

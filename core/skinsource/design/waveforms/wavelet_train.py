@@ -8,7 +8,7 @@ from typing import ClassVar, Literal
 import numpy as np
 
 from skinsource.base.arguments import integer, one_of, positive_number
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.waveform import CENTRE, CYCLES, check_waveform_duration, lists_to_tuples
 from skinsource.design.waveforms.tones import count_of

@@ -7,8 +7,7 @@ of this package and name it in `FORMATS`.
 from pathlib import Path
 
 from skinsource.base.arguments import one_of
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.quoting import printable
+from skinsource.base.errors import InvalidInputError, printable
 from skinsource.export.formats.arrays import Hdf5, Mat, Npz
 from skinsource.export.formats.audio import Flac, Wav
 from skinsource.export.formats.chips import Bos1901, Drv2605l, Drv2665

@@ -12,8 +12,7 @@ import scipy
 from skinsource.base import files
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import silent, stop_if
-from skinsource.design.design import Design
-from skinsource.design.view import View
+from skinsource.design.design import Design, View
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.export.exported_design import ExportedDesign
 from skinsource.export.formats.format import Choices, Facts, StimulusFile, StimulusFormat

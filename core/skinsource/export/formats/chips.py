@@ -13,7 +13,7 @@ import scipy
 
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.models import Piezo
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.engine.stimulus import Stimulus
 from skinsource.export.formats.format import Choices, Facts, StimulusFile, StimulusFormat
 from skinsource.export.formats.text import BYTES, rounding_of, write_header

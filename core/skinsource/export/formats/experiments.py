@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import ClassVar
 
 from skinsource.base.assets import data_folder
-from skinsource.base.quoting import cell_text
+from skinsource.base.errors import cell_text
 from skinsource.export.formats.audio import Wav
 from skinsource.export.formats.format import SAMPLES, Choices, Facts, StimulusFile, StimulusFormat
 from skinsource.export.formats.text import rows_text

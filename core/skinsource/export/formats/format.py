@@ -8,10 +8,9 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 from skinsource.actuators.actuator import Actuator
-from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError
+from skinsource.base.conventions import Floats
+from skinsource.base.errors import InvalidInputError, lowered, quoted
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
-from skinsource.base.quoting import lowered, quoted
 from skinsource.design.design import Design
 from skinsource.engine.stimulus import Channel, Stimulus
 from skinsource.signals.quantising import Quantised, quantised

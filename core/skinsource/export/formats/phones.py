@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.engine.stimulus import Stimulus
 from skinsource.export.formats.chips import Envelope, envelope_of, strength_of
 from skinsource.export.formats.format import Choices, Facts, StimulusFile, StimulusFormat

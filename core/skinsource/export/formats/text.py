@@ -7,10 +7,8 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.base.errors import InvalidInputError
+from skinsource.base.errors import InvalidInputError, counted, sentence
 from skinsource.base.job import stop_if
-from skinsource.base.quoting import sentence
-from skinsource.base.work import counted
 from skinsource.export.formats.format import SAMPLES, Choices, Facts, StimulusFile, StimulusFormat
 from skinsource.signals.quantising import KINDS
 from skinsource.specs.spec import ChoiceSpec

@@ -14,17 +14,14 @@ from typing import Any, Literal
 import numpy as np
 import scipy
 
-from skinsource.actuators.actuation import Actuation
-from skinsource.actuators.catalog import Model
+from skinsource.actuators.actuation import Actuation, Model
 from skinsource.actuators.equalising import Equaliser, RegularisedInverse, followed_band
 from skinsource.actuators.rigs import Rig, calibration_words, known_model, rig_breaches
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.decibels import decibels
-from skinsource.base.errors import InvalidInputError
+from skinsource.base.errors import InvalidInputError, counted, lowered
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.base.json_text import dumped
-from skinsource.base.quoting import lowered
-from skinsource.base.work import counted
 from skinsource.design.amplitudes import equaliser_of
 from skinsource.design.design import Design, audible_inputs
 from skinsource.engine.stimulus import (

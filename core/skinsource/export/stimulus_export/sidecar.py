@@ -7,14 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.actuators.actuation import Actuation
-from skinsource.actuators.catalog import Model
+from skinsource.actuators.actuation import Actuation, Model
 from skinsource.actuators.equalising import Equaliser
 from skinsource.base.decibels import decibels
 from skinsource.base.errors import SkinSourceError
-from skinsource.design.design import Design, Input
+from skinsource.design.design import Design, Input, View
 from skinsource.design.labels import label_of, scalings_on
-from skinsource.design.view import View
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.stimulus import FULL_SCALE_UNIT, Stimulus, added_delays_s, channel_of
 from skinsource.export.exported_design import versions

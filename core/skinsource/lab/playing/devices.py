@@ -12,17 +12,17 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from skinsource.base.arguments import integer, real_number
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import MOST_LOCATIONS, Floats
 from skinsource.base.errors import (
     InvalidInputError,
     MissingExtraError,
     NothingToPlayOnError,
     PlaybackError,
+    counted,
+    printable,
+    quoted,
 )
 from skinsource.base.extras import extra_line, package_of_extra
-from skinsource.base.measurement_conditions import MOST_LOCATIONS
-from skinsource.base.quoting import printable, quoted
-from skinsource.base.work import counted
 from skinsource.design.design import Design
 from skinsource.signals.resampling import resample
 

@@ -11,18 +11,17 @@ import numpy as np
 import scipy
 
 from skinsource.actuators.rigs import Margin, Rig, RigChannel, highest_gain
-from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.conventions import Complexes, Floats
 from skinsource.base.errors import (
     InvalidInputError,
     NothingToPlayOnError,
     PlaybackError,
     SkinSourceError,
+    quoted,
 )
 from skinsource.base.job import Stop, never, stop_if
-from skinsource.base.quoting import quoted
 from skinsource.design.amplitudes import equaliser_of
-from skinsource.design.design import Design
-from skinsource.design.view import View
+from skinsource.design.design import Design, View
 from skinsource.engine.loops import animation_of
 from skinsource.engine.stimulus import Stimulus, for_rig, stimulus_of, through_actuators
 from skinsource.lab.playing.devices import (
@@ -35,8 +34,7 @@ from skinsource.lab.playing.devices import (
     outputs_by_place,
     refresh_devices,
 )
-from skinsource.lab.playing.mix import SHORTEST_LOOP_S, Mix, PlayQueue, mix_of, tone_of
-from skinsource.lab.playing.stream import Stream
+from skinsource.lab.playing.stream import SHORTEST_LOOP_S, Mix, PlayQueue, Stream, mix_of, tone_of
 from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.limb import Limb
 

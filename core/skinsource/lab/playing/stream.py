@@ -1,31 +1,623 @@
-"""Playing a queue on a device, block by block, within full scale and the limits of a rig.
+"""What is played, what is known of it, and playing it on a device, within all limits.
+
+A `PlayQueue` is the state between two threads: one requests mixes and gains, the thread of the
+device plays them block by block, within full scale and the limits of a rig.
 
 Samples are never made smaller, which would change the stimulus: instead playing ends with a reason.
 """
 
-from collections.abc import Callable
-from math import inf, log10
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from math import copysign, floor, inf, log10
 from threading import Event
 from time import perf_counter
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
-from skinsource.base.arrays import Floats
-from skinsource.base.errors import PlaybackError
-from skinsource.base.work import counted
+from skinsource.base.arguments import finite_array, real_number
+from skinsource.base.conventions import Floats
+from skinsource.base.decibels import decibels
+from skinsource.base.errors import InvalidInputError, PlaybackError, counted
 from skinsource.lab.playing.devices import Device, refusal_text, sound_library
-from skinsource.lab.playing.mix import (
-    MOST_SAMPLES,
-    Delay,
-    DeviceClock,
-    Ending,
-    Frames,
-    HeardPosition,
-    Mix,
-    MixChange,
-    PlayQueue,
-)
+
+#: Samples for a device.
+Frames = NDArray[np.float32]
+
+#: Duration of the fade from one mix to another.
+FADE_S = 0.005
+#: A loop has room for two fades.
+SHORTEST_LOOP_S = 2 * FADE_S
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Mix:
+    """Samples at the rate of a device, which do not change while they are played.
+
+    `mix_of` makes mixes.
+
+    Attributes
+    ----------
+    samples : (n_outputs, n_times)
+        From time 0 of the design on; before and after there is silence.  1 is full scale.
+    peak
+        Largest absolute sample.
+    names
+        Label of what each output plays, ``""`` where it is silent.
+    loop
+        First sample of the repeated part, and the sample after its last; None where nothing is
+        repeated.
+    seam : (n_outputs, n_seam)
+        Last samples of the loop, faded into the samples before its first one, so that the loop
+        begins again without a step.
+    most_gain, limit
+        Highest gain that the rig allows, and the limit that a higher one would pass first.
+    """
+
+    samples: Frames
+    sample_rate_hz: int
+    peak: float
+    names: tuple[str, ...]
+    loop: tuple[int, int] | None = None
+    seam: Frames
+    most_gain: float = inf
+    limit: str = ""
+
+    @property
+    def n_outputs(self) -> int:
+        """Number of outputs of the device that the mix needs."""
+        return self.samples.shape[0]
+
+    @property
+    def n_times(self) -> int:
+        """Samples of each output."""
+        return self.samples.shape[1]
+
+    @property
+    def duration_s(self) -> float:
+        """Duration."""
+        return self.n_times / self.sample_rate_hz
+
+    def plays_on(self, output: int) -> bool:
+        """Return whether an output, from 1, plays something."""
+        return output <= len(self.names) and self.names[output - 1] != ""
+
+    def read(self, position: int, out: Floats) -> int:
+        """Fill ``out``, (n_outputs, n), with samples from ``position`` on.
+
+        Returns
+        -------
+        Position of the next sample; at the end of a loop that is its first sample.
+        """
+        done, n_times = 0, out.shape[1]
+        while done < n_times:
+            end = position + n_times - done
+            loops = self.loop is not None and position < self.loop[1] <= end
+            if self.loop is not None and loops:
+                end = self.loop[1]
+            _copy(self.samples, position, end, out[:, done : done + end - position])
+            if self.loop is not None and position < self.loop[1]:
+                self._join(self.loop[1], position, end, out[:, done : done + end - position])
+            done += end - position
+            position = self.loop[0] if self.loop is not None and loops else end
+        return position
+
+    def _join(self, loop_end: int, start: int, end: int, out: Floats) -> None:
+        """Write the seam over the last samples of the loop."""
+        seam_start = loop_end - self.seam.shape[1]
+        first = max(start, seam_start)
+        if first < end:
+            out[:, first - start :] = self.seam[:, first - seam_start : end - seam_start]
+
+
+def fade_samples(sample_rate_hz: int) -> int:
+    """Return the number of samples of a fade."""
+    return max(round(FADE_S * sample_rate_hz), 1)
+
+
+def rise(n: int) -> Floats:
+    """Return half a cosine from just above 0 to just below 1, (n,)."""
+    risen: Floats = 0.5 - 0.5 * np.cos(np.pi * np.arange(1, n + 1) / (n + 1))
+    return risen
+
+
+def mix_of(
+    rows: Floats | Frames,
+    sample_rate_hz: int,
+    *,
+    outputs: Sequence[int],
+    titles: Sequence[str],
+    n_outputs: int,
+    loop_s: tuple[float, float] | None = None,
+) -> Mix:
+    """Return a mix of channels.
+
+    Parameters
+    ----------
+    rows : (n_channels, n_times)
+        Samples of each channel, at the rate of the device; 1 is full scale, before the gain.
+    sample_rate_hz
+        Of the device.
+    outputs
+        Output of each channel, from 1; channels at one output add up.
+    titles
+        Label of each channel.
+    n_outputs
+        Outputs of the device; those without a channel are silent.
+    loop_s
+        Begin and end of the repeated part.
+
+    Raises
+    ------
+    InvalidInputError
+        A sample is not finite, an output is not among those of the device, or the loop is shorter
+        than 10 ms.
+    """
+    values = finite_array("samples", rows, largest=float(np.finfo(np.float32).max))
+    samples = np.zeros((n_outputs, values.shape[1]), np.float32)
+    names: list[list[str]] = [[] for _ in range(n_outputs)]
+    for row, output, title in zip(values, outputs, titles, strict=True):
+        samples[output - 1] += row
+        names[output - 1].append(title)
+    samples.flags.writeable = False
+    loop = _loop_of(loop_s, sample_rate_hz)
+    return Mix(
+        samples=samples,
+        sample_rate_hz=sample_rate_hz,
+        peak=float(np.abs(samples).max(initial=0.0)),
+        names=tuple(" + ".join(titles_of_output) for titles_of_output in names),
+        loop=loop,
+        seam=_seam_of(samples, loop, sample_rate_hz),
+    )
+
+
+def _loop_of(loop_s: tuple[float, float] | None, rate_hz: int) -> tuple[int, int] | None:
+    if loop_s is None:
+        return None
+    first_s, end_s = (real_number("loop_s", time_s, least=0.0) for time_s in loop_s)
+    if end_s - first_s < SHORTEST_LOOP_S * (1 - 1e-9):
+        raise InvalidInputError(
+            f"The loop lasts {(end_s - first_s) * 1e3:.4g} ms, expected at least "
+            f"{SHORTEST_LOOP_S * 1e3:g} ms. Drag its ends on the ruler apart."
+        )
+    return round(first_s * rate_hz), round(end_s * rate_hz)
+
+
+def _seam_of(samples: Frames, loop: tuple[int, int] | None, rate_hz: int) -> Frames:
+    """Return the seam of a loop, (n_outputs, n_seam), see `Mix`."""
+    if loop is None:
+        return np.zeros((samples.shape[0], 0), np.float32)
+    n = fade_samples(rate_hz)
+    weight = rise(n)
+    ending, before = (_part(samples, at - n, at) for at in (loop[1], loop[0]))
+    return ((1.0 - weight) * ending + weight * before).astype(np.float32)
+
+
+def _part(samples: Frames, start: int, end: int) -> Floats:
+    """Return samples ``start`` to ``end``, with silence where there are none."""
+    piece = np.empty((samples.shape[0], end - start))
+    _copy(samples, start, end, piece)
+    return piece
+
+
+def _copy(samples: Frames, start: int, end: int, out: Floats) -> None:
+    """Copy samples ``start`` to ``end``, and silence where there are none."""
+    first = min(max(start, 0), end)
+    last = max(min(end, samples.shape[1]), first)
+    out[:, : first - start] = 0.0
+    out[:, first - start : last - start] = samples[:, first:last]
+    out[:, last - start :] = 0.0
+
+
+Reason = Literal["end", "stopped", "panic", "limit", "broken", "rig"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Ending:
+    """Why playing has ended.
+
+    Attributes
+    ----------
+    reason
+        ``"end"``: all was played.  ``"stopped"``, ``"panic"``: it was stopped with a fade, or at
+        once.  ``"limit"``: a sample would have passed full scale.  ``"broken"``: a sample was no
+        finite number.  ``"rig"``: a limit of the rig would have been passed.
+    output, name
+        Output of the first such sample, from 1, and its label; 0 and "" where no sample is the
+        reason.  For ``"rig"`` the name is that of the limit.
+    peak
+        Absolute value of that sample; 1 is full scale.
+    highest_db
+        Highest gain at which all samples stay within full scale.
+    """
+
+    reason: Reason
+    output: int = 0
+    name: str = ""
+    peak: float = 0.0
+    highest_db: float = 0.0
+
+    @property
+    def sentence(self) -> str:
+        """Message with advice for the user; "" where the end was expected."""
+        where = f"output {self.output}{f' ({self.name})' if self.name else ''}"
+        if self.reason in ("limit", "rig"):
+            what = f"Stopped: {where} would have passed full scale."
+            if self.reason == "rig":
+                what = f"Stopped: a limit of the rig would have been passed ({self.name})."
+            if self.highest_db == -inf:
+                return f"{what} Shorten the stimulus, or change the rig."
+            # Rounded down, so that the advised gain is low enough.
+            most_db = floor(10.0 * self.highest_db) / 10.0
+            return (
+                f"{what} Turn the gain down to {most_db:.1f} dB or less, or lower the amplitude."
+            ).replace("-", "\u2212")
+        if self.reason == "broken":
+            return f"Stopped: {where} was given a value that is not a number."
+        if self.reason == "panic":
+            return "Stopped. The gain is back at its start value."
+        return ""
+
+
+#: Gain at the start, and after each change of the device.
+START_DB = -20.0
+LOWEST_DB, HIGHEST_DB = -60.0, 20.0
+
+# Time from silence to full scale.
+_RAMP_S = 0.05
+
+
+def factor_of(gain_db: float) -> float:
+    """Return the factor of a gain from -60 to 20 dB; other values are an error."""
+    number_db = real_number(
+        "gain_db",
+        gain_db,
+        f"a number from {LOWEST_DB:g} to {HIGHEST_DB:g}",
+        least=LOWEST_DB,
+        most=HIGHEST_DB,
+    )
+    return float(10.0 ** (number_db / 20.0))
+
+
+class Gain:
+    """A gain that approaches its target linearly, by the same step each sample.
+
+    Attributes
+    ----------
+    target
+        Factor that it approaches; may be set from another thread.
+    now
+        Factor of the last sample.
+    """
+
+    def __init__(self, factor: float, sample_rate_hz: int, most_samples: int) -> None:
+        self.target = self.now = factor
+        self._step = 1.0 / (_RAMP_S * sample_rate_hz)
+        self._count = np.arange(1.0, most_samples + 1)
+        # Samples count from the start of the ramp, so that it does not depend on blocks.
+        self._from, self._to, self._done = factor, factor, 0
+
+    def fill(self, out: Floats) -> None:
+        """Fill ``out`` with the factors of the next samples, (n_times,)."""
+        target, n = self.target, out.size
+        if target != self._to:
+            self._from, self._to, self._done = self.now, target, 0
+        if self._from == self._to:
+            out[:] = target
+            return
+        step = copysign(self._step, self._to - self._from)
+        np.add(self._count[:n], self._done, out=out)
+        out *= step
+        out += self._from
+        (np.minimum if step > 0 else np.maximum)(out, self._to, out=out)
+        self._done += n
+        self.now = float(out[-1])
+        if self.now == self._to:
+            self._from = self._to
+
+
+#: Window of a peak and an RMS.
+WINDOW_S = 0.1
+
+
+@dataclass(frozen=True, slots=True)
+class Levels:
+    """Levels of the outputs, dB of full scale (dBFS), (n_outputs,) each.
+
+    Attributes
+    ----------
+    peak_db, rms_db
+        Over the last whole window of 0.1 s; a steady tone at full scale has an RMS of -3 dB.
+    highest_db
+        Highest peak since playing began.
+    """
+
+    peak_db: Floats
+    rms_db: Floats
+    highest_db: Floats
+
+
+class Meters:
+    """Measures peaks and RMS of blocks, without allocating memory."""
+
+    def __init__(self, n_outputs: int, sample_rate_hz: int) -> None:
+        self._window = max(round(WINDOW_S * sample_rate_hz), 1)
+        self._peak, self._squares, self._counted = np.zeros(n_outputs), np.zeros(n_outputs), 0
+        self._of_block = np.zeros(n_outputs)
+        self._shown_peak, self._shown_rms = np.zeros(n_outputs), np.zeros(n_outputs)
+        self._highest = np.zeros(n_outputs)
+
+    def add(self, samples: Floats, scratch: Floats) -> None:
+        """Add played samples, (n_outputs, n_times); ``scratch`` has room for as many."""
+        done, n = 0, samples.shape[1]
+        while done < n:
+            step = min(self._window - self._counted, n - done)
+            part = samples[:, done : done + step]
+            work = scratch[:, :step]
+            np.abs(part, out=work)
+            np.max(work, axis=1, out=self._of_block)
+            np.maximum(self._peak, self._of_block, out=self._peak)
+            np.multiply(part, part, out=work)
+            np.sum(work, axis=1, out=self._of_block)
+            self._squares += self._of_block
+            self._counted += step
+            done += step
+            if self._counted == self._window:
+                self._show()
+
+    def _show(self) -> None:
+        np.copyto(self._shown_peak, self._peak)
+        np.divide(self._squares, self._window, out=self._shown_rms)
+        np.sqrt(self._shown_rms, out=self._shown_rms)
+        np.maximum(self._highest, self._peak, out=self._highest)
+        self._peak[:] = 0.0
+        self._squares[:] = 0.0
+        self._counted = 0
+
+    def levels(self) -> Levels:
+        """Return the levels for a display; another thread may call it."""
+        return Levels(
+            decibels(self._shown_peak),
+            decibels(self._shown_rms),
+            decibels(np.maximum(self._highest, self._peak)),
+        )
+
+
+#: Test tone for finding the actuator of an output: strong in the skin, and audible as rattle.
+FREQUENCY_HZ = 100.0
+DURATION_S = 0.6
+_FADE_S = 0.05
+
+
+def tone_of(output: int, n_outputs: int, sample_rate_hz: int) -> Mix:
+    """Return 0.6 s of 100 Hz on one output, from 1, of amplitude 1; silence on the others."""
+    n = round(DURATION_S * sample_rate_hz)
+    tone = np.sin(2.0 * np.pi * FREQUENCY_HZ * np.arange(n) / sample_rate_hz)
+    fade = rise(round(_FADE_S * sample_rate_hz))
+    tone[: fade.size] *= fade
+    tone[-fade.size :] *= fade[::-1]
+    return mix_of(
+        tone[np.newaxis],
+        sample_rate_hz,
+        outputs=[output],
+        titles=["test tone"],
+        n_outputs=n_outputs,
+    )
+
+
+# Blocks that are remembered: more than a second.
+_REMEMBERED = 512
+# A loop that no position can reach.
+_NO_LOOP = (0, -(2**62))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Delay:
+    """Delay from an edit to the outputs, in parts.
+
+    Attributes
+    ----------
+    render_s
+        Until the edited design was ready to be played.
+    wait_s
+        Until the device requested the next block.
+    device_s
+        Until that block reached the outputs, as the device reports.
+    """
+
+    render_s: float
+    wait_s: float
+    device_s: float
+
+    @property
+    def total_s(self) -> float:
+        """Sum of all parts."""
+        return self.render_s + self.wait_s + self.device_s
+
+    @property
+    def text(self) -> str:
+        """The delay and its parts as text, in ms."""
+        parts = ", ".join(
+            f"{name} {seconds * 1e3:.0f} ms"
+            for name, seconds in (
+                ("computing", self.render_s),
+                ("waiting for the device", self.wait_s),
+                ("inside the device", self.device_s),
+            )
+        )
+        return f"{self.total_s * 1e3:.0f} ms from an edit to the output: {parts}"
+
+
+class DeviceClock:
+    """Tells the time of a device without calling it, as a device that hangs would block the caller.
+
+    The thread of the device notes its time with each block; another thread reads it.
+    """
+
+    def __init__(self) -> None:
+        self._noted = 0
+        self._behind_s = np.full(_REMEMBERED, np.inf)
+
+    def note(self, device_s: float, now_s: float) -> None:
+        """Note that the clock of the device was at ``device_s`` when ours was at ``now_s``."""
+        self._behind_s[self._noted % _REMEMBERED] = now_s - device_s
+        self._noted += 1
+
+    def at(self, now_s: float) -> float:
+        """Return the time of the device when ours is ``now_s``; minus infinity before any note."""
+        # Threads wait for each other, so that the smallest difference is the most exact one.
+        return now_s - float(self._behind_s.min())
+
+
+class HeardPosition:
+    """Tells which sample is heard now, from the times at which blocks reach the outputs.
+
+    The thread of the device notes blocks; another thread reads the position.
+    """
+
+    def __init__(self, sample_rate_hz: int) -> None:
+        self._rate_hz = sample_rate_hz
+        self._noted = 0
+        self._at_s = np.zeros(_REMEMBERED)
+        self._position = np.zeros(_REMEMBERED, np.int64)
+        self._loop = np.zeros((_REMEMBERED, 2), np.int64)
+
+    def note(self, at_s: float, position: int, mix: Mix | None) -> None:
+        """Note that a block that begins with sample ``position`` is heard from ``at_s`` on."""
+        slot = self._noted % _REMEMBERED
+        self._at_s[slot] = at_s
+        self._position[slot] = position
+        self._loop[slot] = _NO_LOOP if mix is None or mix.loop is None else mix.loop
+        self._noted += 1
+
+    def at(self, now_s: float) -> float | None:
+        """Return the time in the design that is heard at ``now_s``, s; None before the first block.
+
+        It is at least 0, also during the fade before the first sample.
+        """
+        for block in range(self._noted - 1, max(self._noted - _REMEMBERED, 0) - 1, -1):
+            slot = block % _REMEMBERED
+            since_s = now_s - float(self._at_s[slot])
+            if since_s >= 0.0:
+                first, end = (int(sample) for sample in self._loop[slot])
+                position = int(self._position[slot])
+                later = position + since_s * self._rate_hz
+                if position < end <= later:
+                    later = first + (later - first) % (end - first)
+                return max(later / self._rate_hz, 0.0)
+        return None
+
+
+#: Samples that are computed at once; longer blocks are computed in several steps.
+MOST_SAMPLES = 2048
+# Time of the fall to silence after an immediate stop.
+_FALL_S = 0.001
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class MixChange:
+    """A requested change to another mix.
+
+    Attributes
+    ----------
+    mix
+        What to play, with at most as many outputs as the queue; None for silence.
+    at
+        Sample at which it begins; None for the position of the present mix.
+    requested_s
+        When it was requested, by `time.perf_counter`.
+    """
+
+    mix: Mix | None
+    at: int | None
+    requested_s: float
+
+
+class PlayQueue:
+    """The state behind a stream: one thread requests changes, another plays.
+
+    Each request is one attribute, which `skinsource.lab.playing.stream.next_block` reads once per
+    block, so that no thread ever waits for the other.
+
+    Parameters
+    ----------
+    n_outputs
+        Outputs to play on.
+    sample_rate_hz
+        Of the device and of all mixes.
+    gain_db
+        Gain at the start.
+    """
+
+    def __init__(self, n_outputs: int, sample_rate_hz: int, gain_db: float = START_DB) -> None:
+        self.n_outputs, self.sample_rate_hz = n_outputs, sample_rate_hz
+        # Requests.
+        self.swap: MixChange | None = None
+        self.panic = False
+        self.gain = Gain(factor_of(gain_db), sample_rate_hz, MOST_SAMPLES)
+        # What is played: the mix, and the old one that fades into it.
+        self.mix: Mix | None = None
+        self.old: Mix | None = None
+        self.position = self.old_position = 0
+        self.fade = rise(fade_samples(sample_rate_hz))
+        self.faded = self.fade.size
+        # The fall to silence, from the last samples on.
+        self.fall = 1.0 - rise(max(round(_FALL_S * sample_rate_hz), 1))
+        self.fallen: int | None = None
+        self.last = np.zeros(n_outputs)
+        # Results.
+        self.ending: Ending | None = None
+        self.played_samples = 0
+        # First position of the last block, and its mix.
+        self.began_at = 0
+        self.began_in: Mix | None = None
+        self.changed_s = self.waited_s = 0.0
+        self.meters = Meters(n_outputs, sample_rate_hz)
+        self.work, self.other, self.scratch = np.zeros((3, n_outputs, MOST_SAMPLES))
+        self.factors = np.ones(MOST_SAMPLES)
+
+    def play(self, mix: Mix, at: int | None = None) -> None:
+        """Change to ``mix`` at sample ``at``, or at the position of the present mix."""
+        if mix.n_outputs > self.n_outputs or mix.sample_rate_hz != self.sample_rate_hz:
+            raise ValueError(
+                f"the mix has {mix.n_outputs} outputs at {mix.sample_rate_hz} Hz, the queue "
+                f"{self.n_outputs} at {self.sample_rate_hz} Hz"
+            )
+        self.swap = MixChange(mix, at, perf_counter())
+
+    def seek(self, at: int) -> None:
+        """Continue at another sample of the mix."""
+        swap = self.swap
+        mix = self.mix if swap is None else swap.mix
+        if mix is not None:
+            self.swap = MixChange(mix, at, perf_counter())
+
+    def stop(self) -> None:
+        """Fade out."""
+        self.swap = MixChange(None, None, perf_counter())
+
+    def stop_at_once(self) -> None:
+        """Fall silent within a millisecond."""
+        self.panic = True
+
+    def set_gain(self, gain_db: float) -> None:
+        """Change the gain, within 50 ms."""
+        self.gain.target = factor_of(gain_db)
+
+    @property
+    def silent(self) -> bool:
+        """Whether only silence follows."""
+        return self.ending is not None and (self.fallen is None or self.fallen >= self.fall.size)
+
+    @property
+    def gain_db(self) -> float:
+        """Target of the gain."""
+        return 20.0 * log10(self.gain.target)
+
+    def levels(self) -> Levels:
+        """Return the levels of the outputs."""
+        return self.meters.levels()
 
 
 def exceeds_the_rig(queue: PlayQueue) -> bool:

@@ -8,13 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.base.errors import PlaybackError, Stopped
+from skinsource.base.errors import PlaybackError, Stopped, counted, quoted
 from skinsource.base.job import Stop
-from skinsource.base.quoting import quoted
-from skinsource.base.work import counted
 from skinsource.lab.playing.devices import Device, listed, refusal_text, sound_library
-from skinsource.lab.playing.mix import Frames, PlayQueue
-from skinsource.lab.playing.stream import next_block
+from skinsource.lab.playing.stream import Frames, PlayQueue, next_block
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

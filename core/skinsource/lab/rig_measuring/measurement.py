@@ -32,13 +32,12 @@ from skinsource.actuators.rigs import (
     wired_channel,
 )
 from skinsource.base.arguments import checking
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 from skinsource.base.decibels import decibels
-from skinsource.base.errors import InvalidInputError, PlaybackError
+from skinsource.base.errors import InvalidInputError, PlaybackError, sentence
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
-from skinsource.base.quoting import sentence
 from skinsource.lab.playing.devices import MOST_OUTPUTS, Output, check_outputs, device_of, devices
-from skinsource.lab.playing.mix import (
+from skinsource.lab.playing.stream import (
     HIGHEST_DB,
     LOWEST_DB,
     PlayQueue,

@@ -6,9 +6,9 @@ import time
 from pathlib import Path
 from typing import Any, Self, TextIO
 
+from skinsource.base.conventions import HAND_LENGTHS_MM
 from skinsource.base.errors import DatasetMissingError
 from skinsource.base.job import seconds_left, time_left_text
-from skinsource.base.measurement_conditions import HAND_LENGTHS_MM
 from skinsource.limbs.dataset.install import fetch, install
 from skinsource.limbs.dataset.published import DATASET_URL, MAP_URL, published_files
 from skinsource.limbs.dataset.store import (

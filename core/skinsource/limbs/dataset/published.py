@@ -16,9 +16,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from skinsource.base.assets import data_folder, user_folder
+from skinsource.base.conventions import N_AXES, N_INPUTS, N_OUTPUTS, N_TAPS
 from skinsource.base.errors import DatasetError, StorageError
 from skinsource.base.files import is_file, is_folder, storage_errors_of
-from skinsource.base.measurement_conditions import N_AXES, N_INPUTS, N_OUTPUTS, N_TAPS
 
 FILE_NAME = "measured.npz"
 FORMAT = "skinsource measured dataset"

@@ -17,12 +17,11 @@ from zipfile import BadZipFile, ZipFile
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.base.arrays import Floats
 from skinsource.base.assets import user_folder
+from skinsource.base.conventions import HAND_LENGTHS_MM, N_INPUTS, Floats
 from skinsource.base.errors import DatasetError, DatasetMissingError, SkinSourceError, StorageError
 from skinsource.base.files import is_file, is_folder, storage_errors_of
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
-from skinsource.base.measurement_conditions import HAND_LENGTHS_MM, N_INPUTS
 from skinsource.limbs.dataset import published
 from skinsource.limbs.dataset.published import (
     MAP_FILES,

@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import scipy
 
-from skinsource.base.arrays import Booleans, Floats, Indices
+from skinsource.base.conventions import Booleans, Floats, Indices
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array

@@ -11,7 +11,7 @@ import scipy
 from numpy.typing import ArrayLike
 
 from skinsource.base.arguments import real_array
-from skinsource.base.arrays import Booleans, Floats, Indices
+from skinsource.base.conventions import Booleans, Floats, Indices
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.base.errors import InvalidInputError
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import scipy
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
 
 # The fade below the band, over an octave, rings for so many periods of the band's lower end.
 _RINGS_PERIODS = 10.0

@@ -4,9 +4,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from skinsource.base.arrays import Floats, Indices
+from skinsource.base.conventions import PRE_TRIGGER_DELAY_S, Floats, Indices
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import PRE_TRIGGER_DELAY_S
 from skinsource.signals.analysis.windows import Windows
 
 #: Share of the time before the pulse that is noise alone: 30 of 52 ms in the published responses.

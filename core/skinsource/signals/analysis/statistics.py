@@ -4,9 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.conventions import BAND_HZ, Band, Complexes, Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import BAND_HZ, Band
 from skinsource.signals.analysis.wave_speed import vertex
 
 #: A signal begins when it first reaches this share of its peak.

@@ -5,8 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import scipy
 
-from skinsource.base.arrays import Floats
-from skinsource.base.measurement_conditions import BAND_HZ, Band
+from skinsource.base.conventions import BAND_HZ, Band, Floats
 
 #: Power is averaged over this width before it is compared with the noise.
 AVERAGED_HZ = 25.0

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import scipy
 
-from skinsource.base.arrays import Booleans, Floats
+from skinsource.base.conventions import Booleans, Floats
 from skinsource.base.decibels import decibels
 from skinsource.base.job import Stop, never, stop_if
 

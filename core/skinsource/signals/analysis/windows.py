@@ -9,9 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skinsource.base.arguments import finite_array, integer
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import PRE_TRIGGER_DELAY_S, Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import PRE_TRIGGER_DELAY_S
 from skinsource.signals.sampling import NEAR
 
 #: Most windows of one response.

@@ -12,7 +12,7 @@ from math import isfinite, lcm
 import numpy as np
 import scipy
 
-from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.conventions import Complexes, Floats
 
 #: pi to 1e-60, far more exact than any phase of a signal.
 PI = Fraction(

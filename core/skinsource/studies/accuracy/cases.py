@@ -14,16 +14,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.actuators.models import VoiceCoil
-from skinsource.base.arrays import Floats, Integers
 from skinsource.base.assets import data_folder
-from skinsource.base.errors import FileFormatError
+from skinsource.base.conventions import N_AXES, N_INPUTS, N_OUTPUTS, N_TAPS, Floats, Integers
+from skinsource.base.errors import FileFormatError, printable, quoted
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
-from skinsource.base.measurement_conditions import N_AXES, N_INPUTS, N_OUTPUTS, N_TAPS
-from skinsource.base.quoting import printable, quoted
 from skinsource.limbs.limb import Limb, LimbMap
 from skinsource.signals.generators import sample_count
 
-#: Made with mpmath by ``tests/references/make_bench_references.py``.
+#: Made with mpmath by ``benchmarks/make_bench_references.py``.
 FILE_NAME = "bench-references.npz"
 #: Places at which errors are measured: outputs, each along all axes, and samples.
 _N_OUTPUTS_CHECKED, _N_SAMPLES_CHECKED = 4, 32

@@ -13,13 +13,12 @@ from typing import Any
 import numpy as np
 import scipy
 
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Floats
+from skinsource.base.errors import csv_text
 from skinsource.base.extras import package_of_extra
 from skinsource.base.files import write_bytes
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
-from skinsource.base.quoting import csv_text
-from skinsource.design.design import Design, track
-from skinsource.design.view import View
+from skinsource.design.design import Design, View, track
 from skinsource.design.waveforms.samples import Recording
 from skinsource.engine.graph import Graph
 from skinsource.engine.prediction import predict

@@ -11,10 +11,8 @@ from skinsource.design.labels import SCALINGS, label_of, limb_label
 from skinsource.export.exported_design import output_file
 from skinsource.export.plot import METADATA, SYNTHETIC, figure_content, module
 from skinsource.export.tables import CsvTable
-from skinsource.studies.figures.figures import FIGURES
-from skinsource.studies.figures.sheet import Drawn, condition_lines, limbs_of
-from skinsource.studies.scenes.catalog import names, open_scene, scene, why_not_on
-from skinsource.studies.scenes.opened_scene import OpenedScene
+from skinsource.studies.figures.figures import FIGURES, Drawn, condition_lines, limbs_of
+from skinsource.studies.scenes.scenes import OpenedScene, names, open_scene, scene, why_not_on
 from skinsource.version import __version__
 
 

@@ -6,19 +6,16 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from skinsource.actuators.actuation import Actuation
-from skinsource.actuators.catalog import profile_of
+from skinsource.actuators.actuation import Actuation, profile_of
 from skinsource.actuators.equalising import equalised, followed_band
 from skinsource.actuators.prediction import Limits, breaches, predicted
 from skinsource.actuators.rigs import strictest
-from skinsource.base.arrays import Floats
+from skinsource.base.conventions import Band, Floats
 from skinsource.base.decibels import decibels
-from skinsource.base.errors import InvalidInputError, SkinSourceError, Stopped
+from skinsource.base.errors import InvalidInputError, SkinSourceError, Stopped, sentence
 from skinsource.base.job import Stop, never, stop_if
-from skinsource.base.measurement_conditions import Band
-from skinsource.base.quoting import sentence
+from skinsource.design.design import View
 from skinsource.design.signal_path import Drive
-from skinsource.design.view import View
 from skinsource.engine.actuator_demand import drive_at
 from skinsource.engine.gains import Placed
 from skinsource.engine.quantities import new_graph, sources

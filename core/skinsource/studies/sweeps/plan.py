@@ -12,20 +12,15 @@ from typing import Literal, get_args
 
 import numpy as np
 
-from skinsource.actuators.actuation import Actuation, ActuatorAt
-from skinsource.actuators.catalog import load
+from skinsource.actuators.actuation import Actuation, ActuatorAt, load
 from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.actuators.prediction import Limits
 from skinsource.base.arguments import checking, integer, one_of
-from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError
+from skinsource.base.conventions import Axes, Floats
+from skinsource.base.errors import InvalidInputError, counted, quoted
 from skinsource.base.json_text import Tree
-from skinsource.base.measurement_conditions import Axes
-from skinsource.base.quoting import quoted
-from skinsource.base.work import counted
 from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input
-from skinsource.design.view import View
+from skinsource.design.design import Design, Input, View
 from skinsource.lab.matching import Strengths
 from skinsource.perception.thresholds import sensation_levels_db
 from skinsource.signals.projection import Method

@@ -13,11 +13,10 @@ from typing import Any
 
 from skinsource.actuators.prediction import Limits
 from skinsource.base.arguments import checking, integer, real_number
-from skinsource.base.errors import FileFormatError, InvalidInputError
+from skinsource.base.conventions import Axes
+from skinsource.base.errors import FileFormatError, InvalidInputError, printable, quoted, sentence
 from skinsource.base.files import FilePath, path_text, read_bytes
 from skinsource.base.job import Progress, Stop, never, silent
-from skinsource.base.measurement_conditions import Axes
-from skinsource.base.quoting import printable, quoted, sentence
 from skinsource.design.design import Design
 from skinsource.design.design_file import open_design
 from skinsource.lab.matching import Strengths, read_matches

@@ -17,14 +17,12 @@ from skinsource.actuators.equalising import Equaliser
 from skinsource.actuators.rigs import Rig
 from skinsource.base.arguments import checking, real_number
 from skinsource.base.decibels import FLOOR_DB
-from skinsource.base.errors import InvalidInputError, SkinSourceError, Stopped
+from skinsource.base.errors import InvalidInputError, SkinSourceError, Stopped, counted, sentence
 from skinsource.base.files import FilePath, replacing_folder
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
-from skinsource.base.quoting import sentence
-from skinsource.base.work import counted
 from skinsource.design.amplitudes import amplitude_unit
-from skinsource.design.comparing import louder, matching_gain
-from skinsource.design.design import Design
+from skinsource.design.comparing import matching_gain
+from skinsource.design.design import Design, louder
 from skinsource.engine.evaluation import Evaluator
 from skinsource.engine.levelling import output_level_db
 from skinsource.engine.stimulus import FULL_SCALE_UNIT

@@ -18,8 +18,8 @@ from typing import Any
 import numpy as np
 
 from skinsource.base.arguments import integer
-from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError, StorageError
+from skinsource.base.conventions import Floats
+from skinsource.base.errors import InvalidInputError, StorageError, cell_text, csv_text, quoted
 from skinsource.base.extras import package_of_extra
 from skinsource.base.files import (
     make_folder,
@@ -32,9 +32,7 @@ from skinsource.base.files import (
 )
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.base.lock import Lock
-from skinsource.base.quoting import cell_text, csv_text, quoted
-from skinsource.design.comparing import louder
-from skinsource.design.design import Design
+from skinsource.design.design import Design, louder
 from skinsource.export.formats import format_named
 from skinsource.export.stimulus_export.export import export_stimulus
 from skinsource.export.stimulus_export.options import StimulusOptions

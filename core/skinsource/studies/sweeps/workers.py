@@ -15,10 +15,9 @@ from threading import local
 from typing import Any
 
 from skinsource.base.allocation import keep_freed_memory
-from skinsource.base.errors import SkinSourceError, StorageError
+from skinsource.base.errors import SkinSourceError, StorageError, printable, quoted
 from skinsource.base.extras import package_of_extra
 from skinsource.base.job import Stop, never, stop_if
-from skinsource.base.quoting import printable, quoted
 from skinsource.studies.sweeps.measuring import Measurer, Metrics, metrics_or_reason
 from skinsource.studies.sweeps.plan import Plan, chunks
 

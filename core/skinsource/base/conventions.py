@@ -1,4 +1,4 @@
-"""Constants of the published limbs, and axes and numbers of input locations of any limb.
+"""What all rooms agree on: kinds of arrays, axes, input locations, and the published measurement.
 
 The synthetic limbs have the same sizes as the published ones.  Computations take the sizes from
 the limb that they are given, never from here.
@@ -7,9 +7,16 @@ the limb that they are given, never from here.
 from typing import Literal, get_args
 
 import numpy as np
+from numpy.typing import NDArray
 
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.quoting import quoted
+from skinsource.base.errors import InvalidInputError, quoted
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+#: Positions in an array.
+Indices = NDArray[np.intp]
+Complexes = NDArray[np.complex128]
+Booleans = NDArray[np.bool_]
 
 #: Lowest and highest frequency, Hz.  ``Band | None``: that of a limb, None where it is not known.
 Band = tuple[float, float]

@@ -1,9 +1,9 @@
 """Exact values of the cases of ``skinsource bench`` with mpmath: ``data/bench-references.npz``.
 
 Convolutions are sums of products, resampled signals their formula, and actuators the exponential
-of their equations in ``check.py``: no engine of the library is involved.
+of their equations in ``tests/references/check.py``: no engine of the library is involved.
 
-    PYTHONPATH=core:. python tests/references/make_bench_references.py
+    PYTHONPATH=core:. python benchmarks/make_bench_references.py
 
 Then write the list of data files anew: PYTHONPATH=core python tests/core/test_shipped_files.py
 """
@@ -21,7 +21,6 @@ from skinsource.studies.accuracy.cases import (
     FILE_NAME,
     MIDDLE_S,
     TONES_HZ,
-    Actuation,
     Case,
     Convolution,
     Resampling,
@@ -59,7 +58,6 @@ def reference_of(case: Case) -> np.ndarray:
         return convolved(problem, case.samples)
     if isinstance(problem, Resampling):
         return resampled(problem, case.samples)
-    assert isinstance(problem, Actuation)
     coil = {"kind": "VoiceCoil", **asdict(problem.coil)}
     return np.array(motion(coil, problem.voltage, "zero"))[:, case.samples]
 
