@@ -85,7 +85,6 @@ def test_edits_by_hand_dissolve_a_motion_and_say_so_once():
     for edit, more in (
         (edits.move_clips, ((clip,), 0.1)),
         (edits.remove_inputs, ((last,),)),
-        (edits.change_field, ((last,), "amplitude", 0.3)),
         (edits.move_inputs, ((last,), 5)),
         (edits.set_clips, ((clip,), "gain", 0.5)),
     ):
@@ -106,6 +105,8 @@ def test_edits_of_other_things_and_the_way_back_keep_it():
         (edits.mute_inputs, ((last,), True)),
         (edits.set_gain_curve, (last, ((0.0, 0.5),))),
         (edits.change_field, ((1,), "amplitude", 0.3)),
+        (edits.change_field, ((last,), "amplitude", -0.3)),
+        (edits.set_clips, (design.motions[0].clips[:1], "muted", True)),
         (edits.add_clip, (last, 3.0, Tone())),
         (edits.shift_inputs, ((last,), False)),
     ):
@@ -118,6 +119,21 @@ def test_edits_of_other_things_and_the_way_back_keep_it():
     assert with_whole_motions(moved, back).design.motions == design.motions
     empty = Design(limb="synthetic-1", inputs=(Input(location=7),))
     assert with_motion(design=empty).motions != ()
+
+
+@pytest.mark.parametrize("kind", MOTIONS)
+def test_what_tracks_of_a_motion_have_of_their_own_stays_when_it_is_changed(kind):
+    design = with_motion(kind())
+    last, clip = design.ids[-1], design.inputs[-1].clips[0].id
+    quieter = edits.change_field(design, View(), (last,), "amplitude", 0.3).design
+    quieter = edits.set_clips(quieter, View(), (clip,), "muted", True).design
+    after = edits.change_motion(quieter, View(), 0, kind(amplitude=2.0)).design
+    assert after.input(last).amplitude == pytest.approx(0.6)
+    others = [False] * (len(design.inputs[-1].clips) - 1)
+    assert [clip.muted for clip in after.input(last).clips] == [True, *others]
+    assert [each.amplitude for each in after.inputs[1:-1]] == pytest.approx(
+        [2.0 * each.amplitude for each in design.inputs[1:-1]]
+    )
 
 
 @pytest.mark.parametrize("kind", MOTIONS)
