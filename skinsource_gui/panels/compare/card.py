@@ -9,6 +9,7 @@ from skinsource.base.decibels import FLOOR_DB
 from skinsource.base.quoting import printable
 from skinsource.design.comparing import gain_text, loudest_db, snapshot_name
 from skinsource.studies import scenes
+from skinsource_gui.fields.editors import TextLine
 from skinsource_gui.fields.units import minus
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of, shortcut_text
@@ -48,7 +49,26 @@ def card_text(compared: Compared, *, present: bool) -> str:
     return ", ".join(part for part in parts if part)
 
 
+class TitleLine(TextLine):
+    """Edits the title of a snapshot over its card, until it loses the keyboard."""
+
+    #: It has lost the keyboard, after a changed title was signalled.
+    ended = Signal()
+
+    def focusOutEvent(self, event: QtGui.QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        if event.reason() != Qt.FocusReason.PopupFocusReason:
+            self.ended.emit()
+
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
+        super().keyPressEvent(event)
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Escape):
+            event.accept()
+            self.clearFocus()
+
+
 _PLACE = "snapshot"
+_TITLE_PX = 96
 
 
 class Card(QtWidgets.QToolButton):
@@ -67,7 +87,7 @@ class Card(QtWidgets.QToolButton):
         Whether the snapshot is in the window.
     """
 
-    #: What to do with this number: ``"show"``, ``"store"`` or ``"forget"``.
+    #: What to do with this number: ``"show"``, ``"store"``, ``"rename"`` or ``"forget"``.
     requested = Signal(int, str)
 
     def __init__(self, number: int, parent: QtWidgets.QWidget) -> None:
@@ -102,12 +122,23 @@ class Card(QtWidgets.QToolButton):
             self.setText(f"{self.number}: {self._store_key}")
         else:
             warned = "⚠ " if compared.left_out else ""
-            self.setText(f"{warned}{compared.name}: {card_level_text(compared)}")
+            self.setText(f"{warned}{self._called}: {card_level_text(compared)}")
 
     def sizeHint(self) -> QSize:
         # Levels that change move nothing.
-        widest = self.fontMetrics().horizontalAdvance("1: −88.8 dB") + UNIT_PX
+        widest = self.fontMetrics().horizontalAdvance(f"{self._called}: −88.8 dB") + UNIT_PX
         return super().sizeHint().expandedTo(QSize(widest, 0))
+
+    @property
+    def _called(self) -> str:
+        """Number and title; of a title with middle dots the part behind the last."""
+        if self.compared is None:
+            return str(self.number)
+        title = printable(scenes.title_of(self.compared.snapshot.design)).strip()
+        short = self.fontMetrics().elidedText(
+            title.rpartition(" · ")[2], Qt.TextElideMode.ElideRight, _TITLE_PX
+        )
+        return f"{self.compared.name} {short}".strip()
 
     def nextCheckState(self) -> None:
         """Leave it checked while it is in the window, whatever is clicked."""
@@ -117,12 +148,17 @@ class Card(QtWidgets.QToolButton):
 
     def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         means = meaning_of(_PLACE, event)
-        if means == "forget" and self.compared is not None:
-            self.requested.emit(self.number, "forget")
+        if means in ("forget", "rename") and self.compared is not None:
+            self.requested.emit(self.number, means)
         elif means == "act":
             self._act()
         else:
             super().keyPressEvent(event)
+
+    def mouseDoubleClickEvent(self, event: QtGui.QMouseEvent) -> None:
+        # The first click has shown it.
+        if self.compared is not None:
+            self.requested.emit(self.number, "rename")
 
     def _act(self) -> None:
         self.requested.emit(self.number, "show" if self.compared else "store")
@@ -131,6 +167,7 @@ class Card(QtWidgets.QToolButton):
         menu = passing_menu(self)
         if self.compared is not None:
             menu.addAction("Show", lambda: self.requested.emit(self.number, "show"))
+            menu.addAction("Rename", lambda: self.requested.emit(self.number, "rename"))
         if self.number:
             menu.addAction(
                 "Store current design", lambda: self.requested.emit(self.number, "store")

@@ -17,10 +17,12 @@ from skinsource.design.design import (
     AMPLITUDE,
     AMPLITUDE_GAIN,
     GAIN_CURVE,
+    TITLE,
     Design,
     Input,
     audible_inputs,
 )
+from skinsource.design.design_file import SENTENCE
 from skinsource.design.edits.edit import (
     Edit,
     Refusal,
@@ -30,6 +32,7 @@ from skinsource.design.edits.edit import (
     kind_spec,
     leading_input,
 )
+from skinsource.design.edits.view import change_texts
 from skinsource.design.labels import SCALINGS, scalings_on
 from skinsource.design.signal_path import UnplayableInput
 from skinsource.design.view import View
@@ -435,6 +438,10 @@ class InspectorPanel(Panel):
         self._preview = WaveformPreview()
         self._preview.setFixedHeight(_PICTURE_PX)
         self.computed = (self._preview,)
+        self._texts = tuple(
+            FieldCell(name, spec, edited=self._change_texts)
+            for name, spec in (("title", TITLE), ("sentence", SENTENCE))
+        )
         self._lay_out()
 
     def minimumSizeHint(self) -> QSize:
@@ -472,7 +479,10 @@ class InspectorPanel(Panel):
             self._chain.forget_typing()
             self._shown = ()
             self._empty.setText(HOW_TO_SELECT_INPUT if design.inputs else how_to_add())
-            self._stack.setCurrentWidget(self._empty)
+            texts = design.title, design.notes.partition("\n")[0]
+            for cell, text in zip(self._texts, texts, strict=True):
+                cell.set_value(text)
+            self._show_page(self._of_design, self._texts[0])
             return
         if self._shown != (view.selected_inputs, view.selected_clips):
             # What was being typed or dragged belongs to other inputs.
@@ -484,7 +494,12 @@ class InspectorPanel(Panel):
         self._show_input(
             track, silent=all(track is not audible for audible in audible_inputs(design.inputs))
         )
-        self._stack.setCurrentWidget(self._editor)
+        self._show_page(self._editor, self._fields.place)
+
+    def _show_page(self, page: QtWidgets.QWidget, first: QtWidgets.QWidget) -> None:
+        if self._stack.currentWidget() is not page:
+            self._stack.setCurrentWidget(page)
+            self.setFocusProxy(first)
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._waveforms, self._rate_hz = waveforms_of(results), results["sample_rate_hz"]
@@ -526,10 +541,15 @@ class InspectorPanel(Panel):
         margins = (0, UNIT_PX // 4, 0, 0)
         in_column(top, (scroll, 1), of=self._editor, margins=margins, gap_px=UNIT_PX // 4)
         self._empty = page_label("inspector_empty", tone="dim", centred=True)
+        self._of_design, grid = QtWidgets.QWidget(), FieldGrid()
+        grid.show_cells(self._texts)
+        in_column(
+            page_label("design_heading", "Design"), grid, (self._empty, 1), of=self._of_design
+        )
         self._stack = QtWidgets.QStackedLayout(self)
-        self._stack.addWidget(self._empty)
+        self._stack.addWidget(self._of_design)
         self._stack.addWidget(self._editor)
-        self.setFocusProxy(fields.place)
+        self.setFocusProxy(self._texts[0])
 
     def _show_input(self, track: Input, *, silent: bool) -> None:
         # In the order of the design.
@@ -566,6 +586,12 @@ class InspectorPanel(Panel):
 
     def _change_scaling(self, scaling: str) -> None:
         self._tell(edits.change_scaling(self._design, self._view, scaling), None)
+
+    def _change_texts(self, name: str, text: str, gesture: int | None) -> None:
+        """Change the title of the design, or the first line of its notes."""
+        _, line_end, others = self._design.notes.partition("\n")
+        texts = {"title": text} if name == "title" else {"notes": f"{text}{line_end}{others}"}
+        self.edited.emit(change_texts(self._design, self._view, **texts), gesture)
 
     def _change_field(self, name: str, value: Any, gesture: int | None) -> None:
         """Change a field of all selected inputs, by typing or dragging."""

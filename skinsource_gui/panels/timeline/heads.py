@@ -398,8 +398,6 @@ class Heads(QtWidgets.QListView):
     tracks by as many decibels.  Dragging a head puts the selected ones between two others.
     """
 
-    #: Space belongs to the window, as on the lanes.
-    leaves_space = True
     #: `Edit` or `Refusal`, number of the gesture or None.
     edited = Signal(object, object)
     #: Other heads are there, or they have another size; Qt tells no other way.

@@ -1,10 +1,11 @@
 """Snapshots: keys and cards, levels that match, maps of their levels and differences."""
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog
 
@@ -103,7 +104,9 @@ def test_cards_show_each_snapshot_its_level_and_what_is_in_the_window(window, pa
     assert "matched" not in panel.text_label.whole
 
 
-def test_cards_are_used_with_the_keyboard(window, panel, settle):
+def test_cards_are_used_with_the_keyboard(window, panel, settle, qtbot):
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
     first = window.document.design
     card = cards(panel)[1]
     QTest.keyClick(card, KEY.Key_Return)
@@ -111,6 +114,7 @@ def test_cards_are_used_with_the_keyboard(window, panel, settle):
     assert window.document.view.snapshots[0].design == first
     edit(window, 2.0)
     settle()
+    card.setFocus(Qt.FocusReason.TabFocusReason)
     QTest.keyClick(card, KEY.Key_Space)
     settle()
     assert window.document.view.snapshots[-1].number == 1
@@ -118,6 +122,33 @@ def test_cards_are_used_with_the_keyboard(window, panel, settle):
     assert [snapshot.number for snapshot in window.document.view.snapshots] == [0]
     window.do("undo")
     assert [snapshot.number for snapshot in window.document.view.snapshots] == [0, 1]
+
+
+def test_the_title_of_a_snapshot_is_typed_over_its_card(window, panel, settle, qtbot):
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    window.do("store_snapshot_1")
+    edit(window, 2.0)
+    window.do("store_snapshot_2")
+    settle()
+    first, second = (cards(panel)[number] for number in (1, 2))
+    line, left = panel.title_line, Qt.MouseButton.LeftButton
+    for card, how, typed, end, title in (
+        (second, partial(QTest.keyClick, second, KEY.Key_F2), "Firm", KEY.Key_Return, "Firm"),
+        (second, partial(QTest.mouseDClick, second, left), "x", KEY.Key_Escape, "Firm"),
+        (first, partial(QTest.keyClick, first, KEY.Key_F2), "Soft", KEY.Key_Tab, "Soft"),
+    ):
+        how()
+        assert line.hasFocus()
+        QTest.keyClicks(line, typed)
+        QTest.keyClick(line, end)
+        assert line.isHidden()
+        assert card.compared.snapshot.design.title == title
+        assert card.text().startswith(f"{card.number} {title}:")
+    assert window.document.design.title == "Firm"
+    assert second.present
+    window.do("undo")
+    assert first.compared.snapshot.design.title == ""
 
 
 def test_maps_show_snapshots_as_loud_as_they_are_shown_and_how_they_differ(window, panel, settle):

@@ -5,6 +5,7 @@ from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QMenu
 
 from skinsource.design.waveforms.pulses import Noise
 from skinsource_gui.shell.playing import EscapeTwice
+from tests.gui.analysis.analysis_bench import analysis
 
 LEFT = Qt.MouseButton.LeftButton
 SPACE, ESCAPE = Qt.Key.Key_Space, Qt.Key.Key_Escape
@@ -30,6 +31,25 @@ def test_space_plays_from_the_pictures(studio, pressed, name):
     QTest.keyClick(widget, SPACE)
     assert pressed == [1]
     assert (studio.document.design, studio.document.view) == before
+
+
+def test_after_a_click_into_a_list_space_plays_and_letters_choose_no_row(studio, pressed, qtbot):
+    rows, table = studio.panel("library").rows, analysis(studio, "statistics").table
+    studio.docks["library"].bring_forward()
+    qtbot.waitUntil(lambda: rows.model().rowCount() > 3 and table.rowCount() > 0)
+    for view in (rows, table):
+        QTest.mouseClick(
+            view.viewport(), LEFT, pos=view.visualRect(view.model().index(1, 0)).center()
+        )
+        QTest.keyClick(view, SPACE)
+    rows.setFocus()
+    QTest.keyClicks(rows, "bt")
+    assert rows.currentIndex().row() == 1
+    studio.docks["compare"].bring_forward()
+    card = studio.panel("compare").cards[0]
+    QTest.mouseClick(card, LEFT)
+    QTest.keyClick(card, SPACE)
+    assert pressed == [1, 1, 1]
 
 
 def test_on_the_skin_map_space_selects_once_keys_are_used_there(studio, pressed):
