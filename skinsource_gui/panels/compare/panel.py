@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any, ClassVar
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QPoint, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QRectF, QSize, Signal
 
 from skinsource.design import edits
 from skinsource.design.comparing import (
@@ -16,7 +16,7 @@ from skinsource.design.comparing import (
     other_snapshot,
     shown_snapshot,
 )
-from skinsource.design.design import TITLE, Design
+from skinsource.design.design import Design
 from skinsource.design.edits.view import change_texts
 from skinsource.design.labels import limb_label
 from skinsource.design.panel_settings import settings_of, with_settings
@@ -24,7 +24,7 @@ from skinsource.design.view import View
 from skinsource.limbs.catalog import available_limbs
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.list_editors import NumbersEditor
-from skinsource_gui.panels.compare.card import Card, TitleLine
+from skinsource_gui.panels.compare.card import Card
 from skinsource_gui.panels.compare.content import KINDS, LEAST_COMPARED, tab_separated
 from skinsource_gui.panels.compare.maps import MapsPanel
 from skinsource_gui.panels.compare.settings import (
@@ -214,11 +214,7 @@ class ComparePanel(MapsPanel):
         self.cards = [Card(number, self) for number in (*NUMBERS, EDITED)]
         for card in self.cards:
             card.requested.connect(self._act)
-        self.title_line = named(TitleLine(TITLE, self), "snapshot_title", "Title of the snapshot")
-        self.title_line.hide()
-        self.title_line.edited.connect(lambda title, _: self._set_title(title))
-        self.title_line.ended.connect(self._end_renaming)
-        self._renamed: Card | None = None
+            card.renamed.connect(self._rename)
         self._row = FoldingRow(self.cards, UNIT_PX // 4, left=True, parent=self)
         self.maps.pointed_at.connect(self._read)
         self.text_label = NoteLabel("compare_words", self)
@@ -296,35 +292,12 @@ class ComparePanel(MapsPanel):
             self.action_requested.emit(f"store_snapshot_{number}")
         elif what == "show":
             self.snapshot_requested.emit(number)
-        elif what == "rename":
-            self._rename(next(card for card in self.cards if card.number == number))
         elif self.design is not None:
             self.edited.emit(edits.forget_snapshot(self.design, self.view, number), None)
 
-    def _rename(self, card: Card) -> None:
-        """Have the title of a snapshot typed over its card."""
-        if card.compared is not None:
-            self._renamed, line = card, self.title_line
-            line.set_value(card.compared.snapshot.design.title)
-            at = card.mapTo(self, QPoint())
-            width = max(card.width(), _LEAST_PX - UNIT_PX)
-            line.setGeometry(min(at.x(), self.width() - width), at.y(), width, card.height())
-            line.show()
-            line.raise_()
-            line.selectAll()
-            line.setFocus(Qt.FocusReason.OtherFocusReason)
-
-    def _end_renaming(self) -> None:
-        if self._renamed is not None:
-            card, self._renamed = self._renamed, None
-            self.title_line.hide()
-            if self.isActiveWindow():
-                card.setFocus(Qt.FocusReason.OtherFocusReason)
-
-    def _set_title(self, title: str) -> None:
-        if self._renamed is not None and self.design is not None:
-            outcome = change_texts(self.design, self.view, self._renamed.number, title=title)
-            self.edited.emit(outcome, None)
+    def _rename(self, number: int, title: str) -> None:
+        if self.design is not None:
+            self.edited.emit(change_texts(self.design, self.view, number, title=title), None)
 
     def _read(self, output: int | None) -> None:
         # Maps that move under the pointer cannot be pointed at.

@@ -103,6 +103,8 @@ def _places(limb: str, facts: LimbFacts) -> ChoiceSpec:
     )
 
 
+_TITLE = replace(TITLE, hint="Of the window, pictures and exported files")
+_SENTENCE = replace(SENTENCE, hint="Below the title on the stage; begins the notes")
 _CLIP_GAIN = replace(GAIN, label="Clip gain")
 #: What follows an amplitude, by the scaling of the design.
 _MEANINGS = {
@@ -440,7 +442,7 @@ class InspectorPanel(Panel):
         self.computed = (self._preview,)
         self._texts = tuple(
             FieldCell(name, spec, edited=self._change_texts)
-            for name, spec in (("title", TITLE), ("sentence", SENTENCE))
+            for name, spec in (("title", _TITLE), ("sentence", _SENTENCE))
         )
         self._lay_out()
 
@@ -482,7 +484,8 @@ class InspectorPanel(Panel):
             texts = design.title, design.notes.partition("\n")[0]
             for cell, text in zip(self._texts, texts, strict=True):
                 cell.set_value(text)
-            self._show_page(self._of_design, self._texts[0])
+            self._stack.setCurrentWidget(self._of_design)
+            self.setFocusProxy(self._texts[0])
             return
         if self._shown != (view.selected_inputs, view.selected_clips):
             # What was being typed or dragged belongs to other inputs.
@@ -494,12 +497,8 @@ class InspectorPanel(Panel):
         self._show_input(
             track, silent=all(track is not audible for audible in audible_inputs(design.inputs))
         )
-        self._show_page(self._editor, self._fields.place)
-
-    def _show_page(self, page: QtWidgets.QWidget, first: QtWidgets.QWidget) -> None:
-        if self._stack.currentWidget() is not page:
-            self._stack.setCurrentWidget(page)
-            self.setFocusProxy(first)
+        self._stack.setCurrentWidget(self._editor)
+        self.setFocusProxy(self._fields.place)
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._waveforms, self._rate_hz = waveforms_of(results), results["sample_rate_hz"]

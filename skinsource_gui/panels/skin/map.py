@@ -8,7 +8,7 @@ from skinsource.base.work import counted
 from skinsource.design.labels import BACK_SIDE
 from skinsource.limbs.limb import LimbMap
 from skinsource.limbs.locations import input_name
-from skinsource_gui.fields.units import output_text
+from skinsource_gui.fields.units import minus, output_text
 from skinsource_gui.panels.skin.content import InputMark, MapContent
 from skinsource_gui.panels.skin.layout import (
     HAND,
@@ -130,15 +130,14 @@ def selection_hint(outputs: tuple[int, ...]) -> str:
     return f"{counted(len(outputs), 'output')} selected · Shift+click adds or removes one"
 
 
-def strongest_readout(content: MapContent) -> tuple[str, str]:
-    """Return the strongest output, and the same with its value; empty for a wave that moves."""
+def strongest_readout(content: MapContent) -> tuple[str, str, str]:
+    """Return the strongest output, the same with its value, and its level; "": a wave moves."""
     values = content.coloured_values
     if values is None or content.quantity.moves or not np.isfinite(values).any():
-        return "", ""
+        return "", "", ""
     number = int(np.nanargmax(values)) + 1
-    # Its value changes with each step of a drag, and would lay the panel out each time.
-    place = output_text(number, content.limb)
-    return f"Strongest: {place}", f"Strongest: {output_readout(content, number)}"
+    place, level = output_text(number, content.limb), minus(f"{values[number - 1]:z.1f} dB")
+    return f"Strongest: {place}", f"Strongest: {output_readout(content, number)}", level
 
 
 SYNTHETIC_MARK = "SYNTHETIC"
