@@ -7,7 +7,7 @@ from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRectF, QSize, QSiz
 from skinsource.base.work import counted
 from skinsource.design.labels import BACK_SIDE
 from skinsource.limbs.limb import LimbMap
-from skinsource.limbs.locations import input_name
+from skinsource.limbs.locations import input_name, output_name
 from skinsource_gui.fields.units import minus, output_text
 from skinsource_gui.panels.skin.content import InputMark, MapContent
 from skinsource_gui.panels.skin.layout import (
@@ -25,7 +25,7 @@ from skinsource_gui.panels.skin.painting import (
     paint_mark,
     small_font,
 )
-from skinsource_gui.panels.skin.settings import time_text
+from skinsource_gui.panels.skin.settings import SENSATION, Z, time_text
 from skinsource_gui.plots.outputs import ADDS, REACH_PX, OutputPicker, is_placed, output_at
 from skinsource_gui.plots.small_map import (
     FIXED_MARK,
@@ -37,6 +37,7 @@ from skinsource_gui.plots.small_map import (
 from skinsource_gui.qt.accessible import Told
 from skinsource_gui.qt.frames import CachedPicture, Same, paint_focus_frame
 from skinsource_gui.qt.keys import KEYS, claims_shortcut, meaning_of
+from skinsource_gui.qt.questions import copied_level, copied_number, tab_separated
 from skinsource_gui.qt.theme import Theme, current_theme, tabular, translucent
 from skinsource_gui.qt.wheel import FREE, WHOLE, PanZoom
 
@@ -121,6 +122,19 @@ def map_tooltip(content: MapContent, layout: MapLayout | None, at: QPointF) -> s
     number = output_at(layout.points, at)
     lines = [] if number is None else [output_readout(content, number)]
     return "\n".join(filter(None, [*lines, inputs_text(content, layout, at)]))
+
+
+_COLUMNS = {SENSATION: "above_threshold_db", Z: "acceleration_z_m_per_s2"}
+
+
+def numbers_text(content: MapContent) -> str:
+    """Return the value of each output for a spreadsheet, and what it is as a remark below."""
+    quantity, values = content.quantity, content.coloured_values
+    copied = copied_number if quantity.signed else copied_level
+    lines = [("output", "place", _COLUMNS.get(quantity.name, "level_db_re_1_m_per_s2"))]
+    for number, value in enumerate(() if values is None else values, 1):
+        lines.append((str(number), output_name(number, content.limb).name, copied(value)))
+    return f"{tab_separated(lines)}# {' · '.join(filter(None, quantity.words))}\n"
 
 
 def selection_hint(outputs: tuple[int, ...]) -> str:

@@ -27,7 +27,7 @@ from skinsource_gui.panels.skin.content import (
     signals_name,
 )
 from skinsource_gui.panels.skin.layout import HAND
-from skinsource_gui.panels.skin.map import SkinMap, selection_hint, strongest_readout
+from skinsource_gui.panels.skin.map import SkinMap, numbers_text, selection_hint, strongest_readout
 from skinsource_gui.panels.skin.measure import MeasureLine
 from skinsource_gui.panels.skin.picture import heading_of, paint_picture
 from skinsource_gui.panels.skin.scale import ColourBar
@@ -345,10 +345,17 @@ class SkinPanel(Panel):
         menu.addSeparator()
         # A file waits for new results; the clipboard gets what is drawn now.
         copy = menu.addAction("Copy picture", self._copy_picture)
+        numbers = menu.addAction("Copy numbers", self._copy_numbers)
         copy.setEnabled(not self.is_stale)
+        has_numbers = self.content.coloured_values is not None and not self._covered
+        numbers.setEnabled(has_numbers and not self.is_stale)
         menu.addAction("Save picture as…", partial(self.action_requested.emit, "export_picture"))
         menu.addAction("Export data…", partial(self.action_requested.emit, "export_levels"))
         menu.popup(at)
+
+    def _copy_numbers(self) -> None:
+        with self.as_stored():
+            QtGui.QGuiApplication.clipboard().setText(numbers_text(self.content))
 
     def _copy_picture(self) -> None:
         QtGui.QGuiApplication.clipboard().setImage(self.picture(*PICTURE_PX))
