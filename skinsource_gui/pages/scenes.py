@@ -10,12 +10,7 @@ from PySide6.QtCore import QSize, Qt, Signal
 from skinsource.design.labels import limb_label
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.spec import ChoiceSpec
-from skinsource.studies.scenes.catalog import (
-    all_scenes,
-    missing_panels,
-    opened_plainly,
-    why_not_on,
-)
+from skinsource.studies.scenes.catalog import all_scenes, missing_panels, opened_plainly, why_not_on
 from skinsource.studies.scenes.opened_scene import Scene
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.page import PictureView, ToolPage

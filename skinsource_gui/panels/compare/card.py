@@ -109,23 +109,17 @@ class Card(QtWidgets.QToolButton):
             self.setText(f"{self.number}: {self._store_key}")
         else:
             warned = "⚠ " if compared.left_out else ""
-            self.setText(f"{warned}{self._called}: {card_level_text(compared)}")
+            title = printable(scenes.title_of(compared.snapshot.design)).strip()
+            # Behind the last middle dot titles of scenes differ.
+            own, right = title.rpartition(" · ")[2], Qt.TextElideMode.ElideRight
+            called = f"{compared.name} {self.fontMetrics().elidedText(own, right, _TITLE_PX)}"
+            self.setText(f"{warned}{called.strip()}: {card_level_text(compared)}")
 
     def sizeHint(self) -> QSize:
         # Levels that change move nothing.
-        widest = self.fontMetrics().horizontalAdvance(f"{self._called}: −88.8 dB") + UNIT_PX
-        return super().sizeHint().expandedTo(QSize(widest, 0))
-
-    @property
-    def _called(self) -> str:
-        """Number and title; of a title with middle dots the part behind the last."""
-        if self.compared is None:
-            return str(self.number)
-        title = printable(scenes.title_of(self.compared.snapshot.design)).strip()
-        short = self.fontMetrics().elidedText(
-            title.rpartition(" · ")[2], Qt.TextElideMode.ElideRight, _TITLE_PX
-        )
-        return f"{self.compared.name} {short}".strip()
+        widest = f"{self.text().rpartition(':')[0]}: −88.8 dB"
+        width = self.fontMetrics().horizontalAdvance(widest) + UNIT_PX
+        return super().sizeHint().expandedTo(QSize(width, 0))
 
     def nextCheckState(self) -> None:
         """Leave it checked while it is in the window, whatever is clicked."""

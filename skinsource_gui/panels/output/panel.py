@@ -27,7 +27,7 @@ from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_unit, equaliser_of
 from skinsource.design.design import Design
 from skinsource.design.edits.edit import Edit
-from skinsource.design.edits.setup import mend_through
+from skinsource.design.edits.setup import repair_for_actuators
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
 from skinsource.engine.actuator_demand import Demand, listed_name, profile_of
@@ -39,11 +39,7 @@ from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.fields.units import minus, value_text
 from skinsource_gui.panels.output.device import DeviceFields, OutputRows
-from skinsource_gui.panels.output.figures import (
-    DemandView,
-    frequency_axis,
-    response_curves,
-)
+from skinsource_gui.panels.output.figures import DemandView, frequency_axis, response_curves
 from skinsource_gui.panels.output.settings import OutputSettings
 from skinsource_gui.plots.signal_view import ResponseView
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled, show_or_hide, tool_button
@@ -457,7 +453,7 @@ class OutputPanel(Panel):
     def _mending(self) -> Edit | None:
         """Return the edit that lets the actuator follow the selected input; None: there is none."""
         design, id = self._design, self._view.selected_input
-        return None if id is None else mend_through(design, self._view, id)
+        return None if id is None else repair_for_actuators(design, self._view, id)
 
     def _mend(self) -> None:
         edit = self._mending()
