@@ -185,7 +185,7 @@ class InputFields(QObject):
         self._onset = FieldCell("onset_s", ONSET, edited=self.edited)
         self._gain = FieldCell("gain", _CLIP_GAIN, edited=self.edited)
         self._curve = FieldCell("gain_curve", GAIN_CURVE, edited=self.edited)
-        self._peak = TextCell("Peak", "", "peak", "Peak of the whole track, with its gain")
+        self._peak = TextCell("Peak", "", "peak", "Peak of the whole input, with its gain")
         self._played_length = TextCell("Played", "", "played_length", "Duration after effects")
         self._played_hz = TextCell("Played", "", "played_hz", "Frequency after effects")
 
@@ -529,7 +529,7 @@ class InspectorPanel(Panel):
         track = QtWidgets.QWidget()
         buttons = in_row(self._mute, self._solo, None, margins=0, gap_px=UNIT_PX // 2)
         in_column(buttons, fields.track, of=track, margins=0, gap_px=UNIT_PX // 4)
-        fold = Fold("track_fold", "Track", track)
+        fold = Fold("track_fold", "Input", track)
         parts = fields.grid, self._chain, fold, track, None
         in_column(*parts, of=inside, margins=(UNIT_PX, 0, UNIT_PX, UNIT_PX), gap_px=UNIT_PX // 4)
         self._scroll = scroll = scrolled(inside, "inspector_fields")
@@ -567,7 +567,7 @@ class InspectorPanel(Panel):
         if is_gain(self._design, track):
             amplitude, peak = AMPLITUDE_GAIN, peak_text(self._design, track)
         elif len(track.clips) > 1:
-            amplitude = replace(amplitude, label="Track amplitude")
+            amplitude = replace(amplitude, label="Input amplitude")
         self._fields.show_limb(limb)
         self._fields.show_input(track, batch, amplitude, self._view, peak)
         self._chain.show_chain(self._design, self._view, clip, clips)

@@ -180,7 +180,7 @@ class HeadsModel(QAbstractListModel):
         if role == _Role.ToolTipRole:
             chosen = self._view.selected_inputs
             if len(chosen) > 1 and head.track.id in chosen and not self._view.selected_clips:
-                text += "\nM, S and fader change all selected tracks"
+                text += "\nM, S and fader change all selected inputs"
             return f"{place.number} · {place.name}\n{text}"
         silent = ", silent" if head.silent else ""
         return f"Input at {place.number}, {place.name}: {text.replace(chr(10), ', ')}{silent}"

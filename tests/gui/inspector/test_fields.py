@@ -158,7 +158,7 @@ def test_a_recording_that_keeps_its_size_has_a_gain_without_a_unit_and_the_peak(
     samples = Samples(values=4.88 * np.hanning(301), sample_rate_hz=1300.0, unit="m/s²")
     clip = replace(bench.track.clips[0], waveform=Recording(samples))
     bench.show(bench.design.with_input(0, clips=(clip,)))
-    assert strength() == ("Track gain", "")
+    assert strength() == ("Input gain", "")
     assert peak() == "4.88 m/s²"
     bench.type("amplitude", "0.5")
     assert bench.track.amplitude == 0.5
