@@ -124,16 +124,14 @@ def test_edits_of_other_things_and_the_way_back_keep_it():
 @pytest.mark.parametrize("kind", MOTIONS)
 def test_what_tracks_of_a_motion_have_of_their_own_stays_when_it_is_changed(kind):
     design = with_motion(kind())
-    last, clip = design.ids[-1], design.inputs[-1].clips[0].id
-    quieter = edits.change_field(design, View(), (last,), "amplitude", 0.3).design
-    quieter = edits.set_clips(quieter, View(), (clip,), "muted", True).design
-    after = edits.change_motion(quieter, View(), 0, kind(amplitude=2.0)).design
-    assert after.input(last).amplitude == pytest.approx(0.6)
-    others = [False] * (len(design.inputs[-1].clips) - 1)
-    assert [clip.muted for clip in after.input(last).clips] == [True, *others]
-    assert [each.amplitude for each in after.inputs[1:-1]] == pytest.approx(
-        [2.0 * each.amplitude for each in design.inputs[1:-1]]
-    )
+    first, (*others, last) = design.inputs[1], design.inputs[1:]
+    changed = edits.change_field(design, View(), (last.id,), "amplitude", 0.3).design
+    changed = edits.set_clips(changed, View(), (first.clips[0].id,), "muted", True).design
+    after = edits.change_motion(changed, View(), 0, kind(amplitude=2.0)).design.inputs[1:]
+    expected = [2.0 * track.amplitude for track in others]
+    assert [track.amplitude for track in after] == pytest.approx([*expected, 0.6])
+    assert [clip.muted for track in after for clip in track.clips].index(True) == 0
+    assert sum(clip.muted for track in after for clip in track.clips) == 1
 
 
 @pytest.mark.parametrize("kind", MOTIONS)

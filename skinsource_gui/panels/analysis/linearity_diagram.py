@@ -234,10 +234,7 @@ def _growth_in_bands(result: Proportion, rows: tuple[int, ...], unit: StrengthUn
 
 
 def diagrams_of_superposition(
-    result: Superposition,
-    rows: tuple[int, ...],
-    time_s: Floats,
-    zoom: tuple[float, float] | None,
+    result: Superposition, rows: tuple[int, ...], time_s: Floats, zoom: tuple[float, float] | None
 ) -> tuple[Diagram, ...]:
     """Return the sum below the joint response, and the one over the other."""
     both = np.stack((result.separate, result.joint))[:, rows]

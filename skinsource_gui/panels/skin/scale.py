@@ -215,10 +215,7 @@ _LOW = NumberSpec(
     step=1.0,
 )
 _HIGH = replace(
-    _LOW,
-    label="Highest colour",
-    minimum=LOWEST_DB + SMALLEST_SPAN_DB,
-    maximum=HIGHEST_DB,
+    _LOW, label="Highest colour", minimum=LOWEST_DB + SMALLEST_SPAN_DB, maximum=HIGHEST_DB
 )
 _LIMIT = NumberSpec(
     label="Limit",
