@@ -101,10 +101,6 @@ class ActionSpec:
     separated: bool = False
     group: str = ""
 
-    def __post_init__(self) -> None:
-        if bool(self.command) == (self.edit is not None):
-            raise ValueError(f"action {self.name}: expected either a command or an edit")
-
 
 def _clips(design: Design, view: View) -> list[Clip]:
     return [design.clip(id) for id in chosen_clips(design, view)]

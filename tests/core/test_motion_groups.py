@@ -52,8 +52,9 @@ def test_a_motion_is_kept_with_its_clips_and_comes_back_from_a_file(kind, tmp_pa
 )
 def test_a_changed_motion_takes_the_place_of_the_one_before(motion):
     before = with_motion(design=with_motion(ApparentMotion(path=(2, 3))))
-    # Of the second motion: its first track is muted, and holds another clip besides.
+    # Of the second motion: its first track is softer and muted, and holds another clip besides.
     third = before.ids[3]
+    before = edits.change_field(before, View(), (third,), "amplitude", 0.3).design
     before = edits.add_clip(before, View(), third, 2.0, Tone(70.0)).design
     before = edits.mute_inputs(before, View(), (third,), True).design
     own = before.input(third).clips[-1].id
@@ -64,6 +65,10 @@ def test_a_changed_motion_takes_the_place_of_the_one_before(motion):
     assert after.inputs[:3] == before.inputs[:3]
     assert after.clip(own).waveform == Tone(70.0)
     assert after.input(third).muted
+    assert after.input(third).amplitude == pytest.approx(0.3 * motion.amplitude)
+    silent = edits.set_clips(before, View(), before.motions[1].clips[:1], "muted", True).design
+    clips = edits.change_motion(silent, View(), 1, motion).design.input(third).clips
+    assert [clip.muted for clip in clips[:2]] == [False, True]
     places = [track.location for track in after.inputs[3:]]
     assert set(places) == {16, *motion.path}
     assert len(places) == len(set(places))
@@ -119,19 +124,6 @@ def test_edits_of_other_things_and_the_way_back_keep_it():
     assert with_whole_motions(moved, back).design.motions == design.motions
     empty = Design(limb="synthetic-1", inputs=(Input(location=7),))
     assert with_motion(design=empty).motions != ()
-
-
-@pytest.mark.parametrize("kind", MOTIONS)
-def test_what_tracks_of_a_motion_have_of_their_own_stays_when_it_is_changed(kind):
-    design = with_motion(kind())
-    first, (*others, last) = design.inputs[1], design.inputs[1:]
-    changed = edits.change_field(design, View(), (last.id,), "amplitude", 0.3).design
-    changed = edits.set_clips(changed, View(), (first.clips[0].id,), "muted", True).design
-    after = edits.change_motion(changed, View(), 0, kind(amplitude=2.0)).design.inputs[1:]
-    expected = [2.0 * track.amplitude for track in others]
-    assert [track.amplitude for track in after] == pytest.approx([*expected, 0.6])
-    assert [clip.muted for track in after for clip in track.clips].index(True) == 0
-    assert sum(clip.muted for track in after for clip in track.clips) == 1
 
 
 @pytest.mark.parametrize("kind", MOTIONS)

@@ -167,13 +167,13 @@ class TitleLine(TextLine):
     """Edits the title of a snapshot over its card, until it loses the keyboard."""
 
     def __init__(self, card: Card, title: str) -> None:
-        panel = card.parentWidget().parentWidget()
-        super().__init__(TITLE, panel)
+        window = card.window()
+        super().__init__(TITLE, window)
         named(self, "snapshot_title", "Title of the snapshot")
         self._card = card
         self.set_value(title)
-        at, width = card.mapTo(panel, QPoint()), max(card.width(), _LINE_PX)
-        self.setGeometry(min(at.x(), panel.width() - width), at.y(), width, card.height())
+        at, width = card.mapTo(window, QPoint()), max(card.width(), _LINE_PX)
+        self.setGeometry(min(at.x(), window.width() - width), at.y(), width, card.height())
         self.selectAll()
         self.show()
         self.setFocus(Qt.FocusReason.OtherFocusReason)

@@ -589,8 +589,8 @@ class InspectorPanel(Panel):
     def _change_texts(self, name: str, text: str, gesture: int | None) -> None:
         """Change the title of the design, or the first line of its notes."""
         _, line_end, others = self._design.notes.partition("\n")
-        texts = {"title": text} if name == "title" else {"notes": f"{text}{line_end}{others}"}
-        self.edited.emit(change_texts(self._design, self._view, **texts), gesture)
+        field, text = (name, text) if name == "title" else ("notes", f"{text}{line_end}{others}")
+        self.edited.emit(change_texts(self._design, self._view, None, **{field: text}), gesture)
 
     def _change_field(self, name: str, value: Any, gesture: int | None) -> None:
         """Change a field of all selected inputs, by typing or dragging."""

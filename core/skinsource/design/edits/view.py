@@ -1,4 +1,4 @@
-"""Change selected outputs, markers, the loop, the gain curve of a track and snapshots."""
+"""Change selected outputs, markers, the loop, the gain curve of a track, titles and snapshots."""
 
 from collections.abc import Iterable
 from dataclasses import replace
@@ -263,7 +263,7 @@ def keep_match_gain(design: Design, view: View) -> Edit | Refusal:
 
 @refusing
 def change_texts(
-    design: Design, view: View, number: int | None = None, **texts: str
+    design: Design, view: View, number: int | None = None, **texts: Any
 ) -> Edit | Refusal:
     """Change title or notes of the design; or of a snapshot, and of the design where it shows it.
 
