@@ -146,8 +146,8 @@ _SETTLED_MS, _SETTLED_ANYWAY_MS = 200, 5000
 
 def make_application() -> QtWidgets.QApplication:
     """Return the application object, named."""
-    # Qt hands a scaled picture to threads in slices of 64 lines; for one of a map's size to wait
-    # for them takes twice as long as to paint it, and twenty times where other programs are busy.
+    # Qt hands a scaled picture to threads in slices of 64 lines; to wait for those of a map takes
+    # twice as long as to paint it, and twenty times as long where other programs are busy.
     os.environ.setdefault("QT_NO_GUI_THREADPOOL", "1")
     # And before it paints it waits 5 ms for more to paint; what belongs together is told together.
     os.environ.setdefault("QT_QPA_UPDATE_IDLE_TIME", "0")

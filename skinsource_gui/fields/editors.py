@@ -11,7 +11,8 @@ from functools import partial
 from itertools import pairwise
 from typing import Any
 
-from PySide6 import QtWidgets
+from PySide6 import QtGui, QtWidgets
+from PySide6.QtCore import Qt
 
 from skinsource.base.errors import InvalidInputError, printable
 from skinsource.design.edits.edit import KindSpec
@@ -321,13 +322,19 @@ class TextLine(Editor, QtWidgets.QLineEdit):
         self.editingFinished.connect(self._tell)
 
     def set_value(self, value: str) -> None:
-        """Show a text without a signal."""
-        self._shown = value
-        self.setText(value)
+        """Show another text without a signal; what is being typed stays."""
+        if value != self._shown:
+            self._shown = value
+            self.setText(value)
 
     def cancel(self) -> None:
         """Restore the text."""
         self.setText(self._shown)
+
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
+        super().keyPressEvent(event)
+        if event.key() == Qt.Key.Key_Escape:
+            self.cancel()
 
     def _tell(self) -> None:
         if self.text() != self._shown:

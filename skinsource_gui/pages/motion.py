@@ -342,9 +342,9 @@ class MotionPage(ToolPage):
         self._summary = page_label("motion_summary")
         self._about = page_label("motion_about", tone="dim")
         self._about.setTextFormat(Qt.TextFormat.RichText)
-        name, hint = "Add", "Add the tracks to the design, in one step"
+        name, hint = "Add", "Add the inputs to the design, in one step"
         if index is not None:
-            name, hint = "Change", "Change the tracks of the selected motion, in one step"
+            name, hint = "Change", "Change the inputs of the selected motion, in one step"
         self._add = self.add_button("add_motion", name, hint, self._keep)
         self._cancel = self.add_button(
             "cancel_motion", "Cancel", "Close; nothing is changed", self.reject

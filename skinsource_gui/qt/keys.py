@@ -27,7 +27,7 @@ class Gesture:
     effect
         Text for its effect, which can begin a sentence.
     keys
-        All keys, as Qt writes them; the first one is shown where there is room for one.
+        All keys, as Qt writes them; where there is little room, the first one is shown.
     """
 
     shown: str

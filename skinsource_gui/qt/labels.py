@@ -66,6 +66,22 @@ class FittingLabel(QtWidgets.QLabel):
         return self.fontMetrics().horizontalAdvance(text) + margins.left() + margins.right() + 2
 
 
+class FixedLabel(QtWidgets.QLabel):
+    """Shows a number at the right, with room for the ``widest``: another one lays nothing out."""
+
+    def __init__(self, widest: str, parent: QtWidgets.QWidget) -> None:
+        super().__init__(parent)
+        self._widest = widest
+        self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        self.setFont(tabular(self.font()))
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            metrics = self.fontMetrics()
+            self.setFixedSize(metrics.horizontalAdvance(self._widest), metrics.height())
+
+
 _LEAST_PX = 3 * UNIT_PX
 
 

@@ -99,10 +99,6 @@ class ActionSpec:
     separated: bool = False
     group: str = ""
 
-    def __post_init__(self) -> None:
-        if bool(self.command) == (self.edit is not None):
-            raise ValueError(f"action {self.name}: expected either a command or an edit")
-
 
 def _clips(design: Design, view: View) -> list[Clip]:
     return [design.clip(id) for id in chosen_clips(design, view)]
@@ -176,6 +172,7 @@ EDITS: dict[str, MakeEdit] = {
     "shift_input_down": _of_inputs(partial(edits.shift_inputs, down=True)),
     "select_all_inputs": edits.select_all_inputs,
     "clear_inputs": edits.clear_inputs,
+    "select_no_inputs": lambda design, view: edits.select_inputs(design, view, ()),
     "select_no_outputs": lambda design, view: edits.select_outputs(design, view, ()),
     "match_levels": lambda design, view: edits.match_levels(design, view, not view.levels_matched),
     "keep_match_gain": edits.keep_match_gain,
@@ -203,7 +200,7 @@ def _has_snapshot(number: int) -> Condition:
     return lambda _, view: any(snapshot.number == number for snapshot in view.snapshots)
 
 
-_OF_INPUTS = "duplicate_input", "remove_input", "mute_input", "solo_input"
+_OF_INPUTS = "duplicate_input", "remove_input", "mute_input", "solo_input", "select_no_inputs"
 _OF_CLIPS = "split_clips", "fade_in", "fade_out", "repeat_clips", "duplicate_clips", "mute_clips"
 #: By name of an action, whether it can be done now; others always can.
 ENABLED: dict[str, Condition] = {

@@ -5,7 +5,7 @@ makes it skip what stands between.
 
 Shortcuts of the window work inside number fields and lines of text too. Keys without Ctrl or Alt
 that a widget needs stay with it: letters and spaces where a text is typed, Space on what is pressed
-with it, and on a list until something was chosen from it.
+with it, and on a drop-down list until something was chosen from it.
 """
 
 from collections.abc import Callable, Iterable, Sequence
@@ -256,7 +256,7 @@ _WHILE_TYPING = (
 _WHILE_RESTING = (_Standard.Copy, _Standard.Paste)
 _TEXTS = (QtWidgets.QLineEdit, QtWidgets.QPlainTextEdit)
 #: Widgets that Space presses or opens.
-_PRESSED = (QtWidgets.QAbstractButton, QtWidgets.QComboBox, QtWidgets.QAbstractItemView)
+_PRESSED = (QtWidgets.QAbstractButton, QtWidgets.QComboBox)
 _HELD = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
 
 
@@ -314,9 +314,7 @@ class ShortcutsInFields(KeyboardFilter):
             self._used = None
         # A clicked button has the keyboard too, but the next key is not meant for it.
         clicked = bool(QtWidgets.QApplication.mouseButtons())
-        is_field = isinstance(focused, (*_TEXTS, *_PRESSED))
-        is_field = is_field and not getattr(focused, "leaves_space", False)
-        if focused is None or not is_field or not self._window.isAncestorOf(focused):
+        if not isinstance(focused, (*_TEXTS, *_PRESSED)) or not self._window.isAncestorOf(focused):
             return None
         if isinstance(focused, QtWidgets.QAbstractButton) and clicked:
             return None

@@ -98,7 +98,7 @@ class Engine(QObject):
 
     A running evaluation is allowed to finish, so that a long drag shows a steady stream of results
     instead of none until the mouse stops; only one that has taken long already is abandoned for a
-    newer one of its place, or put back for one that goes before it.  A request to check or judge
+    newer one of its place, or put back when a more urgent one comes.  A request to check or judge
     what is no longer shown is dropped.
 
     Parameters

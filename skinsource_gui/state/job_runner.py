@@ -301,7 +301,7 @@ class Levelling(QObject):
             setup = of.limb, of.limb_digest, of.scaling, of.actuated
             return setup, [track for track in of.inputs if track.id in ids]
 
-        job = Job("Matching tracks", partial(track_levels_db, design, ids))
+        job = Job("Matching inputs", partial(track_levels_db, design, ids))
         self._run(job, sources=sources, edit=edits.match_tracks)
 
     def _run(

@@ -52,8 +52,9 @@ def test_a_motion_is_kept_with_its_clips_and_comes_back_from_a_file(kind, tmp_pa
 )
 def test_a_changed_motion_takes_the_place_of_the_one_before(motion):
     before = with_motion(design=with_motion(ApparentMotion(path=(2, 3))))
-    # Of the second motion: its first track is muted, and holds another clip besides.
+    # Of the second motion: its first track is softer and muted, and holds another clip besides.
     third = before.ids[3]
+    before = edits.change_field(before, View(), (third,), "amplitude", 0.3).design
     before = edits.add_clip(before, View(), third, 2.0, Tone(70.0)).design
     before = edits.mute_inputs(before, View(), (third,), True).design
     own = before.input(third).clips[-1].id
@@ -64,6 +65,10 @@ def test_a_changed_motion_takes_the_place_of_the_one_before(motion):
     assert after.inputs[:3] == before.inputs[:3]
     assert after.clip(own).waveform == Tone(70.0)
     assert after.input(third).muted
+    assert after.input(third).amplitude == pytest.approx(0.3 * motion.amplitude)
+    silent = edits.set_clips(before, View(), before.motions[1].clips[:1], "muted", True).design
+    clips = edits.change_motion(silent, View(), 1, motion).design.input(third).clips
+    assert [clip.muted for clip in clips[:2]] == [False, True]
     places = [track.location for track in after.inputs[3:]]
     assert set(places) == {16, *motion.path}
     assert len(places) == len(set(places))
@@ -85,7 +90,6 @@ def test_edits_by_hand_dissolve_a_motion_and_say_so_once():
     for edit, more in (
         (edits.move_clips, ((clip,), 0.1)),
         (edits.remove_inputs, ((last,),)),
-        (edits.change_field, ((last,), "amplitude", 0.3)),
         (edits.move_inputs, ((last,), 5)),
         (edits.set_clips, ((clip,), "gain", 0.5)),
     ):
@@ -106,6 +110,8 @@ def test_edits_of_other_things_and_the_way_back_keep_it():
         (edits.mute_inputs, ((last,), True)),
         (edits.set_gain_curve, (last, ((0.0, 0.5),))),
         (edits.change_field, ((1,), "amplitude", 0.3)),
+        (edits.change_field, ((last,), "amplitude", -0.3)),
+        (edits.set_clips, (design.motions[0].clips[:1], "muted", True)),
         (edits.add_clip, (last, 3.0, Tone())),
         (edits.shift_inputs, ((last,), False)),
     ):

@@ -60,14 +60,14 @@ def test_what_cannot_be_predicted_is_said(qtbot, trained):
 def test_selected_tracks_are_matched_in_one_step(qtbot, trained):
     action, messages = trained.actions_by_name["match_tracks"], []
     assert not action.isEnabled()
-    assert "two tracks" in action.toolTip()
+    assert "two inputs" in action.toolTip()
     trained.document.message.connect(messages.append)
     trained.document.look(View(selected_inputs=(1, 2)))
-    assert "two tracks" not in action.toolTip()
+    assert "two inputs" not in action.toolTip()
     trained.do("match_tracks")
     qtbot.waitUntil(lambda: trained.document.undo_stack.count() == 1)
     (said,) = messages
-    assert "2 tracks to 3 (" in said
+    assert "2 inputs to 3 (" in said
     assert "loudest 100 ms" in said
     first, last = trained.document.design.inputs
     assert last.amplitude == 1.0

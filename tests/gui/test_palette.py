@@ -20,7 +20,7 @@ from skinsource_gui.panels.skin.scale import key_step_db
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.skin.time import ScrubBar
 from skinsource_gui.qt.keys import KEYS, MOUSE, SHORTCUTS, meaning_of
-from skinsource_gui.shell.actions import ACTIONS, MENUS, ActionSpec
+from skinsource_gui.shell.actions import ACTIONS, MENUS
 from skinsource_gui.shell.menus import ActionSet, Palette, matching
 from skinsource_gui.shell.playing import Transport
 from skinsource_gui.state.document import Document
@@ -204,13 +204,6 @@ def test_conditions_follow_the_document(window):
     assert enabled["clear_inputs"]()
     window.do("clear_inputs")
     assert not enabled["clear_inputs"]()
-
-
-def test_an_action_is_a_command_or_an_edit_not_both_and_not_neither():
-    fields = {"name": "a", "text": "A", "hint": "A"}
-    for more in ({}, {"command": "files.new", "edit": lambda design, view: None}):
-        with pytest.raises(ValueError, match="either a command or an edit"):
-            ActionSpec(**fields, **more)
 
 
 def test_each_menu_opens_with_a_letter_of_its_own_and_the_first_with_f10(window, qtbot):

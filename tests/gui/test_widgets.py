@@ -92,23 +92,17 @@ def show(cached, dot, key=(), ground=None, ratio=1.0, room=ROOM):
 
 @pytest.mark.parametrize("ratio", [1.0, 2.0])
 @pytest.mark.parametrize("room", [ROOM, QRectF(0, 0, 12, 12), QRectF(8, 8, 4, 4)])
-def test_a_kept_picture_looks_as_if_it_were_painted_directly(qapp, room, ratio):
-    direct, cached = sheet(ratio), CachedPicture()
+def test_a_kept_picture_looks_as_if_painted_and_is_painted_anew_only_for_another_key(
+    qapp, room, ratio
+):
+    direct, cached, dot = sheet(ratio), CachedPicture(), Dot()
     painter = QPainter(direct)
     painter.setClipRect(room)
     Dot().paint(painter)
     painter.end()
-    for _ in range(2):
-        assert show(cached, Dot(), room=room, ratio=ratio) == direct
-
-
-def test_it_is_painted_once_until_what_it_depends_on_changes(qapp):
-    cached, dot = CachedPicture(), Dot()
-    for _ in range(3):
-        show(cached, dot, ("light", 1.5))
-    assert dot.times == 1
-    show(cached, dot, ("dark", 1.5))
-    assert dot.times == 2
+    for key, times in (("light", 1), ("light", 1), ("dark", 2)):
+        assert show(cached, dot, (key, 1.5), room=room, ratio=ratio) == direct
+        assert dot.times == times
 
 
 @pytest.fixture

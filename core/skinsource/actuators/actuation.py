@@ -62,7 +62,7 @@ class ActuatorProfile(fields.CheckedModel):
     gain_calibrated
         Whether m/s² for each volt may be trusted; else only the shape of the response counts.
     model
-        A model that moves, or a `ResponseShape` where too little is known for one.
+        A model that moves, or a `ResponseShape` where too little is known for a model.
     limits, thermal
         Its limits; how it warms, where that is known.
     """

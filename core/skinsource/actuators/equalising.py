@@ -281,7 +281,7 @@ def equalised(
     drive : (n_times,) or (n_channels, n_times)
         Acceleration of the contactor in m/s²; silent before and after.
     sample_rate_hz
-        High enough for the band: 1300 Hz at least for one that ends at 600 Hz.
+        High enough for the band: 1300 Hz at least where it ends at 600 Hz.
     actuator, equaliser
         What is driven, and the filter that is made for it.
     band_hz

@@ -100,7 +100,7 @@ class Clip:
 #: Most clips of one lane, and most lanes of a fragment.
 MAX_CLIPS, MAX_TRACKS = 1000, 100
 
-# The limb checks whether it has a place when it is asked for one.
+# Whether a limb has the place is checked when the limb is used.
 PLACE = NumberSpec(label="Place", minimum=1, maximum=MOST_LOCATIONS, whole=True)
 AMPLITUDE = NumberSpec(label="Amplitude", minimum=-1000.0, maximum=1000.0)
 OFFSET = NumberSpec(label="Tracks below the first", minimum=0, maximum=MAX_TRACKS, whole=True)

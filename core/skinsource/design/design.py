@@ -53,7 +53,7 @@ AMPLITUDE = NumberSpec(
 #: For an input whose amplitude is a plain factor, see `skinsource.design.amplitudes.is_gain`.
 AMPLITUDE_GAIN = replace(
     AMPLITUDE,
-    label="Track gain",
+    label="Input gain",
     hint="Factor on the recording; a negative gain inverts the polarity",
 )
 
@@ -65,7 +65,7 @@ LICENCE = TextSpec(label="Licence", longest=2_000)
 CLIPS = ListSpec(label="Clips", of=ModelSpec(label="Clip", kinds=lambda: (Clip,)), most=MAX_CLIPS)
 GAIN_CURVE = CurveSpec(
     label="Gain curve",
-    hint="Factor on all clips of the track, over time",
+    hint="Factor on all clips of the input, over time",
     x=NumberSpec(label="Time", unit="s", minimum=0.0, maximum=LATEST_S),
     y=NumberSpec(label="Gain", minimum=0.0, maximum=1000.0),
     fewest=0,

@@ -105,7 +105,7 @@ SPACING = NumberSpec(
     step=0.005,
     hint="Stimulus onset asynchrony: from one start to the next",
 )
-LEVEL = replace(AMPLITUDE, minimum=0.0, hint="Amplitude of each track")
+LEVEL = replace(AMPLITUDE, minimum=0.0, hint="Amplitude of each input")
 
 
 def _tracks_of(

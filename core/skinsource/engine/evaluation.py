@@ -67,7 +67,7 @@ class Evaluator:
             return values
 
     def _closest(self, design: Design, view: View) -> _CachedGraph:
-        """Return the graph whose design is like ``design`` but for one input, else a new graph."""
+        """Return the graph whose design differs from ``design`` in one input, else a new graph."""
         same_limb = [entry for entry in self._cached if _same_limb(entry.design, design)]
         closest = min(
             reversed(same_limb), key=lambda entry: len(_changed(entry.design, design)), default=None

@@ -92,7 +92,7 @@ def track_levels_db(
         stop_if(stop)
         alone = replace(track, muted=False, solo=False)
         levels_db[track.id] = _loudest_db(evaluator, replace(design, inputs=(alone,)))
-        progress(done, len(tracks), f"Track {done} of {len(tracks)}")
+        progress(done, len(tracks), f"Input {done} of {len(tracks)}")
     return levels_db
 
 

@@ -16,13 +16,7 @@ import numpy as np
 
 from skinsource.actuators.actuation import Actuation, names
 from skinsource.actuators.equalising import Equaliser, equalised, followed_band
-from skinsource.actuators.rigs import (
-    Rig,
-    RigChannel,
-    full_scale_volts,
-    known_model,
-    wired_channel,
-)
+from skinsource.actuators.rigs import Rig, RigChannel, full_scale_volts, known_model, wired_channel
 from skinsource.base.arguments import checking, integer, one_of, real_number
 from skinsource.base.conventions import BAND_HZ, Band, Floats, check_input_location
 from skinsource.base.errors import InvalidInputError, counted, quoted

@@ -25,7 +25,7 @@ def number(default: float, spec: NumberSpec) -> Any:
 
 
 def choice(default: str, spec: ChoiceSpec) -> Any:
-    """Make a dataclass field for one of several names."""
+    """Make a dataclass field whose value is a name out of several."""
     return field(spec, default)
 
 

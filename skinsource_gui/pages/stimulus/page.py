@@ -23,7 +23,7 @@ from skinsource.base.errors import Stopped, counted, sentence
 from skinsource.design.amplitudes import amplitude_unit
 from skinsource.design.design import Design, View, audible_inputs
 from skinsource.design.edits.edit import Edit
-from skinsource.design.edits.setup import mend_through
+from skinsource.design.edits.setup import repair_for_actuators
 from skinsource.export.formats.format import ChannelOverview
 from skinsource.export.methods import methods_of
 from skinsource.export.stimulus_export.export import write_prepared, written_files
@@ -321,7 +321,7 @@ class StimulusPart(ExportPart):
         through = None if chosen is None else replace(chosen, equaliser=RegularisedInverse())
         design = replace(self._design, actuation=through)
         for track in audible_inputs(design.inputs):
-            found = mend_through(design, self._view, track.id) or found
+            found = repair_for_actuators(design, self._view, track.id) or found
             design = found.design if found else design
         kept = replace(design, actuation=self._design.actuation)
         return None if found is None else replace(found, design=kept)

@@ -560,10 +560,7 @@ def compared_designs(compared: Sequence[Compared]) -> ComparedDesigns:
 def _compared_designs(compared: Sequence[Compared], text: str = "") -> ComparedDesigns:
     designs = [side.snapshot.design for side in compared]
     return ComparedDesigns(
-        compared=compared,
-        strengths=strengths_of(designs),
-        joint=joint_of(designs),
-        note=text,
+        compared=compared, strengths=strengths_of(designs), joint=joint_of(designs), note=text
     )
 
 
@@ -622,7 +619,7 @@ def _by_band(result: Proportion, channels: list[str], unit: StrengthUnit) -> _Li
         f"band_rms_{channel}_m_per_s2 at {at}" for at in strengths for channel in channels
     ]
     lines: _Lines = [
-        ("frequency_hz", *of_strengths, *(f"adjusted_r2_{channel}" for channel in channels)),
+        ("frequency_hz", *of_strengths, *(f"adjusted_r2_{channel}" for channel in channels))
     ]
     for k, frequency_hz in enumerate(result.frequency_hz):
         levels, r2 = result.band_rms[..., k].ravel(), result.adjusted_r2[:, k]

@@ -25,14 +25,7 @@ from skinsource_gui.state.panel import Panel
 _LARGE_LETTERS = 2.0
 _ANSWERS = {spec.name: spec.answer for spec in VIEWS}
 # Signals of a view that are those of the panel.
-_FORWARDED = (
-    "edited",
-    "view_changed",
-    "action_requested",
-    "playhead_requested",
-    "failed",
-    "done",
-)
+_FORWARDED = ("edited", "view_changed", "action_requested", "playhead_requested", "failed", "done")
 
 
 def _of_view(name: str) -> Any:

@@ -4,7 +4,6 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, ClassVar
 
-import numpy as np
 from PySide6 import QtWidgets
 from PySide6.QtCore import QSize, Qt
 
@@ -225,11 +224,6 @@ class PerceptionView(OutputTableView):
         self._sensation, self._outputs, self._limb = sensation, outputs, results["limb_data"].name
         self.limits.setText(_limits(self.settings, self._sensation, self._matched))
         self.show_rows(header(sensation), rows(sensation, outputs, self._limb))
-        loudest = int(np.argmax(sensation.level_db))
-        synthetic = " Synthetic limb." if results["limb_data"].synthetic else ""
-        self.limits.setToolTip(
-            f"Highest: {sensation.level_db[loudest]:z.1f} dB at output {loudest + 1}.{synthetic}"
-        )
 
     def show_staleness(self, stale: bool) -> None:
         super().show_staleness(stale)

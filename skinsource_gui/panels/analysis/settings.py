@@ -98,17 +98,10 @@ class TransferSettings(fields.CheckedModel):
     coherence: bool = fields.switch(False, COHERENCE)
 
 
-VELOCITY = SwitchSpec(
-    label="In mm/s",
-    hint="Give strengths as peak probe velocity, not amplitude",
-)
-BANDS = SwitchSpec(
-    label="By band",
-    hint="Show bands of 2 Hz at 50, 100, 200 and 400 Hz",
-)
+VELOCITY = SwitchSpec(label="In mm/s", hint="Give strengths as peak probe velocity, not amplitude")
+BANDS = SwitchSpec(label="By band", hint="Show bands of 2 Hz at 50, 100, 200 and 400 Hz")
 EVERY_OUTPUT = SwitchSpec(
-    label="All outputs",
-    hint="Show adjusted R² of the worst output and the median",
+    label="All outputs", hint="Show adjusted R² of the worst output and the median"
 )
 
 

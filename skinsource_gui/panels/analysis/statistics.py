@@ -76,13 +76,7 @@ def rows_of(
 ) -> tuple[StatisticsRow, ...]:
     """Return a row for each selected output of a limb."""
     rows = []
-    columns = (
-        figures.rms,
-        figures.peak,
-        figures.crest,
-        figures.dominant_hz,
-        figures.delay_s,
-    )
+    columns = (figures.rms, figures.peak, figures.crest, figures.dominant_hz, figures.delay_s)
     for rank, output in enumerate(outputs):
         above = np.inf if above_noise_db is None else above_noise_db[output - 1]
         rows.append(

@@ -147,21 +147,9 @@ class PenEdits(ToolEdits):
 _PLACE = "clip_editor"
 _TOOLS = (
     ("look", "View", "Read values; drag to scroll"),
-    (
-        "pen",
-        "Draw",
-        "Draw samples; Shift: straight line; right button: zero",
-    ),
-    (
-        "envelope",
-        "Envelope",
-        "Shape the envelope: click to add a point, drag to move",
-    ),
-    (
-        "glide",
-        "Glide",
-        "Shape frequency and amplitude of a glide: click to add points",
-    ),
+    ("pen", "Draw", "Draw samples; Shift: straight line; right button: zero"),
+    ("envelope", "Envelope", "Shape the envelope: click to add a point, drag to move"),
+    ("glide", "Glide", "Shape frequency and amplitude of a glide: click to add points"),
 )
 
 

@@ -8,10 +8,13 @@ from PySide6.QtCore import QEvent, QPoint, QSize, Qt, Signal
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.base.errors import printable
 from skinsource.design.comparing import gain_text, loudest_db, snapshot_name
+from skinsource.design.design import TITLE
 from skinsource.studies import scenes
+from skinsource_gui.fields.editors import TextLine
 from skinsource_gui.fields.units import minus
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of, shortcut_text
+from skinsource_gui.qt.layouts import named
 from skinsource_gui.qt.theme import UNIT_PX, tabular
 from skinsource_gui.state.compared import Compared, gain_db
 
@@ -49,6 +52,8 @@ def card_text(compared: Compared, *, present: bool) -> str:
 
 
 _PLACE = "snapshot"
+# Of the title on a card, and of the line in which it is typed.
+_TITLE_PX, _LINE_PX = 96, 224
 
 
 class Card(QtWidgets.QToolButton):
@@ -69,6 +74,8 @@ class Card(QtWidgets.QToolButton):
 
     #: What to do with this number: ``"show"``, ``"store"`` or ``"forget"``.
     requested = Signal(int, str)
+    #: This number, and the title that was typed for it.
+    renamed = Signal(int, str)
 
     def __init__(self, number: int, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
@@ -102,12 +109,17 @@ class Card(QtWidgets.QToolButton):
             self.setText(f"{self.number}: {self._store_key}")
         else:
             warned = "⚠ " if compared.left_out else ""
-            self.setText(f"{warned}{compared.name}: {card_level_text(compared)}")
+            title = printable(scenes.title_of(compared.snapshot.design)).strip()
+            # Behind the last middle dot titles of scenes differ.
+            own, right = title.rpartition(" · ")[2], Qt.TextElideMode.ElideRight
+            called = f"{compared.name} {self.fontMetrics().elidedText(own, right, _TITLE_PX)}"
+            self.setText(f"{warned}{called.strip()}: {card_level_text(compared)}")
 
     def sizeHint(self) -> QSize:
         # Levels that change move nothing.
-        widest = self.fontMetrics().horizontalAdvance("1: −88.8 dB") + UNIT_PX
-        return super().sizeHint().expandedTo(QSize(widest, 0))
+        widest = f"{self.text().rpartition(':')[0]}: −88.8 dB"
+        width = self.fontMetrics().horizontalAdvance(widest) + UNIT_PX
+        return super().sizeHint().expandedTo(QSize(width, 0))
 
     def nextCheckState(self) -> None:
         """Leave it checked while it is in the window, whatever is clicked."""
@@ -119,10 +131,20 @@ class Card(QtWidgets.QToolButton):
         means = meaning_of(_PLACE, event)
         if means == "forget" and self.compared is not None:
             self.requested.emit(self.number, "forget")
+        elif means == "rename":
+            self._rename()
         elif means == "act":
             self._act()
         else:
             super().keyPressEvent(event)
+
+    def mouseDoubleClickEvent(self, event: QtGui.QMouseEvent) -> None:
+        self._rename()  # the first click has shown it
+
+    def _rename(self) -> None:
+        if self.compared is not None:
+            line = TitleLine(self, self.compared.snapshot.design.title)
+            line.edited.connect(lambda title, _: self.renamed.emit(self.number, title))
 
     def _act(self) -> None:
         self.requested.emit(self.number, "show" if self.compared else "store")
@@ -131,6 +153,7 @@ class Card(QtWidgets.QToolButton):
         menu = passing_menu(self)
         if self.compared is not None:
             menu.addAction("Show", lambda: self.requested.emit(self.number, "show"))
+            menu.addAction("Rename", self._rename)
         if self.number:
             menu.addAction(
                 "Store current design", lambda: self.requested.emit(self.number, "store")
@@ -138,3 +161,31 @@ class Card(QtWidgets.QToolButton):
         if self.compared is not None and not (self.present and not self.number):
             menu.addAction("Remove", lambda: self.requested.emit(self.number, "forget"))
         menu.popup(self.mapToGlobal(at))
+
+
+class TitleLine(TextLine):
+    """Edits the title of a snapshot over its card, until it loses the keyboard."""
+
+    def __init__(self, card: Card, title: str) -> None:
+        window = card.window()
+        super().__init__(TITLE, window)
+        named(self, "snapshot_title", "Title of the snapshot")
+        self._card = card
+        self.set_value(title)
+        at, width = card.mapTo(window, QPoint()), max(card.width(), _LINE_PX)
+        self.setGeometry(min(at.x(), window.width() - width), at.y(), width, card.height())
+        self.selectAll()
+        self.show()
+        self.setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def focusOutEvent(self, event: QtGui.QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        if event.reason() != Qt.FocusReason.PopupFocusReason:
+            self.hide()
+            self.deleteLater()
+
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
+        super().keyPressEvent(event)
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Escape):
+            event.accept()
+            self._card.setFocus(Qt.FocusReason.OtherFocusReason)

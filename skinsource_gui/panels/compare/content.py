@@ -249,11 +249,7 @@ def of_differences(
     drawn = [cell.values_db for cell in cells if cell.values_db is not None]
     end, reached = scale_end_db(*drawn), _reached_db(drawn)
     scale = ColourScale(
-        range_db=(-end, end),
-        text_below="dB",
-        colours=DIVERGING,
-        signed=True,
-        reached_db=reached,
+        range_db=(-end, end), text_below="dB", colours=DIVERGING, signed=True, reached_db=reached
     )
     return tuple(cell if cell.small is None else replace(cell, scale=scale) for cell in cells)
 
@@ -434,14 +430,7 @@ LEAST_COMPARED = 2
 
 #: Quantities of a map of levels.
 LEVELS = frozenset(
-    {
-        "limb_map",
-        "limb_data",
-        "output_levels_db",
-        "above_noise_db",
-        "surface",
-        "surface_levels_db",
-    }
+    {"limb_map", "limb_data", "output_levels_db", "above_noise_db", "surface", "surface_levels_db"}
 )
 
 

@@ -11,6 +11,7 @@ from PySide6.QtCore import QRectF, QSize, Signal
 from skinsource.design import edits
 from skinsource.design.comparing import MOST_SIDE_BY_SIDE, other_snapshot
 from skinsource.design.design import EDITED, NUMBERS, Design, View, shown_snapshot
+from skinsource.design.edits.view import change_texts
 from skinsource.design.labels import limb_label
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.limbs.catalog import available_limbs
@@ -95,12 +96,7 @@ _LINES_WITH_ROOM = 14
 
 # Names, texts and hints of buttons, and what they do.
 _OF_SNAPSHOTS = (
-    (
-        "match",
-        "Match levels",
-        "Give their loudest outputs the same level",
-        "match_levels",
-    ),
+    ("match", "Match levels", "Give their loudest outputs the same level", "match_levels"),
     ("toggle", "A/B (X)", "Show the other one of the last two", "toggle_snapshots"),
     ("file", "From file…", "Keep the design of a file as a snapshot", "take_snapshot"),
 )
@@ -206,6 +202,7 @@ class ComparePanel(MapsPanel):
         self.cards = [Card(number, self) for number in (*NUMBERS, EDITED)]
         for card in self.cards:
             card.requested.connect(self._act)
+            card.renamed.connect(self._rename)
         self._row = FoldingRow(self.cards, UNIT_PX // 4, left=True, parent=self)
         self.maps.pointed_at.connect(self._read)
         self.text_label = NoteLabel("compare_words", self)
@@ -285,6 +282,10 @@ class ComparePanel(MapsPanel):
             self.snapshot_requested.emit(number)
         elif self.design is not None:
             self.edited.emit(edits.forget_snapshot(self.design, self.view, number), None)
+
+    def _rename(self, number: int, title: str) -> None:
+        if self.design is not None:
+            self.edited.emit(change_texts(self.design, self.view, number, title=title), None)
 
     def _read(self, output: int | None) -> None:
         # Maps that move under the pointer cannot be pointed at.

@@ -31,8 +31,7 @@ SHOWN = ChoiceSpec(
     hint="Levels of each, differences, mean and standard deviation, or motion",
 )
 OWN_MAXIMUM = SwitchSpec(
-    label="Own maximum",
-    hint="Draw each map relative to its own loudest output",
+    label="Own maximum", hint="Draw each map relative to its own loudest output"
 )
 LIMBS = TextSpec(label="Limbs", longest=200, one_line=True)
 FREQUENCIES = ListSpec(

@@ -16,11 +16,13 @@ from skinsource.design.design import (
     AMPLITUDE,
     AMPLITUDE_GAIN,
     GAIN_CURVE,
+    TITLE,
     Design,
     Input,
     View,
     audible_inputs,
 )
+from skinsource.design.design_file import SENTENCE
 from skinsource.design.edits.edit import (
     Edit,
     Refusal,
@@ -30,6 +32,7 @@ from skinsource.design.edits.edit import (
     kind_spec,
     leading_input,
 )
+from skinsource.design.edits.view import change_texts
 from skinsource.design.labels import SCALINGS, scalings_on
 from skinsource.design.signal_path import UnplayableInput
 from skinsource.design.waveform import Waveform
@@ -98,6 +101,8 @@ def _places(limb: str, facts: LimbFacts) -> ChoiceSpec:
     )
 
 
+_TITLE = replace(TITLE, hint="Of the window, pictures and exported files")
+_SENTENCE = replace(SENTENCE, hint="Below the title on the stage; begins the notes")
 _CLIP_GAIN = replace(GAIN, label="Clip gain")
 #: What follows an amplitude, by the scaling of the design.
 _MEANINGS = {
@@ -178,7 +183,7 @@ class InputFields(QObject):
         self._onset = FieldCell("onset_s", ONSET, edited=self.edited)
         self._gain = FieldCell("gain", _CLIP_GAIN, edited=self.edited)
         self._curve = FieldCell("gain_curve", GAIN_CURVE, edited=self.edited)
-        self._peak = TextCell("Peak", "", "peak", "Peak of the whole track, with its gain")
+        self._peak = TextCell("Peak", "", "peak", "Peak of the whole input, with its gain")
         self._played_length = TextCell("Played", "", "played_length", "Duration after effects")
         self._played_hz = TextCell("Played", "", "played_hz", "Frequency after effects")
 
@@ -433,6 +438,10 @@ class InspectorPanel(Panel):
         self._preview = WaveformPreview()
         self._preview.setFixedHeight(_PICTURE_PX)
         self.computed = (self._preview,)
+        self._texts = tuple(
+            FieldCell(name, spec, edited=self._change_texts)
+            for name, spec in (("title", _TITLE), ("sentence", _SENTENCE))
+        )
         self._lay_out()
 
     def minimumSizeHint(self) -> QSize:
@@ -470,7 +479,11 @@ class InspectorPanel(Panel):
             self._chain.forget_typing()
             self._shown = ()
             self._empty.setText(HOW_TO_SELECT_INPUT if design.inputs else how_to_add())
-            self._stack.setCurrentWidget(self._empty)
+            texts = design.title, design.notes.partition("\n")[0]
+            for cell, text in zip(self._texts, texts, strict=True):
+                cell.set_value(text)
+            self._stack.setCurrentWidget(self._of_design)
+            self.setFocusProxy(self._texts[0])
             return
         if self._shown != (view.selected_inputs, view.selected_clips):
             # What was being typed or dragged belongs to other inputs.
@@ -483,6 +496,7 @@ class InspectorPanel(Panel):
             track, silent=all(track is not audible for audible in audible_inputs(design.inputs))
         )
         self._stack.setCurrentWidget(self._editor)
+        self.setFocusProxy(self._fields.place)
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._waveforms, self._rate_hz = waveforms_of(results), results["sample_rate_hz"]
@@ -513,7 +527,7 @@ class InspectorPanel(Panel):
         track = QtWidgets.QWidget()
         buttons = in_row(self._mute, self._solo, None, margins=0, gap_px=UNIT_PX // 2)
         in_column(buttons, fields.track, of=track, margins=0, gap_px=UNIT_PX // 4)
-        fold = Fold("track_fold", "Track", track)
+        fold = Fold("track_fold", "Input", track)
         parts = fields.grid, self._chain, fold, track, None
         in_column(*parts, of=inside, margins=(UNIT_PX, 0, UNIT_PX, UNIT_PX), gap_px=UNIT_PX // 4)
         self._scroll = scroll = scrolled(inside, "inspector_fields")
@@ -524,10 +538,15 @@ class InspectorPanel(Panel):
         margins = (0, UNIT_PX // 4, 0, 0)
         in_column(top, (scroll, 1), of=self._editor, margins=margins, gap_px=UNIT_PX // 4)
         self._empty = page_label("inspector_empty", tone="dim", centred=True)
+        self._of_design, grid = QtWidgets.QWidget(), FieldGrid()
+        grid.show_cells(self._texts)
+        in_column(
+            page_label("design_heading", "Design"), grid, (self._empty, 1), of=self._of_design
+        )
         self._stack = QtWidgets.QStackedLayout(self)
-        self._stack.addWidget(self._empty)
+        self._stack.addWidget(self._of_design)
         self._stack.addWidget(self._editor)
-        self.setFocusProxy(fields.place)
+        self.setFocusProxy(self._texts[0])
 
     def _show_input(self, track: Input, *, silent: bool) -> None:
         # In the order of the design.
@@ -546,7 +565,7 @@ class InspectorPanel(Panel):
         if is_gain(self._design, track):
             amplitude, peak = AMPLITUDE_GAIN, peak_text(self._design, track)
         elif len(track.clips) > 1:
-            amplitude = replace(amplitude, label="Track amplitude")
+            amplitude = replace(amplitude, label="Input amplitude")
         self._fields.show_limb(limb)
         self._fields.show_input(track, batch, amplitude, self._view, peak)
         self._chain.show_chain(self._design, self._view, clip, clips)
@@ -564,6 +583,12 @@ class InspectorPanel(Panel):
 
     def _change_scaling(self, scaling: str) -> None:
         self._tell(edits.change_scaling(self._design, self._view, scaling), None)
+
+    def _change_texts(self, name: str, text: str, gesture: int | None) -> None:
+        """Change the title of the design, or the first line of its notes."""
+        _, line_end, others = self._design.notes.partition("\n")
+        field, text = (name, text) if name == "title" else ("notes", f"{text}{line_end}{others}")
+        self.edited.emit(change_texts(self._design, self._view, None, **{field: text}), gesture)
 
     def _change_field(self, name: str, value: Any, gesture: int | None) -> None:
         """Change a field of all selected inputs, by typing or dragging."""

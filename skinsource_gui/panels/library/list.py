@@ -247,6 +247,8 @@ class PresetList(QtWidgets.QListView):
             signal = self.place_requested if name == "place" else self.delete_requested
             if entry is not None and (name == "place" or self.current_is_own):
                 signal.emit(entry)
+        elif event.text().isprintable() and event.text():
+            event.ignore()  # there is a search, so letters choose no row
         else:
             super().keyPressEvent(event)
 

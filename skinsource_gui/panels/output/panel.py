@@ -26,7 +26,7 @@ from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_unit, equaliser_of
 from skinsource.design.design import Design, View
 from skinsource.design.edits.edit import Edit
-from skinsource.design.edits.setup import mend_through
+from skinsource.design.edits.setup import repair_for_actuators
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.engine.actuator_demand import Demand, listed_name, profile_of
 from skinsource.lab.playing.devices import (
@@ -735,7 +735,7 @@ class OutputPanel(Panel):
     def _mending(self) -> Edit | None:
         """Return the edit that lets the actuator follow the selected input; None: there is none."""
         design, id = self._design, self._view.selected_input
-        return None if id is None else mend_through(design, self._view, id)
+        return None if id is None else repair_for_actuators(design, self._view, id)
 
     def _mend(self) -> None:
         edit = self._mending()

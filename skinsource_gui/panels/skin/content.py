@@ -281,10 +281,7 @@ def _limb_of(
 
 
 def _values(
-    results: Mapping[str, Any],
-    settings: SkinSettings,
-    view: View,
-    surface: SurfaceOperator | None,
+    results: Mapping[str, Any], settings: SkinSettings, view: View, surface: SurfaceOperator | None
 ) -> tuple[Floats | None, Floats | None, str]:
     """Return values at the outputs and over the skin, or why there are none."""
     at_outputs, over_skin = _NAMES[settings.quantity]

@@ -7,8 +7,8 @@ from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRectF, QSize, QSiz
 from skinsource.base.errors import counted
 from skinsource.design.labels import BACK_SIDE
 from skinsource.limbs.limb import LimbMap
-from skinsource.limbs.locations import input_name
-from skinsource_gui.fields.units import output_text
+from skinsource.limbs.locations import input_name, output_name
+from skinsource_gui.fields.units import minus, output_text
 from skinsource_gui.panels.skin.content import InputMark, MapContent
 from skinsource_gui.panels.skin.layout import (
     HAND,
@@ -25,7 +25,7 @@ from skinsource_gui.panels.skin.painting import (
     paint_mark,
     small_font,
 )
-from skinsource_gui.panels.skin.settings import time_text
+from skinsource_gui.panels.skin.settings import SENSATION, Z, time_text
 from skinsource_gui.plots.outputs import ADDS, REACH_PX, OutputPicker, is_placed, output_at
 from skinsource_gui.plots.small_map import (
     FIXED_MARK,
@@ -37,6 +37,7 @@ from skinsource_gui.plots.small_map import (
 from skinsource_gui.qt.accessible import Told
 from skinsource_gui.qt.frames import CachedPicture, Same, paint_focus_frame
 from skinsource_gui.qt.keys import KEYS, claims_shortcut, meaning_of
+from skinsource_gui.qt.questions import copied_level, copied_number, tab_separated
 from skinsource_gui.qt.theme import Theme, current_theme, tabular, translucent
 from skinsource_gui.qt.wheel import FREE, WHOLE, PanZoom
 
@@ -123,6 +124,19 @@ def map_tooltip(content: MapContent, layout: MapLayout | None, at: QPointF) -> s
     return "\n".join(filter(None, [*lines, inputs_text(content, layout, at)]))
 
 
+_COLUMNS = {SENSATION: "above_threshold_db", Z: "acceleration_z_m_per_s2"}
+
+
+def numbers_text(content: MapContent) -> str:
+    """Return the value of each output for a spreadsheet, and what it is as a remark below."""
+    quantity, values = content.quantity, content.coloured_values
+    copied = copied_number if quantity.signed else copied_level
+    lines = [("output", "place", _COLUMNS.get(quantity.name, "level_db_re_1_m_per_s2"))]
+    for number, value in enumerate(() if values is None else values, 1):
+        lines.append((str(number), output_name(number, content.limb).name, copied(value)))
+    return f"{tab_separated(lines)}# {' · '.join(filter(None, quantity.words))}\n"
+
+
 def selection_hint(outputs: tuple[int, ...]) -> str:
     """Return how many outputs are selected, and how to select others."""
     if not outputs:
@@ -130,15 +144,14 @@ def selection_hint(outputs: tuple[int, ...]) -> str:
     return f"{counted(len(outputs), 'output')} selected · Shift+click adds or removes one"
 
 
-def strongest_readout(content: MapContent) -> tuple[str, str]:
-    """Return the strongest output, and the same with its value; empty for a wave that moves."""
+def strongest_readout(content: MapContent) -> tuple[str, str, str]:
+    """Return the strongest output, the same with its value, and its level; "": a wave moves."""
     values = content.coloured_values
     if values is None or content.quantity.moves or not np.isfinite(values).any():
-        return "", ""
+        return "", "", ""
     number = int(np.nanargmax(values)) + 1
-    # Its value changes with each step of a drag, and would lay the panel out each time.
-    place = output_text(number, content.limb)
-    return f"Strongest: {place}", f"Strongest: {output_readout(content, number)}"
+    place, level = output_text(number, content.limb), minus(f"{values[number - 1]:z.1f} dB")
+    return f"Strongest: {place}", f"Strongest: {output_readout(content, number)}", level
 
 
 SYNTHETIC_MARK = "SYNTHETIC"

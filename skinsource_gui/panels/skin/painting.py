@@ -327,9 +327,7 @@ class MapPainter:
     """
 
     def __init__(
-        self,
-        limb_map: LimbMap,
-        picture_type: type[CachedPicture | UncachedPicture] = CachedPicture,
+        self, limb_map: LimbMap, picture_type: type[CachedPicture | UncachedPicture] = CachedPicture
     ) -> None:
         self._limb_map, self._outline = limb_map, QtGui.QPainterPath()
         self._outline.addPolygon(QtGui.QPolygonF([QPointF(x, y) for x, y in limb_map.outline]))

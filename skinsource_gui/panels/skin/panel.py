@@ -25,7 +25,7 @@ from skinsource_gui.panels.skin.content import (
     signals_name,
 )
 from skinsource_gui.panels.skin.layout import HAND
-from skinsource_gui.panels.skin.map import SkinMap, selection_hint, strongest_readout
+from skinsource_gui.panels.skin.map import SkinMap, numbers_text, selection_hint, strongest_readout
 from skinsource_gui.panels.skin.measure import MeasureLine
 from skinsource_gui.panels.skin.picture import heading_of, paint_picture
 from skinsource_gui.panels.skin.scale import ColourBar
@@ -43,8 +43,8 @@ from skinsource_gui.plots.pictures import with_caption
 from skinsource_gui.plots.ranges import SteadyRange
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.keys import key_text
-from skinsource_gui.qt.labels import FittingLabel
-from skinsource_gui.qt.layouts import in_column, tooltip
+from skinsource_gui.qt.labels import FittingLabel, FixedLabel
+from skinsource_gui.qt.layouts import in_column, in_row, tooltip
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, set_tone, tabular
 from skinsource_gui.qt.wheel import WHOLE
 from skinsource_gui.state.compared import Compared
@@ -78,7 +78,7 @@ class SkinPanel(Panel):
         Those of the panel.
     content
         What is shown, also while it is covered.
-    measure, map, colour_bar, scrub, note, readout
+    measure, map, colour_bar, scrub, note, readout, strongest
         What is seen, from top to bottom.
     """
 
@@ -108,10 +108,12 @@ class SkinPanel(Panel):
         self.colour_bar, self.scrub = ColourBar(self), ScrubBar(self)
         self.note = _line("skin_note", "Note on the map", self)
         self.readout = _line("skin_readout", "Under the pointer", self)
+        self.strongest = FixedLabel("−888.8 dB", self)
         set_tone(self.note, "warning")
         self.map.setObjectName("skin_map")
         self.colour_bar.setObjectName("skin_colour_bar")
-        parts = self.measure, (self.map, 1), self.colour_bar, self.scrub, self.note, self.readout
+        foot = in_row((self.readout, 1), self.strongest, margins=0)
+        parts = self.measure, (self.map, 1), self.colour_bar, self.scrub, self.note, foot
         edges = UNIT_PX, UNIT_PX // 4, UNIT_PX, UNIT_PX // 4
         in_column(*parts, of=self, margins=edges, gap_px=UNIT_PX // 4)
         self.setFocusProxy(self.map)
@@ -274,14 +276,15 @@ class SkinPanel(Panel):
             self._staleness.set_stale(True)
 
     def _show_readout(self, text: str) -> None:
-        hint, whole = selection_hint(self.content.outputs), text
+        hint, whole, level = selection_hint(self.content.outputs), text, ""
         if not text:
-            strongest, value = strongest_readout(self.content)
+            strongest, value, level = strongest_readout(self.content)
             text, whole = strongest or hint, f"{value}\n{hint}".strip()
-        value, _, place = text.rpartition(" · ")
-        self.readout.show_phrases((text, f"{value} · {place.partition(',')[0]}" if value else text))
+        value, dot, place = text.rpartition(" · ")
+        self.readout.show_phrases((text, f"{value}{dot}{place.partition(',')[0]}"))
+        self.strongest.setText(level)
         self.readout.setToolTip(whole)
-        self.readout.setAccessibleDescription(text)
+        self.readout.setAccessibleDescription(f"{text} {level}".strip())
 
     def _connect(self) -> None:
         measure, stage = self.measure, self.map.stage
@@ -339,10 +342,17 @@ class SkinPanel(Panel):
         menu.addSeparator()
         # A file waits for new results; the clipboard gets what is drawn now.
         copy = menu.addAction("Copy picture", self._copy_picture)
+        numbers = menu.addAction("Copy numbers", self._copy_numbers)
         copy.setEnabled(not self.is_stale)
+        has_numbers = self.content.coloured_values is not None and not self._covered
+        numbers.setEnabled(has_numbers and not self.is_stale)
         menu.addAction("Save picture as…", partial(self.action_requested.emit, "export_picture"))
         menu.addAction("Export data…", partial(self.action_requested.emit, "export_levels"))
         menu.popup(at)
+
+    def _copy_numbers(self) -> None:
+        with self.as_stored():
+            QtGui.QGuiApplication.clipboard().setText(numbers_text(self.content))
 
     def _copy_picture(self) -> None:
         QtGui.QGuiApplication.clipboard().setImage(self.picture(*PICTURE_PX))

@@ -217,10 +217,7 @@ _LOW = NumberSpec(
     step=1.0,
 )
 _HIGH = replace(
-    _LOW,
-    label="Highest colour",
-    minimum=LOWEST_DB + SMALLEST_SPAN_DB,
-    maximum=HIGHEST_DB,
+    _LOW, label="Highest colour", minimum=LOWEST_DB + SMALLEST_SPAN_DB, maximum=HIGHEST_DB
 )
 _LIMIT = NumberSpec(
     label="Limit",
@@ -253,10 +250,10 @@ class ColourBar(QtWidgets.QWidget):
             gap_px=UNIT_PX // 2,
         )
         self.strip.range_chosen.connect(self.range_chosen)
-        self.low_field.edited.connect(self._choose_low)
-        self.high_field.edited.connect(self._choose_high)
-        self.limit_field.edited.connect(lambda limit, _: self.range_chosen.emit((-limit, limit)))
-
+        choose = self.range_chosen.emit
+        self.low_field.edited.connect(lambda low, _: choose(pushed_low(self.value_range, low)))
+        self.high_field.edited.connect(lambda high, _: choose(pushed_high(self.value_range, high)))
+        self.limit_field.edited.connect(lambda limit, _: choose((-limit, limit)))
         self._fit()
 
     @property
@@ -289,12 +286,6 @@ class ColourBar(QtWidgets.QWidget):
         self.strip.show_scale(
             scale_of(content), () if values is None else marks_of_levels(values, content.outputs)
         )
-
-    def _choose_low(self, level_db: float) -> None:
-        self.range_chosen.emit(pushed_low(self.value_range, level_db))
-
-    def _choose_high(self, level_db: float) -> None:
-        self.range_chosen.emit(pushed_high(self.value_range, level_db))
 
 
 def scale_of(content: MapContent) -> ColourScale:

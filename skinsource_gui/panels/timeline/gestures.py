@@ -452,7 +452,7 @@ class EitherGesture(Gesture):
     at
         Where the button went down.
     vertical, along
-        Make the gesture for a drag up or down, and for one along the time.
+        Make the gesture for a drag up or down, and that for a drag along the time.
     """
 
     def __init__(

@@ -179,7 +179,7 @@ class HeadsModel(QAbstractListModel):
         if role == _Role.ToolTipRole:
             chosen = self._view.selected_inputs
             if len(chosen) > 1 and head.track.id in chosen and not self._view.selected_clips:
-                text += "\nM, S and fader change all selected tracks"
+                text += "\nM, S and fader change all selected inputs"
             return f"{place.number} · {place.name}\n{text}"
         silent = ", silent" if head.silent else ""
         return f"Input at {place.number}, {place.name}: {text.replace(chr(10), ', ')}{silent}"
@@ -397,8 +397,6 @@ class Heads(QtWidgets.QListView):
     tracks by as many decibels.  Dragging a head puts the selected ones between two others.
     """
 
-    #: Space belongs to the window, as on the lanes.
-    leaves_space = True
     #: `Edit` or `Refusal`, number of the gesture or None.
     edited = Signal(object, object)
     #: Other heads are there, or they have another size; Qt tells no other way.

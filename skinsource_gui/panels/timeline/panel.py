@@ -66,14 +66,8 @@ class TimeBar(QtWidgets.QScrollBar):
         self.range_requested.emit((value / _STEPS_PER_S, (value + self.pageStep()) / _STEPS_PER_S))
 
 
-#: What "+ Add" offers: what the entry says, and what it adds.
-ADDED: tuple[tuple[str, type[Waveform]], ...] = (
-    ("Tone", Tone),
-    ("Wavelet train", WaveletTrain),
-    ("Pulse", Tap),
-    ("Sweep", Chirp),
-    ("Noise", Noise),
-)
+#: What "+ Add" offers.
+ADDED: tuple[type[Waveform], ...] = (Tone, WaveletTrain, Tap, Chirp, Noise)
 
 
 class TimelineToolbar(QtWidgets.QWidget):
@@ -102,8 +96,8 @@ class TimelineToolbar(QtWidgets.QWidget):
         self.add = self._button("add", "+ Add", "Add a clip at the playhead, or a track")
         self.add.setPopupMode(self.add.ToolButtonPopupMode.InstantPopup)
         menu = QtWidgets.QMenu(self.add)
-        for text, kind in ADDED:
-            menu.addAction(text).triggered.connect(partial(self.add_requested.emit, kind))
+        for kind in ADDED:
+            menu.addAction(kind.title).triggered.connect(partial(self.add_requested.emit, kind))
         menu.addAction("Draw").triggered.connect(lambda: self.draw_requested.emit(True))
         menu.addAction("File…").triggered.connect(self.file_requested)
         menu.addSeparator()
@@ -326,7 +320,9 @@ class TimelinePanel(Panel):
         tools.add_requested.connect(lambda kind: self._add(kind()))
         tools.draw_requested.connect(self._draw)
         tools.file_requested.connect(lambda: self.action_requested.emit("import_recording"))
-        tools.track_requested.connect(self._add_track)
+        tools.track_requested.connect(
+            lambda: self.edited.emit(add_track(self._design, self._view), None)
+        )
         tools.snap.clicked.connect(lanes.set_snaps)
         tools.zoom_requested.connect(lanes.zoom)
         tools.everything.clicked.connect(lanes.show_everything)
@@ -339,9 +335,6 @@ class TimelinePanel(Panel):
 
     def _add(self, waveform: Waveform) -> None:
         self.edited.emit(edits.add_waveform(self._design, self._view, waveform), None)
-
-    def _add_track(self) -> None:
-        self.edited.emit(add_track(self._design, self._view), None)
 
     def _draw(self, new: bool) -> None:
         """Take the pen to the selected clip, or to a new one, which is silent yet."""

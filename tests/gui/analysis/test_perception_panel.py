@@ -24,6 +24,7 @@ from skinsource_gui.panels.analysis.regions import columns_of_people
 from skinsource_gui.panels.analysis.regions import table_text as table_of_regions
 from skinsource_gui.panels.analysis.table import OutputTable, TableRow
 from skinsource_gui.panels.analysis.wave import wave_text
+from skinsource_gui.panels.skin.map import numbers_text
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.state.compared import Compared
 from skinsource_gui.state.engine import Slot
@@ -72,6 +73,7 @@ def test_the_map_shows_levels_above_threshold_with_their_limits(window, settle, 
     assert "people differ" in skin.note.toolTip()
     assert "threshold" in skin.content.quantity.unit
     skin.picture(300, 500)
+    assert numbers_text(skin.content).startswith("output\tplace\tabove_threshold_db\n")
     relative = replace(document.design, scaling="upstream")
     document.apply(Edit(label="Scaling", design=relative, view=document.view))
     settle()

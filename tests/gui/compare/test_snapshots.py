@@ -1,10 +1,11 @@
 """Snapshots: keys and cards, levels that match, maps of their levels and differences."""
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog
 
@@ -30,8 +31,10 @@ from tests.gui.compare.compare_bench import (
 
 
 @pytest.fixture
-def panel(window, settle):
+def panel(window, settle, qtbot):
     """Compare, in front."""
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
     window.docks["compare"].bring_forward()
     settle()
     return window.panel("compare")
@@ -111,6 +114,7 @@ def test_cards_are_used_with_the_keyboard(window, panel, settle):
     assert window.document.view.snapshots[0].design == first
     edit(window, 2.0)
     settle()
+    card.setFocus(Qt.FocusReason.TabFocusReason)
     QTest.keyClick(card, KEY.Key_Space)
     settle()
     assert window.document.view.snapshots[-1].number == 1
@@ -118,6 +122,23 @@ def test_cards_are_used_with_the_keyboard(window, panel, settle):
     assert [snapshot.number for snapshot in window.document.view.snapshots] == [0]
     window.do("undo")
     assert [snapshot.number for snapshot in window.document.view.snapshots] == [0, 1]
+
+
+def test_the_title_of_a_snapshot_is_typed_over_its_card(window, panel, settle):
+    window.do("store_snapshot_1")
+    settle()
+    card = cards(panel)[1]
+    for begin, typed, end in (
+        (partial(QTest.keyClick, card, KEY.Key_F2), "Soft", KEY.Key_Return),
+        (partial(QTest.mouseDClick, card, Qt.MouseButton.LeftButton), "x", KEY.Key_Escape),
+    ):
+        begin()
+        QTest.keyClicks(QApplication.focusWidget(), typed)
+        QTest.keyClick(QApplication.focusWidget(), end)
+    assert card.text().startswith("1 Soft:")
+    assert (window.document.design.title, card.present) == ("Soft", True)
+    window.do("undo")
+    assert card.text().startswith("1:")
 
 
 def test_maps_show_snapshots_as_loud_as_they_are_shown_and_how_they_differ(window, panel, settle):

@@ -12,7 +12,7 @@ from skinsource import Clip, Design, Input
 from skinsource.design.effects.time import Stretch, Trim
 from skinsource.design.waveforms import Drawn, Formula, Noise, Recording, Tap, Tone, WaveletTrain
 from skinsource.specs.samples import Samples
-from skinsource_gui.fields.editors import FieldCell
+from skinsource_gui.fields.editors import FieldCell, TextLine
 from skinsource_gui.fields.text_field import LiveText
 from skinsource_gui.plots.preview import WaveformPreview
 from skinsource_gui.qt.buttons import LetterButton
@@ -28,6 +28,20 @@ def test_without_a_selected_input_it_says_what_to_do(bench):
     bench.show(Design(limb="synthetic-1"), selected_inputs=(4,))
     assert bench.label("inspector_empty").text() == how_to_add()
     assert not bench.preview.isVisible()
+
+
+def test_without_a_selected_input_title_and_sentence_of_the_design_are_edited(bench):
+    bench.show(replace(bench.design, notes="One.\nOf the speaker."), selected_inputs=())
+    bench.panel.setFocus()
+    title, sentence = bench.panel.findChildren(TextLine)
+    assert title.hasFocus()
+    QTest.keyClicks(title, "Soft")
+    bench.show()
+    QTest.keyClick(title, Qt.Key.Key_Tab)
+    assert (sentence.hasFocus(), sentence.text()) == (True, "One.")
+    QTest.keyClicks(sentence, "Two.")
+    QTest.keyClick(sentence, Qt.Key.Key_Return)
+    assert (bench.design.title, bench.design.notes) == ("Soft", "Two.\nOf the speaker.")
 
 
 @pytest.mark.parametrize(
@@ -137,7 +151,7 @@ def test_a_recording_that_keeps_its_size_has_a_gain_without_a_unit_and_the_peak(
     samples = Samples(values=4.88 * np.hanning(301), sample_rate_hz=1300.0, unit="m/s²")
     clip = replace(bench.track.clips[0], waveform=Recording(samples))
     bench.show(bench.design.with_input(0, clips=(clip,)))
-    assert strength() == ("Track gain", "")
+    assert strength() == ("Input gain", "")
     assert peak() == "4.88 m/s²"
     bench.type("amplitude", "0.5")
     assert bench.track.amplitude == 0.5

@@ -5,6 +5,7 @@ from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QMenu
 
 from skinsource.design.waveforms.pulses import Noise
 from skinsource_gui.shell.playing import EscapeTwice
+from tests.gui.analysis.analysis_bench import analysis
 
 LEFT = Qt.MouseButton.LeftButton
 SPACE, ESCAPE = Qt.Key.Key_Space, Qt.Key.Key_Escape
@@ -20,16 +21,20 @@ def pressed(studio, monkeypatch, qtbot):
     return played
 
 
-@pytest.mark.parametrize("name", ["hand", "timeline"])
-def test_space_plays_from_the_pictures(studio, pressed, name):
-    panel = studio.panel(name)
-    panel.setFocus()
-    widget = QApplication.focusWidget()
-    assert panel.isAncestorOf(widget)
-    before = studio.document.design, studio.document.view
-    QTest.keyClick(widget, SPACE)
-    assert pressed == [1]
-    assert (studio.document.design, studio.document.view) == before
+def test_space_plays_from_pictures_lists_and_cards_and_letters_choose_no_row(studio, pressed):
+    for name in ("hand", "timeline"):
+        studio.panel(name).setFocus()
+        QTest.keyClick(QApplication.focusWidget(), SPACE)
+    rows, table = studio.panel("library").rows, analysis(studio, "statistics").table
+    card = studio.panel("compare").cards[0]
+    for name, widget in (("analysis", table), ("compare", card), ("library", rows)):
+        studio.docks[name].bring_forward()
+        QTest.mouseClick(widget.viewport() if hasattr(widget, "viewport") else widget, LEFT)
+        QTest.keyClick(widget, SPACE)
+    assert len(pressed) == 5
+    rows.go_to(1)
+    QTest.keyClicks(rows, "bt")
+    assert rows.currentIndex().row() == 1
 
 
 def test_on_the_skin_map_space_selects_once_keys_are_used_there(studio, pressed):

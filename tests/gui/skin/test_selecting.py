@@ -302,5 +302,6 @@ def test_the_readout_follows_the_mouse(window):
     loudest = window.results["output_levels_db"].argmax() + 1
     assert strongest.startswith("Strongest: ")
     assert f"Output {loudest}," in strongest
+    assert strongest.startswith(f"Strongest: {window.panel.strongest.text()} re 1 m/s²")
     assert window.panel.readout.text().startswith(f"Strongest: Output {loudest}")
     assert hint.startswith("No output selected")

@@ -122,6 +122,7 @@ def test_the_right_button_offers_fits_and_pictures(window):
         "Fit hand and arm",
         "Colours",
         "Copy picture",
+        "Copy numbers",
         "Save picture as…",
         "Export data…",
     ]
@@ -134,6 +135,9 @@ def test_the_right_button_offers_fits_and_pictures(window):
     assert requested == ["export_picture", "export_levels"]
     actions["Copy picture"].trigger()
     assert QApplication.clipboard().image() == window.panel.picture(1200, 1800)
+    actions["Copy numbers"].trigger()
+    rows = QApplication.clipboard().text().splitlines()
+    assert float(rows[29].split("\t")[2]) == window.panel.content.values[28]
     close_menus(view, "skin_menu")
     assert not window.panel.map.findChildren(QMenu, "skin_menu")
 

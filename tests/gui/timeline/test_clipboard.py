@@ -221,7 +221,7 @@ def test_the_menu_of_the_button_adds_clips_and_tracks(empty):
     popup = button(empty, "add").popupMode()
     assert popup == QToolButton.ToolButtonPopupMode.InstantPopup
     entries = {entry.text(): entry for entry in button(empty, "add").menu().actions()}
-    names = ["Tone", "Wavelet train", "Pulse", "Sweep", "Noise", "Draw", "File…", "", "Track"]
+    names = ["Tone", "Wavelet train", "Tap", "Chirp", "Noise", "Draw", "File…", "", "Track"]
     assert list(entries) == names
     entries["Tone"].trigger()
     assert played(empty) == [Tone]

@@ -100,11 +100,11 @@ def test_the_tooltip_says_amplitude_and_peak_and_a_gain_where_a_recording_keeps_
     clip = replace(bench.design.inputs[0].clips[0], waveform=Recording(samples))
     bench.show(bench.design.with_input(0, clips=(clip,)))
     bench.panel.show_results(results_of(bench.design))
-    assert "Track gain -0.5, peak 2.44 m/s², sampled at 1300 Hz" in tip_of(bench, 0)
+    assert "Input gain -0.5, peak 2.44 m/s², sampled at 1300 Hz" in tip_of(bench, 0)
 
 
 def test_the_tooltip_of_several_selected_heads_says_that_buttons_change_all(bench):
-    together = "change all selected tracks"
+    together = "change all selected inputs"
     assert together not in tip_of(bench, 0)
     bench.look(replace(bench.view, selected_inputs=(1, 2)))
     assert [together in tip_of(bench, k) for k in range(3)] == [True, True, False]

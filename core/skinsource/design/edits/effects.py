@@ -621,7 +621,7 @@ def match_tracks(design: Design, view: View, levels_db: Mapping[int, float]) -> 
     silent = next((track for track in chosen if not levels_db[track.id] > least_db), None)
     if silent is not None:
         place = location_text(silent.location, design.limb)
-        return Refusal(sentence=f"The track at {place} does not move the skin; deselect it.")
+        return Refusal(sentence=f"The input at {place} does not move the skin; deselect it.")
     last = [id for id in view.selected_inputs if id in levels_db]
     target_db = levels_db[last[-1]] if last else max(levels_db.values(), default=0.0)
     changes: dict[int, dict[str, Any]] = {
@@ -634,7 +634,7 @@ def match_tracks(design: Design, view: View, levels_db: Mapping[int, float]) -> 
     }
     outcome = change_inputs(design, view, "Match levels of", changes)
     whom = location_text(design.input(last[-1]).location, design.limb) if last else "the strongest"
-    said = f"Matched {len(chosen)} tracks to {whom}, by the {span_label('loudest')} of any output"
+    said = f"Matched {len(chosen)} inputs to {whom}, by the {span_label('loudest')} of any output"
     return replace(outcome, said=said) if isinstance(outcome, Edit) else outcome
 
 

@@ -1,10 +1,13 @@
 """Add motions, and change those that stand in a design as a group of clips.
 
-A group stays while its clips are those that its motion writes: moved in time, made louder, or given
-another waveform as a whole, it is that motion.  Otherwise edited by hand it is dissolved.
+A group stays while its clips are those that its motion writes: moved in time or given another
+waveform as a whole, it is that motion.  Each track has an amplitude of its own, and clips may be
+muted.  Otherwise edited by hand it is dissolved.
 """
 
 from dataclasses import replace
+from statistics import mode
+from typing import Any
 
 from skinsource.base.errors import InvalidInputError, counted, quoted
 from skinsource.design.clips import Clip
@@ -55,7 +58,9 @@ def _with_motion(design: Design, view: View, motion: Motion, index: int | None) 
             sentence=f"{quoted(motion)} is not a motion; make one of skinsource.design.motions."
         )
     written = motion.tracks()
-    old = set() if index is None else set(design.motions[index].clips)
+    group = None if index is None else design.motions[index]
+    old = set() if group is None else set(group.clips)
+    as_before = {} if group is None else {each.location: each for each in group.motion.tracks()}
     fresh = {track.location: track for track in written}
     # By place: the track that gets the clips of the motion there.
     holders: dict[int, int] = {}
@@ -66,18 +71,25 @@ def _with_motion(design: Design, view: View, motion: Motion, index: int | None) 
             inputs.append(track)
         elif (new := fresh.pop(track.location, None)) is not None:
             holders[track.location] = track.id
-            inputs.append(replace(track, clips=(*others, *new.clips), amplitude=new.amplitude))
+            muted = [clip.muted for clip in track.clips if clip.id in old]
+            clips = (
+                replace(clip, muted=k < len(muted) and muted[k]) for k, clip in enumerate(new.clips)
+            )
+            own = _ratio(track.amplitude, as_before.get(track.location, track).amplitude)
+            louder = replace(track, clips=(*others, *clips), amplitude=new.amplitude * own)
+            inputs.append(louder)
         elif others:
             inputs.append(replace(track, clips=others))
     after = with_inputs_added(replace(design, inputs=tuple(inputs)), tuple(fresh.values()))
     holders |= {track.location: track.id for track in after.inputs[len(inputs) :]}
-    clips = [
+    ids = [
         clip.id
         for track in written
         for clip in after.input(holders[track.location]).clips[-len(track.clips) :]
     ]
-    group, motions = MotionGroup(motion=motion, clips=tuple(clips)), list(design.motions)
-    motions[slice(len(motions), None) if index is None else slice(index, index + 1)] = [group]
+    motions = list(design.motions)
+    new_group = MotionGroup(motion=motion, clips=tuple(ids))
+    motions[slice(len(motions), None) if index is None else slice(index, index + 1)] = [new_group]
     chosen = tuple(holders[track.location] for track in written)
     return Edit(
         label=f"{'Add' if index is None else 'Change'} {motion.title.lower()} at "
@@ -113,7 +125,7 @@ def with_whole_motions(before: Design, edit: Edit) -> Edit:
 
 
 _Place = tuple[Clip, int, float]
-# Of onsets that are compared.
+# Of onsets and ratios that are compared.
 _DECIMALS = 9
 
 
@@ -128,24 +140,34 @@ def _places(design: Design) -> dict[int, _Place]:
 def _as_moved(
     group: MotionGroup, known: dict[int, _Place], now: dict[int, _Place]
 ) -> MotionGroup | None:
-    """Return a group whose clips are those that its motion writes, maybe later or louder."""
+    """Return a group whose clips are those that its motion writes, maybe later or louder.
+
+    Its amplitude stays as long as a track has it; else it is the one that most tracks have.
+    """
     present = list(filter(None, map(now.get, group.clips)))
     if len(present) < len(group.clips):
         return None
     if present == [known.get(id) for id in group.clips]:
         return group
-    first, loudness = present[0][0], sum(amplitude for _, _, amplitude in present)
+    first = present[0][0]
+    before: Any = group.motion
     try:
         motion = with_motion_field(group.motion, "waveform", first.waveform)
         motion = with_motion_field(motion, "onset_s", round(first.onset_s, _DECIMALS))
-        motion = with_motion_field(motion, "amplitude", 1.0)
-        amplitude = loudness / sum(amplitude for _, _, amplitude in _written_by(motion))
-        motion = with_motion_field(motion, "amplitude", round(amplitude, _DECIMALS))
-        written = _written_by(motion)
+        written = _written_by(with_motion_field(motion, "amplitude", 1.0))
+        pairs = zip(present, written, strict=False)
+        own = [abs(_ratio(here[2], there[2])) for here, there in pairs if here[2] and there[2]]
+        if before.amplitude not in own:
+            motion = with_motion_field(motion, "amplitude", mode(own or [0.0]))
     except InvalidInputError:
         return None
-    same = list(map(_rounded, written)) == list(map(_rounded, present))
+    same = list(map(_compared, written)) == list(map(_compared, present))
     return replace(group, motion=motion) if same else None
+
+
+def _ratio(amplitude: float, written: float) -> float:
+    """Return how much louder a track is than a motion wrote it."""
+    return round(amplitude / written, _DECIMALS) if written else 1.0
 
 
 def _written_by(motion: Motion) -> list[_Place]:
@@ -154,8 +176,7 @@ def _written_by(motion: Motion) -> list[_Place]:
     ]
 
 
-def _rounded(place: _Place) -> _Place:
-    """Return a clip without its number, and without what sums and products leave behind."""
-    clip, location, amplitude = place
-    onset_s = round(clip.onset_s, _DECIMALS)
-    return replace(clip, id=0, onset_s=onset_s), location, round(amplitude, _DECIMALS)
+def _compared(place: _Place) -> tuple[Clip, int]:
+    """Return a clip as its motion writes it, without what sums leave behind, and its place."""
+    clip, location, _ = place
+    return replace(clip, id=0, muted=False, onset_s=round(clip.onset_s, _DECIMALS)), location

@@ -290,7 +290,7 @@ def mends(design: Design, view: View, id: int) -> tuple[Edit, ...]:
     return tuple(edits)
 
 
-def mend_through(design: Design, view: View, id: int) -> Edit | None:
+def repair_for_actuators(design: Design, view: View, id: int) -> Edit | None:
     """Return the edit that lets the chosen actuators follow an input; None: none has to, or can."""
     if design.actuation is None or id not in design.ids:
         return None

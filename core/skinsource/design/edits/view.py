@@ -1,4 +1,4 @@
-"""Change selected outputs, markers, the loop, the gain curve of a track and snapshots."""
+"""Change selected outputs, markers, the loop, the gain curve of a track, titles and snapshots."""
 
 from collections.abc import Iterable
 from dataclasses import replace
@@ -258,6 +258,35 @@ def keep_match_gain(design: Design, view: View) -> Edit | Refusal:
         label=f"Apply {gain_text(gain) or 'the match gain'}",
         design=louder(design, gain),
         view=view,
+    )
+
+
+@refusing
+def change_texts(
+    design: Design, view: View, number: int | None = None, **texts: Any
+) -> Edit | Refusal:
+    """Change title or notes of the design; or of a snapshot, and of the design where it shows it.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1")
+    >>> stored = ss.edits.store_snapshot(design, ss.View(), 1)
+    >>> edit = change_texts(stored.design, stored.view, 1, title="Soft")
+    >>> print(edit.design.title, edit.view.snapshots[0].design.title)
+    Soft Soft
+    """
+    chosen = next((snapshot for snapshot in view.snapshots if snapshot.number == number), None)
+    before = design if chosen is None else chosen.design
+    after = replace(before, **texts)
+    snapshots = tuple(
+        replace(snapshot, design=after) if snapshot is chosen else snapshot
+        for snapshot in view.snapshots
+    )
+    return Edit(
+        label=f"Change {' and '.join(texts)}",
+        design=after if design == before else design,
+        view=replace(view, snapshots=snapshots),
     )
 
 

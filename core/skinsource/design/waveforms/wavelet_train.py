@@ -143,7 +143,7 @@ class WaveletTrain:
     family
         ``"gabor"``, ``"ricker"`` or ``"hann"``.
     equalise
-        ``"none"``: A_j is 1.  ``"energy"``: all wavelets have the same energy; for one shape it is
+        ``"none"``: A_j is 1.  ``"energy"``: all wavelets have the same energy; of a shape it is
         proportional to 1 / f, so that A_j = sqrt(f_j / highest f).
     gains_db
         Additional gain of each wavelet, -120 to 40 dB; one for each frequency, or none.

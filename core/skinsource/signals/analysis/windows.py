@@ -99,7 +99,7 @@ def windowed_rms(signals: ArrayLike, window_samples: int, first_sample: int = 0)
     Returns
     -------
     (n_windows, ...)
-        In the unit of the signals; no window where the signals are too short for one.
+        In the unit of the signals; no window where the signals are shorter than a window.
 
     Raises
     ------

@@ -255,7 +255,7 @@ def values_of(name: str, values: Iterable[Any]) -> tuple[Value, ...]:
 
 
 def _value(name: str, value: Any) -> Value:
-    """Return a plain value, also for one of numpy, so that the same sweep has the same digest."""
+    """Return a plain value, also of a numpy scalar, so that the same sweep has the same digest."""
     if hasattr(value, "item") and not isinstance(value, str | bytes):
         value = value.tolist()
     if isinstance(value, list | tuple):
