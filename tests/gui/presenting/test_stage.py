@@ -1,6 +1,8 @@
 """The stage: words, maps in motion in one scale, traces and a knob, on screens of any size."""
 
 from dataclasses import replace
+from functools import partial
+from math import sqrt
 
 import numpy as np
 import pytest
@@ -362,6 +364,33 @@ def test_numbers_of_a_scene_are_not_said_of_another_design(stage, qtbot):
     assert stage.heading.height() == height
 
 
+@pytest.mark.parametrize(
+    ("title", "turned"),
+    [
+        ("Place 7 · 100 Hz", "Place 7 · 150 Hz"),
+        ("A 0.1 kHz tone, limb 1", "A 150 Hz tone, limb 1"),
+        ("Far · 5 mm/s", "Far"),
+    ],
+)
+def test_words_of_ones_own_say_the_number_that_is_played(stage, qtbot, title, turned):
+    document = stage.window().document
+    said = "At 100 Hz it is strong. It runs. Try 50 Hz."
+    own = replace(document.design, title=title, notes=said)
+    document.start_over(own, document.view, None)
+    others = replace(own, title="Far · 50 Hz"), replace(own, title="Far · 20 Hz")
+    kept = tuple(Snapshot(number=k, design=each) for k, each in enumerate(others, 1))
+    stage.knob.edited.emit(150.0, None)
+    assert (stage.heading.text(), stage.sentence.text()) == (turned, "It runs. Try 50 Hz.")
+    document.look(replace(document.view, snapshots=kept))
+    show(stage.window(), StageSettings(compared=True), of="snapshots")
+    working = complete(stage, qtbot, 3)[-1]
+    assert any(turned in name for name in working.headings)
+    assert title not in working.headings
+    # Another design with the same words is the one that they are said of.
+    document.start_over(replace(document.design), document.view, None)
+    assert stage.sentence.text() == said
+
+
 def test_letters_stay_large_when_the_theme_changes(stage, qtbot):
     large = stage.heading.font().pixelSize()
     for theme in ("use_contrast_theme", "use_light_theme"):
@@ -470,15 +499,53 @@ def test_several_maps_show_hands_unless_an_output_of_the_arm_is_selected(stage, 
     # What is selected is seen.
     points, areas = stage.maps.points_of(1), stage.maps.places.cells[1].map
     assert all(areas.contains(*points[number - 1]) for number in outputs)
+
+
+def test_one_map_and_several_show_arms_or_hands_alone_as_a_key_and_a_switch_say(stage, qtbot):
+    window = stage.window()
+    window.document.look(replace(window.document.view, outputs=(72,)))
+    complete(stage, qtbot, 1)
     stage.setFocus()
-    QTest.keyClick(stage.knob.dial, Qt.Key.Key_Z)
-    assert not stage.maps.places.low
-    QTest.keyClick(stage.knob.dial, Qt.Key.Key_Z)
-    assert stage.maps.places.low == (72 not in outputs)
+    key = partial(QTest.keyClick, stage.knob.dial, Qt.Key.Key_Z)
+
+    def is_shown(arm):
+        return stage.maps.places.low is not arm and stage.arm.isChecked() is arm
+
+    assert is_shown(arm=True)
+    for press, arm in ((key, False), (stage.arm.click, True), (key, False)):
+        press()
+        assert is_shown(arm=arm)
+    # What was chosen for one map stays for several, and where there is none nothing is chosen.
+    show(window, StageSettings(compared=True), of="snapshots")
+    qtbot.waitUntil(lambda: not stage.maps.content.cells)
+    key()
+    show(window, StageSettings(compared=True), of="limbs")
+    complete(stage, qtbot, 4)
+    assert is_shown(arm=False)
+    stage.arm.click()
+    assert is_shown(arm=True)
+
+
+@pytest.mark.parametrize("scale", [1.5, 2.0])
+@pytest.mark.parametrize("name", ["5B", "2A"])
+def test_whole_sentences_of_scenes_grow_with_the_letters(stage, qtbot, name, scale):
+    window = stage.window()
+    window.showNormal()
+    window.resize(1280, 720)
+    opened = ss.scenes.open_scene(name, available=("synthetic-1",))
+    window.document.start_over(opened.design, opened.view, None)
+    said = opened.design.notes.partition("\n")[0]
+    qtbot.waitUntil(lambda: stage.height() > 700 and stage.sentence.text() == said)
+    before = stage.sentence.font().pixelSize()
+    window.appearance._scale_text(scale)
+    qtbot.waitUntil(lambda: stage.sentence.font().pixelSize() >= sqrt(scale) * before)
+    stage.layout().activate()
+    assert stage.sentence.text() == said
+    assert not [part for part in (stage.heading, stage.sentence) if _cut(part)]
 
 
 @pytest.mark.parametrize("screen", [(1280, 720), (1920, 1080)])
-def test_maps_keep_half_of_the_height_however_large_and_long_the_words(stage, qtbot, screen):
+def test_maps_keep_their_part_of_the_height_however_large_and_long_the_words(stage, qtbot, screen):
     window = stage.window()
     window.showNormal()
     window.resize(*screen)
@@ -490,13 +557,13 @@ def test_maps_keep_half_of_the_height_however_large_and_long_the_words(stage, qt
     show(window, StageSettings(compared=True), of="limbs")
     complete(stage, qtbot, 4)
     qtbot.waitUntil(lambda: window.workspaces.settled and stage.width() > 0.9 * screen[0])
-    qtbot.waitUntil(lambda: stage.maps.height() >= 0.5 * stage.height())
+    qtbot.waitUntil(lambda: stage.maps.height() >= 0.42 * stage.height())
     assert stage.sentence.text().endswith("…")
     assert stage.sentence.toolTip() == long
     window.document.edit("", replace(window.document.design, title=title))
     # What is a little too long is said in smaller letters, and what is short in large ones.
     small = stage.sentence.font().pixelSize()
-    for said in (" ".join(7 * [SENTENCE[:28]]), SENTENCE):
+    for said in (" ".join(11 * [SENTENCE[:28]]), SENTENCE):
         window.document.edit("", replace(window.document.design, notes=said))
         assert stage.sentence.text() == said
         assert not stage.sentence.toolTip()
