@@ -3,7 +3,7 @@
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from math import log
+from math import isclose, log, sqrt
 from textwrap import shorten
 from typing import Any, ClassVar
 
@@ -12,10 +12,11 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSignalBlocker, QSize, Qt, QTimer, Signal
 
 from skinsource.base.conventions import Floats
+from skinsource.base.errors import InvalidInputError
 from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_spec, is_gain
 from skinsource.design.clips import ONSET as ONSET_SPEC
-from skinsource.design.design import AMPLITUDE_GAIN, Design, Input, View
+from skinsource.design.design import AMPLITUDE_GAIN, EDITED, Design, Input, View
 from skinsource.design.edits.edit import clip_of, leading_input
 from skinsource.design.panel_settings import (
     AMPLITUDE,
@@ -34,7 +35,7 @@ from skinsource.specs.spec import Spec
 from skinsource.studies import scenes
 from skinsource_gui.fields.editor import Burst
 from skinsource_gui.fields.number_field import NumberField
-from skinsource_gui.fields.units import axis_unit, output_text
+from skinsource_gui.fields.units import axis_unit, output_text, parse_number, value_text
 from skinsource_gui.panels.compare.content import KINDS, Names, OfWindow
 from skinsource_gui.panels.compare.maps import MapsPanel
 from skinsource_gui.panels.compare.motion import rounded
@@ -45,9 +46,11 @@ from skinsource_gui.plots.pictures import common_title
 from skinsource_gui.plots.small_map import Range
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.frames import CachedPicture, Same
+from skinsource_gui.qt.keys import key_text
 from skinsource_gui.qt.labels import how_to_add
 from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, letter_scale, set_tone, tabular
+from skinsource_gui.state.compared import Compared
 
 _ALONE = OfWindow()
 # Between the names of curves.
@@ -133,14 +136,10 @@ class Strip(Figure):
         painter.setPen(QtGui.QColor(theme.dim))
         above = QRectF(area.left(), 0.0, area.width(), line)
         below = QRectF(area.left(), area.bottom(), area.width(), 1.2 * line)
-        right = Qt.AlignmentFlag.AlignRight
-        for place, side, text in zip(
-            (above, below, below),
-            (right, Qt.AlignmentFlag.AlignLeft, right),
-            self._words,
-            strict=True,
-        ):
-            painter.drawText(place, side, text)
+        left_side, right_side = Qt.AlignmentFlag.AlignLeft, Qt.AlignmentFlag.AlignRight
+        painter.drawText(above, right_side, self._words[0])
+        painter.drawText(below, left_side, self._words[1])
+        painter.drawText(below, right_side, self._words[2])
 
     def _labels(self, room_px: float) -> Sequence[str]:
         """Return the longest names for which all curves have room beside the words."""
@@ -174,6 +173,7 @@ class Knob(QtWidgets.QWidget):
         # The maps have the room first.
         policy = QtWidgets.QSizePolicy.Policy
         self.dial.setSizePolicy(policy.Preferred, policy.Ignored)
+        self.dial.setMinimumHeight(4 * UNIT_PX)
         self.dial.setRange(0, _STEPS)
         self.dial.setSingleStep(_STEP)
         self.dial.setPageStep(10 * _STEP)
@@ -213,12 +213,19 @@ class Knob(QtWidgets.QWidget):
 
 # Heights of letters, in that of the panel: title, sentence, other words.
 _LETTERS = (0.05, 0.034, 0.022)
-# Words take this share of the height at most, above several maps and beside one: letters are made
-# smaller in so many steps, then less is said; no more letters than this.
-_WORDS, _STEPS_SMALLER, _MOST_LETTERS = {True: 0.2, False: 0.35}, 14, 600
+# Above several maps and beside one, words take the first share of the height at most, more of it
+# with larger letters, and never more than the second.  Letters are made smaller until they are half
+# as large as usual, those of a title sooner; then less is said, and no more letters than this.
+_WORDS, _MOST_LETTERS = {True: (0.2, 0.36), False: (0.35, 0.5)}, 600
+_SMALLER, _TITLE_SMALLER, _LEAST_LETTERS = 0.95, 0.8, 0.5
 # How many periods are drawn of a steady tone, and of what passes; height of spectra.
 _PERIODS = {False: 3.0, True: 1.0}
 _SPECTRUM_DB = 60.0
+
+
+# Ends a title that numbers were left out of; a number and its unit.
+_EDITED = " · edited"
+_QUANTITY = re.compile(r"(\d+(?:[.,]\d+)?)[\s-]?([^\W\d]\S*?)(?=[\s,.:;()-]|$)")
 
 
 class StagePanel(MapsPanel):
@@ -242,24 +249,31 @@ class StagePanel(MapsPanel):
         self.heading, self.sentence = page_label("stage_title"), page_label("stage_sentence")
         self.strip, self.knob = Strip(), Knob()
         self.caution, self.switch = QtWidgets.QLabel(), QtWidgets.QCheckBox("Compare")
+        self.arm = QtWidgets.QCheckBox("Arm")
         self.caution.setObjectName("stage_caution")
         self.caution.setWordWrap(True)
         set_tone(self.caution, "warning")
         named(self.switch, "stage_compare", hint=COMPARED.hint)
         self.switch.clicked.connect(self.compare)
-        self._line = in_row((self.caution, 1), self.switch)
+        named(self.arm, "stage_arm", hint=f"Show the arm too ({key_text('presenting', 'arm')})")
+        self.arm.clicked.connect(self.show_arm)
+        self.maps.arm_shown.connect(self.arm.setChecked)
+        switches = in_column(self.arm, self.switch, margins=0, gap_px=0)
+        self._line = in_row((self.caution, 1), switches)
         self.named: Callable[[], str] = str
         self._held_ends: tuple[Range, Range] | None = None
         self._passes = False
         self._shown: tuple[Any, ...] = ()
         self._said: tuple[tuple[QtWidgets.QLabel, str, str], ...] = ()
+        # The design of which title and notes were first said.
+        self._said_of: dict[tuple[str, str], Design] = {}
         self._track: Input | None = None
         self._turned = ""
         for label in (self.heading, self.sentence):
             label.setTextFormat(Qt.TextFormat.PlainText)
         self.maps.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         # On a single map the wave is to be seen on the arm, too.
-        self.maps.least_lines, self.maps.arm = 9.0, False
+        self.maps.least_lines, self.maps.several_on_hands = 9.0, True
         self.knob.edited.connect(self._turn)
         self.guessed = self.maps, self.strip
         self.setFocusProxy(self.knob)
@@ -279,14 +293,21 @@ class StagePanel(MapsPanel):
         stage, compare = stage_settings(view), settings_of(view, "compare", CompareSettings)
         kind = KINDS[compare.of] if stage.compared else _ALONE
         self.switch.setChecked(stage.compared)
-        self._show_knob(design, view, stage.control)
+        self._show_knob(design, view)
         compared = view.snapshots if kind is KINDS["snapshots"] else ()
-        self._show_words(design, [each.design.title for each in compared])
+        self._show_words(design, view, [each.design.title for each in compared])
         shown = kind, compare, stage, view.outputs, view.axes, design.limb
         if shown != self._shown:
             self._shown = shown
             self._release()
         self.take_state(design, view, kind, compare, moves=stage.moves)
+
+    def start_over(self) -> None:
+        self._said_of.clear()
+
+    def show_snapshots(self, compared: Sequence[Compared]) -> None:
+        # The name of a map is the title of its design.
+        super().show_snapshots([self._with_title_now(side) for side in compared])
 
     def show_maps(self) -> None:
         super().show_maps()
@@ -324,9 +345,10 @@ class StagePanel(MapsPanel):
         self._change(compared=not stage_settings(self.view).compared)
 
     def show_arm(self) -> None:
-        """Show arms on several maps, or hands alone again."""
-        self.maps.arm = not self.maps.arm
-        self.maps.show_content(self.maps.content)
+        """Show hands with their arms, or alone; what was chosen stays, for several maps too."""
+        if self.maps.content.cells:
+            self.maps.arm = self.maps.places.low
+            self.maps.show_content(self.maps.content)
 
     def _change(self, **changes: Any) -> None:
         stage = replace(settings_of(self.view, STAGE, StageSettings), **changes)
@@ -371,14 +393,25 @@ class StagePanel(MapsPanel):
         margin = self.height() // 40
         self._grid.setContentsMargins(margin, margin, margin, margin)
         self._grid.setSpacing(margin)
-        most_px = _WORDS[bool(self._several)] * self.height()
+        usual, most = _WORDS[bool(self._several)]
+        scale = letter_scale(self.font())
+        most_px = min(usual * scale, most) * self.height()
         for label, whole, _ in self._said:
             label.setVisible(bool(whole))
             label.setText(shorten(whole, _MOST_LETTERS, placeholder="…"))
-        for step in range(_STEPS_SMALLER):
-            self._set_letters(letter_scale(self.font()) * 0.95**step)
-            if self._words_px() <= most_px:
-                break
+        title, words, others = _LETTERS
+        self._set_letters(scale * title, self.heading)
+        self._set_letters(scale * words, self.sentence)
+        while self._words_px() > most_px and scale > _LEAST_LETTERS:
+            scale, title = scale * _SMALLER, words + _TITLE_SMALLER * (title - words)
+            self._set_letters(scale * title, self.heading)
+            self._set_letters(scale * words, self.sentence)
+        # The maps need the room that words take: what stands beside them grows less.
+        grown = min(scale, sqrt(scale))
+        small = self.maps, self.strip, self.knob.label, self.caution, self.arm, self.switch
+        self._set_letters(grown * others, *small)
+        self._set_letters(grown * words, self.knob.field)
+        self._grid.setRowMinimumHeight(4, self.knob.minimumSizeHint().height())
         for label, whole, text in self._said:
             # Nothing moves where less is said than before.
             label.setMinimumHeight(0 if whole == text else self._height_of(label))
@@ -395,53 +428,70 @@ class StagePanel(MapsPanel):
     def _words_px(self) -> int:
         return sum(self._height_of(label) for label, whole, _ in self._said if whole)
 
-    def _set_letters(self, scale: float) -> None:
-        size_px = self.height() * scale
-        small = self.maps, self.strip, self.knob.label, self.caution, self.switch
-        rooms = ((self.heading,), (self.sentence,), small)
-        for share, parts in zip(_LETTERS, rooms, strict=True):
-            for part in parts:
-                font = QtGui.QFont(part.font())
-                font.setPixelSize(max(round(share * size_px), 12))
-                font.setBold(share == _LETTERS[0])
-                part.setFont(font)
-        self.knob.field.setFont(tabular(self.sentence.font()))
+    def _set_letters(self, share: float, *parts: QtWidgets.QWidget) -> None:
+        """Give parts letters of a share of the height of the panel."""
+        for part in parts:
+            font = QtGui.QFont(part.font())
+            font.setPixelSize(max(round(share * self.height()), 12))
+            font.setBold(part is self.heading)
+            part.setFont(tabular(font))
 
-    def _show_words(self, design: Design, others: Sequence[str]) -> None:
+    def _show_words(self, design: Design, view: View, others: Sequence[str]) -> None:
         track = self._track
         plain = self.named() or f"Place {track.location}" if track else how_to_add()
         title, words = design.title or plain, design.notes.partition("\n")[0]
-        now = scenes.title_of(design) if design.title else plain
+        before = self._said_of.setdefault((design.title, design.notes), design)
+        now = self._title_now(design, view) if design.title else plain
         said = words
-        if now != title:
-            now, _, _ = now.rpartition(" · ")
-            # What was computed of the scene as it was opened is no longer true.
+        if now != title or design.inputs != before.inputs:
+            # What was said of other numbers is no longer true.
             parts = re.split(r"(?<=\.) (?=[A-Z])", words)
             said = " ".join(p for p in parts if p.startswith("Try") or not re.search(r"\d", p))
         # The end of a title says which of them it is.
-        title, now = (common_title([text, *others]) or text for text in (title, now))
-        before = self._said
+        texts = title, now.removesuffix(_EDITED)
+        title, now = (common_title([text, *others]) or text for text in texts)
+        shown = self._said
         self._said = ((self.heading, title, now), (self.sentence, words, said))
-        if self._said != before:
+        if self._said != shown:
             self._fit_letters()
 
-    def _show_knob(self, design: Design, view: View, control: str) -> None:
-        self._track = track = leading_input(design, view) or next(iter(design.inputs), None)
-        clip = None if track is None else clip_of(track, view)
-        self.knob.setVisible(track is not None)
-        if track is None:
+    def _title_now(self, design: Design, view: View) -> str:
+        """Return the title of a design with the number that was turned since it was first said."""
+        before = self._said_of.get((design.title, design.notes), design)
+        title = scenes.title_of(design)
+        numbers = _number(before, view), _number(design, view)
+        if title != design.title or design.inputs == before.inputs or None in numbers:
+            return title
+        (_, _, spec, then), (*_, value) = filter(None, numbers)
+
+        def said(match: re.Match[str]) -> str:
+            try:
+                number = parse_number(f"{match[1]} {match[2]}", spec)
+            except InvalidInputError:
+                return match[0]
+            return value_text(value, spec.unit) if isclose(number, then, rel_tol=5e-3) else match[0]
+
+        live = _QUANTITY.sub(said, title)
+        if live != title:
+            return live
+        first, *parts = title.split(" · ")
+        kept = [part for part in parts if not re.search(r"\d", part)]
+        return " · ".join((first, *kept)) + _EDITED * (kept != parts)
+
+    def _with_title_now(self, side: Compared) -> Compared:
+        snapshot, design = side.snapshot, side.snapshot.design
+        if snapshot.number != EDITED or scenes.title_of(design) != design.title:
+            return side
+        told = replace(design, title=self._title_now(design, self.view))
+        return replace(side, snapshot=replace(snapshot, design=told))
+
+    def _show_knob(self, design: Design, view: View) -> None:
+        number = _number(design, view)
+        self._track = None if number is None else number[0]
+        self.knob.setVisible(number is not None)
+        if number is None:
             return
-        frequencies = {} if clip is None else _frequencies(specs_of(clip.waveform))
-        if clip is not None and control == ONSET:
-            self._turned, spec, value = "onset_s", ONSET_SPEC, clip.onset_s
-        elif clip is not None and frequencies and control != AMPLITUDE:
-            self._turned, spec = next(iter(frequencies.items()))
-            facts = facts_of(design.limb)
-            spec = spec.at_rate(facts.sample_rate_hz, facts.band_hz)
-            value = getattr(clip.waveform, self._turned)
-        else:
-            spec = AMPLITUDE_GAIN if is_gain(design, track) else amplitude_spec(design)
-            self._turned, value = "amplitude", track.amplitude
+        track, self._turned, spec, value = number
         n_turned, of = len(view.selected_inputs), ""
         if len(design.inputs) > 1:
             of = (
@@ -516,6 +566,24 @@ class StagePanel(MapsPanel):
 def _names(number: int, limb: str) -> Names:
     (name,) = output_names((number,), limb)
     return output_text(number, limb), f"{number} {name.short}".rstrip(), str(number)
+
+
+def _number(design: Design, view: View) -> tuple[Input, str, NumberSpec, float] | None:
+    """Return what the knob turns: an input, the name of its number, and that number."""
+    track = leading_input(design, view) or next(iter(design.inputs), None)
+    if track is None:
+        return None
+    clip, control = clip_of(track, view), stage_settings(view).control
+    frequencies = {} if clip is None else _frequencies(specs_of(clip.waveform))
+    if clip is not None and control == ONSET:
+        return track, "onset_s", ONSET_SPEC, clip.onset_s
+    if clip is not None and frequencies and control != AMPLITUDE:
+        name, spec = next(iter(frequencies.items()))
+        facts = facts_of(design.limb)
+        spec = spec.at_rate(facts.sample_rate_hz, facts.band_hz)
+        return track, name, spec, getattr(clip.waveform, name)
+    spec = AMPLITUDE_GAIN if is_gain(design, track) else amplitude_spec(design)
+    return track, "amplitude", spec, track.amplitude
 
 
 def _frequencies(specs: Mapping[str, Spec]) -> dict[str, NumberSpec]:

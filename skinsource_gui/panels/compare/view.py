@@ -95,7 +95,7 @@ def _laid_out(
 
 
 # Cells so wide have room for words beside a map.
-_WIDE_LINES = 11.0
+_WIDE_LINES = 12.0
 
 
 def least_height(line: float) -> float:
@@ -276,21 +276,27 @@ class MapsView(QtWidgets.QWidget):
         Chooses outputs by mouse and keys.
     least_lines
         Maps that would be lower than so many lines of text show hands alone.
+    several_on_hands
+        Whether several maps do where no output is selected on an arm.
     arm
-        Whether several maps show arms too where no output is selected there.
+        Whether arms are shown, however many maps there are; None: it follows from the two above.
     """
 
     #: The outputs to select, a tuple of numbers.
     outputs_chosen = Signal(object)
     #: Number of the output that is pointed at, or None.
     pointed_at = Signal(object)
+    #: Whether arms are shown now.
+    arm_shown = Signal(bool)
 
     def __init__(self, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
         self._places: Places | None = None
         # Of which map the mouse was last.
         self._at = 0
-        self.content, self.least_lines, self.arm = CompareContent(), 16.0, True
+        self.content, self.least_lines = CompareContent(), 16.0
+        self.several_on_hands = False
+        self.arm: bool | None = None
         self.picker = OutputPicker(self)
         self.picker.chosen.connect(self.outputs_chosen)
         self.picker.moved.connect(self._emit_pointed_at)
@@ -312,7 +318,9 @@ class MapsView(QtWidgets.QWidget):
         """Where the maps are."""
         if self._places is None:
             room, font = QRectF(self.rect()), tabular(self.font())
-            self._places = places_for(room, self.content, font, self.least_lines)
+            least_lines = 0.0 if self.arm else self.least_lines
+            self._places = places_for(room, self.content, font, least_lines)
+            self.arm_shown.emit(not self._places.low)
         return self._places
 
     def points_of(self, index: int) -> Floats:
@@ -331,7 +339,8 @@ class MapsView(QtWidgets.QWidget):
 
     def show_content(self, content: CompareContent) -> None:
         """Draw ``content``."""
-        hands = not self.arm and len(content.cells) > 1 and content.is_on_hands()
+        several = self.several_on_hands and len(content.cells) > 1
+        hands = not self.arm if self.arm is not None else several and content.is_on_hands()
         self.content, self.picker.selected = replace(content, hands=hands), content.outputs
         self._places = None
         self.setAccessibleName(content.message or content.about or "Compared maps")

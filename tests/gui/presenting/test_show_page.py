@@ -50,11 +50,8 @@ def test_designs_files_and_scenes_are_put_into_an_order_and_saved(studio, made, 
     read = ss.open_show(path)
     assert [entry.title for entry in read] == titles(made)
     last = read[-1]
-    assert (last.sentence, last.notes, last.knob) == (
-        "Two inputs at once.",
-        "Ask first.",
-        "amplitude",
-    )
+    said = last.sentence, last.notes, last.knob
+    assert said == ("Two inputs at once.", "Ask first.", "amplitude")
     # What was saved is not asked about.
     made.reject()
     assert not made.isVisible()
@@ -127,12 +124,8 @@ def test_an_entry_that_cannot_be_read_is_named_passed_by_and_kept(studio, made, 
     assert not again.heading.isEnabled()
     again.save()
     again.done(0)
-    assert [isinstance(entry, ShowEntry) for entry in ss.open_show(path)] == [
-        False,
-        True,
-        True,
-        True,
-    ]
+    known = [isinstance(entry, ShowEntry) for entry in ss.open_show(path)]
+    assert known == [False, True, True, True]
 
 
 def test_presenting_a_show_takes_the_page_away_until_its_end(studio, made):

@@ -1,6 +1,8 @@
 """The stage: words, maps in motion in one scale, traces and a knob, on screens of any size."""
 
 from dataclasses import replace
+from functools import partial
+from math import sqrt
 
 import numpy as np
 import pytest
@@ -11,7 +13,7 @@ import skinsource as ss
 from skinsource.design.comparing import gain_text
 from skinsource.design.design import Snapshot
 from skinsource.design.design_file import save_design
-from skinsource.design.panel_settings import StageSettings, settings_of, with_settings
+from skinsource.design.panel_settings import StageSettings, with_settings
 from skinsource_gui.panels.compare.motion import MOST_S
 from skinsource_gui.panels.compare.settings import CompareSettings
 
@@ -32,6 +34,10 @@ def design():
 def show(window, stage=None, **compare):
     view = with_settings(window.document.view, "stage", stage or StageSettings())
     window.document.look(with_settings(view, "compare", CompareSettings(**compare)))
+
+
+def stored(designs):
+    return tuple(Snapshot(number=k, design=each) for k, each in enumerate(designs, 1))
 
 
 @pytest.fixture
@@ -94,19 +100,12 @@ def test_maps_and_traces_move_along_the_axis_of_the_view_and_say_it(stage, qtbot
 
 def test_three_snapshots_move_and_a_louder_one_is_shown_larger(stage, qtbot):
     window = stage.window()
-    for number in (1, 2, 3):
-        window.document.edit(
-            "Louder", window.document.design.with_input(0, amplitude=float(number))
-        )
-        window.do(f"store_snapshot_{number}")
+    louder = [window.document.design.with_input(0, amplitude=each) for each in (1.0, 2.0, 3.0)]
+    window.document.look(replace(window.document.view, snapshots=stored(louder)))
     show(window, StageSettings(compared=True), of="snapshots")
-    first, second, third = complete(stage, qtbot, len(stage.maps.content.cells))
+    first, second, third = complete(stage, qtbot, 3)
     np.testing.assert_allclose(second.values_db, 2.0 * first.values_db)
     np.testing.assert_allclose(third.values_db, 3.0 * first.values_db)
-    window.do("match_levels")
-    qtbot.waitUntil(lambda: stage.compared[2].gain != 1.0 and not window.engine.busy)
-    first, _, third = stage.maps.content.cells
-    np.testing.assert_allclose(third.values_db, first.values_db, rtol=1e-6)
 
 
 def test_six_maps_cost_as_many_interpolations_a_frame_and_no_prediction(stage, qtbot):
@@ -153,8 +152,11 @@ def test_the_knob_turns_the_frequency_while_the_maps_go_on(stage, qtbot):
 @pytest.mark.parametrize("moves", [True, False])
 def test_the_scale_of_maps_stays_while_the_knob_turns(stage, qtbot, moves):
     window = stage.window()
-    show(window, StageSettings(control="amplitude", moves=moves))
-    complete(stage, qtbot, 1)
+    show(window, StageSettings(control="amplitude", moves=not moves))
+    stage.show_levels()
+    (cell,) = complete(stage, qtbot, 1)
+    # Levels come in place of motion, and stand still.
+    assert (cell.scale.unit, stage.clock._timer.isActive()) == ("m/s²" if moves else "dB", moves)
     qtbot.waitUntil(lambda: not window.engine.busy)
     scale = stage.maps.content.common_scale
     stage.knob.dial.setValue(900)
@@ -185,14 +187,6 @@ def test_a_design_says_what_is_turned_also_one_of_before(stage, control, turned)
         "onset_s": after.clips[0].onset_s != 0.0,
     }
     assert [name for name, changed in values.items() if changed] == [turned]
-
-
-def test_levels_come_in_place_of_motion_and_stand_still(stage, qtbot):
-    stage.show_levels()
-    assert settings_of(stage.window().document.view, "stage", StageSettings).moves is False
-    (cell,) = complete(stage, qtbot, 1)
-    assert cell.scale.unit == "dB"
-    assert not stage.clock._timer.isActive()
 
 
 def test_the_clock_runs_only_while_something_moves_in_sight(stage, qtbot):
@@ -286,8 +280,7 @@ def test_all_of_it_is_in_sight_with_large_words(stage, qtbot, screen, compared):
         assert window.rect().contains(area)
     assert not any(one.intersects(other) for one in areas for other in areas if one is not other)
     assert min(place.map.height() for place in stage.maps.places.cells) > 0.35 * screen[1]
-    hidden = [part for part in (stage.heading, stage.sentence) if _cut(part)]
-    assert not hidden
+    assert not [part for part in (stage.heading, stage.sentence) if _cut(part)]
 
 
 def _cut(label):
@@ -362,6 +355,32 @@ def test_numbers_of_a_scene_are_not_said_of_another_design(stage, qtbot):
     assert stage.heading.height() == height
 
 
+TURNED = {
+    "Place 7 · 100 Hz": "Place 7 · 150 Hz",
+    "A 0.1 kHz tone, limb 1": "A 150 Hz tone, limb 1",
+    "Far · 5 mm/s": "Far",
+}
+
+
+@pytest.mark.parametrize(("title", "turned"), TURNED.items())
+def test_words_of_ones_own_say_the_number_that_is_played(stage, qtbot, title, turned):
+    document = stage.window().document
+    said = "At 100 Hz it is strong. It runs. Try 50 Hz."
+    own = replace(document.design, title=title, notes=said)
+    document.start_over(own, document.view, None)
+    others = replace(own, title="Far · 50 Hz"), replace(own, title="Far · 20 Hz")
+    stage.knob.edited.emit(150.0, None)
+    assert (stage.heading.text(), stage.sentence.text()) == (turned, "It runs. Try 50 Hz.")
+    document.look(replace(document.view, snapshots=stored(others)))
+    show(stage.window(), StageSettings(compared=True), of="snapshots")
+    working = complete(stage, qtbot, 3)[-1]
+    assert any(turned in name for name in working.headings)
+    assert title not in working.headings
+    # Another design with the same words is the one that they are said of.
+    document.start_over(replace(document.design), document.view, None)
+    assert stage.sentence.text() == said
+
+
 def test_letters_stay_large_when_the_theme_changes(stage, qtbot):
     large = stage.heading.font().pixelSize()
     for theme in ("use_contrast_theme", "use_light_theme"):
@@ -371,15 +390,15 @@ def test_letters_stay_large_when_the_theme_changes(stage, qtbot):
 
 def test_maps_in_motion_say_by_how_much_they_are_matched(stage, qtbot):
     window = stage.window()
-    for number, amplitude in ((1, 1.0), (2, 4.0)):
-        window.document.edit("", window.document.design.with_input(0, amplitude=amplitude))
-        window.do(f"store_snapshot_{number}")
+    louder = window.document.design, window.document.design.with_input(0, amplitude=4.0)
+    window.document.look(replace(window.document.view, snapshots=stored(louder)))
     show(window, StageSettings(compared=True), of="snapshots")
     complete(stage, qtbot, 2)
     assert not any("matched" in cell.value_text(None) for cell in stage.maps.content.cells)
     window.do("match_levels")
     qtbot.waitUntil(lambda: stage.compared[1].gain != 1.0 and not window.engine.busy)
     one, other = stage.maps.content.cells
+    np.testing.assert_allclose(other.values_db, one.values_db, rtol=1e-6)
     gain = gain_text(stage.compared[1].gain)
     assert "matched" not in one.value_text(None)
     assert all(gain in text and "match" in text for text in other.value_texts(None))
@@ -439,8 +458,7 @@ def test_of_a_long_motion_the_loudest_part_moves_in_half_a_minute(stage, qtbot):
     assert stage.moving.turns - shares[0] == pytest.approx(0.25)
     # Of designs beside one another it is the same part, where a shorter one may have ended.
     tap = replace(noisy, inputs=(ss.track(7, ss.waveforms.Tap()),))
-    kept = tuple(Snapshot(number=k, design=each) for k, each in enumerate((noisy, tap), 1))
-    window.document.look(replace(window.document.view, snapshots=kept))
+    window.document.look(replace(window.document.view, snapshots=stored((noisy, tap))))
     show(window, StageSettings(compared=True), of="snapshots")
     complete(stage, qtbot, 2)
     qtbot.waitUntil(lambda: [each.names[0] for each in stage.strip.curves] == ["Snapshot 1"])
@@ -470,15 +488,56 @@ def test_several_maps_show_hands_unless_an_output_of_the_arm_is_selected(stage, 
     # What is selected is seen.
     points, areas = stage.maps.points_of(1), stage.maps.places.cells[1].map
     assert all(areas.contains(*points[number - 1]) for number in outputs)
+
+
+def test_a_key_and_a_switch_show_arms_of_one_map_and_of_several(stage, qtbot, monkeypatch):
+    window = stage.window()
+    window.document.look(replace(window.document.view, outputs=(72,)))
+    complete(stage, qtbot, 1)
     stage.setFocus()
-    QTest.keyClick(stage.knob.dial, Qt.Key.Key_Z)
-    assert not stage.maps.places.low
-    QTest.keyClick(stage.knob.dial, Qt.Key.Key_Z)
-    assert stage.maps.places.low == (72 not in outputs)
+    key = partial(QTest.keyClick, stage.knob.dial, Qt.Key.Key_Z)
+
+    def is_shown(arm):
+        return stage.maps.places.low is not arm and stage.arm.isChecked() is arm
+
+    assert is_shown(arm=True)
+    for press, arm in ((key, False), (stage.arm.click, True), (key, False)):
+        press()
+        assert is_shown(arm=arm)
+    # What was chosen for one map stays for several, and where there is none nothing is chosen.
+    show(window, StageSettings(compared=True), of="snapshots")
+    qtbot.waitUntil(lambda: not stage.maps.content.cells)
+    key()
+    show(window, StageSettings(compared=True), of="limbs")
+    complete(stage, qtbot, 4)
+    assert is_shown(arm=False)
+    # It is shown even where there is little room.
+    monkeypatch.setattr(stage.maps, "least_lines", 1e3)
+    stage.arm.click()
+    assert is_shown(arm=True)
+
+
+@pytest.mark.parametrize("name", ["5B", "2A"])
+def test_whole_sentences_of_scenes_grow_with_the_letters(stage, qtbot, name):
+    window = stage.window()
+    window.showNormal()
+    window.resize(1280, 720)
+    opened = ss.scenes.open_scene(name, available=("synthetic-1",))
+    window.document.start_over(opened.design, opened.view, None)
+    said = opened.design.notes.partition("\n")[0]
+    qtbot.waitUntil(lambda: stage.height() > 700 and stage.sentence.text() == said)
+    before = stage.sentence.font().pixelSize()
+    for scale in (1.5, 2.0):
+        window.appearance._scale_text(scale)
+        least_px = sqrt(scale) * before
+        qtbot.waitUntil(lambda px=least_px: stage.sentence.font().pixelSize() >= px)
+        stage.layout().activate()
+        assert stage.sentence.text() == said
+        assert not [part for part in (stage.heading, stage.sentence) if _cut(part)]
 
 
 @pytest.mark.parametrize("screen", [(1280, 720), (1920, 1080)])
-def test_maps_keep_half_of_the_height_however_large_and_long_the_words(stage, qtbot, screen):
+def test_maps_keep_their_part_of_the_height_however_large_and_long_the_words(stage, qtbot, screen):
     window = stage.window()
     window.showNormal()
     window.resize(*screen)
@@ -490,13 +549,13 @@ def test_maps_keep_half_of_the_height_however_large_and_long_the_words(stage, qt
     show(window, StageSettings(compared=True), of="limbs")
     complete(stage, qtbot, 4)
     qtbot.waitUntil(lambda: window.workspaces.settled and stage.width() > 0.9 * screen[0])
-    qtbot.waitUntil(lambda: stage.maps.height() >= 0.5 * stage.height())
+    qtbot.waitUntil(lambda: stage.maps.height() >= 0.42 * stage.height())
     assert stage.sentence.text().endswith("…")
     assert stage.sentence.toolTip() == long
     window.document.edit("", replace(window.document.design, title=title))
     # What is a little too long is said in smaller letters, and what is short in large ones.
     small = stage.sentence.font().pixelSize()
-    for said in (" ".join(7 * [SENTENCE[:28]]), SENTENCE):
+    for said in (" ".join(11 * [SENTENCE[:28]]), SENTENCE):
         window.document.edit("", replace(window.document.design, notes=said))
         assert stage.sentence.text() == said
         assert not stage.sentence.toolTip()
