@@ -137,9 +137,13 @@ class Worker(QObject):
         return self._pool.submit(call)
 
     def _call(self, task: _Task, key: str = "") -> Any:
-        result, fault = None, None
+        result: Any = None
+        fault: Exception | None = None
         try:
             result = task.work()
+        except Stopped as stopped:
+            # Its traceback would keep all that was computed, until garbage is collected.
+            fault = stopped.with_traceback(None)
         except Exception as error:  # noqa: BLE001  whoever gave the task is told
             fault = error
         if task.again and isinstance(fault, Stopped):
