@@ -137,15 +137,12 @@ class Worker(QObject):
         return self._pool.submit(call)
 
     def _call(self, task: _Task, key: str = "") -> Any:
-        result: Any = None
-        fault: Exception | None = None
+        result, fault = None, None
         try:
             result = task.work()
-        except Stopped as stopped:
-            # Its traceback would keep all that was computed, until garbage is collected.
-            fault = stopped.with_traceback(None)
         except Exception as error:  # noqa: BLE001  whoever gave the task is told
-            fault = error
+            # Where it stopped matters to nobody, and would keep what was computed until then.
+            fault = error.with_traceback(None) if isinstance(error, Stopped) else error
         if task.again and isinstance(fault, Stopped):
             self._send(partial(self._run_again, key, task))
         else:
