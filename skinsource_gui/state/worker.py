@@ -141,7 +141,8 @@ class Worker(QObject):
         try:
             result = task.work()
         except Exception as error:  # noqa: BLE001  whoever gave the task is told
-            fault = error
+            # Where it stopped matters to nobody, and would keep what was computed until then.
+            fault = error.with_traceback(None) if isinstance(error, Stopped) else error
         if task.again and isinstance(fault, Stopped):
             self._send(partial(self._run_again, key, task))
         else:

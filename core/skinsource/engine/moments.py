@@ -177,7 +177,8 @@ class OwnMatrix:
         of_pairs = _pairs(n_axes, products=self.products)
         rows = np.empty((n_outputs, len(of_pairs), n_bins))
         squares = rows[:, :n_axes]
-        np.add(np.square(self.values.real), np.square(self.values.imag), out=squares)
+        np.square(self.values.real, out=squares)
+        squares += np.square(self.values.imag)
         for k, (a, b) in enumerate(of_pairs[n_axes:], n_axes):
             left, right = self.values[:, a], self.values[:, b]
             rows[:, k] = left.real * right.real + left.imag * right.imag
@@ -207,12 +208,13 @@ class CrossMatrix:
         n_outputs, n_axes, n_bins = self.others.shape
         of_pairs = _pairs(n_axes, products=self.own.products)
         rows = np.empty((n_outputs, len(of_pairs), n_bins), np.complex128)
-        conjugates = self.own.values.conj()
-        np.multiply(self.others, conjugates, out=rows[:, :n_axes])
+        # Each in its place, until it is replaced by its product: a copy would take as much again.
+        conjugates = np.conjugate(self.own.values, out=rows[:, :n_axes])
         for k, (a, b) in enumerate(of_pairs[n_axes:], n_axes):
             row = np.multiply(self.others[:, a], conjugates[:, b], out=rows[:, k])
             row += self.others[:, b] * conjugates[:, a]
             row *= 0.5
+        np.multiply(self.others, conjugates, out=conjugates)
         return rows.view(np.float64)
 
     def moments(self, drive: Complexes, n_fft: int) -> Moments:

@@ -143,7 +143,7 @@ METADATA = {
 }
 
 
-def figure_content(figure: Any, kind: str) -> bytes:
+def figure_content(figure: Any, kind: str, dots_per_inch: int = DOTS_PER_INCH) -> bytes:
     """Return the bytes of a file that holds a figure of this package.
 
     Parameters
@@ -154,7 +154,7 @@ def figure_content(figure: Any, kind: str) -> bytes:
         ``"png"``, ``"svg"`` or ``"pdf"``.
     """
     content = BytesIO()
-    figure.savefig(content, format=kind, dpi=DOTS_PER_INCH, metadata=METADATA[kind])
+    figure.savefig(content, format=kind, dpi=dots_per_inch, metadata=METADATA[kind])
     return content.getvalue()
 
 

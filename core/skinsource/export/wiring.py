@@ -66,6 +66,16 @@ def export_wiring(
             f"{printable(Path(path).name)} is not the name of a page. Call it *.pdf, *.svg or "
             "*.png."
         )
+    write_bytes(Path(path), plot.figure_content(wiring_page(design, options, rig, actuation), kind))
+
+
+def wiring_page(
+    design: Design,
+    options: StimulusOptions | None = None,
+    rig: Rig | Nothing | None = None,
+    actuation: Actuation | Nothing | None = None,
+) -> Any:
+    """Return the figure that `export_wiring` writes."""
     options = options or StimulusOptions()
     per = "input" if options.one_file_per_input else options.per
     # No rate and no equaliser changes the channels.
@@ -83,7 +93,7 @@ def export_wiring(
         figure.text(0.08, 0.98, title, fontsize=12, va="top", parse_math=False)
         _draw_table(figure.add_axes((0.08, 0.04, 0.84, 0.4)), drives.channels, wired, actuators)
         _draw_hand(figure.add_axes((0.08, 0.46, 0.84, 0.46)), drives.channels, design.limb)
-    write_bytes(Path(path), plot.figure_content(figure, kind))
+    return figure
 
 
 def _draw_table(ax: Any, channels: Sequence[Channel], rig: Rig | None, actuation: Any) -> None:

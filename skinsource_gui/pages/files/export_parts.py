@@ -15,6 +15,7 @@ from skinsource.base.errors import SkinSourceError, Stopped, sentence
 from skinsource.base.extras import package_of_extra
 from skinsource.base.job import Stop, silent
 from skinsource.design.design import Design, View
+from skinsource.export import plot, wiring
 from skinsource.export.stimulus_export.preparing import size_text
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
@@ -48,6 +49,7 @@ from skinsource_gui.state.worker import Worker, fault_text
 _FIELDS_PX = 300
 # Larger files are not written for a preview, and no more of a table is shown.
 _MOST_BYTES, _HEAD_BYTES = 32_000_000, 10_000
+_PREVIEW_PER_INCH = 144
 _PREVIEW = "preview"
 
 
@@ -283,8 +285,11 @@ class FilePart(ExportPart):
         stop = partial(self._worker.is_outdated, _PREVIEW)
         if self._spec.name == FILM:
             return film_picture(self._design, self._view, stop=stop, **more)
-        name = "wiring.png" if self._spec.name == WIRING else self._spec.file_name
-        return preview_of(partial(self._write(), **more), name, stop)
+        if self._spec.name == WIRING:
+            # As it is written it takes 70 MB.
+            page = wiring.wiring_page(self._design, **more)
+            return QtGui.QImage.fromData(plot.figure_content(page, "png", _PREVIEW_PER_INCH))
+        return preview_of(partial(self._write(), **more), self._spec.file_name, stop)
 
     def _receive(self, result: Any, error: Exception | None) -> None:
         if isinstance(error, Stopped):
@@ -303,8 +308,8 @@ class FilePart(ExportPart):
         self.changed.emit()
 
 
-def preview_of(write: Callable[..., Any], name: str, stop: Stop) -> QtGui.QImage | tuple[str, int]:
-    """Return a picture, or the begin of a file or what it holds, and its bytes; it is not kept."""
+def preview_of(write: Callable[..., Any], name: str, stop: Stop) -> tuple[str, int]:
+    """Return the begin of a file or what it holds, and its bytes; it is not kept."""
     with TemporaryDirectory(prefix="skinsource-") as folder:
         path = Path(folder) / name
 
@@ -314,8 +319,6 @@ def preview_of(write: Callable[..., Any], name: str, stop: Stop) -> QtGui.QImage
 
         write(path, progress=silent, stop=too_large, largest_error=np.inf)
         n_bytes = path.stat().st_size
-        if path.suffix == ".png":
-            return QtGui.QImage(str(path))
         if path.suffix == ".npz":
             with np.load(path, allow_pickle=False) as arrays:
                 lines = [f"{key}: {array.dtype}, {array.shape}" for key, array in arrays.items()]
