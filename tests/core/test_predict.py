@@ -79,11 +79,6 @@ def test_what_is_handed_over_is_not_changed_and_what_is_returned_may_be(limb):
             for places in ([], [1], [1, 2, 3])
         ),
         *(
-            (drives, [1], None, "drives cannot be read as one array")
-            for drives in ([[1.0, 2.0], [1.0]], [[1.0], None], "tone", [["1.0"]], None, [{}])
-        ),
-        ([[1j]], [1], None, "drives holds complex"),
-        *(
             (np.ones(shape), [1], None, f"drives has shape {shape}")
             for shape in ((1, 0), (0, 5), (1, 1, 5), ())
         ),

@@ -257,7 +257,7 @@ def test_each_recipe_leads_to_what_it_says(copy, tmp_path):
     label = '    label: str = fields.text("", TextSpec(label="Label", longest=20))\n'
     insert(library / "design" / "design.py", "    muted: bool = fields", label)
     bookmark = '    bookmark_s: float = fields.number(0.25, NumberSpec(label="Bookmark"))\n'
-    insert(library / "design" / "view.py", "    delay_removed: bool = fields", bookmark)
+    insert(library / "design" / "design.py", "    delay_removed: bool = fields", bookmark)
     place = os.pathsep.join([str(copy / "core"), str(copy)])
     done = subprocess.run(
         [sys.executable, "-c", TRY, tmp_path, tmp_path / "older.skinsource"],
