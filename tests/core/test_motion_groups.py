@@ -110,7 +110,7 @@ def test_edits_of_other_things_and_the_way_back_keep_it():
         (edits.mute_inputs, ((last,), True)),
         (edits.set_gain_curve, (last, ((0.0, 0.5),))),
         (edits.change_field, ((1,), "amplitude", 0.3)),
-        (edits.change_field, ((last,), "amplitude", -0.3)),
+        (edits.change_field, ((design.ids[1], last), "amplitude", -0.3)),
         (edits.set_clips, (design.motions[0].clips[:1], "muted", True)),
         (edits.add_clip, (last, 3.0, Tone())),
         (edits.shift_inputs, ((last,), False)),

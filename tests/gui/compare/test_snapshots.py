@@ -133,7 +133,7 @@ def test_the_title_of_a_snapshot_is_typed_over_its_card(window, panel, settle):
         (partial(QTest.mouseDClick, card, Qt.MouseButton.LeftButton), "x", KEY.Key_Escape),
     ):
         begin()
-        QTest.keyClicks(QApplication.focusWidget(), typed)
+        QApplication.focusWidget().insert(typed)
         QTest.keyClick(QApplication.focusWidget(), end)
     assert card.text().startswith("1 Soft:")
     assert (window.document.design.title, card.present) == ("Soft", True)

@@ -139,7 +139,7 @@ def test_every_kind_can_become_every_other():
 @pytest.mark.parametrize("kind", [waveforms.WaveletTrain, waveforms.Glide, waveforms.Formula])
 def test_fields_that_hold_much_fit_the_panel_whatever_was_shown_before(qtbot, kind):
     bench = Bench(qtbot, design_of(kind()))
-    grid = bench.panel.findChild(FieldGrid)
+    grid = bench.panel.findChildren(FieldGrid)[1]
     bench.panel.resize(1000, 460)
     qtbot.waitUntil(lambda: grid.width() > 900)
     bench.panel.resize(300, 460)
