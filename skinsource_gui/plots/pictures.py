@@ -270,8 +270,9 @@ def _without_cache(widget: QtWidgets.QWidget) -> Iterator[None]:
             item.setCacheMode(mode)
 
 
-#: In place of the name of a panel: the panel in use, and all visible panels.
-PANEL_IN_USE, ALL_VISIBLE = "active panel", "all visible panels"
+#: In place of the name of a panel: the panel in use, all visible panels, and the visible one whose
+#: maps move side by side.
+PANEL_IN_USE, ALL_VISIBLE, MOVING = "active panel", "all visible panels", "moving maps"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -294,7 +295,7 @@ class Picture:
     title: str = ""
     caption: str = ""
     size_px: tuple[int, int] | None = None
-    visible: object | None = None
+    visible: Any = None
 
 
 # Clips of one input, and inputs, that a caption describes; it counts the rest.

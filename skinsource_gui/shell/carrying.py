@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, nullcontext
+from copy import copy
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -13,9 +14,12 @@ from skinsource.design.comparing import with_edited
 from skinsource.design.design import EDITED, Snapshot, shown_snapshot
 from skinsource.design.labels import short_limb_title
 from skinsource.perception.validity import Judged, in_full, in_short
+from skinsource_gui.pages.files.maps_film import MapsFilm
+from skinsource_gui.panels.compare.maps import MapsPanel
 from skinsource_gui.panels.skin.panel import SkinPanel
 from skinsource_gui.plots.pictures import (
     ALL_VISIBLE,
+    MOVING,
     PANEL_IN_USE,
     Picture,
     caption_of,
@@ -202,6 +206,8 @@ class PanelPictures:
 
         ``"panel/view"``: that of one of its views.
         """
+        if name == MOVING:
+            return Picture(draw=self._draw_all, visible=self._moving_maps())
         name, _, view = name.partition("/")
         panel: Panel | None = None
         if name != ALL_VISIBLE:
@@ -226,6 +232,17 @@ class PanelPictures:
             size_px=size,
             visible=result,
         )
+
+    def _moving_maps(self) -> MapsFilm | None:
+        """Return the maps that move side by side in sight, with amplitudes as they are stored."""
+        for panel in self._panels:
+            if isinstance(panel, MapsPanel) and panel.isVisible() and panel.moves:
+                with self._metadata.as_stored():
+                    moving, content = copy(panel.moving), panel.maps.content
+                    caption = self._metadata.caption(panel)
+                if len(content.cells) > 1 and moving.longest_s:
+                    return MapsFilm(moving=moving, content=content, caption=caption)
+        return None
 
     def _docked_panels(self) -> list[Panel]:
         """Return the panels in sight that do not float."""

@@ -19,7 +19,8 @@ from skinsource.export import plot, wiring
 from skinsource.export.stimulus_export.preparing import size_text
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
-from skinsource_gui.pages.files.exports import FILM, TRACES, WIRING, DrawerOf, ExportSpec
+from skinsource_gui.pages.files.exports import FILM, MAPS_FILM, TRACES, WIRING, DrawerOf, ExportSpec
+from skinsource_gui.pages.files.maps_film import maps_options, maps_picture, maps_remark
 from skinsource_gui.pages.page import PictureView
 from skinsource_gui.panels.skin.film import KINDS as FILM_KINDS
 from skinsource_gui.panels.skin.film import (
@@ -169,7 +170,7 @@ class FilePart(ExportPart):
 
     @property
     def draws(self) -> bool:  # type: ignore[override]
-        return bool(self._spec.panel)
+        return self._spec.write is None
 
     def show_export(self, name: str) -> None:
         """Show one of the exports."""
@@ -197,7 +198,9 @@ class FilePart(ExportPart):
         elif self.form is None:
             kinds = ((spec.group, Path(name).suffix),)
         elif isinstance(self.form.options, FilmOptions):
-            kinds, name = FILM_KINDS, film_name(self._design, self._view, self.form.options)
+            kinds, name = FILM_KINDS, f"maps-side-by-side{self.form.options.kind}"
+            if spec.name == FILM:
+                name = film_name(self._design, self._view, self.form.options)
         else:
             title = self._picture.title if self._picture is not None else ""
             if spec.name == "panel_picture" and title:
@@ -209,7 +212,7 @@ class FilePart(ExportPart):
         return name, text, tuple(suffix for _, suffix in kinds), ""
 
     def writer(self, path: Path) -> Callable[..., Any]:
-        if self._picture is not None and self.form is not None:
+        if self.draws and self._picture is not None and self.form is not None:
             options = self.form.options
             draw = partial(self._picture.draw, theme=options.theme)
             return partial(
@@ -224,8 +227,8 @@ class FilePart(ExportPart):
 
     def _more(self) -> dict[str, Any]:
         """Return what a film and a project are written with besides design and view."""
-        if self._spec.name == FILM and self.form is not None:
-            return {"options": self.form.options, "seen": self._drawer_of("skin").visible}
+        if self._spec.group == "Film" and self.form and self._picture:
+            return {"options": self.form.options, "seen": self._picture.visible}
         if self._spec.name == WIRING:
             return self._wired()
         return {}
@@ -234,12 +237,15 @@ class FilePart(ExportPart):
         spec, picture = self._spec, self._picture
         shape = picture.size_px if picture is not None and picture.size_px else spec.size_px
         usual = self._kept.get(spec.name, PictureOptions(width_px=shape[0], height_px=shape[1]))
+        if spec.name == MAPS_FILM and picture is not None:
+            remark = partial(maps_remark, picture.visible)
+            return PictureForm(maps_options(usual), shape=shape, most_px=MOST_PX, remark=remark)
+        if spec.name == FILM:
+            own = film_options(self._design, self._view, usual)
+            remark = partial(film_remark, self._design, self._view)
+            return PictureForm(own, shape=shape, most_px=MOST_PX, remark=remark)
         if picture is not None:
             return PictureForm(usual, shape=shape, below=partial(caption_px, picture.caption))
-        if spec.name == FILM:
-            options = film_options(self._design, self._view, usual)
-            remark = partial(film_remark, self._design, self._view)
-            return PictureForm(options, shape=shape, most_px=MOST_PX, remark=remark)
         return None
 
     def _show_preview(self) -> None:
@@ -247,7 +253,7 @@ class FilePart(ExportPart):
         self.ready, problem = True, ""
         if spec.name == TRACES and not self._view.outputs:
             problem = "No output is selected. Click one on the skin map."
-        if spec.name == FILM:
+        if spec.group == "Film":
             try:
                 package_of_extra("imageio_ffmpeg", "video")
             except SkinSourceError as error:
@@ -262,7 +268,7 @@ class FilePart(ExportPart):
             self._say("", problem)
             self.image.show_image(QtGui.QImage())
             self.text.clear()
-        elif self._picture is not None and form is not None:
+        elif self.draws and form is not None:
             self._say(f"{spec.title}, {form.options.kind[1:].upper()}, {summary}.")
             self.image.show_image(self._small(form.options))
         else:
@@ -283,8 +289,9 @@ class FilePart(ExportPart):
     def _preview(self, options: Any, more: dict[str, Any]) -> QtGui.QImage | tuple[str, int]:
         """Return the preview, in the thread of the worker."""
         stop = partial(self._worker.is_outdated, _PREVIEW)
-        if self._spec.name == FILM:
-            return film_picture(self._design, self._view, stop=stop, **more)
+        if self._spec.group == "Film":
+            draw = film_picture if self._spec.name == FILM else maps_picture
+            return draw(self._design, self._view, stop=stop, **more)
         if self._spec.name == WIRING:
             # As it is written it takes 70 MB.
             page = wiring.wiring_page(self._design, **more)

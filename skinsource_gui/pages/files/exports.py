@@ -31,14 +31,15 @@ from skinsource.export.tables import (
 )
 from skinsource_gui import pages
 from skinsource_gui.pages.files.file_actions import FileActions
+from skinsource_gui.pages.files.maps_film import MAPS_SIZE_PX, export_maps_film
 from skinsource_gui.panels.skin.film import SIZE_PX, export_animation
-from skinsource_gui.plots.pictures import ALL_VISIBLE, PANEL_IN_USE, Picture
+from skinsource_gui.plots.pictures import ALL_VISIBLE, MOVING, PANEL_IN_USE, Picture
 from skinsource_gui.qt.questions import ask_to_replace, ask_yes
 from skinsource_gui.state.services import Services
 
 #: The exports that need more than design and view, or a selection.
 STIMULUS, FILM, PACK, WIRING, TRACES = "stimulus", "animation", "pack", "wiring", "traces"
-STIMULUS_SET = "stimulus_set"
+STIMULUS_SET, MAPS_FILM = "stimulus_set", "maps_animation"
 
 #: Computes and writes a file, given path, design and view, and by name ``progress``, ``stop`` and
 #: ``largest_error``.
@@ -154,10 +155,22 @@ EXPORTS: tuple[ExportSpec, ...] = (
     ExportSpec(
         name=FILM,
         group="Film",
+        title="Skin map",
         hint="Save the skin map in slow motion: MP4, WebM or GIF",
+        panel="skin",
         write=export_animation,
         size_px=SIZE_PX,
         keywords="animation video movie wave gif mp4 webm slow motion time",
+    ),
+    ExportSpec(
+        name=MAPS_FILM,
+        group="Film",
+        title="Maps side by side",
+        hint="Save the comparison in motion: MP4, WebM or GIF",
+        write=export_maps_film,
+        panel=MOVING,
+        size_px=MAPS_SIZE_PX,
+        keywords="animation video movie compare snapshots limbs frequencies stage gif mp4 webm",
     ),
     ExportSpec(
         name=TRACES,

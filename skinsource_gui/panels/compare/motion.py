@@ -67,10 +67,11 @@ class MovingMaps:
     @property
     def ran_s(self) -> float:
         """The time of the skin that all maps show, since the beginning of their loops."""
-        return self.turns * self._longest_s
+        return self.turns * self.longest_s
 
     @property
-    def _longest_s(self) -> float:
+    def longest_s(self) -> float:
+        """Duration of the longest loop, s; 0: nothing moves."""
         return max((self.length_s(known[0]) for known in self.loops if known), default=0.0)
 
     def restart(self) -> None:
@@ -124,7 +125,7 @@ class MovingMaps:
 
     def advance(self, seconds: float) -> None:
         """Go on by this time of the person who looks."""
-        if longest_s := self._longest_s:
+        if longest_s := self.longest_s:
             self.turns += seconds / (self.slow_motion * longest_s)
 
     def cells(self) -> tuple[Cell, ...]:

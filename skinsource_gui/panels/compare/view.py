@@ -223,7 +223,7 @@ def paint_page(
         painter.drawText(room, _CENTRE, content.message)
         return
     synthetic = any(cell.synthetic for cell in content.cells)
-    text = f"{content.about} · SYNTHETIC" if synthetic else content.about
+    text = " · ".join(filter(None, (content.about, "SYNTHETIC" * synthetic)))
     painter.drawText(QRectF(0, 0, room.width(), 1.5 * line), _CENTRE, text)
     below = room.adjusted(0, 1.5 * line, 0, 0)
     paint_content(painter, content, places_for(below, content, painter.font()), theme)

@@ -48,6 +48,7 @@ from skinsource_gui.panels.skin.time import PACES, slow_down_factor
 from skinsource_gui.plots.pictures import (
     OWN,
     PER_INCH,
+    Draw,
     PictureOptions,
     Remark,
     caption_of,
@@ -428,37 +429,36 @@ class _Camera:
         content = replace(content, fixed=False)
         heading = heading_of(design, content.quantity)
         pace = f"1/{film.slow_motion:g} of real time"
-        heading = replace(heading, details=f"{heading.details} · {pace}")
-        self._draw(content, heading)
-        rows, columns = self._image.height(), self._image.width()
-        lines = np.frombuffer(self._image.constBits(), np.uint8)
-        return lines.reshape(rows, self._image.bytesPerLine())[:, : 3 * columns].reshape(
-            rows, columns, 3
-        )
+        return self._draw(content, replace(heading, details=f"{heading.details} · {pace}"))
 
-    def _draw(self, content: MapContent, heading: Heading) -> None:
-        options = self._options
-
+    def _draw(self, content: MapContent, heading: Heading) -> NDArray[np.uint8]:
         def draw(painter: QtGui.QPainter, width: int, height: int, theme: Theme) -> None:
             size = QSizeF(width, height)
             paint_picture(painter, size, content, heading, theme, self._family, self._visible)
 
-        painter = QtGui.QPainter(self._image)
-        width, height = self.size
-        painter.scale(width / options.width_px, height / options.height_px)
-        # A font of its own: a copy would share with those of the window, in another thread.
-        font = letter_by_letter(QtGui.QFont(self._family))
-        font.setPointSizeF(painter.font().pointSizeF())
-        painter.setFont(font)
-        with_caption(draw, self._caption)(
-            painter, options.width_px, options.height_px, options.theme
-        )
-        painter.end()
+        return painted_frame(self._image, self._options, draw, self._caption)
 
     def _read_signals(self, view: View) -> None:
         self._block = block_of(view.playhead_s)
         needed = needs_of(self._settings)
         self._results = self._exported.values(needed, moving_block=self._block)
+
+
+def painted_frame(
+    image: QtGui.QImage, options: PictureOptions, draw: Draw, caption: str
+) -> NDArray[np.uint8]:
+    """Draw a frame with its caption into ``image``; return its pixels, (rows, columns, 3)."""
+    painter = QtGui.QPainter(image)
+    rows, columns = image.height(), image.width()
+    painter.scale(columns / options.width_px, rows / options.height_px)
+    # A font of its own: a copy would share with those of the window, in another thread.
+    font = letter_by_letter(QtGui.QFont(QtGui.QGuiApplication.font().family()))
+    font.setPointSizeF(painter.font().pointSizeF())
+    painter.setFont(font)
+    with_caption(draw, caption)(painter, options.width_px, options.height_px, options.theme)
+    painter.end()
+    lines = np.frombuffer(image.constBits(), np.uint8)
+    return lines.reshape(rows, image.bytesPerLine())[:, : 3 * columns].reshape(rows, columns, 3)
 
 
 def _caption_of(exported: ExportedDesign, findings: Findings) -> str:

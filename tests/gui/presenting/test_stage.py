@@ -1,5 +1,6 @@
 """The stage: words, maps in motion in one scale, traces and a knob, on screens of any size."""
 
+from contextlib import nullcontext
 from dataclasses import replace
 from functools import partial
 from math import sqrt
@@ -10,12 +11,15 @@ from PySide6.QtCore import QRect, Qt
 from PySide6.QtTest import QTest
 
 import skinsource as ss
+from skinsource.base.job import never, silent
 from skinsource.design.comparing import gain_text
 from skinsource.design.design import Snapshot
 from skinsource.design.design_file import save_design
 from skinsource.design.panel_settings import StageSettings, with_settings
+from skinsource_gui.pages.files import maps_film
 from skinsource_gui.panels.compare.motion import MOST_S
 from skinsource_gui.panels.compare.settings import CompareSettings
+from tests.gui.exporting import shown
 
 SENTENCE = "Waves run towards the wrist. Try: turn the frequency to 50 Hz."
 
@@ -563,6 +567,33 @@ def test_maps_keep_their_part_of_the_height_however_large_and_long_the_words(sta
         small = stage.sentence.font().pixelSize()
     stage.layout().activate()
     assert not [part for part in (stage.heading, stage.sentence) if _cut(part)]
+
+
+def test_maps_that_move_side_by_side_are_filmed_in_a_loop(stage, qtbot, tmp_path, monkeypatch):
+    pytest.importorskip("imageio_ffmpeg")
+    window, frames = stage.window(), []
+    monkeypatch.setattr(
+        maps_film, "video_file", lambda *_: nullcontext(lambda each: frames.append(each * 1.0))
+    )
+    assert not shown(window, "maps_animation").ready
+    show(window, StageSettings(compared=True), of="frequencies", frequencies_hz=(50.0,))
+    complete(stage, qtbot, 2)
+    part, turns = shown(window, "maps_animation"), stage.moving.turns
+    for name, value in (("width_px", 320), ("height_px", 180), ("colours", "dark")):
+        part.form._edit(name, value, None)
+    part.writer(tmp_path / "film.gif")(progress=silent, stop=never, largest_error=np.inf)
+    # One loop takes a second: at twice 50 Hz, 100 Hz is shown at 2 Hz.
+    assert f"{4.0:g} s of film" in part.form.remark.text
+    assert [each.shape for each in frames] == 4 * 50 * [(180, 320, 3)]
+    assert np.array_equal(frames[0], frames[50])
+    assert not np.array_equal(frames[0], frames[25])
+    assert frames[0].mean() < 128.0
+    assert stage.moving.turns == turns
+    window.exports.end()
+    # Where waves would seem to go backwards it is not written.
+    window.document.look(replace(window.document.view, slow_motion=2.0))
+    assert not shown(window, "maps_animation").ready
+    window.exports.end()
 
 
 def test_the_warning_stays_on_one_line_above_several_maps(stage, qtbot):
