@@ -1,26 +1,32 @@
 """Values that several graphs share: limbs, operators of their maps, drives, spectra and gains.
 
-Graphs of one limb read and transform its responses once.  `skinsource.engine.memory` states how
-much memory remembered values take at most; a limb with the responses that were read stays as long
-as a graph holds it.
+All graphs of the process read and transform the responses of a limb once.
+`skinsource.engine.memory` states how much memory remembered values take at most; a limb with the
+responses that were read stays as long as a graph holds it.
 """
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 from weakref import WeakValueDictionary, ref
 
 from skinsource.actuators.actuation import Actuation
+from skinsource.base.assets import user_folder
 from skinsource.base.job import Stop
 from skinsource.engine.gains import EngineMemory
 from skinsource.engine.memory import SURFACES_BYTES, Memory
 from skinsource.engine.spectra import actuated_limb
 from skinsource.limbs.catalog import load_limb
-from skinsource.limbs.limb import Limb
+from skinsource.limbs.limb import Limb, LimbFacts
+from skinsource.limbs.own_limbs import facts_of
 from skinsource.limbs.scaling import Scaling
 from skinsource.limbs.surface.operator import SurfaceOperator
 from skinsource.limbs.surface.surface import cached_surface_operator
 
 _Actuated = tuple[ref[Limb], Actuation, Scaling]
+# Of all threads: what two of them open at once, both read.
+_LIMBS: WeakValueDictionary[tuple[Path, LimbFacts, str], Limb] = WeakValueDictionary()
+_ACTUATED: WeakValueDictionary[_Actuated, Limb] = WeakValueDictionary()
 
 
 class Shared:
@@ -31,8 +37,6 @@ class Shared:
 
     def __init__(self) -> None:
         self._remembered = EngineMemory()
-        self._limbs: WeakValueDictionary[tuple[str, str, bool], Limb] = WeakValueDictionary()
-        self._actuated: WeakValueDictionary[_Actuated, Limb] = WeakValueDictionary()
         self._surfaces = Memory[SurfaceOperator](SURFACES_BYTES, _bytes_of)
 
     def rules(self) -> tuple[Callable[..., Any], ...]:
@@ -46,10 +50,10 @@ class Shared:
     def limb_data(self, limb: str, limb_digest: str, limb_mirrored: bool) -> Limb:
         """The limb, with its responses read when touched."""
         # A limb that no graph holds is opened anew: its name may mean other data by then.
-        key = limb, limb_digest, limb_mirrored
-        loaded = self._limbs.get(key)
+        key = user_folder(), facts_of(limb), limb_digest
+        loaded = _LIMBS.get(key)
         if loaded is None:
-            loaded = self._limbs[key] = load_limb(limb, limb_digest)
+            loaded = _LIMBS[key] = load_limb(limb, limb_digest)
         return loaded
 
     def driven_limb(self, limb_data: Limb, actuation: Actuation | None, scaling: Scaling) -> Limb:
@@ -57,9 +61,9 @@ class Shared:
         if actuation is None:
             return limb_data
         key = ref(limb_data), actuation, scaling
-        actuated = self._actuated.get(key)
+        actuated = _ACTUATED.get(key)
         if actuated is None:
-            actuated = self._actuated[key] = actuated_limb(limb_data, actuation, scaling)
+            actuated = _ACTUATED[key] = actuated_limb(limb_data, actuation, scaling)
         return actuated
 
     def surface(self, limb_data: Limb, stop: Stop) -> SurfaceOperator:
