@@ -540,6 +540,8 @@ class Heads(QtWidgets.QListView):
         part = self.places(index.row()).part_at(event.position()) if index.isValid() else ""
         if part == "fader":
             self._press = None
+            # This ends the editor that is open, which takes no other one beside it.
+            self.setFocus(Qt.FocusReason.MouseFocusReason)
             self.edit(index)
         else:
             self.mousePressEvent(event)
