@@ -78,7 +78,7 @@ def _instead(design: Design, view: View) -> tuple[tuple[str, str], bool] | None:
         return None
     track = design.track_of(clip.id)
     where = (
-        f"input {design.index_of(track.id) + 1}, at {location_text(track.location, design.limb)}"
+        f"input {design.index_of(track.id) + 1}, place {location_text(track.location, design.limb)}"
     )
     # Samples without a name were taken over from another kind of waveform.
     return (f"clip {clip.id}", f"In place of the recording on {where}"), not clip.waveform.name
@@ -86,7 +86,7 @@ def _instead(design: Design, view: View) -> tuple[tuple[str, str], bool] | None:
 
 def _track(design: Design, id: int) -> tuple[str, str]:
     where = location_text(design.input(id).location, design.limb)
-    return f"track {id}", f"A clip on input {design.index_of(id) + 1}, at {where}"
+    return f"track {id}", f"A clip on input {design.index_of(id) + 1}, place {where}"
 
 
 @refusing

@@ -118,6 +118,7 @@ class Pages(QObject):
         super().__init__(services.window)
         self._window, self._findable = services.window, findable
         self._document, self._preferences = services.document, services.preferences
+        self._panels = services.panels
         self._runner, self._limbs = services.runner, services.limbs
         self._status_line = status_line
         self.accuracy: Any = None
@@ -156,7 +157,9 @@ class Pages(QObject):
 
     def show_motion(self) -> None:
         """Open the page that makes a motion."""
-        pages.MotionPage(self._document, self._window).open()
+        page = pages.MotionPage(self._document, self._window)
+        page.accepted.connect(lambda: self._panels["timeline"].setFocus())
+        page.open()
 
     def show_manual(self) -> None:
         """Open the manual: the README, and the pages to which it leads."""

@@ -5,7 +5,7 @@ from itertools import pairwise
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDialog, QScrollArea, QWidget
+from PySide6.QtWidgets import QAbstractButton, QApplication, QDialog, QScrollArea, QWidget
 
 from skinsource import Design, View, track
 from skinsource.design.panel_settings import with_settings
@@ -227,6 +227,14 @@ def test_the_hand_shows_that_it_has_the_keyboard_before_a_key_is_used_there(wind
     assert corner(window) == current_theme().accent
     window.panel("timeline").setFocus()
     assert corner(window) != current_theme().accent
+
+
+def test_the_timeline_has_the_keyboard_once_a_motion_was_added(window, settle):
+    window.panel("hand").setFocus()
+    window.do("make_motion")
+    window.findChild(QAbstractButton, "add_motion").click()
+    settle()
+    assert window.panel("timeline").isAncestorOf(window.focusWidget())
 
 
 LEFT = Qt.MouseButton.LeftButton

@@ -273,7 +273,7 @@ def test_a_recording_goes_in_place_of_what_stands_for_one_and_of_another_when_th
     document, track, clip = desk.document, *placeholder
     first = actions.options(document.design, document.view, None)[0]
     assert first[0] == f"clip {clip.id}"
-    assert first[1].startswith("In place of the recording on input 1, at ")
+    assert first[1].startswith("In place of the recording on input 1, place ")
     page_at(sound).accept()
     (now,) = document.design.inputs[0].clips
     assert now.waveform.name == "tap.wav, channel 1"
