@@ -13,7 +13,7 @@ from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import NUMBERS, Design, Input, View
 from skinsource.design.edits.clips import of_each
-from skinsource.design.edits.cutting import last_fade
+from skinsource.design.edits.cutting import faded_ends
 from skinsource.design.edits.edit import Edit, Refusal, leading_clip
 from skinsource_gui.pages.files.exports import EXPORTS
 from skinsource_gui.panels.skin.settings import has_colours, use_colours
@@ -133,9 +133,8 @@ _of_inputs = partial(_on, lambda _, view: view.selected_inputs)
 _FADE_S = 0.02
 
 
-def _fades(clip: Clip) -> tuple[float, float]:
-    fade = last_fade(clip.effects)
-    return (0.0, 0.0) if fade is None else (fade.in_s, fade.out_s)
+def _fades(clip: Clip) -> list[float]:
+    return [end.length_s if end else 0.0 for end in faded_ends(clip)]
 
 
 def _faded(end: int) -> Condition:
@@ -147,7 +146,7 @@ def _fade(end: int, design: Design, view: View) -> Edit | Refusal:
     to_s = 0.0 if _faded(end)(design, view) else _FADE_S
 
     def fade(design: Design, view: View, id: int) -> Edit | Refusal:
-        lengths_s = list(_fades(design.clip(id)))
+        lengths_s = _fades(design.clip(id))
         lengths_s[end] = min(to_s, design.clip(id).duration_s / 2)
         return edits.fade_clip(design, view, id, *lengths_s)
 
@@ -184,7 +183,7 @@ EDITS: dict[str, MakeEdit] = {
     "repeat_clips": _of_clips(edits.repeat_clips, 2),
     "duplicate_clips": _of_clips(edits.duplicate_clips),
     "mute_clips": _of_clips(edits.toggle_mute_clips),
-    "remove_clips": _of_clips(edits.remove_clips),
+    "remove_clips": _on(lambda _, view: view.selected_clips, edits.remove_clips),
     "limit_to_band": _of_clips(edits.limit_to_band),
     "remove_delay": lambda design, view: edits.remove_delay(design, view, not view.delay_removed),
     "play_automatic": partial(edits.play_slower, slow_motion=0.0),
@@ -204,7 +203,7 @@ _OF_INPUTS = "duplicate_input", "remove_input", "mute_input", "solo_input", "sel
 _OF_CLIPS = "split_clips", "fade_in", "fade_out", "repeat_clips", "duplicate_clips", "mute_clips"
 #: By name of an action, whether it can be done now; others always can.
 ENABLED: dict[str, Condition] = {
-    **_when(lambda design, _: bool(design.clips), "cut_clips", "copy_clips", "save_to_library"),
+    **_when(lambda design, _: bool(design.clips), "copy_clips", "save_to_library"),
     **_when(lambda _, view: bool(view.selected_inputs), *_OF_INPUTS),
     **_when(lambda _, view: bool(view.selected_inputs), "shift_input_up", "shift_input_down"),
     **_when(lambda design, _: bool(design.inputs), "select_all_inputs", "clear_inputs"),
@@ -218,8 +217,9 @@ ENABLED: dict[str, Condition] = {
     ),
     **_when(
         lambda design, view: bool(chosen_clips(design, view)),
-        *(*_OF_CLIPS, "remove_clips", "limit_to_band", "paste_effects"),
+        *(*_OF_CLIPS, "limit_to_band", "paste_effects"),
     ),
+    **_when(lambda _, view: bool(view.selected_clips), "remove_clips", "cut_clips"),
     "equalise_on_skin": lambda design, view: selected_train(design, view) is not None,
     "match_tracks": lambda design, view: len(set(view.selected_inputs) & set(design.ids)) > 1,
 }

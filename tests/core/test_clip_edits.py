@@ -12,7 +12,7 @@ from skinsource import View, edits
 from skinsource.base.errors import FileFormatError, InvalidInputError
 from skinsource.design.clips import MAX_CLIPS, MAX_EFFECTS, Clip, Marker
 from skinsource.design.design import MAX_INPUTS, Design, Input, track
-from skinsource.design.edits.cutting import last_fade
+from skinsource.design.edits.cutting import faded_ends
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.effects import Fade, Rectify, Repeat, Reverse, Stretch, Trim
 from skinsource.design.waveforms import Layers, Noise, Tap, Tone
@@ -264,6 +264,7 @@ def test_parts_of_parts_join_to_what_they_were_in_one_go():
         {"onset_s": 0.21},
         {"waveform": Tap()},
         {"effects": (Trim(start_s=0.15, duration_s=0.05),)},
+        {"effects": (Trim(start_s=0.1, duration_s=0.1), Fade(0.01, 0.0))},
     ],
 )
 def test_parts_that_differ_or_lie_or_lay_apart_do_not_join(change):
@@ -310,16 +311,44 @@ def test_ends_that_are_stretched_go_so_far_and_the_other_end_stays(ends, onset_s
     assert clip.duration_s == pytest.approx(duration_s, abs=1e-12)
 
 
+def lengths_s(clip: Clip) -> list[float]:
+    return [0.0 if end is None else round(end.length_s, 9) for end in faded_ends(clip)]
+
+
 def test_the_fade_of_a_clip_is_the_last_one_that_nothing_behind_moves_in_time():
     fade = Fade(0.01, 0.02)
     for behind in (Rectify(), Reverse(on=False), Stretch(factor=2.0, on=False)):
-        assert last_fade((fade, behind)) is fade
+        assert lengths_s(Clip(waveform=TONE, effects=(Fade(), fade, behind))) == [0.01, 0.02]
         clip = Clip(waveform=TONE, effects=(fade, behind), id=1)
         [faded] = edits.fade_clip(design_of(clip), VIEW, 1, 0.05, 0.0).design.clips
         assert faded.effects == (Fade(0.05, 0.0), behind)
-    for behind in (Reverse(), Stretch(factor=2.0), Trim(0.0, 0.1)):
-        assert last_fade((fade, behind)) is None
-    assert last_fade((replace(fade, on=False),)) is None
+    for effects in ((fade, Reverse()), (fade, Stretch(factor=2.0)), (replace(fade, on=False),)):
+        assert lengths_s(Clip(waveform=TONE, effects=effects)) == [0.0, 0.0]
+
+
+@pytest.mark.parametrize(
+    ("cut_s", "first", "second", "shorter"),
+    [
+        (0.3, [0.1, 0.0], [0.0, 0.08], [Fade(0.05, 0.0, "straight"), Fade(0.0, 0.04, "straight")]),
+        (0.15, [0.05, 0.0], [0.05, 0.08], [Fade(0.025, 0.08), Fade(0.075, 0.04)]),
+        (0.45, [0.1, 0.03], [0.0, 0.05], [Fade(0.05, 0.065), Fade(0.1, 0.025)]),
+    ],
+)
+def test_what_was_split_fades_as_before_and_once_when_a_fade_is_dragged(
+    cut_s, first, second, shorter
+):
+    tone = replace(TONE, duration_s=0.4)
+    before = design_of(Clip(waveform=tone, onset_s=0.1, effects=(Fade(0.1, 0.08, "straight"),)))
+    split = edits.split_clips(before, VIEW, (1,), cut_s).design
+    np.testing.assert_allclose(total(*split.clips), total(*before.clips), rtol=0, atol=1e-12)
+    assert [lengths_s(clip) for clip in split.clips] == [first, second]
+    assert edits.join_clips(split, VIEW, (1, 2)).design == before
+    for clip, fade in zip(split.clips, shorter, strict=True):
+        halves_s = [length_s / 2 for length_s in lengths_s(clip)]
+        faded = edits.fade_clip(split, VIEW, clip.id, *halves_s).design.clip(clip.id)
+        fades = [effect for effect in faded.effects if isinstance(effect, Fade)]
+        assert fades == [replace(fade, shape="straight")]
+        assert lengths_s(faded) == pytest.approx(halves_s)
 
 
 def test_a_fade_out_has_only_the_room_that_the_fade_in_leaves():

@@ -43,7 +43,7 @@ def cut_clips(design: Design, view: View) -> Edit | Refusal:
     copied = copy_clips(design, view)
     if isinstance(copied, Refusal):
         return copied
-    return edits.cut_clips(design, view, chosen_clips(design, view))
+    return edits.cut_clips(design, view, view.selected_clips)
 
 
 def paste_clips(design: Design, view: View) -> Edit | Refusal:

@@ -12,10 +12,9 @@ from skinsource.base.conventions import SAMPLE_RATE_HZ, Floats
 from skinsource.base.decibels import decibels
 from skinsource.design.clips import Clip, Marker
 from skinsource.design.design import MAX_INPUTS, Design, Input, View
-from skinsource.design.edits.cutting import last_fade
+from skinsource.design.edits.cutting import FadedEnd, faded_ends
 from skinsource.design.edits.edit import Edit, clips_of, leading_clip
 from skinsource.design.effects.breakpoints import Points, curve_at
-from skinsource.design.effects.level import Fade
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.specs import fields
 from skinsource.specs.numbers import ListSpec, NumberSpec
@@ -64,12 +63,12 @@ class Lane:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Box:
-    """The place of a clip on its lane, its fade, and how far that reaches, px."""
+    """The place of a clip on its lane, what fades its ends, and how far that reaches, px."""
 
     clip: Clip
     lane: Lane
     rect: QRectF
-    fade: Fade | None = None
+    ends: tuple[FadedEnd | None, FadedEnd | None] = (None, None)
     fades_px: tuple[float, float] = (0.0, 0.0)
 
 
@@ -408,10 +407,11 @@ class TimelineContent:
             width = max(self.lengths.durations_s[clip.id] * scale.px_per_s, NARROWEST_PX)
             if left < scale.right_px and left + width > scale.left_px:
                 rect = QRectF(left, top, width, height)
-                fade = last_fade(clip.effects)
-                lengths_s = (fade.in_s, fade.out_s) if fade else (0.0, 0.0)
-                fades_px = (lengths_s[0] * scale.px_per_s, lengths_s[1] * scale.px_per_s)
-                boxes.append(Box(clip=clip, lane=lane, rect=rect, fade=fade, fades_px=fades_px))
+                ends = faded_ends(clip)
+                in_px = ends[0].length_s * scale.px_per_s if ends[0] else 0.0
+                out_px = ends[1].length_s * scale.px_per_s if ends[1] else 0.0
+                fades_px = (in_px, out_px)
+                boxes.append(Box(clip=clip, lane=lane, rect=rect, ends=ends, fades_px=fades_px))
         return sorted(boxes, key=lambda box: box.clip.id in self.selected)
 
     def overlaps_on(self, lane: Lane) -> list[Range]:
@@ -424,9 +424,9 @@ class TimelineContent:
 
     @cached_property
     def chosen(self) -> tuple[int, ...]:
-        """Clips that edits change: of each selected track the selected ones, or else its first.
+        """Clips that the clip panel edits: of each selected track the selected ones, or its first.
 
-        The last is the one that the inspector shows.
+        The last is the one that it shows.
         """
         return chosen_clips(self.design, self.view)
 
@@ -501,7 +501,7 @@ class TimelineContent:
 
 
 def chosen_clips(design: Design, view: View) -> tuple[int, ...]:
-    """Return the clips that edits change, see `TimelineContent.chosen`."""
+    """Return the clips that the clip panel edits, see `TimelineContent.chosen`."""
     tracks = (track for track in design.inputs if track.id in view.selected_inputs)
     clips = (clip.id for track in tracks for clip in clips_of(track, view))
     chosen = list(dict.fromkeys((*view.selected_clips, *clips)))

@@ -9,7 +9,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from skinsource.design import edits
 from skinsource.design.clips import Marker
 from skinsource.design.design import Design, View
-from skinsource.design.edits.cutting import last_fade
+from skinsource.design.edits.cutting import faded_ends
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.effects.breakpoints import Points, moved
 from skinsource_gui.fields.editor import new_gesture
@@ -182,8 +182,7 @@ class FadeEnd(_EndDrag):
     """Drag of an upper corner of a clip: sets how long it fades in, or out."""
 
     def move(self, at: QPointF, held: Modifier) -> GesturePreview:
-        fade = last_fade(self._clip.effects)
-        in_s, out_s = (fade.in_s, fade.out_s) if fade else (0.0, 0.0)
+        in_s, out_s = (end.length_s if end else 0.0 for end in faded_ends(self._clip))
         length_s = self._end_s - self._start_s
         if self._part is Part.FADE_IN:
             edge_s = self._start_s + in_s

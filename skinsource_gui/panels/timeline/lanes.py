@@ -264,7 +264,8 @@ class LaneKeys:
     def _act(self, command: str) -> None:
         """Do what a command does to the selected clips, or to what is shown."""
         lanes, content = self._lanes, self._lanes.content
-        chosen, at_s, track = content.chosen, content.view.playhead_s, content.view.selected_input
+        view = content.view
+        chosen, at_s, track = view.selected_clips, view.playhead_s, view.selected_input
         acts: dict[str, Callable[[], object]] = {
             "zoom_in": lambda: lanes.zoom(ZOOM),
             "zoom_out": lambda: lanes.zoom(1 / ZOOM),
@@ -315,19 +316,21 @@ class LaneKeys:
         """Select besides the nearest clip of the next track that has any."""
         content = self._lanes.content
         design = content.design
-        for last in content.chosen[-1:]:
+        for last in content.view.selected_clips[-1:]:
             here, onset_s = design.index_of(design.track_of(last).id), design.clip(last).onset_s
             ahead = design.inputs[here + 1 :] if step > 0 else design.inputs[:here][::-1]
             clips = next((track.clips for track in ahead if track.clips), ())
             nearest = min(clips, key=lambda clip: abs(clip.onset_s - onset_s), default=None)
             if nearest is not None:
-                others = (clip_id for clip_id in content.chosen if clip_id != nearest.id)
+                others = (
+                    clip_id for clip_id in content.view.selected_clips if clip_id != nearest.id
+                )
                 self._lanes.select(*others, nearest.id)
 
     def _go_below(self) -> None:
         """Select the next of the clips that overlap."""
         content = self._lanes.content
-        for clip in content.chosen[-1:]:
+        for clip in content.view.selected_clips[-1:]:
             track = content.design.track_of(clip)
             following = next_id(overlapping(track, content.design.clip(clip)), clip)
             self._lanes.select(clip if following is None else following)
@@ -337,9 +340,9 @@ class LaneKeys:
         design, view = content.design, content.view
         in_time = command == "nudge"
         by_s, by_tracks = (steps * STEP_S, 0) if in_time else (0.0, steps)
-        outcome = edits.move_clips(design, view, content.chosen, by_s, by_tracks)
+        outcome = edits.move_clips(design, view, view.selected_clips, by_s, by_tracks)
         # One burst of nudges is one undo step; other clips, or another direction, begin a new one.
-        nudged = (in_time, content.chosen)
+        nudged = (in_time, view.selected_clips)
         if nudged != self._nudged:
             self._burst.end()
             self._nudged = nudged
@@ -390,7 +393,8 @@ class LaneMouse:
             self._gesture = self._on_clip(box, at, held)
         else:
             self._gesture = gestures.Marquee(context, at)
-            self._click = self._on_ground(context, at)
+            if not held & gestures.Modifier.ControlModifier:
+                self._click = self._on_ground(context, at)
 
     def move(self, at: QPointF, held: gestures.Modifier) -> None:
         """Follow the pointer."""

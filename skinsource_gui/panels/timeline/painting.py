@@ -13,7 +13,6 @@ from PySide6 import QtGui
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 
 from skinsource.base.conventions import Floats
-from skinsource.design.effects.level import Fade
 from skinsource_gui.fields.units import axis_unit
 from skinsource_gui.panels.timeline.content import MARGIN_PX, Box, Lane, TimelineContent, clip_name
 from skinsource_gui.panels.timeline.gestures import GesturePreview
@@ -53,7 +52,8 @@ def paint_clip(
         The visible rectangle: no more is painted.
     """
     theme, clip = current_theme(), box.clip
-    drawn, selected = content.drawn.get(clip.id), clip.id in content.chosen
+    drawn, selected = content.drawn.get(clip.id), clip.id in content.selected
+    edited = clip.id in content.chosen
     pale = clip.muted or bool(box.lane.silent and not unplayable)
     colour = QtGui.QColor(theme.dim) if pale else theme.input_colour(box.lane.track.colour)
     if unplayable:
@@ -67,13 +67,13 @@ def paint_clip(
         painter.setOpacity(_PALE if pale else 1.0)
         _paint_samples(painter, box, shown, drawn.samples, content, pictures, colour)
         painter.setOpacity(1.0)
-    if box.fade is not None:
-        _paint_fades(painter, box, box.fade, QtGui.QColor(theme.text))
+    if any(box.ends):
+        _paint_fades(painter, box, content.scale.px_per_s, QtGui.QColor(theme.text))
     # Over the lines of fades: the name is read first.
     if shown.width() >= _LABEL_FROM_PX:
         text = f"{clip_name(clip)}{' · updating…' if clip.id in content.awaited else ''}"
-        _write(painter, text, shown, theme, pale=pale)
-    _paint_frame(painter, box.rect, shown, theme, colour, selected=selected)
+        _write(painter, text, box.rect, shown, theme, pale=pale)
+    _paint_frame(painter, box.rect, shown, theme, colour, selected=selected, edited=edited)
     if handles:
         _paint_handles(painter, box, QtGui.QColor(theme.text))
 
@@ -118,10 +118,14 @@ def _paint_samples(
     pictures.paint(painter, samples, room, style)
 
 
-def _write(painter: QtGui.QPainter, words: str, shown: QRectF, theme: Theme, *, pale: bool) -> None:
+def _write(
+    painter: QtGui.QPainter, words: str, rect: QRectF, shown: QRectF, theme: Theme, *, pale: bool
+) -> None:
     metrics = QtGui.QFontMetricsF(painter.font())
     line_px = metrics.height()
-    room = QRectF(shown.left() + 5, shown.top() + 1, shown.width() - 10, line_px)
+    # It stays in its row when that goes out of sight under the ruler.
+    top = min(shown.top() + 1, rect.bottom() - line_px)
+    room = QRectF(shown.left() + 5, top, shown.width() - 10, line_px)
     text, width = words, metrics.horizontalAdvance(words)
     if width > room.width():
         text = metrics.elidedText(words, Qt.TextElideMode.ElideRight, room.width())
@@ -140,9 +144,13 @@ def _paint_frame(
     colour: QtGui.QColor,
     *,
     selected: bool,
+    edited: bool,
 ) -> None:
     if selected:
         painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 2))
+    elif edited:
+        # The clip panel shows it, but keys do not act on it.
+        painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 1, Qt.PenStyle.DotLine))
     else:
         edge = translucent(colour, 130)
         painter.setPen(QtGui.QPen(edge, 1))
@@ -156,15 +164,17 @@ def _frame(rect: QRectF, shown: QRectF) -> QRectF:
     return rect.intersected(shown.adjusted(-2, 0, 2, 0))
 
 
-def _paint_fades(painter: QtGui.QPainter, box: Box, fade: Fade, colour: QtGui.QColor) -> None:
-    """Paint the course of fades, as their shape has it."""
-    rect, share = box.rect, np.linspace(0.0, 1.0, _FADE_POINTS)
-    heights = replace(fade, in_s=1.0, out_s=0.0).values_at(share, 2.0)
-    y = rect.bottom() - heights * rect.height()
+def _paint_fades(painter: QtGui.QPainter, box: Box, px_per_s: float, colour: QtGui.QColor) -> None:
+    """Paint the course of fades, as their shape has it, without what a split cut off."""
+    rect = box.rect
     painter.setPen(QtGui.QPen(colour, 1, Qt.PenStyle.DashLine))
-    for start, reach in zip((rect.left(), rect.right()), box.fades_px, strict=True):
-        if reach > 0:
-            x = start + share * (reach if start == rect.left() else -reach)
+    for start, way, end in zip((rect.left(), rect.right()), (1, -1), box.ends, strict=True):
+        if end is not None:
+            inside_s = np.linspace(0.0, end.length_s, _FADE_POINTS)
+            whole_s = end.fade.in_s if way > 0 else end.fade.out_s
+            fade = replace(end.fade, in_s=whole_s, out_s=0.0)
+            heights = fade.values_at(end.cut_s + inside_s, 2 * whole_s)
+            x, y = start + way * px_per_s * inside_s, rect.bottom() - heights * rect.height()
             painter.drawPolyline(QtGui.QPolygonF(list(map(QPointF, x, y))))
 
 
@@ -205,8 +215,8 @@ def restyled_clips(before: TimelineContent, after: TimelineContent) -> set[int]:
     then, now = before.drawn, after.drawn
     return {
         *before.selected.symmetric_difference(after.selected),
-        *before.awaited.symmetric_difference(after.awaited),
         *set(before.chosen).symmetric_difference(after.chosen),
+        *before.awaited.symmetric_difference(after.awaited),
         *(clip for clip in then.keys() | now.keys() if then.get(clip) is not now.get(clip)),
     }
 

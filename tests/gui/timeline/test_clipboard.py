@@ -118,6 +118,12 @@ def test_each_entry_acts_on_all_selected_clips_in_one_step(two_clips):
     window.do("limit_to_band")
     assert effects(window) == [[BandLimit], [BandLimit]]
     assert [clip.waveform for clip in document.design.clips] == [TONE, TONE]
+    chosen = document.view
+    document.look(replace(chosen, selected_clips=()))
+    assert not any(
+        window.actions_by_name[f"{name}_clips"].isEnabled() for name in ("remove", "cut")
+    )
+    document.look(chosen)
     window.do("remove_clips")
     assert document.design.clips == ()
     assert not window.actions_by_name["split_clips"].isEnabled()

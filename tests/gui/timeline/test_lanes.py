@@ -32,11 +32,16 @@ def test_shift_and_down_selects_besides_the_nearest_clip_below_and_up_goes_back(
     assert lanes.edits == []
 
 
-def test_keys_act_on_the_clip_that_the_inspector_shows_where_none_is_selected(lanes):
+def test_a_click_on_the_ground_selects_the_track_alone_and_keys_then_change_no_clip(lanes):
+    before = lanes.design
     lanes.click(lanes.at(0.62))
-    assert lanes.view.selected_clips == ()
-    lanes.key(_Key.Key_M)
-    assert [clip.muted for clip in lanes.design.inputs[0].clips] == [True, False, False]
+    assert (lanes.view.selected_inputs, lanes.view.selected_clips) == ((1,), ())
+    for key in (_Key.Key_Delete, _Key.Key_M, _Key.Key_Right, _Key.Key_S):
+        lanes.key(key)
+    assert lanes.design is before
+    lanes.look(edits.select_clips(before, lanes.view, (2, 4)).view)
+    lanes.click(lanes.at(0.62), CONTROL)
+    assert lanes.view.selected_clips == (2, 4)
 
 
 def test_on_clips_the_menu_is_about_one_or_all_that_are_selected(lanes):
@@ -280,6 +285,7 @@ def test_keys_choose_move_and_remove_points(curved):
     assert curve(curved) == ((0.1, 1.0), (0.9, 0.2))
     assert len(curved.design.clips) == 4
     # Now the keys are about clips again.
+    curved.look(replace(curved.view, selected_clips=(1,)))
     curved.key(_Key.Key_Right)
     assert curved.onset(1) == pytest.approx(0.001)
     curved.key(_Key.Key_PageUp, CONTROL)

@@ -8,12 +8,12 @@ from PySide6.QtCore import QPointF, QSizeF
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QApplication
 
-from skinsource import Clip, Design, Input
+from skinsource import Clip, Design, Input, View, edits
 from skinsource.design.effects.level import Fade
 from skinsource.design.signal_path import UnplayableInput
 from skinsource.design.waveforms.pulses import Tap
 from skinsource_gui.plots.preview import ClipPictures, ClipStyle
-from skinsource_gui.qt.theme import DARK, apply_theme
+from skinsource_gui.qt.theme import DARK, apply_theme, current_theme
 from tests.gui.timeline.bench import ALT, TONE, LanesBench, results_of
 
 
@@ -128,6 +128,35 @@ def test_what_was_not_repainted_looks_as_if_everything_were(four_lanes, name):
     four_lanes.lanes.item.update()
     settled(four_lanes)
     assert after == picture(four_lanes)
+
+
+def test_a_label_stays_in_its_row_under_the_ruler(four_lanes):
+    four_lanes.panel.resize(1000, 140)
+    settled(four_lanes)
+    four_lanes.rows.verticalScrollBar().setValue(four_lanes.content.lanes[0].height_px - 8)
+    pictures = []
+    for label in ("Tone", "Longer"):
+        changed(four_lanes, 0, label=label)
+        four_lanes.lanes.item.update()
+        settled(four_lanes)
+        top = round(four_lanes.content.lanes[1].top_px)
+        pictures.append(picture(four_lanes).copy(0, top, 1000, 40))
+    assert four_lanes.content.lanes[0].bottom_px == four_lanes.content.ruler_px + 8
+    assert pictures[0] == pictures[1]
+
+
+def test_the_curve_of_a_fade_goes_on_where_a_split_cut_it(four_lanes):
+    clip = Clip(onset_s=0.1, waveform=TONE, effects=(Fade(0.0, 0.08, "straight"),))
+    design, text = four_lanes.design.with_input(0, clips=(clip,)), QColor(current_theme().text)
+    (whole,) = design.inputs[0].clips
+    four_lanes.show(edits.split_clips(design, View(), (whole.id,), 0.25).design)
+    settled(four_lanes)
+    image, box = picture(four_lanes), four_lanes.content.boxes[1].rect
+    for time_s in (0.26, 0.27, 0.28, 0.29):
+        x = round(four_lanes.at(time_s).x())
+        y = round(box.bottom() - (0.3 - time_s) / 0.08 * box.height())
+        near = [image.pixelColor(x + k, y + j) for k in range(-4, 5) for j in range(-4, 5)]
+        assert min(abs(colour.lightness() - text.lightness()) for colour in near) < 20
 
 
 def height_of_curve(lanes, clip):

@@ -1,11 +1,11 @@
 """Split, join, trim, stretch and fade clips; insert and remove time on all tracks at once.
 
-A part of a clip is the same waveform through a `Trim`, so that it plays the same samples.  Dragging
-an end of a clip puts the `Trim` before the fades, which stay at the ends.
+A part of a clip is the same waveform through a `Trim`, so that it plays the same samples.  The
+`Trim` stands before the fades, which stay at the ends; only a split within a fade cuts the fade.
 """
 
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import groupby
 from typing import Any
 
@@ -200,14 +200,19 @@ def fade_clip(design: Design, view: View, id: int, in_s: float, out_s: float) ->
     clip = _one_clip(design, id, in_s, out_s)
     in_s = short(min(max(in_s, 0.0), clip.duration_s))
     out_s = short(min(max(out_s, 0.0), clip.duration_s - in_s))
-    effects, fade = list(clip.effects), last_fade(clip.effects)
-    if fade is not None:
-        changed = [replace(fade, in_s=in_s, out_s=out_s)] if in_s or out_s else []
-        at = len(effects) - 1 - effects[::-1].index(fade)
-        effects[at : at + 1] = changed
-    elif in_s or out_s:
-        effects.append(Fade(in_s=in_s, out_s=out_s))
-    return _with_clip(design, view, "Fade", clip, {"effects": tuple(effects)})
+    effects: list[Any] = list(clip.effects)
+    ends = faded_ends(clip)
+    at = next((end.at for end in ends if end and not end.behind_trim), len(effects))
+    for name, length_s, end in zip(("in_s", "out_s"), (in_s, out_s), ends, strict=True):
+        if end is not None:
+            if length_s != end.length_s:
+                to_s = short(length_s + end.cut_s) if length_s else 0.0
+                effects[end.at] = replace(effects[end.at], **{name: to_s})
+        elif length_s:
+            old = effects[at : at + 1] or [Fade(in_s=0.0, out_s=0.0)]
+            effects[at : at + 1] = [replace(old[0], **{name: length_s})]
+    left = tuple(each for each in effects if not isinstance(each, Fade) or each.in_s or each.out_s)
+    return _with_clip(design, view, "Fade", clip, {"effects": left})
 
 
 def _one_clip(design: Design, id: int, *times_s: float) -> Clip:
@@ -220,14 +225,47 @@ def _one_clip(design: Design, id: int, *times_s: float) -> Clip:
     return chosen[0]
 
 
-def last_fade(effects: tuple[Effect, ...]) -> Fade | None:
-    """Return the last fade of a clip, unless an effect behind it moves or stretches time."""
-    for effect in reversed(effects):
-        if isinstance(effect, Fade) and effect.on:
-            return effect
-        if effect.on and (isinstance(effect, Reverse) or not isinstance(effect, KeepsTime)):
-            return None
-    return None
+@dataclass(frozen=True, slots=True)
+class FadedEnd:
+    """What fades an end of a clip.
+
+    Attributes
+    ----------
+    fade, at
+        The effect, and which one of the clip it is.
+    length_s, cut_s
+        How long the clip fades there, and how much of the fade a split cut off before that.
+    behind_trim
+        Whether a `Trim` behind the fade cuts the clip.
+    """
+
+    fade: Fade
+    at: int
+    length_s: float
+    cut_s: float
+    behind_trim: bool
+
+
+def faded_ends(clip: Clip) -> tuple[FadedEnd | None, FadedEnd | None]:
+    """Return the last fade of the start and of the end, unless time is moved behind it."""
+    ends: list[FadedEnd | None] = [None, None]
+    cut_s, trimmed = [0.0, 0.0], False
+    for at, effect in reversed(list(enumerate(clip.effects))):
+        if not effect.on:
+            continue
+        if isinstance(effect, Fade):
+            for side, whole_s in enumerate((effect.in_s, effect.out_s)):
+                if ends[side] is None and whole_s > cut_s[side] + SAME_S:
+                    length_s = min(short(whole_s - cut_s[side]), clip.duration_s)
+                    ends[side] = FadedEnd(effect, at, length_s, cut_s[side], trimmed)
+        elif isinstance(effect, Trim):
+            before_s = played_s(clip.waveform, clip.effects[:at])
+            cut_s[0] += effect.start_s
+            cut_s[1] += max(round(before_s - effect.start_s - effect.duration_s, 12), 0.0)
+            trimmed = True
+        elif isinstance(effect, Reverse) or not isinstance(effect, KeepsTime):
+            break
+    return ends[0], ends[1]
 
 
 def parts_by_id(clips: Sequence[Clip], at_s: float) -> dict[int, tuple[Clip, Clip]]:
@@ -258,14 +296,20 @@ def parts_of(clip: Clip, at_s: float) -> tuple[Clip, Clip] | None:
     length_s, own_s = clip.duration_s, at_s - clip.onset_s
     if not SAME_S < own_s < length_s - SAME_S:
         return None
-    *inner, last = clip.effects or (None,)
+    own_s, rest_s = short(own_s), short(length_s - own_s)
+    kept, fades = _without_fades(clip.effects)
+    if any(fade.in_s > own_s or fade.out_s > rest_s for fade in fades):
+        kept, fades = clip.effects, ()
+    *inner, last = kept or (None,)
     if not isinstance(last, Trim) or not last.on:
-        inner, last = list(clip.effects), Trim(duration_s=length_s)
-    first = replace(last, duration_s=short(own_s))
-    second = replace(last, start_s=short(last.start_s + own_s), duration_s=short(length_s - own_s))
+        inner, last = list(kept), Trim(duration_s=length_s)
+    first = replace(last, duration_s=own_s)
+    second = replace(last, start_s=short(last.start_s + own_s), duration_s=rest_s)
+    ins = (replace(fade, out_s=0.0) for fade in fades if fade.in_s)
+    outs = (replace(fade, in_s=0.0) for fade in fades if fade.out_s)
     return (
-        replace(clip, effects=(*inner, first)),
-        replace(clip, onset_s=short(at_s), effects=(*inner, second), id=0),
+        replace(clip, effects=(*inner, first, *ins)),
+        replace(clip, onset_s=short(at_s), effects=(*inner, second, *outs), id=0),
     )
 
 
@@ -286,30 +330,39 @@ def with_parts(design: Design, cut: dict[int, tuple[Clip, Clip]]) -> Design:
 
 def _join(left: Clip, right: Clip) -> Clip | None:
     """Return the clip of which these are parts that follow each other; None: they are not."""
-    if not left.effects or not right.effects:
+    kept, ins = _without_fades(left.effects)
+    others, outs = _without_fades(right.effects)
+    if not kept or not others:
         return None
-    (*inner, first), (*others, second) = left.effects, right.effects
+    (*inner, first), (*others_inner, second) = kept, others
     if not (isinstance(first, Trim) and isinstance(second, Trim) and first.on and second.on):
         return None
     same_content = (left.waveform, left.gain, left.muted, inner) == (
         right.waveform,
         right.gain,
         right.muted,
-        others,
+        others_inner,
     )
     follows = abs(left.end_s - right.onset_s) < SAME_S
     goes_on = abs(first.start_s + first.duration_s - second.start_s) < SAME_S
-    if not (same_content and follows and goes_on):
+    # A fade that is longer than its part is shortened with it.
+    outside = any(fade.out_s or fade.in_s > first.duration_s for fade in ins) or any(
+        fade.in_s or fade.out_s > second.duration_s for fade in outs
+    )
+    if outside or not (same_content and follows and goes_on):
         return None
     whole_s = played_s(left.waveform, tuple(inner))
     length_s = short(second.start_s + second.duration_s - first.start_s)
     trim: tuple[Effect, ...] = ()
     if first.start_s > SAME_S or length_s < whole_s - SAME_S:
         trim = (replace(first, duration_s=length_s),)
-    return replace(left, effects=(*inner, *trim))
+    joined = [replace(fade, out_s=out.out_s) for fade, out in zip(ins, outs, strict=False)]
+    if [(fade.shape, fade.on) for fade in ins] != [(fade.shape, fade.on) for fade in outs]:
+        joined = [*ins, *outs]
+    return replace(left, effects=(*inner, *trim, *joined))
 
 
-def _without_fades(effects: tuple[Effect, ...]) -> tuple[tuple[Effect, ...], tuple[Effect, ...]]:
+def _without_fades(effects: tuple[Effect, ...]) -> tuple[tuple[Effect, ...], tuple[Any, ...]]:
     """Split effects into those before the fades at the end, and those fades."""
     count = len(effects)
     while count and isinstance(effects[count - 1], Fade):
