@@ -327,27 +327,24 @@ def test_the_fade_of_a_clip_is_the_last_one_that_nothing_behind_moves_in_time():
 
 
 @pytest.mark.parametrize(
-    ("cut_s", "first", "second", "shorter"),
+    ("cut_s", "lengths"),
     [
-        (0.3, [0.1, 0.0], [0.0, 0.08], [Fade(0.05, 0.0, "straight"), Fade(0.0, 0.04, "straight")]),
-        (0.15, [0.05, 0.0], [0.05, 0.08], [Fade(0.025, 0.08), Fade(0.075, 0.04)]),
-        (0.45, [0.1, 0.03], [0.0, 0.05], [Fade(0.05, 0.065), Fade(0.1, 0.025)]),
+        (0.3, [[0.1, 0.0], [0.0, 0.08]]),
+        (0.15, [[0.05, 0.0], [0.05, 0.08]]),
+        (0.45, [[0.1, 0.03], [0.0, 0.05]]),
     ],
 )
-def test_what_was_split_fades_as_before_and_once_when_a_fade_is_dragged(
-    cut_s, first, second, shorter
-):
-    tone = replace(TONE, duration_s=0.4)
-    before = design_of(Clip(waveform=tone, onset_s=0.1, effects=(Fade(0.1, 0.08, "straight"),)))
+def test_what_was_split_fades_as_before_and_once_when_a_fade_is_dragged(cut_s, lengths):
+    tone, fade = replace(TONE, duration_s=0.4), Fade(0.1, 0.08, "straight")
+    before = design_of(Clip(waveform=tone, onset_s=0.1, effects=(fade,)))
     split = edits.split_clips(before, VIEW, (1,), cut_s).design
     np.testing.assert_allclose(total(*split.clips), total(*before.clips), rtol=0, atol=1e-12)
-    assert [lengths_s(clip) for clip in split.clips] == [first, second]
+    assert [lengths_s(clip) for clip in split.clips] == lengths
     assert edits.join_clips(split, VIEW, (1, 2)).design == before
-    for clip, fade in zip(split.clips, shorter, strict=True):
+    for clip in split.clips:
         halves_s = [length_s / 2 for length_s in lengths_s(clip)]
         faded = edits.fade_clip(split, VIEW, clip.id, *halves_s).design.clip(clip.id)
-        fades = [effect for effect in faded.effects if isinstance(effect, Fade)]
-        assert fades == [replace(fade, shape="straight")]
+        assert list(map(type, faded.effects)) == list(map(type, clip.effects))
         assert lengths_s(faded) == pytest.approx(halves_s)
 
 

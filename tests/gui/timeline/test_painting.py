@@ -152,7 +152,7 @@ def test_the_curve_of_a_fade_goes_on_where_a_split_cut_it(four_lanes):
     four_lanes.show(edits.split_clips(design, View(), (whole.id,), 0.25).design)
     settled(four_lanes)
     image, box = picture(four_lanes), four_lanes.content.boxes[1].rect
-    for time_s in (0.26, 0.27, 0.28, 0.29):
+    for time_s in (0.23, 0.24, 0.27, 0.29):
         x = round(four_lanes.at(time_s).x())
         y = round(box.bottom() - (0.3 - time_s) / 0.08 * box.height())
         near = [image.pixelColor(x + k, y + j) for k in range(-4, 5) for j in range(-4, 5)]
