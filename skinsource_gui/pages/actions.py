@@ -36,7 +36,6 @@ from skinsource_gui.fields.units import value_text
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.plots.small_map import with_colours_of
 from skinsource_gui.qt.frames import DropPlace
-from skinsource_gui.qt.questions import ask_open
 from skinsource_gui.qt.windows import WindowEvents
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.panel import Panel, PanelRegistry
@@ -236,6 +235,8 @@ class ImportActions(QObject):
         self._pages: list[Any] = []
         # Files whose pages open when the page before is closed.
         self._waiting: list[tuple[Path, DropPlace | None, int, int]] = []
+        # What was chosen for the file before.
+        self._made: dict[str, Any] = {}
 
     @property
     def pages(self) -> tuple[Any, ...]:
@@ -243,13 +244,13 @@ class ImportActions(QObject):
         return tuple(self._pages)
 
     def ask_and_import(self) -> None:
-        """Ask for a file, and open the page on it."""
+        """Ask for files, and open the page on one after the other."""
         readers = importlib.import_module("skinsource.readers.readers")
         kinds = " ".join(f"*{ending}" for ending in readers.endings())
         known = f"Recordings ({kinds});;All files (*)"
-        path = ask_open(self._window, "Import a recording", known, self._preferences.folder)
-        if path is not None:
-            self.open_page(path)
+        title, folder = "Import recordings", str(self._preferences.folder)
+        names, _ = QtWidgets.QFileDialog.getOpenFileNames(self._window, title, folder, known)
+        self.open_pages([Path(name) for name in names])
 
     def open_pages(self, paths: list[Path], place: DropPlace | None = None) -> None:
         """Open the page on one file after the other."""
@@ -261,7 +262,8 @@ class ImportActions(QObject):
     ) -> None:
         """Open the page on a file that is to go to ``place``, or where the user says.
 
-        It is one of ``count``; those after the first go beside the one before.
+        It is one of ``count``; those after the first go beside the one before, and begin with the
+        same choices.
         """
         self.risk_ahead.emit()
         design, view, at = self._document.design, self._document.view, place or DropPlace()
@@ -269,6 +271,8 @@ class ImportActions(QObject):
             before = leading_input(design, view)
             location = free_location(design, before.location if before else 0)
             place = replace(at, location=location, input_id=None)
+        else:
+            self._made = {}
         places = options(design, view, place)
         limb = facts_of(design.limb)
         onset_s = view.playhead_s if at.onset_s is None else at.onset_s
@@ -276,11 +280,12 @@ class ImportActions(QObject):
         def put_at(recordings: tuple[Recording, ...], option: str) -> Edit | Refusal:
             return placed(self._document.design, self._document.view, option, onset_s, recordings)
 
-        page = pages.ImportPage(path, limb, places, put_at, self._window)
+        page = pages.ImportPage(path, limb, places, put_at, self._window, self._made)
         if count > 1:
             page.setWindowTitle(f"{page.windowTitle()}, file {number} of {count}")
 
         def put(recordings: tuple[Recording, ...], option: str) -> None:
+            self._made = page.form.made if page.form else {}
             outcome = put_at(recordings, option)
             self._document.apply(outcome, None)
             self._preferences.folder = path.absolute().parent

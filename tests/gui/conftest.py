@@ -193,6 +193,7 @@ def answers(monkeypatch):
         return given["question"]
 
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (given["open"], ""))
+    monkeypatch.setattr(QFileDialog, "getOpenFileNames", lambda *_: (given["several"], ""))
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (given["save"], ""))
     monkeypatch.setattr(QMessageBox, "exec", lambda box: question(None, "", box.text()))
     for kind in ("question", "warning"):

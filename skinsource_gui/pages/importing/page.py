@@ -5,11 +5,13 @@ asks what a file leaves open; its strip shows the whole recording, and the part 
 dragged in it.
 """
 
+import math
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from time import monotonic
+from typing import Any
 
 import numpy as np
 import pyqtgraph
@@ -99,6 +101,10 @@ _DURATION = NumberSpec(
 )
 
 
+#: Values of the fields of a form, by their names.
+Made = dict[str, Any]
+
+
 class ChoiceForm(QtWidgets.QWidget):
     """Asks for what a file leaves open about a recording."""
 
@@ -126,7 +132,7 @@ class ChoiceForm(QtWidgets.QWidget):
         self._duration = NumberField(_DURATION)
         self._offset = QtWidgets.QCheckBox("Remove DC offset")
         self._missing = QtWidgets.QCheckBox("Missing numbers become 0")
-        self._widgets: dict[str, QtWidgets.QWidget] = {
+        self._widgets: dict[str, ChoiceField | NumberField | QtWidgets.QCheckBox] = {
             "signal": self._signal,
             "axes": self._axes,
             "timing": self._timing,
@@ -166,6 +172,34 @@ class ChoiceForm(QtWidgets.QWidget):
             return (self.choice,)
         return tuple(replace(self.choice, series=signal.key) for signal in self._beside)
 
+    @property
+    def made(self) -> Made:
+        """The choices that are not those that the file suggests, by the names of their fields."""
+        usual = self._usual | {"scale": usual_scale(self._unit.value)}
+        made = {name: value for name, value in self._values.items() if value != usual[name]}
+        # Another file may be longer, so that its whole is another part.
+        whole = self.choice.duration_s > (self.lasts_s or math.inf) - _LEAST_S
+        if self._part_chosen and not whole:
+            made["part"] = self._start.value_si, self._part_s
+        return made
+
+    def repeat(self, made: Made) -> None:
+        """Make the choices that were made for another file, as far as this one leaves them open."""
+        for name, widget in self._widgets.items():
+            if name not in made:
+                continue
+            value = made[name]
+            if isinstance(widget, QtWidgets.QCheckBox):
+                widget.setChecked(value)
+            elif isinstance(widget, NumberField):
+                widget.set_value(value)
+                self._take_over(rate_typed=True)
+            elif self._form.isRowVisible(widget) and widget.findData(value) >= 0:
+                widget.choose(value)
+        start_s, length_s = made.get("part", (math.inf, 0.0))
+        if start_s < (self.lasts_s or _LONGEST_START_S):
+            self.take_part(start_s, length_s)
+
     def take_part(self, start_s: float, duration_s: float) -> None:
         """Choose another part, as a user does."""
         self._start.set_value(start_s)
@@ -187,6 +221,17 @@ class ChoiceForm(QtWidgets.QWidget):
         """Offer to count missing numbers as 0, where there are some."""
         visible = n_missing > 0 or self._missing.isChecked()
         self._form.setRowVisible(self._missing, visible)
+
+    @property
+    def _values(self) -> Made:
+        """What the fields show, but for the part."""
+        shown: Made = {"rate": self._rate.value_si}
+        for name, widget in self._widgets.items():
+            if isinstance(widget, ChoiceField):
+                shown[name] = widget.value
+            elif isinstance(widget, QtWidgets.QCheckBox):
+                shown[name] = widget.isChecked()
+        return shown
 
     def _lay_out(self) -> None:
         self._form = form_of(self)
@@ -256,6 +301,8 @@ class ChoiceForm(QtWidgets.QWidget):
         self._start.set_value(0.0)
         self._fit()
         self._show_rows()
+        first_key = self._contents.signals()[0].key
+        self._usual = self._values | {"signal": first_key, "axes": "", "missing": False}
 
     def _choose_part(self, length_s: float | None = None) -> None:
         self._part_chosen = True
@@ -353,13 +400,13 @@ class ImportPreview(QtWidgets.QWidget):
         return QSize(440, 420)
 
     def show_part(
-        self, parts: tuple[Taken, ...], choice: ImportChoice, band_hz: Band | None
+        self, parts: tuple[Taken, ...], shown: int, choice: ImportChoice, band_hz: Band | None
     ) -> None:
         """Show what ``choice`` imports, and the band in which the limb was measured.
 
-        Of several parts the first one is shown.
+        Of several parts that with the index ``shown`` is.
         """
-        taken = parts[0]
+        taken = parts[shown]
         samples = taken.samples
         rate = samples.sample_rate_hz
         time_s = np.arange(samples.values.size) / rate
@@ -377,9 +424,9 @@ class ImportPreview(QtWidgets.QWidget):
         rms = float(np.sqrt(np.mean(samples.values**2)))
         unit = f" {samples.unit}" if samples.unit else ""
         also = _in_own_unit(samples, choice)
-        first_of = f"1 of {len(parts)}: " if len(parts) > 1 else ""
+        which = f"{shown + 1} of {len(parts)}: " if len(parts) > 1 else ""
         self._numbers.setText(
-            f"{first_of}{samples.duration_s:.4g} s · peak {samples.peak:.3g}{unit}{also} · "
+            f"{which}{samples.duration_s:.4g} s · peak {samples.peak:.3g}{unit}{also} · "
             f"RMS {rms:.3g}{unit} · {samples.values.size} samples at {rate:g} Hz"
             + ("" if band_hz is None else f"\n{_outside(samples, band_hz)}")
         )
@@ -693,6 +740,8 @@ class ImportPage(ToolPage):
         Name and text of each place that the recording can go to, the likeliest one first.
     put_at
         Makes the edit that puts recordings at one of them, which says where that is.
+    made
+        Choices that the page begins with, as ``made`` of the form of another file has them.
     """
 
     #: A `skinsource.design.waveforms.samples.Recording` for each signal; the name of the place.
@@ -705,9 +754,10 @@ class ImportPage(ToolPage):
         places: tuple[tuple[str, str], ...],
         put_at: Callable[[tuple[Recording, ...], str], Edit | Refusal],
         parent: QtWidgets.QWidget | None = None,
+        made: Made | None = None,
     ) -> None:
         super().__init__(parent, "import_page", f"Import {path_text(Path(path.name))}", (820, 520))
-        self._band_hz = limb.band_hz
+        self._band_hz, self._made = limb.band_hz, made or {}
         self.form: ChoiceForm | None = None
         self._recordings: tuple[Recording, ...] = ()
         self._surveyed = ""
@@ -766,6 +816,7 @@ class ImportPage(ToolPage):
     def _show_contents(self, contents: Found) -> None:
         self._about.setText(about(contents))
         self.form = ChoiceForm(contents, self)
+        self.form.repeat(self._made)
         self.form.changed.connect(self._import)
         self._left.insertWidget(2, self.form)
         self._strip.part_chosen.connect(self.form.take_part)
@@ -809,7 +860,8 @@ class ImportPage(ToolPage):
             return
         self._recordings = tuple(part.waveform for part in taken)
         self._bar.hide()
-        self.preview.show_part(taken, choices[0], self._band_hz)
+        shown = [choice.series for choice in choices].index(self.form.series.key)
+        self.preview.show_part(taken, shown, choices[shown], self._band_hz)
         self._import_button.setEnabled(True)
         self._import_button.setDefault(True)
         self._show_where()

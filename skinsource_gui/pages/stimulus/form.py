@@ -16,10 +16,10 @@ from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from skinsource.actuators.equalising import BOOST, NEW_QUALITY, PHASE
 from skinsource.actuators.rigs import open_rig
 from skinsource.base.conventions import SAMPLE_RATE_HZ
-from skinsource.base.errors import InvalidInputError, SkinSourceError, quoted
+from skinsource.base.errors import InvalidInputError, SkinSourceError, counted, quoted
 from skinsource.design import edits
 from skinsource.design.amplitudes import ARBITRARY_UNIT, drive_unit, equaliser_of
-from skinsource.design.design import Design, View
+from skinsource.design.design import Design, View, audible_inputs
 from skinsource.engine.stimulus import LONGEST_LEAD_IN_S
 from skinsource.export.formats import FORMATS, format_named
 from skinsource.export.formats.format import StimulusFormat
@@ -96,9 +96,11 @@ SCALE = ChoiceSpec(
 LONGEST_FADE_S = 10.0
 
 
-def part_spec(view: View) -> ChoiceSpec:
-    """Return the choice of tracks and clips."""
-    options = [("all", "All unmuted")]
+def part_spec(design: Design, view: View) -> ChoiceSpec:
+    """Return the choice of tracks and clips; where some are solo, of how many."""
+    heard, tracks = len(audible_inputs(design.inputs)), counted(len(design.inputs), "track")
+    solo = any(track.solo for track in design.inputs)
+    options = [("all", f"{heard} of {tracks}: solo" if solo else "All unmuted")]
     if view.selected_inputs:
         options.append(("tracks", "Selected tracks"))
     if view.selected_clips:
@@ -177,7 +179,7 @@ class StimulusForm(QtWidgets.QWidget):
         self._fields = {
             "format": ChoiceField(FORMAT),
             "rate": ChoiceField(RATE),
-            "plays": ChoiceField(part_spec(view)),
+            "plays": ChoiceField(part_spec(design, view)),
             "channels": ChoiceField(CHANNELS),
             "time": ChoiceField(time_spec(design)),
             "scale": ChoiceField(SCALE),
@@ -239,6 +241,7 @@ class StimulusForm(QtWidgets.QWidget):
     def show_design(self, design: Design) -> None:
         """Show what a design is made for, and order it."""
         self._design, rig = design, design.rig
+        self._fields["plays"].set_spec(part_spec(design, self._view))
         for name, (spec, value) in fields_of(design.actuation).items():
             if name in self._output:
                 self._output[name].set_spec(spec)
@@ -319,7 +322,7 @@ class StimulusForm(QtWidgets.QWidget):
         visible = {
             "rate": not format.fixed_rate,
             "other_rate": not format.fixed_rate and fields["rate"].value == OTHER,
-            "plays": fields["plays"].count() > 1,
+            "plays": fields["plays"].count() > 1 or any(track.solo for track in design.inputs),
             "map": fields["channels"].value != "files",
             "from": own_part,
             "to": own_part,

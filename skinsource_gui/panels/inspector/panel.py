@@ -147,7 +147,7 @@ class InputFields(QObject):
     """Fields of an input and a clip of it, in three groups.
 
     The gain of a clip is shown where it has others beside it or is not 1, the gain curve of a track
-    where there is one.
+    where there is one; of clips of different kinds the fields that all of them have.
 
     Attributes
     ----------
@@ -170,6 +170,8 @@ class InputFields(QObject):
         self._own: tuple[LabelledCell, ...] = ()
         self._arranged: tuple[tuple[LabelledCell, ...], ...] = ()
         self._built_for: type[Waveform] | None = None
+        # Kinds of waveforms of the clips that are shown.
+        self._kinds: set[type[Waveform]] = set()
         self._duration: LabelledCell | None = None
         self._gain_of: int | None = None
         self._curve_of: int | None = None
@@ -205,6 +207,7 @@ class InputFields(QObject):
         kind = None if clip is None else type(clip.waveform)
         pairs = [(other, each) for other in batch for each in clips_of(other, view) or (None,)]
         clips = [each for _, each in pairs if each is not None]
+        self._kinds = {type(each.waveform) for each in clips}
         # A curve that was deleted can be typed again until another track is shown, as can a gain.
         self._curve_of = track.id if track.gain_curve or self._curve_of == track.id else None
         gained = len(track.clips) > 1 or {each.gain for each in clips} - {1.0}
@@ -217,7 +220,8 @@ class InputFields(QObject):
             self._build_own(None if clip is None else clip.waveform)
         self._arrange()
         if isinstance(self._duration, TextCell) and clip is not None:
-            self._duration.text_label.setText(fixed_length_text(clip.waveform))
+            differ = len({each.waveform.duration_s for each in clips}) > 1
+            self._duration.text_label.setText(MIXED if differ else fixed_length_text(clip.waveform))
         self._amplitude.set_spec(amplitude)
         own = _values(track, clip)
         rest = [
@@ -282,11 +286,15 @@ class InputFields(QObject):
         )
         gain = () if self._gain_of is None else (self._gain,)
         played = (self._played_hz,) if self._played_hz.text_label.text() else ()
+        own = self._own
+        if len(self._kinds) > 1:
+            shared = set.intersection(*(set(specs_of(kind)) for kind in self._kinds))
+            own = tuple(cell for cell in own if getattr(cell, "name", "") in shared)
         # Fields of frequencies come first.
-        n_hz = sum("hz" in getattr(cell, "name", "") for cell in self._own)
+        n_hz = sum("hz" in getattr(cell, "name", "") for cell in own)
         return (
             tuple(cell for cell, shown in head if shown and cell is not None),
-            (self.kind, *self._own[:n_hz], *played, *self._own[n_hz:], *gain),
+            (self.kind, *own[:n_hz], *played, *own[n_hz:], *gain),
             tuple(cell for cell, shown in track if shown),
         )
 
@@ -331,7 +339,9 @@ def _values(track: Input, clip: Clip | None) -> dict[str, object]:
     """Return the value of each cell for an input and its clip, by name."""
     own = {name: edits.value_of(track, name, clip) for name in edits.fields_of(track, clip)}
     kind = "" if clip is None else kind_name(clip.waveform)
-    return {**own, "kind": kind, "location": str(track.location)}
+    # Also a length that is no field of its kind differs from others.
+    length_s = None if clip is None else clip.waveform.duration_s
+    return {**own, DURATION_FIELD: length_s, "kind": kind, "location": str(track.location)}
 
 
 def _text_of_all(text_of: Callable[[Clip], str], clips: list[Clip]) -> str:

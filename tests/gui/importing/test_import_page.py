@@ -1,5 +1,6 @@
 """Importing a recording in the studio: the page, drops, places, and what comes of it."""
 
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -29,14 +30,8 @@ def sound(tmp_path):
 
 
 @pytest.fixture
-def page_on(window, qtbot):
-    """Open the page on a file, and wait until it shows what it can."""
-    return partial(opened, window.imports, qtbot)
-
-
-@pytest.fixture
 def page_at(desk, qtbot):
-    """The same without panels."""
+    """Open the page on a file, and wait until it shows what it can."""
     return partial(opened, desk.imports, qtbot)
 
 
@@ -63,9 +58,9 @@ def choose(page, qtbot, name, option):
     looked_at(page, qtbot)
 
 
-def test_what_is_shown_is_placed_in_one_step(window, settle, page_on, sound):
+def test_what_is_shown_is_placed_in_one_step(window, settle, qtbot, sound):
     before, steps = window.document.design, window.document.undo_stack.count()
-    page = page_on(sound, DropPlace(location=13))
+    page = opened(window.imports, qtbot, sound, DropPlace(location=13))
     assert page.ready
     assert "0.5 s" in page.preview.text
     page.accept()
@@ -203,8 +198,7 @@ def test_time_stamps_say_how_long_a_table_is(page_at, qtbot, tmp_path):
 
 def test_a_page_that_is_closed_while_it_reads_leaves_nothing(desk, sound):
     desk.imports.open_page(sound)
-    page = desk.imports.pages[-1]
-    page.reject()
+    desk.imports.pages[-1].reject()
     QApplication.processEvents()
     assert desk.imports.pages == ()
 
@@ -227,11 +221,7 @@ def test_three_axes_are_offered_as_one(desk, page_at, qtbot, tmp_path):
     page = page_at(tmp_path / "a.csv")
     field = page.form.findChild(QWidget, "import_axes")
     assert field.isVisible()
-    assert [field.itemText(k) for k in range(field.count())] == [
-        "acc_x alone",
-        "With acc_y and acc_z, as one (DFT321)",
-        "Each of 3, a clip on its own place",
-    ]
+    assert [field.itemData(k) for k in range(field.count())] == ["", "1 2", "each"]
     choose(page, qtbot, "axes", "1 2")
     assert "DFT321, Landin et al. 2010" in page.preview.text
     assert page.form.choice.others == ("1", "2")
@@ -357,6 +347,27 @@ def test_of_several_files_one_after_the_other_is_asked_about_and_what_is_left_ou
     assert names == [(7, "tap.wav, channel 1"), (8, "second.wav, channel 1")]
 
 
+def test_of_files_chosen_together_the_next_begins_with_what_was_chosen_for_the_one_before(
+    desk, qtbot, sound, tmp_path, answers
+):
+    soundfile.write(tmp_path / "mono.wav", np.ones(4800), 48_000)
+    answers["several"] = [str(sound), str(sound), str(tmp_path / "mono.wav")]
+    desk.imports.ask_and_import()
+    page = looked_at(desk.imports.pages[0], qtbot)
+    for name, option in (("signal", "1"), ("unit", "g"), ("scale", "peak")):
+        choose(page, qtbot, name, option)
+    page.form.findChild(object, "import_offset").setChecked(False)
+    page.form.take_part(0.2, 0.15)
+    first = page.form.choice
+    for expected in (first, first, replace(first, series="0", start_s=0.0, duration_s=0.1)):
+        (page,) = desk.imports.pages
+        assert looked_at(page, qtbot).form.choice == expected
+        page.accept()
+        QApplication.processEvents()
+    desk.imports.ask_and_import()
+    assert looked_at(desk.imports.pages[0], qtbot).form.made == {}
+
+
 def test_a_site_lights_up_while_a_recording_is_held_over_it(window, sound, tmp_path):
     stage = window.panel("hand").diagram.stage
     at = site(window, 13)
@@ -408,6 +419,8 @@ def test_each_channel_gets_a_clip_on_a_place_of_its_own_and_keeps_its_share(
     # Another signal leaves that choice.
     choose(page, qtbot, "signal", "1")
     assert len(page.form.choices) == 2
+    # What is shown is the chosen signal.
+    assert page.preview.text.startswith("2 of 2: 0.5 s · peak 0.5 ")
     before, said = document.undo_stack.count(), []
     document.message.connect(said.append)
     page.accept()

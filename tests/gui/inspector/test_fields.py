@@ -405,10 +405,8 @@ def test_several_selected_clips_are_counted_in_the_heading_and_in_the_history(qt
     bench = two(qtbot)
     heading = bench.label("inspector_heading")
     tone, noise, _ = bench.design.clips
-    (last,) = bench.design.adding(bench.design.inputs[2]).inputs[3:]
-    several = replace(bench.design.inputs[2], clips=(*bench.design.inputs[2].clips, *last.clips))
-    design = replace(bench.design, inputs=(*bench.design.inputs[:2], several))
-    ids = tuple(clip.id for clip in several.clips)
+    several = (*bench.design.inputs[2].clips, Clip(id=9, waveform=Tone()))
+    design, ids = bench.design.with_input(2, clips=several), tuple(clip.id for clip in several)
     bench.show(design, selected_inputs=(3,), selected_clips=ids)
     assert heading.text() == "2 clips selected · Tone"
     bench.type("frequency_hz", "80")
@@ -453,13 +451,26 @@ def test_steps_move_all_by_the_same_factor(qtbot):
     assert third.frequency_hz * 2 == first.frequency_hz
 
 
-def test_what_a_waveform_does_not_have_is_left_alone(qtbot):
-    bench = two(qtbot)
-    bench.show(selected_inputs=(2, 1))
-    bench.type("frequency_hz", "240")
-    assert bench.design.inputs[1].clips[0].waveform == Noise()
+def test_of_clips_of_different_kinds_only_fields_that_all_have_are_shown(qtbot):
+    recording = Recording(Samples(values=np.hanning(780), sample_rate_hz=1300.0), name="a")
+    bench = Bench(qtbot, design_of(Tone(), recording, Tone(duration_s=0.6)))
+
+    def shown(*ids):
+        bench.show(selected_inputs=ids)
+        return {cell.name for cell in bench.panel.fields} - {"location", "amplitude", "onset_s"}
+
+    # The length is also that of kinds that have no field for it.
+    assert shown(2, 1) == {"kind", "duration_s"}
+    assert bench.number("duration_s").placeholderText() == "mixed"
+    bench.type("duration_s", "50")
+    assert [clip.waveform.duration_s for clip in bench.design.clips[:2]] == [0.05, 0.6]
+    assert shown(1, 2) == {"kind"}
+    assert bench.label("fixed_length").text() == "mixed"
+    assert bench.panel.findChild(QPushButton, "recording_button") is None
+    assert shown(3, 2) == {"kind"}
+    assert bench.label("fixed_length").text() == "600 ms (780 samples)"
     bench.choose("kind", "Tap")
-    assert [type(track.clips[0].waveform) for track in bench.design.inputs] == [Tap, Tap, Tone]
+    assert [type(clip.waveform) for clip in bench.design.clips] == [Tone, Tap, Tap]
 
 
 def test_a_drag_held_while_its_input_goes_edits_nothing_more_and_raises_nothing(qtbot):

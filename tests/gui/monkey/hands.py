@@ -171,6 +171,7 @@ class Hands:
         guard.start()
         with (
             patch.object(QFileDialog, "getOpenFileName", self._open_which),
+            patch.object(QFileDialog, "getOpenFileNames", self._open_several),
             patch.object(QFileDialog, "getSaveFileName", self._save_where),
             patch.object(QMessageBox, "question", self._answer),
             patch.object(QInputDialog, "getDouble", lambda *_, **__: (300.0, self.chance(0.8))),
@@ -180,6 +181,9 @@ class Hands:
         ):
             yield
         guard.stop()
+
+    def _open_several(self, *given) -> tuple[list[str], str]:
+        return list(filter(None, self._open_which(*given)[:1])), ""
 
     def _open_which(self, _parent, title: str, *_: object) -> tuple[str, str]:
         known = (

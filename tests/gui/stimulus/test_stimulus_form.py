@@ -3,7 +3,6 @@
 from dataclasses import replace
 
 import pytest
-from PySide6.QtWidgets import QFileDialog
 
 import skinsource as ss
 from skinsource.actuators.equalising import RegularisedInverse
@@ -25,8 +24,8 @@ def chosen(equaliser, **changes):
 
 @pytest.fixture
 def form_on(qtbot):
-    def make(design):
-        form = StimulusForm(design, View())
+    def make(design, **view):
+        form = StimulusForm(design, View(**view))
         qtbot.addWidget(form)
         return form
 
@@ -79,6 +78,16 @@ def test_the_names_are_those_of_the_panel_output(form_on, qtbot):
         assert texts(cell) == texts(field)
 
 
+def test_tracks_that_are_solo_are_said_where_all_that_are_heard_are_written(form_on):
+    design = DESIGN.adding(*DESIGN.inputs)
+    form = form_on(design, selected_inputs=())
+    field = form.field("plays")
+    assert texts(field) == ["All unmuted"]
+    form.show_design(design.with_input(0, solo=True))
+    assert texts(field) == ["1 of 2 tracks: solo"]
+    assert field.isVisibleTo(form)
+
+
 def test_full_scale_of_equalised_drives_is_in_volts(form_on):
     form = form_on(chosen(RegularisedInverse()))
     assert form.field("full_scale").spec.unit == "V"
@@ -108,10 +117,9 @@ def test_the_next_page_exports_as_the_last_one_did(form_on):
 
 
 def test_a_name_without_an_ending_gets_all_of_it_and_the_format_is_remembered(
-    make_desk, qtbot, monkeypatch, tmp_path
+    make_desk, qtbot, answers, tmp_path
 ):
-    desk, name = make_desk(DESIGN), str(tmp_path / "x.tsv")
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (name, ""))
+    desk, answers["save"] = make_desk(DESIGN), str(tmp_path / "x.tsv")
     desk.exports.show("stimulus")
     page = desk.exports.page.part
     page.form.field("format").choose("bids")
