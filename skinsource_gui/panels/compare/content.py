@@ -722,6 +722,8 @@ def snapshot_names(
     """
     names: list[Names] = []
     titles = [printable(scenes.title_of(side.snapshot.design)).strip() for side in compared]
+    # A title that several have tells none of them.
+    titles = [title * (titles.count(title) == 1) for title in titles]
     own_parts = _own_parts([each for each in titles if each])
     several = with_limbs and len({side.snapshot.design.limb for side in compared}) > 1
     for side, title in zip(compared, titles, strict=True):
@@ -735,7 +737,7 @@ def snapshot_names(
         longest = tuple(f"{called} · {part}{other}" for part in parts if part)
         if working:
             # A scene that was not changed is told by its title, as the others are.
-            told = titles.count(title) == 1 and title == side.snapshot.design.title
+            told = title == side.snapshot.design.title
             longest = tuple(f"{part}{other}" for part in parts if told and part)
         elif len(longest) > 1:
             longest = (*longest, f"{side.name} · {own_parts[title]}{other}")
