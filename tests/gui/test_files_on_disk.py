@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QByteArray, QEvent, QTimer
 from PySide6.QtGui import QColor, QDragEnterEvent, QImage
-from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
+from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QWidget
 
 from skinsource import Design, Input, open_design, save_design, track
 from skinsource.base import files, lock
@@ -59,6 +59,18 @@ def test_opening_a_design_reads_its_file_once(window, tmp_path, monkeypatch):
     assert window.document.design == OTHER
     window.files.look_at_disk()
     assert reads == [path]
+
+
+def test_a_file_is_named_after_the_title_in_letters_that_all_systems_take(window, monkeypatch):
+    asked = []
+    monkeypatch.setattr(
+        QFileDialog, "getSaveFileName", lambda *how: asked.append(Path(how[2]).name) or ("", "")
+    )
+    for title in ("", "Über: Tap/tone, 2.5 Hz?", "../..", "Tone " * 15):
+        window.document.edit("", replace(window.document.design, title=title))
+        assert not window.files.save()
+    names = ["design", "Über Tap tone, 2.5 Hz", "design", ("Tone " * 12).strip()]
+    assert asked == [f"{name}.skinsource" for name in names]
 
 
 def test_a_file_that_another_program_changed_is_not_replaced_unasked(window, opened, answers):

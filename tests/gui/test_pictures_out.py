@@ -145,22 +145,27 @@ def test_a_film_asks_for_its_size_and_begins_with_it_the_next_time(
     window.panel("skin").map.stage.pan_zoom.show("hand")
     window.document.look(replace(window.document.view, slow_motion=20.0))
     write_with("animation", lambda *_, options, seen, **more: given.append((options, seen.fit)))
-    chosen = FilmOptions(width_px=640, height_px=480, colours="dark", kind=".webm", pace="50")
+    chosen = FilmOptions(width_px=640, height_px=480, colours="dark", kind=".webm", pace="200")
 
     answers["save"] = str(tmp_path / "film.mp4")
     part = shown(window, "animation")
     assert (part.form.options.width_px, part.form.options.height_px) == (900, 1200)
     assert "frames" in part.form.remark.text
     qtbot.waitUntil(lambda: not part.image.image.isNull(), timeout=20_000)
-    for name in ("width_px", "height_px", "colours", "kind"):
+    assert part.form.options.pace == "50"
+    for name in ("width_px", "height_px", "colours", "kind", "pace"):
         part.form._edit(name, getattr(chosen, name), None)
     press(part)
     wait()
-    assert suggested == [("skin-map-along-z-1-50.webm", "WebM (*.webm);;MP4 (*.mp4);;GIF (*.gif)")]
+    assert suggested == [("skin-map-along-z-1-200.webm", "WebM (*.webm);;MP4 (*.mp4);;GIF (*.gif)")]
     assert given == [(chosen, "hand")]
     # The next time it begins with these; cancelled, nothing is asked or written any more.
     part = shown(window, "animation")
-    assert (part.form.options.width_px, part.form.options.height_px) == (640, 480)
+    assert part.form.options == chosen
+    # What was found follows the design again.
+    part.form._edit("pace", "50", None)
+    window.document.look(replace(window.document.view, slow_motion=100.0))
+    assert shown(window, "animation").form.options.pace == "100"
     window.exports.end()
     assert len(given) == 1
 

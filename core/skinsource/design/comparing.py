@@ -223,9 +223,9 @@ def at_frequency(design: Design, frequency_hz: float) -> Design:
 
 
 def frequency_of(design: Design) -> float | None:
-    """Return the frequency of the first clip that has one of its own, Hz."""
-    known = (getattr(clip.waveform, "frequency_hz", None) for clip in design.clips)
-    return next((frequency_hz for frequency_hz in known if frequency_hz is not None), None)
+    """Return the frequency that all clips with one share, Hz; infinity: they differ, None: none."""
+    known = {getattr(clip.waveform, "frequency_hz", None) for clip in design.clips} - {None}
+    return math.inf if len(known) > 1 else next(iter(known), None)
 
 
 def same_but_rounding(design: Design, other: Design) -> bool:

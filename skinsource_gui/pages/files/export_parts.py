@@ -2,6 +2,7 @@
 
 import zipfile
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -52,6 +53,8 @@ _FIELDS_PX = 300
 _MOST_BYTES, _HEAD_BYTES = 32_000_000, 10_000
 _PREVIEW_PER_INCH = 144
 _PREVIEW = "preview"
+# Among what is kept: the speed of a film that was chosen, not found.
+_PACE = "animation pace"
 
 
 class ExportPart(QtWidgets.QWidget):
@@ -134,7 +137,7 @@ class FilePart(ExportPart):
         design: Design,
         view: View,
         drawer_of: DrawerOf,
-        picture_options: dict[str, PictureOptions],
+        picture_options: dict[str, Any],
         wired: Callable[[], dict[str, Any]],
     ) -> None:
         super().__init__("file")
@@ -242,6 +245,8 @@ class FilePart(ExportPart):
             return PictureForm(maps_options(usual), shape=shape, most_px=MOST_PX, remark=remark)
         if spec.name == FILM:
             own = film_options(self._design, self._view, usual)
+            self._usual_pace = own.pace
+            own = replace(own, pace=self._kept.get(_PACE) or own.pace)
             remark = partial(film_remark, self._design, self._view)
             return PictureForm(own, shape=shape, most_px=MOST_PX, remark=remark)
         if picture is not None:
@@ -261,6 +266,9 @@ class FilePart(ExportPart):
         summary = "Computing the preview…"
         if form is not None:
             self._kept[spec.name] = form.options
+            if spec.name == FILM and isinstance(form.options, FilmOptions):
+                pace = form.options.pace
+                self._kept[_PACE] = pace if pace != self._usual_pace else ""
             remark = form.remark
             summary, problem = remark.text, problem or remark.text * remark.refuses
         if problem:

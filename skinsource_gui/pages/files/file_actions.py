@@ -3,6 +3,7 @@
 Other programs may change the open file; the user is asked before anything is lost.
 """
 
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from hashlib import sha256
@@ -246,7 +247,9 @@ class FileActions(QObject):
 
     def ask_and_save(self) -> bool:
         """Ask for a name and save there; return whether it is saved now."""
-        unnamed = self.suggested or self._preferences.folder / f"design{SUFFIX}"
+        # Files have letters that all systems take.
+        words = re.sub(r"[^\w.,+()-]+", " ", self._document.design.title)[:_LONGEST].strip(" .")
+        unnamed = self.suggested or self._preferences.folder / f"{words or 'design'}{SUFFIX}"
         start = self._document.path or unnamed
         path = self.ask_where("Save the design", start, _FILTER)
         return path is not None and self._save_to(path)

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from math import isinf
 from typing import Any, ClassVar
 
 import numpy as np
@@ -578,6 +579,7 @@ class OfWindow(Kind):
         return [(limb_label(_limb(side)).title,) for side in compared]
 
 
+_WORKING = "Working design", "Working"
 NO_FREQUENCY = "No clip has a single frequency. Add a tone."
 ALONE = "There is no other limb with these outputs. Choose some under Limbs."
 
@@ -645,7 +647,10 @@ class OfWindows(Kind):
 
 
 class OfFrequencies(Kind):
-    """The present design, and the same at other frequencies, from the lowest to the highest."""
+    """The present design at frequencies, from the lowest to the highest.
+
+    It stands for the frequency that all its tones have; where they have several, it comes last.
+    """
 
     fields: ClassVar[frozenset[str]] = frozenset({"shown", "frequencies_hz"})
 
@@ -659,7 +664,7 @@ class OfFrequencies(Kind):
 
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
         known = [frequency_of(side.snapshot.design) or 0.0 for side in compared]
-        return [(f"{hz:.4g} Hz",) for hz in known]
+        return [_WORKING if isinf(hz) else (f"{hz:g} Hz",) for hz in known]
 
     def reference(self, compared: Sequence[Compared], design: Design, view: View) -> int:
         own_hz = frequency_of(design)
@@ -717,6 +722,8 @@ def snapshot_names(
     """
     names: list[Names] = []
     titles = [printable(scenes.title_of(side.snapshot.design)).strip() for side in compared]
+    # A title that several have tells none of them.
+    titles = [title * (titles.count(title) == 1) for title in titles]
     own_parts = _own_parts([each for each in titles if each])
     several = with_limbs and len({side.snapshot.design.limb for side in compared}) > 1
     for side, title in zip(compared, titles, strict=True):
@@ -725,12 +732,12 @@ def snapshot_names(
         on_limb = f" on {short_limb_title(side.snapshot.design.limb)}" if several else ""
         other += on_limb
         working = side.snapshot.number == EDITED
-        called = "Working design" if working else f"Snapshot {side.name}"
+        called = _WORKING[0] if working else f"Snapshot {side.name}"
         parts = dict.fromkeys((title, own_parts.get(title, title)))
         longest = tuple(f"{called} · {part}{other}" for part in parts if part)
         if working:
             # A scene that was not changed is told by its title, as the others are.
-            told = titles.count(title) == 1 and title == side.snapshot.design.title
+            told = title == side.snapshot.design.title
             longest = tuple(f"{part}{other}" for part in parts if told and part)
         elif len(longest) > 1:
             longest = (*longest, f"{side.name} · {own_parts[title]}{other}")

@@ -85,6 +85,8 @@ class MapContent:
         What the values are.
     value_range, fixed
         Values of the lowest and the highest colour; whether they were chosen, and stay.
+    exceeded
+        Whether a moving wave goes beyond them, with the colour of the end.
     colours
         Name of the colour map.
     outputs
@@ -115,6 +117,7 @@ class MapContent:
     quantity: MapQuantity = _OF_LEVELS
     value_range: LevelRange = SILENT_RANGE
     fixed: bool = False
+    exceeded: bool = False
     colours: str = VIRIDIS
     outputs: tuple[int, ...] = ()
     px_per_mm: float = 0.0
@@ -237,7 +240,8 @@ def content_of(
     limits = LIMITS if quantity.name == SENSATION else ""
     drawn_note = " ".join(filter(None, (limits, *(() if surface is None else surface.warnings))))
     source = "" if problem else _source_note(limb_data)
-    chosen = chosen_range(settings)
+    chosen, known = chosen_range(settings), results.get(_NAMES[settings.quantity][0])
+    value_range = chosen or _automatic_range(results, settings, compared, steady or SteadyRange())
     shown_limbs = {limb, "" if design is None else design.limb}
     return MapContent(
         limb_map=limb_map,
@@ -247,9 +251,9 @@ def content_of(
         field=field,
         field_values=field_values,
         quantity=quantity,
-        value_range=chosen
-        or _automatic_range(results, settings, compared, steady or SteadyRange()),
+        value_range=value_range,
         fixed=chosen is not None,
+        exceeded=quantity.signed and known is not None and known.largest > value_range[1],
         colours=DIVERGING if quantity.signed else settings.colours,
         outputs=view.outputs,
         inputs=() if design is None else marks_of(design, view),

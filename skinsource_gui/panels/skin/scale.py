@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import replace
 from functools import lru_cache
+from math import inf
 
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
@@ -76,7 +77,7 @@ _MARK_PX, _RAMP_PX, _GRIP_PX = 7, 10, 14
 @lru_cache(maxsize=2)
 def _beyond_px(font: QtGui.QFont) -> float:
     """Return how far the numbers at both ends reach beyond the colours, px."""
-    return QtGui.QFontMetricsF(small_font(font)).horizontalAdvance("−100") / 2.0
+    return QtGui.QFontMetricsF(small_font(font)).horizontalAdvance("≤ −100") / 2.0
 
 
 class ColourStrip(QtWidgets.QWidget):
@@ -295,4 +296,6 @@ def scale_of(content: MapContent) -> ColourScale:
         text_below=content.quantity.unit,
         colours=content.colours,
         signed=content.quantity.signed,
+        # By how much is not said: the strip is painted once for all steps of the knob.
+        reached_db=(-inf, inf) if content.exceeded else None,
     )

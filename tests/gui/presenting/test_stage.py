@@ -12,7 +12,7 @@ from PySide6.QtTest import QTest
 
 import skinsource as ss
 from skinsource.base.job import never, silent
-from skinsource.design.comparing import gain_text
+from skinsource.design.comparing import difference_db, gain_text
 from skinsource.design.design import Snapshot
 from skinsource.design.design_file import save_design
 from skinsource.design.panel_settings import StageSettings, with_settings
@@ -247,6 +247,35 @@ def test_maps_of_other_frequencies_stay_in_phase_while_the_knob_turns(stage, qtb
     qtbot.waitUntil(lambda: not stage.window().engine.busy and not stage.is_stale)
     # The slowest, whose period is that of all of them, was not turned.
     assert stage.moving.ran_s == pytest.approx(ran_s)
+
+
+def test_maps_named_by_a_frequency_have_all_tones_at_it(stage, qtbot):
+    window, four = stage.window(), (50.0, 100.0, 200.0, 400.0)
+
+    def edit(*pair_hz):
+        tones = map(ss.waveforms.Tone, pair_hz)
+        inputs = tuple(map(ss.track, (7, 18), tones))
+        window.document.edit("", replace(window.document.design, inputs=inputs))
+        return ss.evaluate(window.document.design, "output_levels_db")["output_levels_db"]
+
+    expected = [edit(hz, hz) for hz in four]
+    own = edit(100.0, 400.0)
+    still = StageSettings(compared=True, moves=False)
+    show(window, still, of="frequencies")
+    cells = complete(stage, qtbot, 5)
+    names = [f"{hz:g} Hz" for hz in four]
+    assert [cell.heading for cell in cells] == [*names, "Working design"]
+    for cell, levels in zip(cells, [*expected, own], strict=True):
+        np.testing.assert_allclose(cell.values_db, levels, atol=1e-9)
+    show(window, still, of="frequencies", shown="difference")
+    cells = complete(stage, qtbot, 4)
+    assert [cell.heading for cell in cells] == [f"{name} minus Working design" for name in names]
+    np.testing.assert_allclose(cells[2].values_db, difference_db(expected[2], own), atol=1e-9)
+    # Once all tones have one frequency, the design stands for it.
+    edit(200.0, 200.0)
+    cells = complete(stage, qtbot, 3)
+    assert [cell.heading for cell in cells] == [f"{hz:g} Hz minus 200 Hz" for hz in (50, 100, 400)]
+    np.testing.assert_allclose(cells[0].values_db, difference_db(expected[0], expected[2]))
 
 
 def test_what_leaves_the_conditions_is_said_on_the_stage(stage, qtbot):

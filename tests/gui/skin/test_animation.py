@@ -32,6 +32,7 @@ from skinsource_gui.panels.skin.film import (
 from skinsource_gui.panels.skin.layout import VisiblePart
 from skinsource_gui.panels.skin.settings import MAGNITUDE, RMS, SkinSettings, Z
 from skinsource_gui.panels.skin.time import slow_down_factor
+from skinsource_gui.plots import small_map
 from skinsource_gui.plots.pictures import PictureForm, PictureOptions, with_caption
 from skinsource_gui.qt.theme import DARK
 
@@ -194,6 +195,21 @@ def test_a_film_has_its_stimulus_below_it_at_every_size(monkeypatch):
     assert tuple(frame[1, 1]) == QColor(DARK.base).getRgb()[:3]
     # Its words, in the colour of words, at the foot.
     assert (np.abs(frame[-60:].astype(int) - frame[1, 1]).sum(axis=2) > 100).any()
+
+
+@pytest.mark.parametrize("limits", [None, (-1e4, 1e4)])
+def test_the_ends_of_its_colours_say_whether_values_lie_beyond_them(limits, monkeypatch):
+    texts, text_of = [], small_map.tick_text
+    monkeypatch.setattr(
+        small_map, "tick_text", lambda *at, **how: texts.append(text_of(*at, **how)) or texts[-1]
+    )
+    exported = exported_design.ExportedDesign(DESIGN, VIEW, lambda *now: None, never)
+    settings = SkinSettings(quantity=Z, z_limits=limits)
+    camera = animation._Camera(exported, settings, SIZES)
+    camera.frame(film_of(VIEW, settings, camera.end_s, 60, PERSON), 0)
+    assert (texts[0][0], texts[-1][0]) == (
+        ("≤", "≥") if limits is None else ("\N{MINUS SIGN}", "+")
+    )
 
 
 ZOOMED = View(time_range_s=(0.05, 0.15))
