@@ -434,7 +434,8 @@ LEVELS = frozenset(
 )
 
 
-_ALL_AXES = "moving_vector"
+#: The motion along all measured axes.
+ALL_AXES = "moving_vector"
 
 
 def along(moving: Moving, k: int) -> Moving:
@@ -541,7 +542,7 @@ class OfAxes(Kind):
 
     def sides(self, design: Design, results: Mapping[str, Any]) -> Sequence[Compared]:
         common = {name: results[name] for name in _COMMON}
-        moving: Moving | None = results.get(_ALL_AXES)
+        moving: Moving | None = results.get(ALL_AXES)
 
         def values(k: int) -> dict[str, Any]:
             own = {name: results[quantity][k] for quantity, name in _PER_AXIS.items()}
@@ -556,7 +557,7 @@ class OfAxes(Kind):
         ]
 
     def moving(self, limb: str, axes: str) -> str:
-        return _ALL_AXES
+        return ALL_AXES
 
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
         return [(f"Along {side.axes}", side.axes) for side in compared]

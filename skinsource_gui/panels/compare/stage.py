@@ -11,7 +11,7 @@ import numpy as np
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSignalBlocker, QSize, Qt, QTimer, Signal
 
-from skinsource.base.conventions import Floats
+from skinsource.base.conventions import Floats, axes_text
 from skinsource.base.errors import InvalidInputError
 from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_spec, is_gain
@@ -36,12 +36,12 @@ from skinsource.studies import scenes
 from skinsource_gui.fields.editor import Burst
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.units import axis_unit, output_text, parse_number, value_text
-from skinsource_gui.panels.compare.content import KINDS, Names, OfWindow
+from skinsource_gui.panels.compare.content import ALL_AXES, KINDS, Names, OfWindow
 from skinsource_gui.panels.compare.maps import MapsPanel
 from skinsource_gui.panels.compare.motion import rounded
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.curves import output_names
-from skinsource_gui.plots.figure import Figure
+from skinsource_gui.plots.figure import Figure, shrunk
 from skinsource_gui.plots.pictures import common_title
 from skinsource_gui.plots.small_map import Range
 from skinsource_gui.qt.buttons import page_label
@@ -93,7 +93,8 @@ class Strip(Figure):
         """Draw curves between ends of x and y; words say where, and what the ends are."""
         self.curves, self.ends, self._words = curves, ends, words
         self.setVisible(bool(curves))
-        self.setAccessibleName(", ".join(curve.names[0] for curve in curves))
+        called = ", ".join(curve.names[0] for curve in curves)
+        self.setAccessibleName(f"{called}; {words[1]}" if curves else "")
         self.update()
 
     def show_cursor(self, x: float | None) -> None:
@@ -136,8 +137,10 @@ class Strip(Figure):
         painter.setPen(QtGui.QColor(theme.dim))
         above = QRectF(area.left(), 0.0, area.width(), line)
         below = QRectF(area.left(), area.bottom(), area.width(), 1.2 * line)
+        joined = "".join((self._words[1], _BETWEEN, self._words[2]))
         left_side, right_side = Qt.AlignmentFlag.AlignLeft, Qt.AlignmentFlag.AlignRight
         painter.drawText(above, right_side, self._words[0])
+        painter.setFont(shrunk(painter.font(), [joined], area.width()))
         painter.drawText(below, left_side, self._words[1])
         painter.drawText(below, right_side, self._words[2])
 
@@ -285,6 +288,18 @@ class StagePanel(MapsPanel):
     def needs(self) -> frozenset[str]:
         # The strip shows motion beside levels too.
         return super().needs | self.needs_of_motion
+
+    @property
+    def needs_of_motion(self) -> frozenset[str]:
+        motion = super().needs_of_motion
+        return motion | {ALL_AXES} if motion and self._together else motion
+
+    @property
+    def _together(self) -> bool:
+        """Whether spectra are of all axes together: where those of each are shown elsewhere."""
+        layout = dict(dict(self.view.panels).get("spectra", ())).get("layout")
+        spectra = stage_settings(self.view).plot == "spectra"
+        return spectra and layout == "axes" and self.kind is not KINDS["axes"]
 
     def sizeHint(self) -> QSize:
         return QSize(1200, 700)
@@ -524,6 +539,9 @@ class StagePanel(MapsPanel):
         curves = []
         for k, loop, gain in known:
             kept = tuple(number for number in outputs if number <= loop.moving.signals.shape[0])
+            if self._together:
+                results = self.compared[k].values or {}
+                loop = replace(loop, moving=results.get(ALL_AXES, loop.moving))
             x, values = loop.spectra(kept) if spectra else loop.traces(kept, end_s)
             values = values + 20.0 * np.log10(gain) if spectra else gain * values
             # Of another design the loudest part may lie where this one has ended.
@@ -535,7 +553,11 @@ class StagePanel(MapsPanel):
             low_hz, high_hz = facts_of(limb).band_hz or (0.0, float(curves[0].x[-1]))
             top = max(float(curve.y.max()) for curve in curves)
             ends = self._held_ends or ((low_hz, high_hz), (top - _SPECTRUM_DB, top))
-            words = (where, f"{low_hz:g} Hz, {_SPECTRUM_DB:g} dB high", f"{high_hz:g} Hz")
+            of = self.moving.unit.replace("m/s²", "acceleration")
+            if self._together:
+                axes, matched = axes_text(facts_of(limb).axes), of.partition(",")[1:]
+                of = f"acceleration along {axes} together{''.join(matched)}"
+            words = (where, f"{low_hz:g} Hz: {of}, {_SPECTRUM_DB:g} dB high", f"{high_hz:g} Hz")
         else:
             unit, factor = axis_unit(end_s)
             ends = (0.0, end_s), self._held_ends[1] if self._held_ends else (-top, top)

@@ -606,3 +606,19 @@ def test_the_warning_stays_on_one_line_above_several_maps(stage, qtbot):
     stage.layout().activate()
     line_px = stage.caution.fontMetrics().height()
     assert stage.caution.heightForWidth(stage.caution.width()) < 2 * line_px
+
+
+def test_spectra_of_all_axes_show_what_the_figure_of_their_scene_shows(stage, qtbot):
+    opened = ss.scenes.open_scene("2D", available=("synthetic-2",))
+    stage.window().document.start_over(opened.design, opened.view, None)
+    qtbot.waitUntil(lambda: len(stage.strip.curves) == len(opened.view.outputs), timeout=15_000)
+    whole = ss.evaluate(opened.design, "moving_vector")["moving_vector"].signals
+    power = np.square(np.abs(np.fft.rfft(whole[opened.view.outputs[0] - 1]))).sum(axis=0)
+    shown_power = 10.0 ** (stage.strip.curves[0].y / 10.0)
+    np.testing.assert_allclose(shown_power / shown_power.max(), power / power.max(), atol=1e-6)
+    assert "acceleration along x, y and z together" in stage.strip._words[1]
+    assert "acceleration" in stage.strip.accessibleName()
+    # Another layout of spectra has the axis of the view, which is named as well.
+    stage.window().document.look(replace(opened.view, panels=opened.view.panels[1:]))
+    qtbot.waitUntil(lambda: "acceleration along x," in stage.strip._words[1])
+    assert not np.allclose(stage.strip.curves[0].y, 10.0 * np.log10(shown_power))
