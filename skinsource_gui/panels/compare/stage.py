@@ -176,7 +176,7 @@ class Knob(QtWidgets.QWidget):
         # The maps have the room first.
         policy = QtWidgets.QSizePolicy.Policy
         self.dial.setSizePolicy(policy.Preferred, policy.Ignored)
-        self.dial.setMinimumHeight(4 * UNIT_PX)
+        self.dial.setMinimumHeight(7 * UNIT_PX)
         self.dial.setRange(0, _STEPS)
         self.dial.setSingleStep(_STEP)
         self.dial.setPageStep(10 * _STEP)
@@ -261,8 +261,8 @@ class StagePanel(MapsPanel):
         named(self.arm, "stage_arm", hint=f"Show the arm too ({key_text('presenting', 'arm')})")
         self.arm.clicked.connect(self.show_arm)
         self.maps.arm_shown.connect(self.arm.setChecked)
-        switches = in_column(self.arm, self.switch, margins=0, gap_px=0)
-        self._line = in_row((self.caution, 1), switches)
+        self._switches = in_column(self.arm, self.switch, margins=0, gap_px=UNIT_PX // 2)
+        self._line = in_row((self.caution, 1), self._switches)
         self.named: Callable[[], str] = str
         self._held_ends: tuple[Range, Range] | None = None
         self._passes = False
@@ -396,6 +396,8 @@ class StagePanel(MapsPanel):
         parts = (self.heading, self.sentence, self.maps, self.strip, self.knob)
         for part, place in zip(parts, places, strict=True):
             grid.addWidget(part, *place)
+        directions = QtWidgets.QBoxLayout.Direction
+        self._switches.setDirection(directions.TopToBottom if several else directions.LeftToRight)
         grid.removeItem(self._line)
         grid.addLayout(self._line, 0 if several else 2, 1, 1, 2 if several else 1)
         for row, share in enumerate((0, 0, 0, 75, 25) if several else (0, 0, 0, 60, 40)):
@@ -406,7 +408,6 @@ class StagePanel(MapsPanel):
 
     def _fit_letters(self) -> None:
         margin = self.height() // 40
-        self._grid.setContentsMargins(margin, margin, margin, margin)
         self._grid.setSpacing(margin)
         usual, most = _WORDS[bool(self._several)]
         scale = letter_scale(self.font())
@@ -425,6 +426,9 @@ class StagePanel(MapsPanel):
         grown = min(scale, sqrt(scale))
         small = self.maps, self.strip, self.knob.label, self.caution, self.arm, self.switch
         self._set_letters(grown * others, *small)
+        # A passing notice in letters of the caution lies above all of it.
+        top = max(margin, self.caution.fontMetrics().height() + UNIT_PX)
+        self._grid.setContentsMargins(margin, top, margin, margin)
         self._set_letters(grown * words, self.knob.field)
         self._grid.setRowMinimumHeight(4, self.knob.minimumSizeHint().height())
         for label, whole, text in self._said:

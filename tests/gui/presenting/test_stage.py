@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QRect, Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QFrame, QLabel
 
 import skinsource as ss
 from skinsource.base.job import never, silent
@@ -622,3 +623,26 @@ def test_spectra_of_all_axes_show_what_the_figure_of_their_scene_shows(stage, qt
     stage.window().document.look(replace(opened.view, panels=opened.view.panels[1:]))
     qtbot.waitUntil(lambda: "acceleration along x," in stage.strip._words[1])
     assert not np.allclose(stage.strip.curves[0].y, 10.0 * np.log10(shown_power))
+
+
+@pytest.mark.parametrize("name", ["2A", "5B"])
+@pytest.mark.parametrize("scale", [1.0, 1.8])
+def test_the_knob_and_what_passes_have_room_beside_words_of_any_size(stage, qtbot, name, scale):
+    window = stage.window()
+    window.showNormal()
+    window.resize(1280, 720)
+    opened = ss.scenes.open_scene(name, available=("synthetic-1",))
+    window.document.start_over(opened.design, opened.view, None)
+    window.appearance._scale_text(scale)
+    complete(stage, qtbot, 5 if name == "5B" else 1)
+    qtbot.waitUntil(lambda: window.workspaces.settled and stage.knob.dial.height() >= 56)
+    qtbot.waitUntil(lambda: stage.caution.font().pixelSize() > 12)
+    window.presenter.done.emit("Page Down: next scene")
+    assert (window.width(), window.height()) == (1280, 720)
+    (card,) = (each for each in window.findChildren(QFrame, "notice") if each.isVisible())
+    label = card.findChild(QLabel, "notice_text")
+    assert label.fontMetrics().height() == stage.caution.fontMetrics().height()
+    parts = (stage.heading, stage.sentence, stage.switch, stage.maps, stage.strip, stage.knob)
+    areas = [QRect(part.mapTo(window, part.rect().topLeft()), part.size()) for part in parts]
+    areas.append(card.geometry())
+    assert not any(one.intersects(other) for one in areas for other in areas if one is not other)
