@@ -224,6 +224,8 @@ _SMALLER, _TITLE_SMALLER, _LEAST_LETTERS = 0.95, 0.8, 0.5
 # How many periods are drawn of a steady tone, and of what passes; height of spectra.
 _PERIODS = {False: 3.0, True: 1.0}
 _SPECTRUM_DB = 60.0
+# When curves that a turn of the knob has cut are fitted, after the last turn.
+_RESTS_MS = 1000
 
 
 # Ends a title that numbers were left out of; a number and its unit.
@@ -265,7 +267,9 @@ class StagePanel(MapsPanel):
         self._line = in_row((self.caution, 1), self._switches)
         self.named: Callable[[], str] = str
         self._held_ends: tuple[Range, Range] | None = None
-        self._passes = False
+        self._passes = self._cut = False
+        self._rest = QTimer(self, singleShot=True, interval=_RESTS_MS)
+        self._rest.timeout.connect(self._fit_cut)
         self._shown: tuple[Any, ...] = ()
         self._said: tuple[tuple[QtWidgets.QLabel, str, str], ...] = ()
         # The design of which title and notes were first said.
@@ -343,6 +347,13 @@ class StagePanel(MapsPanel):
         """Fit the scales to what is shown now: they stay as they are while the knob turns."""
         self._release()
         self.show_maps()
+
+    def _fit_cut(self) -> None:
+        """Fit the scales if curves are cut: until the knob rests, it is seen what is louder."""
+        if self.is_stale or self.knob.dial.isSliderDown():
+            self._rest.start()
+        elif self._cut:
+            self.fit()
 
     def _release(self) -> None:
         self.held = self._held_ends = None
@@ -537,6 +548,7 @@ class StagePanel(MapsPanel):
         )
         # What passes is shown to its end, whatever scales stay.
         passes = any(loop.phasors is None for _, loop, _ in known)
+        shown_s = end_s
         if self._held_ends is not None and not (passes or self._passes):
             end_s = self._held_ends[0][1]
         self._passes = passes
@@ -568,6 +580,7 @@ class StagePanel(MapsPanel):
             self._held_ends = self._held_ends and ends
             high = f"±{rounded(ends[1][1])} {self.moving.unit}"
             words = (where, high, f"{end_s * factor:.3g} {unit}")
+        self._cut = top > ends[1][1] or (not spectra and shown_s > end_s)
         self.strip.show_curves(tuple(curves), ends, words)
         self._show_cursor()
 
@@ -587,6 +600,7 @@ class StagePanel(MapsPanel):
             if self.held is None and (scale := self.maps.content.common_scale) is not None:
                 self.held, self._held_ends = scale.range_db, self.strip.ends
             self.edited.emit(outcome, gesture)
+            self._rest.start()
 
 
 def _names(number: int, limb: str) -> Names:

@@ -53,6 +53,7 @@ def stage(open_window, design, qtbot):
     panel = window.panel("stage")
     # Tests move it by themselves.
     panel.clock.held = True
+    panel._rest.setInterval(60_000)
     yield panel
     panel.clock.held = False
     if window.presenter.presenting:
@@ -145,7 +146,12 @@ def test_the_knob_turns_the_frequency_while_the_maps_go_on(stage, qtbot):
     assert stage.moving.loops[0][0].duration_s == pytest.approx(0.04)
     # Scales stay until they are fitted, so that it is seen what is weaker and faster.
     assert stage.strip.ends == ends
-    QTest.keyClick(stage.knob.dial, Qt.Key.Key_F)
+    # Once the knob rests, nothing is cut.
+    stage.knob.dial.setSliderDown(True)
+    stage._rest.timeout.emit()
+    assert stage.strip.ends == ends
+    stage.knob.dial.setSliderDown(False)
+    stage._rest.timeout.emit()
     assert stage.strip.ends[0] == pytest.approx((0.0, 0.12))
     stage.knob.dial.setValue(1000)
     assert window.document.design.clips[0].waveform.frequency_hz == 600.0
@@ -167,7 +173,19 @@ def test_the_scale_of_maps_stays_while_the_knob_turns(stage, qtbot, moves):
     stage.knob.dial.setValue(900)
     qtbot.waitUntil(lambda: not window.engine.busy and not stage.is_stale)
     assert stage.maps.content.common_scale.range_db == scale.range_db
-    stage.fit()
+    if moves:
+        assert stage._rest.isActive()
+        stage._rest.timeout.emit()
+        fitted = stage.strip.ends
+        stage.knob.dial.setValue(500)
+        qtbot.waitUntil(lambda: not window.engine.busy and not stage.is_stale)
+        stage._rest.timeout.emit()
+        # What is softer is not cut, and seen to be softer.
+        assert stage.strip.ends == fitted
+        stage.knob.dial.setValue(900)
+        qtbot.waitUntil(lambda: not window.engine.busy and not stage.is_stale)
+    else:
+        QTest.keyClick(stage.knob.dial, Qt.Key.Key_F)
     assert stage.maps.content.common_scale.range_db[1] > scale.range_db[1]
     # With another design it is fitted by itself.
     window.do("undo")
