@@ -487,6 +487,18 @@ def test_of_a_long_motion_the_loudest_part_moves_in_half_a_minute(stage, qtbot):
     qtbot.waitUntil(lambda: [each.names[0] for each in stage.strip.curves] == ["Snapshot 1"])
 
 
+def test_a_motion_over_places_is_whole_up_to_two_seconds(stage, qtbot):
+    document = stage.window().document
+    for length_s, whole in ((0.6, True), (3.0, False)):
+        tone = ss.waveforms.Tone(frequency_hz=200.0, duration_s=length_s)
+        motion = ss.motions.Sweep(path=(7, 12, 17), waveform=tone)
+        document.edit("", replace(document.design, inputs=motion.tracks()))
+        qtbot.waitUntil(lambda: not stage.window().engine.busy and not stage.is_stale)
+        ((loop, _),) = stage.moving.loops
+        assert loop.duration_s >= 0.6 if whole else loop.duration_s == pytest.approx(2.0)
+        assert ("loudest" in stage.maps.content.common_scale.text_below) is not whole
+
+
 def test_a_design_without_a_title_is_called_after_its_file(open_window, tmp_path, design):
     path = tmp_path / "2 two fingers.skinsource"
     save_design(path, replace(design, title=""), ss.View())
