@@ -315,10 +315,15 @@ class StagePanel(MapsPanel):
         self._show_knob(design, view)
         compared = view.snapshots if kind is KINDS["snapshots"] else ()
         self._show_words(design, view, [each.design.title for each in compared])
-        shown = kind, compare, stage, view.outputs, view.axes, design.limb
-        if shown != self._shown:
+        shown = kind, compare, stage, view.axes, design.limb
+        others = view.outputs != self.view.outputs
+        if shown != self._shown or (others and (design != self.design or not self.strip.curves)):
             self._shown = shown
             self._release()
+        elif others:
+            # It is seen which output is louder.
+            self._held_ends = self._held_ends or self.strip.ends
+            self._rest.start()
         self.take_state(design, view, kind, compare, moves=stage.moves)
 
     def start_over(self) -> None:
@@ -330,7 +335,10 @@ class StagePanel(MapsPanel):
 
     def show_maps(self) -> None:
         super().show_maps()
-        self._lay_out(several=len(self.maps.content.cells) > 1)
+        several = len(self.maps.content.cells) > 1
+        self._lay_out(several=several)
+        # Of several maps, traces are of one output.
+        self.maps.picker.toggles = not several
         if not self.moves and self.compared:
             names = self.kind.names(self.compared, self.view, difference=False)
             self.moving.update(self.compared, names)

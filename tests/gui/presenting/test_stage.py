@@ -7,7 +7,7 @@ from math import sqrt
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QRect, Qt
+from PySide6.QtCore import QPointF, QRect, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QFrame, QLabel
 
@@ -676,3 +676,33 @@ def test_the_knob_and_what_passes_have_room_beside_words_of_any_size(stage, qtbo
     areas = [QRect(part.mapTo(window, part.rect().topLeft()), part.size()) for part in parts]
     areas.append(card.geometry())
     assert not any(one.intersects(other) for one in areas for other in areas if one is not other)
+
+
+def test_clicks_on_the_stage_add_and_remove_outputs_in_one_scale(stage, qtbot):
+    window = stage.window()
+    opened = ss.scenes.open_scene("1D", available=("synthetic-4",))
+    window.document.start_over(opened.design, opened.view, None)
+    qtbot.waitUntil(lambda: len(stage.strip.curves) == len(opened.view.outputs), timeout=15_000)
+    qtbot.waitUntil(lambda: window.workspaces.settled)
+
+    def click(number):
+        at = QPointF(*stage.maps.points_of(0)[number - 1]).toPoint()
+        QTest.mouseClick(stage.maps, Qt.MouseButton.LeftButton, pos=at)
+        return window.document.view.outputs
+
+    ends, outputs = stage.strip.ends, opened.view.outputs
+    loudest = outputs[int(np.argmax([curve.y.max() for curve in stage.strip.curves]))]
+    assert click(52) == (*outputs, 52)
+    assert click(loudest) == (*(each for each in outputs if each != loudest), 52)
+    assert len(stage.strip.curves) == len(outputs)
+    assert stage.strip.ends == ends
+    stage.fit()
+    assert stage.strip.ends != ends
+    # What is louder than the scale is fitted after a moment.
+    click(loudest)
+    stage._rest.timeout.emit()
+    assert stage.strip.ends == ends
+    # Of several maps one output is shown, which is the one that was clicked.
+    show(window, StageSettings(compared=True), of="axes")
+    complete(stage, qtbot, 3)
+    assert click(52) == (52,)
