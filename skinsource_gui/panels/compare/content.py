@@ -167,6 +167,8 @@ class CompareContent:
         What is shown, as a text below while no output is pointed at.
     hands
         Whether maps show hands without arms, whatever room there is.
+    marks_first
+        Whether the first selected output alone is marked, in no colour of a curve.
     """
 
     cells: tuple[Cell, ...] = ()
@@ -174,6 +176,7 @@ class CompareContent:
     message: str = ""
     about: str = ""
     hands: bool = False
+    marks_first: bool = False
 
     @cached_property
     def common_scale(self) -> ColourScale | None:

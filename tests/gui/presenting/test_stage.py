@@ -8,6 +8,7 @@ from math import sqrt
 import numpy as np
 import pytest
 from PySide6.QtCore import QPointF, QRect, Qt
+from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QFrame, QLabel
 
@@ -20,6 +21,7 @@ from skinsource.design.panel_settings import StageSettings, with_settings
 from skinsource_gui.pages.files import maps_film
 from skinsource_gui.panels.compare.motion import MOST_S
 from skinsource_gui.panels.compare.settings import CompareSettings
+from skinsource_gui.qt.theme import current_theme
 from tests.gui.exporting import shown
 
 SENTENCE = "Waves run towards the wrist. Try: turn the frequency to 50 Hz."
@@ -706,3 +708,20 @@ def test_clicks_on_the_stage_add_and_remove_outputs_in_one_scale(stage, qtbot):
     show(window, StageSettings(compared=True), of="axes")
     complete(stage, qtbot, 3)
     assert click(52) == (52,)
+
+
+def test_no_curve_of_an_axis_has_the_colour_of_a_ring(stage, qtbot):
+    window = stage.window()
+    opened = ss.scenes.open_scene("1C", available=("synthetic-4",))
+    window.document.start_over(opened.design, opened.view, None)
+    complete(stage, qtbot, 3)
+    qtbot.waitUntil(lambda: window.workspaces.settled and bool(stage.strip.curves))
+    picture, theme = stage.maps.grab().toImage(), current_theme()
+    colours = {
+        picture.pixelColor(x, y).rgb()
+        for place in stage.maps.places.cells
+        for x in range(int(place.map.left()), int(place.map.right()))
+        for y in range(int(place.map.top()), int(place.map.bottom()))
+    }
+    assert colours.isdisjoint({theme.output_colour(each.rank).rgb() for each in stage.strip.curves})
+    assert QColor(theme.text).rgb() in colours
