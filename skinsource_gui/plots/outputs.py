@@ -88,6 +88,8 @@ class OutputPicker(QObject):
     ----------
     selected
         The outputs that are selected at present.
+    toggles
+        Whether a click adds or removes an output without a key that is held.
     hovered, pointer
         The output under the pointer, and the place of that; None while it is elsewhere.
     band
@@ -104,6 +106,7 @@ class OutputPicker(QObject):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self.selected: Outputs = ()
+        self.toggles = False
         self.hovered: int | None = None
         self.pointer: QPointF | None = None
         self.band: QRectF | None = None
@@ -153,7 +156,8 @@ class OutputPicker(QObject):
             return
         number = output_at(points, event.position())
         if number is not None:
-            self._choose(toggled(self.selected, number) if adds else (number,))
+            toggles = adds or self.toggles
+            self._choose(toggled(self.selected, number) if toggles else (number,))
 
     def leave(self) -> None:
         """Forget the pointer: it is elsewhere, or the keyboard is in use."""

@@ -171,6 +171,8 @@ class Notice(QObject):
         self._column.setContentsMargins(UNIT_PX, edge, UNIT_PX, edge)
         at_top = self._passes and bar.isHidden()
         self._close.setHidden(at_top)
+        stage = self._window.findChild(QtWidgets.QWidget, "stage_caution") if at_top else None
+        self._label.setFont(QtGui.QFont() if stage is None else stage.font())
         # In letters of any size a line of the card has about as many letters.
         letter_px = self._label.fontMetrics().averageCharWidth()
         widest = whole.width() if self._passes else _CARD_LETTERS * letter_px

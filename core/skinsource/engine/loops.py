@@ -196,6 +196,11 @@ def _played(design: Design) -> list[Clip]:
     return [clip for track in tracks for clip in track.clips if not clip.muted]
 
 
+def is_sequence(design: Design) -> bool:
+    """Return whether clips begin one after another."""
+    return len({clip.onset_s for clip in _played(design)}) > 1
+
+
 def _only_tone(design: Design) -> tuple[Clip, Tone] | None:
     """Return the tone that all audible inputs play, in any phase, and a clip of it; or None."""
     clips = _played(design)

@@ -168,6 +168,8 @@ class CompareContent:
         What is shown, as a text below while no output is pointed at.
     hands
         Whether maps show hands without arms, whatever room there is.
+    marks_first
+        Whether the first selected output alone is marked, in no colour of a curve.
     """
 
     cells: tuple[Cell, ...] = ()
@@ -175,6 +177,7 @@ class CompareContent:
     message: str = ""
     about: str = ""
     hands: bool = False
+    marks_first: bool = False
 
     @cached_property
     def common_scale(self) -> ColourScale | None:
@@ -435,7 +438,8 @@ LEVELS = frozenset(
 )
 
 
-_ALL_AXES = "moving_vector"
+#: The motion along all measured axes.
+ALL_AXES = "moving_vector"
 
 
 def along(moving: Moving, k: int) -> Moving:
@@ -542,7 +546,7 @@ class OfAxes(Kind):
 
     def sides(self, design: Design, results: Mapping[str, Any]) -> Sequence[Compared]:
         common = {name: results[name] for name in _COMMON}
-        moving: Moving | None = results.get(_ALL_AXES)
+        moving: Moving | None = results.get(ALL_AXES)
 
         def values(k: int) -> dict[str, Any]:
             own = {name: results[quantity][k] for quantity, name in _PER_AXIS.items()}
@@ -557,7 +561,7 @@ class OfAxes(Kind):
         ]
 
     def moving(self, limb: str, axes: str) -> str:
-        return _ALL_AXES
+        return ALL_AXES
 
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
         return [(f"Along {side.axes}", side.axes) for side in compared]

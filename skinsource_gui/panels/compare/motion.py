@@ -11,6 +11,7 @@ from skinsource.engine.loops import (
     PICTURES_PER_PERIOD,
     SHOWN_HZ,
     Loop,
+    is_sequence,
     loop_of,
     moving_axis,
     moving_name,
@@ -28,6 +29,8 @@ _SHARE_OF_LARGEST = 0.1
 _AFTER = " after matching,"
 #: A motion that would take longer to see is shown in its loudest part alone, s.
 MOST_S = 30.0
+# That of clips one after another, as from place to place, is whole up to this time of the skin, s.
+_MOST_OF_CLIPS_S = 2.0
 
 
 def rounded(value: float) -> str:
@@ -90,6 +93,8 @@ class MovingMaps:
         if self.chosen > 1.0:
             self.slow_motion = self.chosen
         part_s = MOST_S / self.slow_motion
+        if any(is_sequence(side.snapshot.design) for side in compared):
+            part_s = max(part_s, _MOST_OF_CLIPS_S)
         long = [loop for loop, _ in loops if loop.phasors is None and loop.duration_s > part_s]
         if long:
             after_s = max(long, key=lambda loop: loop.largest).loudest_after_s(part_s)

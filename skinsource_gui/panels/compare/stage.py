@@ -11,7 +11,7 @@ import numpy as np
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSignalBlocker, QSize, Qt, QTimer, Signal
 
-from skinsource.base.conventions import Floats
+from skinsource.base.conventions import Floats, axes_text
 from skinsource.base.errors import InvalidInputError
 from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_spec, is_gain
@@ -36,12 +36,12 @@ from skinsource.studies import scenes
 from skinsource_gui.fields.editor import Burst
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.units import axis_unit, output_text, parse_number, value_text
-from skinsource_gui.panels.compare.content import KINDS, Names, OfWindow
+from skinsource_gui.panels.compare.content import ALL_AXES, KINDS, Names, OfWindow
 from skinsource_gui.panels.compare.maps import MapsPanel
 from skinsource_gui.panels.compare.motion import rounded
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.curves import output_names
-from skinsource_gui.plots.figure import Figure
+from skinsource_gui.plots.figure import Figure, shrunk
 from skinsource_gui.plots.pictures import common_title
 from skinsource_gui.plots.small_map import Range
 from skinsource_gui.qt.buttons import page_label
@@ -93,7 +93,8 @@ class Strip(Figure):
         """Draw curves between ends of x and y; words say where, and what the ends are."""
         self.curves, self.ends, self._words = curves, ends, words
         self.setVisible(bool(curves))
-        self.setAccessibleName(", ".join(curve.names[0] for curve in curves))
+        called = ", ".join(curve.names[0] for curve in curves)
+        self.setAccessibleName(f"{called}; {words[1]}" if curves else "")
         self.update()
 
     def show_cursor(self, x: float | None) -> None:
@@ -136,8 +137,10 @@ class Strip(Figure):
         painter.setPen(QtGui.QColor(theme.dim))
         above = QRectF(area.left(), 0.0, area.width(), line)
         below = QRectF(area.left(), area.bottom(), area.width(), 1.2 * line)
+        joined = "".join((self._words[1], _BETWEEN, self._words[2]))
         left_side, right_side = Qt.AlignmentFlag.AlignLeft, Qt.AlignmentFlag.AlignRight
         painter.drawText(above, right_side, self._words[0])
+        painter.setFont(shrunk(painter.font(), [joined], area.width()))
         painter.drawText(below, left_side, self._words[1])
         painter.drawText(below, right_side, self._words[2])
 
@@ -173,7 +176,7 @@ class Knob(QtWidgets.QWidget):
         # The maps have the room first.
         policy = QtWidgets.QSizePolicy.Policy
         self.dial.setSizePolicy(policy.Preferred, policy.Ignored)
-        self.dial.setMinimumHeight(4 * UNIT_PX)
+        self.dial.setMinimumHeight(7 * UNIT_PX)
         self.dial.setRange(0, _STEPS)
         self.dial.setSingleStep(_STEP)
         self.dial.setPageStep(10 * _STEP)
@@ -221,6 +224,8 @@ _SMALLER, _TITLE_SMALLER, _LEAST_LETTERS = 0.95, 0.8, 0.5
 # How many periods are drawn of a steady tone, and of what passes; height of spectra.
 _PERIODS = {False: 3.0, True: 1.0}
 _SPECTRUM_DB = 60.0
+# When curves that a turn of the knob has cut are fitted, after the last turn.
+_RESTS_MS = 1000
 
 
 # Ends a title that numbers were left out of; a number and its unit.
@@ -258,11 +263,13 @@ class StagePanel(MapsPanel):
         named(self.arm, "stage_arm", hint=f"Show the arm too ({key_text('presenting', 'arm')})")
         self.arm.clicked.connect(self.show_arm)
         self.maps.arm_shown.connect(self.arm.setChecked)
-        switches = in_column(self.arm, self.switch, margins=0, gap_px=0)
-        self._line = in_row((self.caution, 1), switches)
+        self._switches = in_column(self.arm, self.switch, margins=0, gap_px=UNIT_PX // 2)
+        self._line = in_row((self.caution, 1), self._switches)
         self.named: Callable[[], str] = str
         self._held_ends: tuple[Range, Range] | None = None
-        self._passes = False
+        self._passes = self._cut = False
+        self._rest = QTimer(self, singleShot=True, interval=_RESTS_MS)
+        self._rest.timeout.connect(self._fit_cut)
         self._shown: tuple[Any, ...] = ()
         self._said: tuple[tuple[QtWidgets.QLabel, str, str], ...] = ()
         # The design of which title and notes were first said.
@@ -286,6 +293,18 @@ class StagePanel(MapsPanel):
         # The strip shows motion beside levels too.
         return super().needs | self.needs_of_motion
 
+    @property
+    def needs_of_motion(self) -> frozenset[str]:
+        motion = super().needs_of_motion
+        return motion | {ALL_AXES} if motion and self._together else motion
+
+    @property
+    def _together(self) -> bool:
+        """Whether spectra are of all axes together: where those of each are shown elsewhere."""
+        layout = dict(dict(self.view.panels).get("spectra", ())).get("layout")
+        spectra = stage_settings(self.view).plot == "spectra"
+        return spectra and layout == "axes" and self.kind is not KINDS["axes"]
+
     def sizeHint(self) -> QSize:
         return QSize(1200, 700)
 
@@ -296,10 +315,15 @@ class StagePanel(MapsPanel):
         self._show_knob(design, view)
         compared = view.snapshots if kind is KINDS["snapshots"] else ()
         self._show_words(design, view, [each.design.title for each in compared])
-        shown = kind, compare, stage, view.outputs, view.axes, design.limb
-        if shown != self._shown:
+        shown = kind, compare, stage, view.axes, design.limb
+        others = view.outputs != self.view.outputs
+        if shown != self._shown or (others and (design != self.design or not self.strip.curves)):
             self._shown = shown
             self._release()
+        elif others:
+            # It is seen which output is louder.
+            self._held_ends = self._held_ends or self.strip.ends
+            self._rest.start()
         self.take_state(design, view, kind, compare, moves=stage.moves)
 
     def start_over(self) -> None:
@@ -311,7 +335,10 @@ class StagePanel(MapsPanel):
 
     def show_maps(self) -> None:
         super().show_maps()
-        self._lay_out(several=len(self.maps.content.cells) > 1)
+        several = len(self.maps.content.cells) > 1
+        self._lay_out(several=several)
+        # Of several maps, traces are of one output.
+        self.maps.picker.toggles = not several
         if not self.moves and self.compared:
             names = self.kind.names(self.compared, self.view, difference=False)
             self.moving.update(self.compared, names)
@@ -328,6 +355,13 @@ class StagePanel(MapsPanel):
         """Fit the scales to what is shown now: they stay as they are while the knob turns."""
         self._release()
         self.show_maps()
+
+    def _fit_cut(self) -> None:
+        """Fit the scales if curves are cut: until the knob rests, it is seen what is louder."""
+        if self.is_stale or self.knob.dial.isSliderDown():
+            self._rest.start()
+        elif self._cut:
+            self.fit()
 
     def _release(self) -> None:
         self.held = self._held_ends = None
@@ -381,6 +415,8 @@ class StagePanel(MapsPanel):
         parts = (self.heading, self.sentence, self.maps, self.strip, self.knob)
         for part, place in zip(parts, places, strict=True):
             grid.addWidget(part, *place)
+        directions = QtWidgets.QBoxLayout.Direction
+        self._switches.setDirection(directions.TopToBottom if several else directions.LeftToRight)
         grid.removeItem(self._line)
         grid.addLayout(self._line, 0 if several else 2, 1, 1, 2 if several else 1)
         for row, share in enumerate((0, 0, 0, 75, 25) if several else (0, 0, 0, 60, 40)):
@@ -391,7 +427,6 @@ class StagePanel(MapsPanel):
 
     def _fit_letters(self) -> None:
         margin = self.height() // 40
-        self._grid.setContentsMargins(margin, margin, margin, margin)
         self._grid.setSpacing(margin)
         usual, most = _WORDS[bool(self._several)]
         scale = letter_scale(self.font())
@@ -410,6 +445,9 @@ class StagePanel(MapsPanel):
         grown = min(scale, sqrt(scale))
         small = self.maps, self.strip, self.knob.label, self.caution, self.arm, self.switch
         self._set_letters(grown * others, *small)
+        # A passing notice in letters of the caution lies above all of it.
+        top = max(margin, self.caution.fontMetrics().height() + UNIT_PX)
+        self._grid.setContentsMargins(margin, top, margin, margin)
         self._set_letters(grown * words, self.knob.field)
         self._grid.setRowMinimumHeight(4, self.knob.minimumSizeHint().height())
         for label, whole, text in self._said:
@@ -518,12 +556,16 @@ class StagePanel(MapsPanel):
         )
         # What passes is shown to its end, whatever scales stay.
         passes = any(loop.phasors is None for _, loop, _ in known)
+        shown_s = end_s
         if self._held_ends is not None and not (passes or self._passes):
             end_s = self._held_ends[0][1]
         self._passes = passes
         curves = []
         for k, loop, gain in known:
             kept = tuple(number for number in outputs if number <= loop.moving.signals.shape[0])
+            if self._together:
+                results = self.compared[k].values or {}
+                loop = replace(loop, moving=results.get(ALL_AXES, loop.moving))
             x, values = loop.spectra(kept) if spectra else loop.traces(kept, end_s)
             values = values + 20.0 * np.log10(gain) if spectra else gain * values
             # Of another design the loudest part may lie where this one has ended.
@@ -535,13 +577,18 @@ class StagePanel(MapsPanel):
             low_hz, high_hz = facts_of(limb).band_hz or (0.0, float(curves[0].x[-1]))
             top = max(float(curve.y.max()) for curve in curves)
             ends = self._held_ends or ((low_hz, high_hz), (top - _SPECTRUM_DB, top))
-            words = (where, f"{low_hz:g} Hz, {_SPECTRUM_DB:g} dB high", f"{high_hz:g} Hz")
+            of = self.moving.unit.replace("m/s²", "acceleration")
+            if self._together:
+                axes, matched = axes_text(facts_of(limb).axes), of.partition(",")[1:]
+                of = f"acceleration along {axes} together{''.join(matched)}"
+            words = (where, f"{low_hz:g} Hz: {of}, {_SPECTRUM_DB:g} dB high", f"{high_hz:g} Hz")
         else:
             unit, factor = axis_unit(end_s)
             ends = (0.0, end_s), self._held_ends[1] if self._held_ends else (-top, top)
             self._held_ends = self._held_ends and ends
             high = f"±{rounded(ends[1][1])} {self.moving.unit}"
             words = (where, high, f"{end_s * factor:.3g} {unit}")
+        self._cut = top > ends[1][1] or (not spectra and shown_s > end_s)
         self.strip.show_curves(tuple(curves), ends, words)
         self._show_cursor()
 
@@ -561,6 +608,7 @@ class StagePanel(MapsPanel):
             if self.held is None and (scale := self.maps.content.common_scale) is not None:
                 self.held, self._held_ends = scale.range_db, self.strip.ends
             self.edited.emit(outcome, gesture)
+            self._rest.start()
 
 
 def _names(number: int, limb: str) -> Names:

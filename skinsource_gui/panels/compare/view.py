@@ -259,7 +259,11 @@ def _paint_cell(
     painter.setFont(plain)
     table = colour_table(cell.scale.colours)
     paint_small_map(painter, place.map, cell.small, cell.design, theme, cell.scale.range_db, table)
-    paint_rings(painter, cell.small, place.map, content.outputs, theme, pointed_at)
+    ringed, first = content.outputs, content.outputs[:1]
+    if content.marks_first and first:
+        paint_rings(painter, cell.small, place.map, (), theme, *first)
+        ringed = ()
+    paint_rings(painter, cell.small, place.map, ringed, theme, pointed_at)
     paint_small_bar(painter, place.map, cell.small, cell.limb, theme)
 
 
@@ -277,7 +281,7 @@ class MapsView(QtWidgets.QWidget):
     least_lines
         Maps that would be lower than so many lines of text show hands alone.
     several_on_hands
-        Whether several maps do where no output is selected on an arm.
+        Whether several maps do where no output is selected on an arm, and mark the first output.
     arm
         Whether arms are shown, however many maps there are; None: it follows from the two above.
     """
@@ -339,9 +343,10 @@ class MapsView(QtWidgets.QWidget):
 
     def show_content(self, content: CompareContent) -> None:
         """Draw ``content``."""
-        several = self.several_on_hands and len(content.cells) > 1
-        hands = not self.arm if self.arm is not None else several and content.is_on_hands()
-        self.content, self.picker.selected = replace(content, hands=hands), content.outputs
+        marks_first = self.several_on_hands and len(content.cells) > 1
+        hands = not self.arm if self.arm is not None else marks_first and content.is_on_hands()
+        self.content = replace(content, hands=hands, marks_first=marks_first)
+        self.picker.selected = content.outputs
         self._places = None
         self.setAccessibleName(content.message or content.about or "Compared maps")
         self._emit_pointed_at()

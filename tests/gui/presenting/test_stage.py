@@ -7,8 +7,10 @@ from math import sqrt
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QRect, Qt
+from PySide6.QtCore import QPointF, QRect, Qt
+from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QFrame, QLabel
 
 import skinsource as ss
 from skinsource.base.job import never, silent
@@ -19,6 +21,7 @@ from skinsource.design.panel_settings import StageSettings, with_settings
 from skinsource_gui.pages.files import maps_film
 from skinsource_gui.panels.compare.motion import MOST_S
 from skinsource_gui.panels.compare.settings import CompareSettings
+from skinsource_gui.qt.theme import current_theme
 from tests.gui.exporting import shown
 
 SENTENCE = "Waves run towards the wrist. Try: turn the frequency to 50 Hz."
@@ -52,6 +55,7 @@ def stage(open_window, design, qtbot):
     panel = window.panel("stage")
     # Tests move it by themselves.
     panel.clock.held = True
+    panel._rest.setInterval(60_000)
     yield panel
     panel.clock.held = False
     if window.presenter.presenting:
@@ -144,7 +148,12 @@ def test_the_knob_turns_the_frequency_while_the_maps_go_on(stage, qtbot):
     assert stage.moving.loops[0][0].duration_s == pytest.approx(0.04)
     # Scales stay until they are fitted, so that it is seen what is weaker and faster.
     assert stage.strip.ends == ends
-    QTest.keyClick(stage.knob.dial, Qt.Key.Key_F)
+    # Once the knob rests, nothing is cut.
+    stage.knob.dial.setSliderDown(True)
+    stage._rest.timeout.emit()
+    assert stage.strip.ends == ends
+    stage.knob.dial.setSliderDown(False)
+    stage._rest.timeout.emit()
     assert stage.strip.ends[0] == pytest.approx((0.0, 0.12))
     stage.knob.dial.setValue(1000)
     assert window.document.design.clips[0].waveform.frequency_hz == 600.0
@@ -166,7 +175,19 @@ def test_the_scale_of_maps_stays_while_the_knob_turns(stage, qtbot, moves):
     stage.knob.dial.setValue(900)
     qtbot.waitUntil(lambda: not window.engine.busy and not stage.is_stale)
     assert stage.maps.content.common_scale.range_db == scale.range_db
-    stage.fit()
+    if moves:
+        assert stage._rest.isActive()
+        stage._rest.timeout.emit()
+        fitted = stage.strip.ends
+        stage.knob.dial.setValue(500)
+        qtbot.waitUntil(lambda: not window.engine.busy and not stage.is_stale)
+        stage._rest.timeout.emit()
+        # What is softer is not cut, and seen to be softer.
+        assert stage.strip.ends == fitted
+        stage.knob.dial.setValue(900)
+        qtbot.waitUntil(lambda: not window.engine.busy and not stage.is_stale)
+    else:
+        QTest.keyClick(stage.knob.dial, Qt.Key.Key_F)
     assert stage.maps.content.common_scale.range_db[1] > scale.range_db[1]
     # With another design it is fitted by itself.
     window.do("undo")
@@ -497,6 +518,18 @@ def test_of_a_long_motion_the_loudest_part_moves_in_half_a_minute(stage, qtbot):
     qtbot.waitUntil(lambda: [each.names[0] for each in stage.strip.curves] == ["Snapshot 1"])
 
 
+def test_a_motion_over_places_is_whole_up_to_two_seconds(stage, qtbot):
+    document = stage.window().document
+    for length_s, whole in ((0.6, True), (3.0, False)):
+        tone = ss.waveforms.Tone(frequency_hz=200.0, duration_s=length_s)
+        motion = ss.motions.Sweep(path=(7, 12, 17), waveform=tone)
+        document.edit("", replace(document.design, inputs=motion.tracks()))
+        qtbot.waitUntil(lambda: not stage.window().engine.busy and not stage.is_stale)
+        ((loop, _),) = stage.moving.loops
+        assert loop.duration_s >= 0.6 if whole else loop.duration_s == pytest.approx(2.0)
+        assert ("loudest" in stage.maps.content.common_scale.text_below) is not whole
+
+
 def test_a_design_without_a_title_is_called_after_its_file(open_window, tmp_path, design):
     path = tmp_path / "2 two fingers.skinsource"
     save_design(path, replace(design, title=""), ss.View())
@@ -635,3 +668,89 @@ def test_the_warning_stays_on_one_line_above_several_maps(stage, qtbot):
     stage.layout().activate()
     line_px = stage.caution.fontMetrics().height()
     assert stage.caution.heightForWidth(stage.caution.width()) < 2 * line_px
+
+
+def test_spectra_of_all_axes_show_what_the_figure_of_their_scene_shows(stage, qtbot):
+    opened = ss.scenes.open_scene("2D", available=("synthetic-2",))
+    stage.window().document.start_over(opened.design, opened.view, None)
+    qtbot.waitUntil(lambda: len(stage.strip.curves) == len(opened.view.outputs), timeout=15_000)
+    whole = ss.evaluate(opened.design, "moving_vector")["moving_vector"].signals
+    power = np.square(np.abs(np.fft.rfft(whole[opened.view.outputs[0] - 1]))).sum(axis=0)
+    shown_power = 10.0 ** (stage.strip.curves[0].y / 10.0)
+    np.testing.assert_allclose(shown_power / shown_power.max(), power / power.max(), atol=1e-6)
+    assert "acceleration along x, y and z together" in stage.strip._words[1]
+    assert "acceleration" in stage.strip.accessibleName()
+    # Another layout of spectra has the axis of the view, which is named as well.
+    stage.window().document.look(replace(opened.view, panels=opened.view.panels[1:]))
+    qtbot.waitUntil(lambda: "acceleration along x," in stage.strip._words[1])
+    assert not np.allclose(stage.strip.curves[0].y, 10.0 * np.log10(shown_power))
+
+
+@pytest.mark.parametrize("name", ["2A", "5B"])
+@pytest.mark.parametrize("scale", [1.0, 1.8])
+def test_the_knob_and_what_passes_have_room_beside_words_of_any_size(stage, qtbot, name, scale):
+    window = stage.window()
+    window.showNormal()
+    window.resize(1280, 720)
+    opened = ss.scenes.open_scene(name, available=("synthetic-1",))
+    window.document.start_over(opened.design, opened.view, None)
+    window.appearance._scale_text(scale)
+    complete(stage, qtbot, 5 if name == "5B" else 1)
+    qtbot.waitUntil(lambda: window.workspaces.settled and stage.knob.dial.height() >= 56)
+    qtbot.waitUntil(lambda: stage.caution.font().pixelSize() > 12)
+    window.presenter.done.emit("Page Down: next scene")
+    assert (window.width(), window.height()) == (1280, 720)
+    (card,) = (each for each in window.findChildren(QFrame, "notice") if each.isVisible())
+    label = card.findChild(QLabel, "notice_text")
+    assert label.fontMetrics().height() == stage.caution.fontMetrics().height()
+    parts = (stage.heading, stage.sentence, stage.switch, stage.maps, stage.strip, stage.knob)
+    areas = [QRect(part.mapTo(window, part.rect().topLeft()), part.size()) for part in parts]
+    areas.append(card.geometry())
+    assert not any(one.intersects(other) for one in areas for other in areas if one is not other)
+
+
+def test_clicks_on_the_stage_add_and_remove_outputs_in_one_scale(stage, qtbot):
+    window = stage.window()
+    opened = ss.scenes.open_scene("1D", available=("synthetic-4",))
+    window.document.start_over(opened.design, opened.view, None)
+    qtbot.waitUntil(lambda: len(stage.strip.curves) == len(opened.view.outputs), timeout=15_000)
+    qtbot.waitUntil(lambda: window.workspaces.settled)
+
+    def click(number):
+        at = QPointF(*stage.maps.points_of(0)[number - 1]).toPoint()
+        QTest.mouseClick(stage.maps, Qt.MouseButton.LeftButton, pos=at)
+        return window.document.view.outputs
+
+    ends, outputs = stage.strip.ends, opened.view.outputs
+    loudest = outputs[int(np.argmax([curve.y.max() for curve in stage.strip.curves]))]
+    assert click(52) == (*outputs, 52)
+    assert click(loudest) == (*(each for each in outputs if each != loudest), 52)
+    assert len(stage.strip.curves) == len(outputs)
+    assert stage.strip.ends == ends
+    stage.fit()
+    assert stage.strip.ends != ends
+    # What is louder than the scale is fitted after a moment.
+    click(loudest)
+    stage._rest.timeout.emit()
+    assert stage.strip.ends == ends
+    # Of several maps one output is shown, which is the one that was clicked.
+    show(window, StageSettings(compared=True), of="axes")
+    complete(stage, qtbot, 3)
+    assert click(52) == (52,)
+
+
+def test_no_curve_of_an_axis_has_the_colour_of_a_ring(stage, qtbot):
+    window = stage.window()
+    opened = ss.scenes.open_scene("1C", available=("synthetic-4",))
+    window.document.start_over(opened.design, opened.view, None)
+    complete(stage, qtbot, 3)
+    qtbot.waitUntil(lambda: window.workspaces.settled and bool(stage.strip.curves))
+    picture, theme = stage.maps.grab().toImage(), current_theme()
+    colours = {
+        picture.pixelColor(x, y).rgb()
+        for place in stage.maps.places.cells
+        for x in range(int(place.map.left()), int(place.map.right()))
+        for y in range(int(place.map.top()), int(place.map.bottom()))
+    }
+    assert colours.isdisjoint({theme.output_colour(each.rank).rgb() for each in stage.strip.curves})
+    assert QColor(theme.text).rgb() in colours
