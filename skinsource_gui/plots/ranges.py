@@ -468,6 +468,8 @@ def _positions(axis: XAxis, values: Range) -> Range:
 MOST_IN_COLUMN, _MOST_OF_WAVES = 4, 8
 # A wave that turns more often in a column cannot be told from the block between its crests.
 _MOST_TURNS = 0.85
+# Heights between 0 and the peak that look different.
+_SEEN_STEPS = 100
 # Samples of an axis up to which it is compared with the one before.
 _MOST_COMPARED = 2**15
 # A stroke that is shorter than this part of what its neighbours cover is a gap, not a notch.
@@ -543,7 +545,9 @@ class Columns:
         """Return whether samples show waves that columns of pixels would blur."""
         if self.x.size > _MOST_OF_WAVES * n_columns:
             return False
-        rising = y[:, 1:] > y[:, :-1]
+        # Of turns too small to be seen, as those in silence, there may be any number.
+        seen = np.round(y * (_SEEN_STEPS / max(float(np.abs(y).max()), np.finfo(float).tiny)))
+        rising = seen[:, 1:] > seen[:, :-1]
         turns = int(np.count_nonzero(rising[:, 1:] != rising[:, :-1]))
         return turns <= _MOST_TURNS * n_columns * len(y)
 

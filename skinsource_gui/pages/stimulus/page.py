@@ -41,10 +41,11 @@ from skinsource_gui.pages.files.export_parts import ExportPart, scrolled_fields
 from skinsource_gui.pages.files.exports import STIMULUS, STIMULUS_SET
 from skinsource_gui.pages.page import RowTable
 from skinsource_gui.pages.stimulus.form import Order, StimulusForm, recall, remembered
+from skinsource_gui.plots.ranges import in_rows, without_notches
 from skinsource_gui.qt.buttons import page_button, page_label, progress_bar, scrolled, show_or_hide
 from skinsource_gui.qt.layouts import in_column, in_row, named, tooltip
 from skinsource_gui.qt.overlays import PALE, Staleness
-from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, dots_in_px, tabular
 from skinsource_gui.state.worker import fault_text
 
 _ROW_PX, _GAP_PX = 58, 6
@@ -114,11 +115,14 @@ class ChannelsView(QtWidgets.QWidget):
         colour = QtGui.QColor(current_theme().dim)
         if inputs:
             colour = current_theme().input_colour(self._colours.get(inputs[0], 0))
-        low, high = joined(np.clip(overview.extremes, -1.0, 1.0))
+        strokes = joined(np.clip(overview.extremes, -1.0, 1.0)).T.reshape(1, -1)
+        low, high = without_notches(strokes).reshape(-1, 2).T
         x = area.left() + (np.arange(low.size) + 0.5) * area.width() / low.size
         width = max(area.width() / low.size, 1.0)
         painter.setPen(QtGui.QPen(colour, width, c=Qt.PenCapStyle.FlatCap))
-        tops, bottoms = middle - reach * high, middle - reach * low
+        tops, bottoms = (
+            in_rows(middle - reach * ends, dots_in_px(painter)) for ends in (high, low)
+        )
         painter.drawLines(
             [
                 QLineF(at, y - 0.5, at, max(bottom, y) + 0.5)
