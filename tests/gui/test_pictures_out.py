@@ -152,7 +152,6 @@ def test_a_film_asks_for_its_size_and_begins_with_it_the_next_time(
     assert (part.form.options.width_px, part.form.options.height_px) == (900, 1200)
     assert "frames" in part.form.remark.text
     qtbot.waitUntil(lambda: not part.image.image.isNull(), timeout=20_000)
-    assert part.form.options.pace == "50"
     for name in ("width_px", "height_px", "colours", "kind", "pace"):
         part.form._edit(name, getattr(chosen, name), None)
     press(part)

@@ -570,7 +570,8 @@ class StagePanel(MapsPanel):
             values = values + 20.0 * np.log10(gain) if spectra else gain * values
             # Of another design the loudest part may lie where this one has ended.
             for row, number in enumerate(kept if x.size else ()):
-                called = _names(number, limb) if alone else names[k][1:] or names[k]
+                of_map = names[k][1:] if len(names[k]) > 2 else names[k]
+                called = _names(number, limb) if alone else of_map
                 curves.append(Curve(names=called, rank=row if alone else k, x=x, y=values[row]))
         top = max((float(np.abs(curve.y).max()) for curve in curves), default=0.0) or 1.0
         if spectra:

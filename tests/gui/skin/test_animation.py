@@ -19,7 +19,7 @@ from skinsource.limbs import own_limbs
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.perception.validity import Finding
 from skinsource_gui.fields.choice_field import ChoiceField
-from skinsource_gui.panels.skin import film
+from skinsource_gui.panels.skin import film, picture
 from skinsource_gui.panels.skin import film as animation
 from skinsource_gui.panels.skin.film import (
     FilmOptions,
@@ -32,8 +32,8 @@ from skinsource_gui.panels.skin.film import (
 from skinsource_gui.panels.skin.layout import VisiblePart
 from skinsource_gui.panels.skin.settings import MAGNITUDE, RMS, SkinSettings, Z
 from skinsource_gui.panels.skin.time import slow_down_factor
-from skinsource_gui.plots import small_map
 from skinsource_gui.plots.pictures import PictureForm, PictureOptions, with_caption
+from skinsource_gui.plots.small_map import tick_text
 from skinsource_gui.qt.theme import DARK
 
 imageio_ffmpeg = pytest.importorskip("imageio_ffmpeg")
@@ -156,6 +156,12 @@ def test_a_film_is_that_of_the_time_axes_and_not_endless():
         film_of(View(slow_motion=200.0), settings, 600.0, 60, PERSON)
 
 
+def filmed(settings, options):
+    exported = exported_design.ExportedDesign(DESIGN, VIEW, lambda *now: None, never)
+    camera = animation._Camera(exported, settings, options)
+    return camera, film_of(VIEW, settings, camera.end_s, 60, PERSON)
+
+
 def test_what_is_mostly_noise_is_hatched_in_a_film_and_the_caption_says_it(monkeypatch):
     noise = Finding(
         name="noise", state="left", sentence="", in_short="{:.0f} noisy.", number=2, outputs=(3, 4)
@@ -166,10 +172,9 @@ def test_what_is_mostly_noise_is_hatched_in_a_film_and_the_caption_says_it(monke
         "value",
         lambda self, name, **more: (noise,) if name == "validity" else value(self, name, **more),
     )
-    exported = exported_design.ExportedDesign(DESIGN, VIEW, lambda *now: None, never)
-    camera = animation._Camera(exported, SkinSettings(quantity=Z), PictureOptions(width_px=200))
+    camera, film = filmed(SkinSettings(quantity=Z), PictureOptions(width_px=200))
     monkeypatch.setattr(camera, "_draw", lambda content, heading: drawn.append(content))
-    camera.frame(film_of(VIEW, SkinSettings(quantity=Z), camera.end_s, 60, PERSON), 0)
+    camera.frame(film, 0)
     assert drawn[0].hatched == (3, 4)
     assert [mark.location for mark in drawn[0].inputs] == [
         track.location for track in DESIGN.inputs
@@ -184,10 +189,8 @@ def test_a_film_has_its_stimulus_below_it_at_every_size(monkeypatch):
         "with_caption",
         lambda draw, caption: captions.append(caption) or with_caption(draw, caption),
     )
-    exported = exported_design.ExportedDesign(DESIGN, VIEW, lambda *now: None, never)
     options = PictureOptions(width_px=200, height_px=300, dpi=192, colours="dark")
-    camera = animation._Camera(exported, SkinSettings(quantity=Z), options)
-    film = film_of(VIEW, SkinSettings(quantity=Z), camera.end_s, 60, PERSON)
+    camera, film = filmed(SkinSettings(quantity=Z), options)
     frame = camera.frame(film, 0)
     assert frame.shape == (600, 400, 3)
     assert "Place 7" in captions[0]
@@ -197,19 +200,14 @@ def test_a_film_has_its_stimulus_below_it_at_every_size(monkeypatch):
     assert (np.abs(frame[-60:].astype(int) - frame[1, 1]).sum(axis=2) > 100).any()
 
 
-@pytest.mark.parametrize("limits", [None, (-1e4, 1e4)])
-def test_the_ends_of_its_colours_say_whether_values_lie_beyond_them(limits, monkeypatch):
-    texts, text_of = [], small_map.tick_text
-    monkeypatch.setattr(
-        small_map, "tick_text", lambda *at, **how: texts.append(text_of(*at, **how)) or texts[-1]
-    )
-    exported = exported_design.ExportedDesign(DESIGN, VIEW, lambda *now: None, never)
-    settings = SkinSettings(quantity=Z, z_limits=limits)
-    camera = animation._Camera(exported, settings, SIZES)
-    camera.frame(film_of(VIEW, settings, camera.end_s, 60, PERSON), 0)
-    assert (texts[0][0], texts[-1][0]) == (
-        ("≤", "≥") if limits is None else ("\N{MINUS SIGN}", "+")
-    )
+@pytest.mark.parametrize(("limits", "begins"), [(None, "≤≥"), ((-1e4, 1e4), "\N{MINUS SIGN}1")])
+def test_the_ends_of_its_colours_say_whether_values_lie_beyond_them(limits, begins, monkeypatch):
+    scales = []
+    monkeypatch.setattr(picture, "paint_scale_row", lambda *drawn: scales.append(drawn[2]))
+    camera, film = filmed(SkinSettings(quantity=Z, z_limits=limits), PictureOptions(width_px=200))
+    camera.frame(film, 0)
+    ends, reached = scales[0].range_db, scales[0].reached_db
+    assert "".join(tick_text(value, ends, reached)[0] for value in ends) == begins
 
 
 ZOOMED = View(time_range_s=(0.05, 0.15))
