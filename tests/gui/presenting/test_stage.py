@@ -684,7 +684,7 @@ def test_clicks_on_the_stage_add_and_remove_outputs_in_one_scale(stage, qtbot):
     assert click(52) == (*outputs, 52)
     assert click(loudest) == (*(each for each in outputs if each != loudest), 52)
     assert stage.strip.ends == ends
-    QTest.keyClick(stage.knob.dial, Qt.Key.Key_F)
+    stage.fit()
     assert stage.strip.ends != ends
     # What is louder than the scale is fitted after a moment.
     click(loudest)
