@@ -34,9 +34,8 @@ class ExportPage(ToolPage):
 
     #: The user wants what is shown to be written.
     chosen = Signal()
-    #: An `Edit` after which a stimulus can be exported.
-    mended = Signal(object)
-    #: An `Edit` of what the design is made for, number of the gesture or None.
+    #: An `Edit` of what the design is made for, or after which it can be exported, and number of
+    #: the gesture or None.
     edited = Signal(object, object)
 
     def __init__(
@@ -127,7 +126,6 @@ class ExportPage(ToolPage):
         kind = {STIMULUS: StimulusPart, STIMULUS_SET: SetPart}.get(specs[0].name)
         if kind is not None:
             stimulus = kind(self._design, self._view, self.settings, self._stem)
-            stimulus.mended.connect(self.mended)
             stimulus.edited.connect(self.edited)
             if isinstance(stimulus, SetPart):
                 stimulus.recall(self._picture_options)

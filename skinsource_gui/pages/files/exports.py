@@ -276,7 +276,6 @@ class ExportActions(QObject):
         )
         page.show_export(name or self._last)
         page.chosen.connect(self._ask_and_write)
-        page.mended.connect(self._mend)
         page.edited.connect(self._edit)
         page.finished.connect(self._forget_page)
         page.open()
@@ -291,14 +290,8 @@ class ExportActions(QObject):
         QtGui.QGuiApplication.clipboard().setText(packing.citation(self._document.design))
         self._files.done.emit("Citation copied")
 
-    def _mend(self, edit: Edit) -> None:
-        """Edit the design, and show the same choices on it."""
-        self._preferences.export_text = self.page.settings
-        self._document.apply(edit)
-        self.show(STIMULUS)
-
     def _edit(self, edit: Edit, gesture: int | None) -> None:
-        """Make the design for other actuators, as the panel Output does."""
+        """Edit the design, as the panel Output does, and show the same choices on it."""
         self._document.apply(edit, gesture)
         self.page.show_design(self._document.design)
 

@@ -179,9 +179,8 @@ class StimulusPart(ExportPart):
     """
 
     name = STIMULUS
-    #: An `Edit` of the design after which it can be exported.
-    mended = Signal(object)
-    #: An `Edit` of what the design is made for, number of the gesture or None.
+    #: An `Edit` of what the design is made for, or after which it can be exported, and number of
+    #: the gesture or None.
     edited = Signal(object, object)
 
     def __init__(
@@ -212,7 +211,7 @@ class StimulusPart(ExportPart):
         self._confirm = named(QtWidgets.QCheckBox("Write anyway"), "stimulus_confirm")
         self._confirm.hide()
         self._mend = page_button("stimulus_mend", "", "Change the design so that it can be played")
-        self._mend.clicked.connect(lambda: self.mended.emit(self._mending))
+        self._mend.clicked.connect(lambda: self.edited.emit(self._mending, None))
         self._mend.hide()
         self._copy = page_button("stimulus_copy_methods", "", "Text for the methods of a paper")
         self._copy.clicked.connect(self._copy_methods)
