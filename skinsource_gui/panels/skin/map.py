@@ -100,10 +100,10 @@ def selected_inputs(content: MapContent) -> tuple[int, ...]:
 
 
 def output_readout(content: MapContent, number: int) -> str:
-    """Return the value of an output, and its number and place."""
+    """Return number and place of an output, and its value."""
     values = content.coloured_values
     text = output_text(number, content.limb)
-    return text if values is None else f"{content.quantity.text(values[number - 1])} · {text}"
+    return text if values is None else f"{text} · {content.quantity.text(values[number - 1])}"
 
 
 def pixel_readout(content: MapContent, layout: MapLayout, at: QPointF) -> str:

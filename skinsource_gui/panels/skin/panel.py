@@ -280,8 +280,9 @@ class SkinPanel(Panel):
         if not text:
             strongest, value, level = strongest_readout(self.content)
             text, whole = strongest or hint, f"{value}\n{hint}".strip()
-        value, dot, place = text.rpartition(" · ")
-        self.readout.show_phrases((text, f"{value}{dot}{place.partition(',')[0]}"))
+        brief = text.partition("  (")[0]
+        place, dot, value = brief.partition(" · ")
+        self.readout.show_phrases((text, brief, f"{place.partition(',')[0]}{dot}{value}"))
         self.strongest.setText(level)
         self.readout.setToolTip(whole)
         self.readout.setAccessibleDescription(f"{text} {level}".strip())
