@@ -232,14 +232,9 @@ def test_a_file_that_cannot_be_saved_keeps_the_lock_of_the_one_that_is_open(
     assert read_owner(Lock(path).path) == this_process()
 
 
-@pytest.fixture
-def config(tmp_path, monkeypatch) -> Path:
-    folder = tmp_path / "config"
-    monkeypatch.setenv("SKINSOURCE_CONFIG", str(folder))
-    return folder
-
-
-def test_a_folder_for_settings_of_its_own_isolates_them(config):
+def test_a_folder_for_settings_of_its_own_isolates_them(tmp_path, monkeypatch):
+    config = tmp_path / "config"
+    monkeypatch.setenv("SKINSOURCE_CONFIG", str(config))
     assert settings_path() == config / "studio.ini"
     assert not config.exists()
 

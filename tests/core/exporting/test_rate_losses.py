@@ -1,7 +1,5 @@
 """Exports at rates that do not hold all of a design."""
 
-import re
-
 import numpy as np
 import pytest
 
@@ -34,15 +32,9 @@ def mild():
 
 
 def test_the_words_name_the_channel_what_is_lost_and_what_to_do(two, tmp_path):
-    with pytest.raises(NotConfirmedError) as raised:
+    words = r"462 Hz .*channel 1 \(Digit II, pad\) loses 5\.8 dB .*choose 1300 Hz.*--accept-loss"
+    with pytest.raises(NotConfirmedError, match=words):
         ss.export_stimulus(two, tmp_path / "a.wav", rate_hz=1000)
-    assert re.fullmatch(
-        r"At 1000 Hz, frequencies above 462 Hz are weakened or lost: channel 1 \(Digit II, pad\) "
-        "loses "
-        r"5\.\d dB of its energy\. More than 1 dB is lost: choose 1300 Hz, the rate of the design, "
-        r"or lower the frequencies, or accept the loss \(--accept-loss\)\.",
-        str(raised.value),
-    )
 
 
 def test_what_is_accepted_is_written_and_told(two, tmp_path):

@@ -134,7 +134,7 @@ def test_the_sum_is_wide_below_the_joint_response_and_they_are_held_against_each
     assert against.y.title.startswith("Joint")
 
 
-def test_bands_are_copied_by_strength_output_and_axis():
+def test_bands_and_rms_are_copied_by_strength_output_and_axis():
     fits = bent()
     text = table_text(fits, (20, 26), ("x", "z"), of_amplitudes("m/s²"), bands=True)
     head, *rows = (line.split("\t") for line in text.splitlines())
@@ -144,6 +144,10 @@ def test_bands_are_copied_by_strength_output_and_axis():
         column = columns[f"band_rms_26_z_m_per_s2 at strength {strength:g}"]
         np.testing.assert_allclose(column, fits.band_rms[level, 3])
     np.testing.assert_allclose(columns["adjusted_r2_20_z"], fits.adjusted_r2[1])
+    head, *rows = table_text(fits, (20, 26), ("x", "z"), of_amplitudes("m/s²")).splitlines()
+    names = (f"rms_{channel}_m_per_s2" for channel in ("20_x", "20_z", "26_x", "26_z"))
+    assert head.split("\t") == ["strength", *names]
+    np.testing.assert_allclose(np.loadtxt(rows), np.column_stack((RATIOS, fits.rms)))
 
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.1)
@@ -254,18 +258,6 @@ def test_a_part_is_the_same_whether_the_delay_is_removed_or_not(show, qtbot):
         now = panel.picture.diagrams[0].curves
         for curve, other in zip(before, now, strict=True):
             np.testing.assert_allclose(curve.y, other.y)
-
-
-def test_rms_are_copied_by_strength_output_and_axis(show):
-    _, panel = show(STRENGTHS, axes="xz")
-    head, *rows = (line.split("\t") for line in panel.table_text().splitlines())
-    columns = [f"rms_{output}_{axis}_m_per_s2" for output in OUTPUTS for axis in "xz"]
-    assert head == ["strength", *columns]
-    table = np.array(rows, float)
-    traces = ss.evaluate(STRENGTHS[0], "axis_traces", view=View(axes="xz", outputs=OUTPUTS))
-    rms = np.sqrt(np.mean(traces["axis_traces"] ** 2, axis=-1)).ravel()
-    np.testing.assert_allclose(table[:, 0], [1.0, 2.0, 4.0])
-    np.testing.assert_allclose(table[:, 1:], table[:, :1] * rms, rtol=1e-6)
 
 
 def test_what_cannot_be_held_against_each_other_says_what_to_store(show, qtbot):
