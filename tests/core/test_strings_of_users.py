@@ -4,7 +4,7 @@ import re
 import tomllib
 from collections import Counter
 
-from tests.nightly.strings import ROOT, Found, strings_of_users
+from benchmarks.strings import ROOT, Found, strings_of_users
 
 #: Parts of longer messages, and words in figures of the paper, where there is room for them.
 EXCEPTIONS = re.compile(

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[1]
 #: Kinds of strings by what takes them, a parameter or what is called; "": nobody reads them.
 _TAKERS = {
     "label": "label text title short setWindowTitle QLabel QCheckBox QPushButton addAction addMenu",
