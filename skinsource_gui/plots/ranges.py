@@ -546,7 +546,8 @@ class Columns:
         if self.x.size > _MOST_OF_WAVES * n_columns:
             return False
         # Of turns too small to be seen, as those in silence, there may be any number.
-        seen = np.round(y * (_SEEN_STEPS / max(float(np.abs(y).max()), np.finfo(float).tiny)))
+        peak = max(float(np.abs(y).max()), np.finfo(float).tiny)
+        seen = np.round(y / peak * _SEEN_STEPS)
         rising = seen[:, 1:] > seen[:, :-1]
         turns = int(np.count_nonzero(rising[:, 1:] != rising[:, :-1]))
         return turns <= _MOST_TURNS * n_columns * len(y)
