@@ -49,7 +49,8 @@ class Shared:
 
     def limb_data(self, limb: str, limb_digest: str, limb_mirrored: bool) -> Limb:
         """The limb, with its responses read when touched."""
-        # A limb that no graph holds is opened anew: its name may mean other data by then.
+        # A limb that no graph holds is opened anew: its name may mean other data by then.  The
+        # facts say whether it is mirrored; the argument has this rule run again.
         key = user_folder(), facts_of(limb), limb_digest
         loaded = _LIMBS.get(key)
         if loaded is None:

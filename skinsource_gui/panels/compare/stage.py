@@ -263,7 +263,7 @@ class StagePanel(MapsPanel):
         named(self.arm, "stage_arm", hint=f"Show the arm too ({key_text('presenting', 'arm')})")
         self.arm.clicked.connect(self.show_arm)
         self.maps.arm_shown.connect(self.arm.setChecked)
-        self._switches = in_column(self.arm, self.switch, margins=0, gap_px=UNIT_PX // 2)
+        self._switches = in_column(self.arm, self.switch, margins=0)
         self._line = in_row((self.caution, 1), self._switches)
         self.named: Callable[[], str] = str
         self._held_ends: tuple[Range, Range] | None = None
@@ -417,6 +417,7 @@ class StagePanel(MapsPanel):
             grid.addWidget(part, *place)
         directions = QtWidgets.QBoxLayout.Direction
         self._switches.setDirection(directions.TopToBottom if several else directions.LeftToRight)
+        self._switches.setSpacing(UNIT_PX // 2 if several else 2 * UNIT_PX)
         grid.removeItem(self._line)
         grid.addLayout(self._line, 0 if several else 2, 1, 1, 2 if several else 1)
         for row, share in enumerate((0, 0, 0, 75, 25) if several else (0, 0, 0, 60, 40)):
