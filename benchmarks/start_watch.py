@@ -45,28 +45,19 @@ def import_watched(name: str) -> ModuleType:
 def watch(window: Any) -> None:
     """Note when ``window`` is first painted, and when with all results; tell, and end."""
     qt = importlib.import_module("PySide6.QtCore")
-    docks = set(window.docks.values())
-    unpainted = set(docks)
     noted: dict[str, float] = {}
     outcomes: list[Any] = []
 
     class Watch(qt.QObject):
         def eventFilter(self, watched: Any, event: Any) -> bool:
-            if event.type() == qt.QEvent.Type.Paint and unpainted:
-                unpainted.discard(watched)
-                # What lies behind another tab, as on a small screen, is not painted.
-                if all(dock.visibleRegion().isEmpty() for dock in unpainted):
-                    unpainted.clear()
-                    # All of the window is painted before the next event is looked at.
-                    qt.QTimer.singleShot(0, note)
+            if event.type() == qt.QEvent.Type.Paint:
+                # All of the window is painted before the next event is looked at.
+                qt.QTimer.singleShot(0, note)
             return super().eventFilter(watched, event)
 
     def expect_results(outcome: Any) -> None:
         outcomes.append(outcome)
-        unpainted.update(docks)
         window.update()
-        for dock in docks:
-            dock.update()
 
     def note() -> None:
         noted.setdefault("painted", monotonic())
@@ -83,9 +74,7 @@ def watch(window: Any) -> None:
         tell(noted | {"idle_mb": resident_mb()})
 
     window.conductor.delivered.connect(expect_results)
-    eye = Watch(window)
-    for dock in docks:
-        dock.installEventFilter(eye)
+    window.installEventFilter(Watch(window))
 
 
 def tell(noted: dict[str, float]) -> None:
