@@ -19,9 +19,10 @@ from skinsource_gui.fields.units import (
     Ladder,
     clamped,
     display_unit,
+    has_level,
     minus,
     number_text,
-    parse_number,
+    parse_level,
     range_text,
     stepped,
     with_unit,
@@ -58,10 +59,12 @@ def fitting_text(
 
 def help_text(spec: NumberSpec) -> str:
     """Return the tooltip of a field: label, allowed values, and how to change the value."""
+    level = f"Type −6 dB for a level re 1 {spec.unit}" if has_level(spec) else ""
     return tooltip(
         f"{spec.label}, {range_text(spec)}",
         spec.about,
         "Drag, turn the wheel, or type; Ctrl: finer; Shift: coarser",
+        level.rstrip(),
     )
 
 
@@ -273,7 +276,7 @@ class NumberField(Editor, QtWidgets.QLineEdit):
             self.cancel()
             return True
         try:
-            typed_si = parse_number(self.text(), self.spec, self.value_si)
+            typed_si = parse_level(self.text(), self.spec, self.value_si)
         except InvalidInputError as error:
             self._set_problem(str(error))
             return False
@@ -492,7 +495,7 @@ class NumberField(Editor, QtWidgets.QLineEdit):
     def _parsed(self, text: str) -> float | None:
         """Return the value of a text, in SI units; None if it is not allowed."""
         try:
-            return parse_number(text, self.spec, self.value_si)
+            return parse_level(text, self.spec, self.value_si)
         except InvalidInputError:
             return None
 

@@ -7,7 +7,7 @@ numbers one step apart.
 import math
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import lru_cache
 from itertools import pairwise
@@ -114,6 +114,9 @@ _DISPLAY_UNITS = {
     ARBITRARY_UNIT: DisplayUnit(ARBITRARY_UNIT, spellings={"au": _ONE, "a.u": _ONE}),
     "×": DisplayUnit("×", spellings={"x": _ONE}),
 }
+# Units of amplitudes, and levels of them.
+_AMPLITUDES = ("m/s²", "V", "×", ARBITRARY_UNIT)
+_LEVEL = NumberSpec(label="", unit="dB", minimum=-400.0, maximum=400.0)
 # Long times are easier to read in seconds.
 _LONG_TIMES = DisplayUnit("s", spellings={"ms": _MILLI, **_TIMES})
 
@@ -213,6 +216,22 @@ def parse_number(text: str, spec: NumberSpec, replaced_si: float = 0.0) -> float
     if spec.whole and value != int(value):
         raise InvalidInputError(f"{spec.label}: {typed} is not a whole number. {allowed}")
     return value
+
+
+def has_level(spec: NumberSpec) -> bool:
+    """Whether a number is an amplitude or a gain, which can be typed in dB of 1."""
+    return spec.unit in _AMPLITUDES or (not spec.unit and "gain" in spec.label.casefold())
+
+
+def parse_level(text: str, spec: NumberSpec, replaced_si: float) -> float:
+    """Return the value of a typed text as `parse_number` does, and of a level: ``"-6 dB"``.
+
+    A level leaves the polarity of the value that it replaces.
+    """
+    if has_level(spec) and text.rstrip().casefold().endswith("db"):
+        level_db = parse_number(text, replace(_LEVEL, label=spec.label))
+        text = repr(math.copysign(10.0 ** (level_db / 20.0), replaced_si))
+    return parse_number(text, spec, replaced_si)
 
 
 def _factor(name: str, unit: DisplayUnit) -> Fraction | None:

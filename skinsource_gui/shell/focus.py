@@ -182,6 +182,11 @@ class PanelFocus(QObject):
                 self._return_to, self._covered = here, before - self._in_sight()
         self._panels[name].setFocus(Qt.FocusReason.ShortcutFocusReason)
 
+    def enter(self, name: str) -> None:
+        """Bring a panel into sight and go there, unless it has the keyboard."""
+        if self._here() != name:
+            self.show(name)
+
     def draw(self, tool: str) -> None:
         """Show the selected clip large and take a tool, such as the pen, for it."""
         panel = cast("ClipEditorPanel", self._panels["clip_editor"])

@@ -279,13 +279,12 @@ class ActionSet(QObject):
         design, view = self._document.design, self._document.view
         holds = {condition: condition(design, view) for condition in self._conditions}
         for spec in self._specs:
-            if spec.enabled is not None:
-                self.by_name[spec.name].setEnabled(holds[spec.enabled])
-                if spec.missing:
-                    why = "" if holds[spec.enabled] else f"\n{spec.missing}"
-                    self.by_name[spec.name].setToolTip(f"{spec.hint}{why}")
+            action = self.by_name[spec.name]
+            if spec.enabled is not None and action.isEnabled() != holds[spec.enabled]:
+                action.setEnabled(holds[spec.enabled])
+                _explain(action, spec)
             if spec.checked is not None:
-                self.by_name[spec.name].setChecked(holds[spec.checked])
+                action.setChecked(holds[spec.checked])
 
     def _action(
         self, spec: ActionSpec, capabilities: Capabilities, window: QtWidgets.QWidget
@@ -297,8 +296,7 @@ class ActionSet(QObject):
         if spec.short:
             action.setIconText(spec.short)
         action.setShortcuts([QtGui.QKeySequence(key) for key in spec.keys])
-        keys = action.shortcut().toString(QtGui.QKeySequence.SequenceFormat.NativeText)
-        action.setToolTip(f"{spec.hint} ({keys})" if keys else spec.hint)
+        _explain(action, spec)
         action.setStatusTip(spec.hint)
         action.setProperty(KEYWORDS, spec.keywords)
         action.setCheckable(spec.checked is not None or bool(spec.group))
@@ -326,6 +324,14 @@ class ActionSet(QObject):
             action.setEnabled(False)
             can_change.connect(action.setEnabled)
             text_change.connect(partial(_name_step, action))
+
+
+def _explain(action: QtGui.QAction, spec: ActionSpec) -> None:
+    """Say what an action does, and what is missing where it cannot be done."""
+    missing = "" if action.isEnabled() else spec.missing
+    keys = action.shortcut().toString(QtGui.QKeySequence.SequenceFormat.NativeText)
+    hint = f"{spec.hint} ({keys})" if keys else spec.hint
+    action.setToolTip(f"{hint}\n{missing}" if missing else hint)
 
 
 def _run(

@@ -268,7 +268,7 @@ class MainWindow(QtWidgets.QMainWindow):
 
     def _capabilities(self) -> dict[str, QObject]:
         # By the names that the table of actions has for them.
-        panel_focus = PanelFocus(self.panels, self.workspaces.bring, self)
+        self._panel_focus = PanelFocus(self.panels, self.workspaces.bring, self)
         return {
             "files": self.files,
             "exports": self.exports,
@@ -283,7 +283,7 @@ class MainWindow(QtWidgets.QMainWindow):
             "steps": self.document.undo_stack,
             "workspaces": self.workspaces,
             "dock_tabs": self.dock_tabs,
-            "panel_focus": panel_focus,
+            "panel_focus": self._panel_focus,
             "panel_in_use": self._in_use,
             "clip_stretching": ClipStretching(self.document, self),
             "appearance": self.appearance,
@@ -337,6 +337,8 @@ class MainWindow(QtWidgets.QMainWindow):
         document.changed.connect(self._show_state)
         document.refused.connect(reports.refuse)
         self.action_set.edited.connect(document.apply)
+        to_timeline = partial(self._panel_focus.enter, "timeline")
+        self.actions_by_name["add_input"].triggered.connect(to_timeline)
         self.appearance.changed.connect(self._check_theme)
         self.appearance.changed.connect(self._fit_status_bar)
         self.workspaces.shown.connect(self._check_workspace)

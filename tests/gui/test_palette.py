@@ -67,6 +67,7 @@ def test_every_action_of_the_table_stands_in_its_menu_under_its_words(window):
         text = action.text().partition("\t")[0]
         assert text == spec.text or spec.name in ("undo", "redo")
         assert spec.hint in action.toolTip()
+        assert bool(spec.missing) == (spec.enabled is not None)
         assert [keys.toString() for keys in action.shortcuts()] == [
             QKeySequence(keys).toString() for keys in spec.keys
         ]

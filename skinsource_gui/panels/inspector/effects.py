@@ -15,14 +15,16 @@ from skinsource.design.effects import effect_kinds
 from skinsource.design.effects.effect import ON, Effect
 from skinsource.specs.models import specs_of
 from skinsource_gui.fields.curve_field import CurveField
+from skinsource_gui.fields.editor import MIXED
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.parts import AddButton, FieldsRow, RowColumn, RowTitle, lay_out_list
-from skinsource_gui.qt.buttons import Fold, passing_menu
-from skinsource_gui.qt.layouts import named, tooltip
+from skinsource_gui.qt.buttons import Fold, page_label, passing_menu, show_or_hide
+from skinsource_gui.qt.layouts import in_column, named, tooltip
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.wheel import scroll_to
 
 _MIXED = "Clips differ; typing and dragging set all"
+_OTHERS = "The clips have different effects. Edits change the last clip only; Add… changes all."
 
 
 class EffectRow(FieldsRow):
@@ -80,7 +82,7 @@ class EffectRow(FieldsRow):
 
     def contextMenuEvent(self, event: QtGui.QContextMenuEvent) -> None:
         menu = passing_menu(self, "effect_menu")
-        for text, name in (("Copy effects", "copy_effects"), ("Paste effects", "paste_effects")):
+        for text, name in (("Copy effects", "copy_effects"), ("Replace effects", "paste_effects")):
             menu.addAction(text).triggered.connect(partial(self.action_requested.emit, name))
         menu.addAction(f"Remove {self.part.title.lower()}").triggered.connect(self.removed)
         menu.popup(event.globalPos())
@@ -124,8 +126,11 @@ class EffectChain(QtWidgets.QWidget):
         named(add, title="Add an effect", hint=hint)
         self._column: RowColumn[EffectRow] = RowColumn(add)
         self._column.moved.connect(partial(self._change, edits.move_effect))
-        self.fold = Fold("effects_fold", "Effects", self._column)
-        lay_out_list(self, self.fold, add, self._column)
+        self._note = page_label("effects_note", tone="dim")
+        content = QtWidgets.QWidget()
+        in_column(self._note, self._column, of=content, margins=0, gap_px=UNIT_PX // 4)
+        self.fold = Fold("effects_fold", "Effects", content)
+        lay_out_list(self, self.fold, add, content)
 
     @property
     def rows(self) -> tuple[EffectRow, ...]:
@@ -157,7 +162,9 @@ class EffectChain(QtWidgets.QWidget):
             row.show_end(end_s)
         self._column.show_rows(rows)
         text = f"Effects · {len(rows)}" if rows else "Effects"
-        self.fold.setText("Effects: last clip" if len(shown) < len(chosen) else text)
+        differ = len(shown) < len(chosen)
+        self.fold.setText(f"Effects · {MIXED}" if differ else text)
+        show_or_hide(self._note, _OTHERS if differ else "")
         if self._adds and new is not None and same_clip:
             self._adds = False
             self.fold.setChecked(True)

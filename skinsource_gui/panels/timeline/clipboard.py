@@ -83,7 +83,9 @@ def paste_effects(design: Design, view: View) -> Edit | Refusal:
     new = fragment.lanes[0].clips[0].effects
     changes = {clip.id: {"effects": (*_cutting(clip), *new)} for clip in chosen}
     after = change_clips(design, changes)
-    return Edit(label=f"Paste effects to {clips_text(design, chosen)}", design=after, view=view)
+    of_whom = f"effects of {clips_text(design, chosen)}"
+    said = f"The {of_whom} were replaced; Undo brings them back"
+    return Edit(label=f"Replace {of_whom}", design=after, view=view, said=said)
 
 
 def _cutting(clip: Clip) -> tuple[Effect, ...]:

@@ -80,6 +80,13 @@ def level_db(amplitude: float) -> float:
     return max(20.0 * log10(abs(amplitude)), LEAST_DB) if amplitude else LEAST_DB
 
 
+def level_text(amplitude: float) -> str:
+    """Return the level of an amplitude: ``"−6.02 dB"``; that of 0 is "silent"."""
+    if not amplitude:
+        return "silent"
+    return minus(value_text(20.0 * log10(abs(amplitude)), "dB", digits=3))
+
+
 def moved_amplitude(amplitude: float, by_db: float) -> float:
     """Return an amplitude moved along the fader, with its polarity; 0 at the left end."""
     start_db = level_db(amplitude)
@@ -112,6 +119,15 @@ class Head:
         return abs(self.track.amplitude) * float(np.abs(self.played).max(initial=0.0))
 
     @property
+    def level_text(self) -> str:
+        """The level of the amplitude in a few letters, dB: ``"−6.0"``, ``"+12"``."""
+        if not self.track.amplitude:
+            return "−∞"
+        level_db = 20.0 * log10(abs(self.track.amplitude))
+        text = f"{level_db:+z.{int(abs(level_db) < 9.95)}f}"
+        return minus(text.replace("+0.0", "0.0"))
+
+    @property
     def painted(self) -> tuple[object, ...]:
         """What is seen of it: a meter shows no more than a percent."""
         track, peak = self.track, self.peak
@@ -130,6 +146,7 @@ def text_of(head: Head, design: Design, view: View) -> str:
     level = amplitude_text(design, track)
     if is_gain(design, track):
         level = f"{AMPLITUDE_GAIN.label} {track.amplitude:g}"
+    level += f" ({level_text(track.amplitude)})"
     if (peak := head.peak) is not None:
         rate_hz = facts_of(design.limb).sample_rate_hz
         level += f", peak {peak:.3g} {amplitude_unit(design)}, sampled at {rate_hz:g} Hz"
@@ -208,6 +225,7 @@ class HeadPlaces:
     """Places of the parts of a head, px."""
 
     swatch: QRectF
+    level: QRectF
     mute: QRectF
     solo: QRectF
     fader: QRectF
@@ -225,6 +243,7 @@ class HeadPlaces:
         across = row.right() - _EDGE_PX - left
         return cls(
             swatch=QRectF(left, top, scale * _SWATCH_PX, line),
+            level=QRectF(left + scale * _SWATCH_PX, top, mute - left - scale * _SWATCH_PX, line),
             mute=QRectF(mute, top, line, line),
             solo=QRectF(solo, top, line, line),
             fader=QRectF(left, below, across, meter - below - 1),
@@ -266,6 +285,8 @@ class HeadDelegate(QtWidgets.QStyledItemDelegate):
         text, number = QtGui.QColor(theme.text), head.track.location
         paint_swatch(painter, places.swatch, number, colour, text, silent=head.silent)
         painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
+        painter.setPen(dim)
+        painter.drawText(places.level, Qt.AlignmentFlag.AlignCenter, head.level_text)
         _paint_letter(painter, places.mute, "M", theme.warning, on=head.track.muted)
         _paint_letter(painter, places.solo, "S", theme.accent, on=head.track.solo)
         _paint_fader(painter, places.fader, head.track.amplitude, theme)
@@ -514,7 +535,8 @@ class Heads(QtWidgets.QListView):
             by_db = (at.x() - press.at.x()) / room * (MOST_DB - LEAST_DB)
             fine = _FINE if event.modifiers() & _Held.ControlModifier else 1.0
             self._move_faders(press.start, press.ids, fine * by_db, press.gesture)
-            self._show_level(press.row, event.globalPosition().toPoint())
+            level = level_text(self._design.inputs[press.row].amplitude)
+            QtWidgets.QToolTip.showText(event.globalPosition().toPoint(), level, self)
             return
         far = (at - press.at).manhattanLength() >= QtWidgets.QApplication.startDragDistance()
         if press.gap is not None or far:
@@ -568,14 +590,6 @@ class Heads(QtWidgets.QListView):
             centre = self.viewport().mapToGlobal(self.visualRect(index).center())
             self._open_menu(self._affected(id), centre if by_key else event.globalPos())
 
-    def focusInEvent(self, event: QtGui.QFocusEvent) -> None:
-        super().focusInEvent(event)
-        self.viewport().update()
-
-    def focusOutEvent(self, event: QtGui.QFocusEvent) -> None:
-        super().focusOutEvent(event)
-        self.viewport().update()
-
     def _edit(self, edit: Callable[..., Edit | Refusal], *more: object) -> None:
         self.edited.emit(edit(self._design, self._view, *more), None)
 
@@ -627,14 +641,6 @@ class Heads(QtWidgets.QListView):
         }
         outcome = change_inputs(self._design, self._view, "Change amplitude of", changes)
         self.edited.emit(outcome, gesture)
-
-    def _show_level(self, row: int, at: QPoint) -> None:
-        """Say beside the pointer where a fader stands."""
-        amplitude = abs(self._design.inputs[row].amplitude)
-        level = (
-            minus(value_text(20.0 * log10(amplitude), "dB", digits=3)) if amplitude else "silent"
-        )
-        QtWidgets.QToolTip.showText(at, level, self)
 
     def _cancel(self) -> bool:
         """Give up a drag; return whether there was one."""

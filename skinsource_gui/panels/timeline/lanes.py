@@ -223,6 +223,8 @@ def _ends_of_chosen(content: TimelineContent) -> tuple[float, float] | None:
 _Key = Qt.Key
 #: How far an arrow moves clips; with Shift ten times as far.
 STEP_S, _LEAP = 0.001, 10
+# Keys that do what actions of the window do.
+_ACTIONS = "fade_in", "fade_out", "stretch_clip"
 _STEPS = {_Key.Key_Left: -1, _Key.Key_Right: 1, _Key.Key_Up: -1, _Key.Key_Down: 1}
 
 
@@ -278,6 +280,7 @@ class LaneKeys:
             "repeat": lambda: lanes.edit(edits.repeat_clips, chosen, 2),
             "mute": lambda: lanes.edit(edits.toggle_mute_clips, chosen),
             "duplicate": lambda: lanes.edit(edits.duplicate_clips, chosen),
+            **{name: partial(lanes.action_requested.emit, name) for name in _ACTIONS},
             "remove": lambda: lanes.edit(edits.remove_clips, chosen),
         }
         if command in acts:

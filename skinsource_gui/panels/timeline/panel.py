@@ -323,6 +323,7 @@ class TimelinePanel(Panel):
         tools.track_requested.connect(
             lambda: self.edited.emit(add_track(self._design, self._view), None)
         )
+        tools.track_requested.connect(self.heads.setFocus)
         tools.snap.clicked.connect(lanes.set_snaps)
         tools.zoom_requested.connect(lanes.zoom)
         tools.everything.clicked.connect(lanes.show_everything)

@@ -217,9 +217,11 @@ def test_a_switch_that_is_mixed_is_half_on_and_a_click_switches_all_on(qtbot):
     assert switch.checkState() == Qt.CheckState.Unchecked
 
 
-def test_where_kinds_of_effects_differ_the_heading_says_that_the_last_clip_is_changed(qtbot):
+def test_where_kinds_of_effects_differ_it_says_so_and_that_the_last_clip_is_changed(qtbot):
     bench = two_clips(qtbot, (Reverse(), Fade(0.01, 0.01)), (Fade(0.02, 0.02),))
-    assert bench.panel.findChild(QToolButton, "effects_fold").text() == "Effects: last clip"
+    assert bench.panel.findChild(QToolButton, "effects_fold").text() == "Effects · mixed"
+    note = bench.label("effects_note")
+    assert note.isVisible()
     bench.chain.rows[0].set_open(True)
     field = bench.chain.rows[0].cell("in_s").field
     assert field.text() == "20"
@@ -227,12 +229,14 @@ def test_where_kinds_of_effects_differ_the_heading_says_that_the_last_clip_is_ch
     QTest.keyClicks(field, "30")
     QTest.keyClick(field, Qt.Key.Key_Return)
     assert [clip.effects[-1] for clip in bench.track.clips] == [Fade(0.01, 0.01), Fade(0.03, 0.02)]
+    bench.show(selected_clips=(2,))
+    assert not note.isVisible()
 
 
 def test_the_menu_of_an_effect_copies_and_removes(bench):
     asked, row = [], bench.chain.rows[1]
     bench.panel.action_requested.connect(asked.append)
-    for name in ("Copy effects", "Paste effects", "Remove fade"):
+    for name in ("Copy effects", "Replace effects", "Remove fade"):
         lines_at(bench.panel, "effect_menu", row.title, QPoint(5, 5))[name].trigger()
     assert asked == ["copy_effects", "paste_effects"]
     assert bench.titles == ["Reverse", "Repeat"]

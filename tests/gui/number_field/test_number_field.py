@@ -19,6 +19,7 @@ from skinsource_gui.fields.units import (
     FINE,
     PLAIN,
     number_text,
+    parse_level,
     parse_number,
     stepped,
     value_text,
@@ -128,10 +129,13 @@ ANYTHING = NumberSpec(label="Offset", minimum=-math.inf, maximum=math.inf)
         ("0.5 pi", PHASE, math.pi / 2),
         ("300 mm/s²", AMPLITUDE, 0.3),
         ("7", SEED, 7.0),
+        ("−20 dB", AMPLITUDE, -0.1),
+        ("6,0db", replace(ANYTHING, label="Input gain"), -(10**0.3)),
     ],
 )
 def test_numbers_are_read_with_any_unit_of_theirs_and_with_a_decimal_comma(text, spec, value):
-    assert parse_number(text, spec) == value
+    # A level keeps the polarity.
+    assert parse_level(text, spec, -1.0) == value
 
 
 @pytest.mark.parametrize(
@@ -149,12 +153,14 @@ def test_numbers_are_read_with_any_unit_of_theirs_and_with_a_decimal_comma(text,
         ("1e999999999", ANYTHING, "1e999999999 is too high. Allowed: any number."),
         ("1e-999999999", DURATION, "is too low"),
         ("9" * 400, AMPLITUDE, "too long"),
+        ("61 dB", AMPLITUDE, "is too high. Allowed: −1000 to 1000 m/s²."),
+        ("6 dB", FREQUENCY, "“dB” is not one of its units"),
         ("9" * 5000, AMPLITUDE, "too long"),
     ],
 )
 def test_what_is_not_allowed_is_refused_with_what_is(text, spec, reason):
     with pytest.raises(InvalidInputError) as error:
-        parse_number(text, spec)
+        parse_level(text, spec, 1.0)
     assert reason in str(error.value)
 
 

@@ -78,7 +78,8 @@ def test_heads_have_room_for_larger_text_and_lanes_are_as_high(bench, scale):
     assert snap.width() >= snap.sizeHint().width()
     places, metrics = bench.rows.places(1), bench.rows.fontMetrics()
     assert places.swatch.width() >= metrics.horizontalAdvance("15")
-    parts = [places.swatch, places.mute, places.solo]
+    assert places.level.width() >= metrics.horizontalAdvance("\u22129.9")
+    parts = [places.swatch, places.level, places.mute, places.solo]
     assert all(left.right() <= right.left() for left, right in itertools.pairwise(parts))
     assert places.solo.bottom() <= places.fader.top() < places.fader.bottom() <= places.meter.top()
     row = bench.rows.visualRect(bench.head(1))
@@ -96,12 +97,12 @@ def tip_of(bench, index):
 def test_the_tooltip_says_amplitude_and_peak_and_a_gain_where_a_recording_keeps_its_size(bench):
     bench.show(bench.design.with_input(0, amplitude=-0.5))
     bench.panel.show_results(results_of(bench.design))
-    assert "-0.5 m/s², peak 0.496 m/s²" in tip_of(bench, 0)
+    assert "-0.5 m/s² (\u22126.02 dB), peak 0.496 m/s²" in tip_of(bench, 0)
     samples = Samples(values=4.88 * np.hanning(301), sample_rate_hz=1300.0, unit="m/s²")
     clip = replace(bench.design.inputs[0].clips[0], waveform=Recording(samples))
     bench.show(bench.design.with_input(0, clips=(clip,)))
     bench.panel.show_results(results_of(bench.design))
-    assert "Input gain -0.5, peak 2.44 m/s², sampled at 1300 Hz" in tip_of(bench, 0)
+    assert "Input gain -0.5 (\u22126.02 dB), peak 2.44 m/s², sampled at 1300 Hz" in tip_of(bench, 0)
 
 
 def test_the_tooltip_of_several_selected_heads_says_that_buttons_change_all(bench):
@@ -137,6 +138,7 @@ def test_a_fader_moves_the_selected_tracks_by_as_many_decibels_in_one_step(bench
     assert first == pytest.approx(0.1, rel=0.05)
     assert second == pytest.approx(-0.5 * first, rel=1e-3)
     assert third == 0.0
+    assert [head.level_text for head in bench.rows.heads] == ["\u221220", "\u221226", "\u2212∞"]
     assert set(bench.labels) == {"Change amplitude of 2 inputs"}
     assert len({gesture for _, _, gesture in bench.edits} - {None}) == 1
     assert QToolTip.text() == f"\u2212{-20 * np.log10(first):.3g} dB"
@@ -274,9 +276,10 @@ def test_an_amplitude_is_typed_for_its_row_or_for_all_selected_ones(bench):
     twice, at = QEvent.Type.MouseButtonDblClick, QPointF(view.mapToGlobal(fader))
     QApplication.sendEvent(view, QMouseEvent(twice, QPointF(fader), at, LEFT, LEFT, NONE))
     QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    QTest.keyClicks(editor(bench), "2.5")
+    QTest.keyClicks(editor(bench), "20 dB")
     QTest.keyClick(editor(bench), KEY.Key_Return)
-    assert amplitudes(bench) == [1.0, 2.5, 1.0]
+    assert amplitudes(bench) == [1.0, 10.0, 1.0]
+    assert [head.level_text for head in bench.rows.heads] == ["0.0", "+20", "0.0"]
     bench.look(View(selected_inputs=(2, 1)))
     QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     bench.rows.setFocus()
@@ -285,7 +288,7 @@ def test_an_amplitude_is_typed_for_its_row_or_for_all_selected_ones(bench):
     QTest.keyClicks(editor(bench), "x")
     QTest.keyClick(editor(bench), KEY.Key_Return)
     assert editor(bench).problem
-    assert amplitudes(bench) == [1.0, 2.5, 1.0]
+    assert amplitudes(bench) == [1.0, 10.0, 1.0]
     QTest.keyClick(editor(bench), KEY.Key_Backspace)
     QTest.keyClicks(editor(bench), "4")
     QTest.keyClick(editor(bench), KEY.Key_Return)
