@@ -187,7 +187,9 @@ def test_effects_that_would_make_a_clip_too_long_are_refused(two_clips):
 
 def test_a_clip_is_stretched_to_a_typed_length(two_clips, monkeypatch):
     monkeypatch.setattr(QInputDialog, "getDouble", lambda *_: (300.0, True))
-    QTest.keyClick(two_clips.panel("timeline").lanes, Qt.Key.Key_T)
+    QTest.keyClick(
+        two_clips.panel("timeline").lanes, Qt.Key.Key_S, Qt.KeyboardModifier.ShiftModifier
+    )
     last = two_clips.document.design.clip(2)
     assert (last.onset_s, last.duration_s) == (0.1, pytest.approx(0.3))
 
