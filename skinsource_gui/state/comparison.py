@@ -171,9 +171,9 @@ class Comparison(QObject):
                 gain = self._gain(number)
                 outcome = edits.show_snapshot(document.design, document.view, number, gain)
                 document.apply(outcome, self._showing)
-                matched = match_text(gain)
+                name, matched = snapshot_name(number).capitalize(), match_text(gain)
                 if isinstance(outcome, Edit) and matched:
-                    self.done.emit(f"{_named(number)} is shown {matched}. {_AS_STORED}")
+                    self.done.emit(f"{name} is shown {matched}. {_AS_STORED}")
                 elif isinstance(outcome, Edit) and outcome.design != before[0]:
                     self.done.emit(_shown_text(number, document))
 
@@ -347,14 +347,9 @@ class Comparison(QObject):
 
 def _shown_text(number: int, document: Document) -> str:
     """Return the text on which snapshot is shown now, and on the way back."""
-    text = f"{_named(number)} is shown"
+    text = f"{snapshot_name(number).capitalize()} is shown"
     other = other_snapshot(document.view.snapshots, document.design)
     return text if other is None else f"{text}; X shows {snapshot_name(other.number)}"
-
-
-def _named(number: int) -> str:
-    name = snapshot_name(number)
-    return f"{name[:1].upper()}{name[1:]}"
 
 
 _WANTED = frozenset({"limb_data", "validity"})

@@ -10,7 +10,7 @@ from typing import Any
 from PySide6 import QtGui
 from PySide6.QtCore import QObject, Signal
 
-from skinsource.design.comparing import restored_snapshots
+from skinsource.design.comparing import restored_snapshots, takeover_text
 from skinsource.design.design import Design, View
 from skinsource.design.edits.edit import Edit, Refusal, kept_selection
 from skinsource.design.edits.motions import with_whole_motions
@@ -180,13 +180,14 @@ class Document(QObject):
                 return
         view = kept_selection(outcome.view, self._design, outcome.design)
         before, after = HistoryState(self._design, self._view), HistoryState(outcome.design, view)
+        said = outcome.said or takeover_text(before.design, before.view, after.design, view)
         if before.is_same(after):
             self.look(view)
         else:
             self.undo_stack.push(ReplaceDesign(self, outcome.label, before, after, gesture))
             self.settled.emit()
-        if outcome.said:
-            self.message.emit(outcome.said)
+        if said:
+            self.message.emit(said)
 
     def edit(self, label: str, design: Design, gesture: int | None = None) -> None:
         """Replace the design, as `apply` does."""

@@ -17,7 +17,7 @@ from skinsource.base.conventions import N_OUTPUTS, Floats
 from skinsource.base.decibels import FLOOR_DB, decibels
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.clips import Clip
-from skinsource.design.design import EDITED, Design, Snapshot, shown_snapshot
+from skinsource.design.design import EDITED, Design, Snapshot, View, shown_snapshot
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.locations import DIGITS, OUTPUTS
 from skinsource.limbs.own_limbs import facts_of, own_limb_names
@@ -262,6 +262,18 @@ def other_snapshot(snapshots: Sequence[Snapshot], design: Design) -> Snapshot | 
     differing = (snapshot for snapshot in others if snapshot.design != design)
     equal = (snapshot for snapshot in others if snapshot.number != EDITED)
     return next(differing, None) or next(equal, None)
+
+
+def takeover_text(design: Design, view: View, after: Design, view_after: View) -> str:
+    """Return what to say where an edit of a shown snapshot replaces the working design, or ""."""
+    working = any(snapshot.number == EDITED for snapshot in view.snapshots)
+    shown = shown_snapshot(view.snapshots, design) if working else None
+    if shown is None or shown.number == EDITED or shown_snapshot(view_after.snapshots, after):
+        return ""
+    return (
+        f"Snapshot {shown.number} stays stored; its edited copy is now the working design. "
+        "Undo brings the former one back"
+    )
 
 
 def snapshot_name(number: int) -> str:

@@ -37,10 +37,9 @@ def card_level_text(compared: Compared) -> str:
 
 def card_text(compared: Compared, *, present: bool) -> str:
     """Return all that a card shows, as it is read aloud."""
-    name = snapshot_name(compared.snapshot.number)
     gain = gain_text(compared.gain)
     parts = [
-        f"{name[:1].upper()}{name[1:]}",
+        snapshot_name(compared.snapshot.number).capitalize(),
         printable(scenes.title_of(compared.snapshot.design)).strip(),
         f"loudest output {card_level_text(compared)}",
         f"shown {gain} to match" if gain else "",

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog
 import skinsource as ss
 from skinsource import Design, View, edits, open_design, save_design, track
 from skinsource.design.comparing import with_edited
+from skinsource.design.edits.view import change_texts
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.panels.compare.content import snapshot_names, tab_separated
 from skinsource_gui.state.compared import ELSEWHERE, SILENCE, Compared
@@ -64,13 +65,21 @@ def test_keys_store_show_and_toggle_and_arrangements_have_moved(window, qtbot, s
     assert not window.docks["hand"].isVisible()
 
 
-def test_an_edit_while_levels_are_predicted_is_not_lost(window, settle):
+def test_an_edit_of_a_shown_snapshot_says_what_it_replaces_and_nothing_is_lost(window, settle):
+    document, said = window.document, []
+    document.message.connect(said.append)
     window.do("store_snapshot_1")
     edit(window, 2.0)
     window.do("toggle_snapshots")
+    document.apply(change_texts(document.design, document.view, 1, title="Soft"))
     edit(window, 5.0)
+    edit(window, 6.0)
     settle()
-    assert window.document.design.inputs[0].amplitude == 5.0
+    assert document.design.inputs[0].amplitude == 6.0
+    assert [text[:16] for text in said] == ["Snapshot 1 stays"]
+    document.go_to(document.undo_stack.index() - 2)
+    window.do("toggle_snapshots")
+    assert document.design.inputs[0].amplitude == 2.0
 
 
 def test_without_a_snapshot_one_is_told_how_to_store_one(window, panel):
