@@ -12,7 +12,7 @@ from skinsource_gui.qt.questions import ask_open
 _SPEC = ChoiceSpec(
     label="Rig",
     options=(("none", "None"), ("file", "Choose a rig file…")),
-    hint="Wiring of actuators: polarity, volts, limits, calibration",
+    hint="Part of the design: wiring, with polarity, volts, limits, calibration",
 )
 _PRESENT = "kept"
 #: Filter of file dialogs for a measured response.

@@ -60,7 +60,7 @@ class ExportPage(ToolPage):
         # Letters may be larger.
         self._list.setFixedWidth(self._list.sizeHintForColumn(0) + 4 * UNIT_PX)
         self._stack = QtWidgets.QStackedWidget()
-        buttons = QtWidgets.QDialogButtonBox(QtWidgets.QDialogButtonBox.StandardButton.Cancel)
+        buttons = QtWidgets.QDialogButtonBox(QtWidgets.QDialogButtonBox.StandardButton.Close)
         self._button = buttons.addButton(
             "Export…", QtWidgets.QDialogButtonBox.ButtonRole.AcceptRole
         )

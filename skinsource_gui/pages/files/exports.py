@@ -7,7 +7,7 @@ import importlib
 import logging
 import math
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from itertools import count
 from pathlib import Path
@@ -292,7 +292,8 @@ class ExportActions(QObject):
 
     def _edit(self, edit: Edit, gesture: int | None) -> None:
         """Edit the design, as the panel Output does, and show the same choices on it."""
-        self._document.apply(edit, gesture)
+        said = f"{edit.label}: done in the design. Close keeps it, Undo takes it back"
+        self._document.apply(replace(edit, said=said), gesture)
         self.page.show_design(self._document.design)
 
     def _forget_page(self) -> None:

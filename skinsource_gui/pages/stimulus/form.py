@@ -105,7 +105,7 @@ def part_spec(design: Design, view: View) -> ChoiceSpec:
         options.append(("tracks", "Selected tracks"))
     if view.selected_clips:
         options.append(("clips", "Selected clips"))
-    return ChoiceSpec(label="Tracks", options=tuple(options), hint="Tracks to write")
+    return ChoiceSpec(label="Tracks to write", options=tuple(options), hint="Without muted tracks")
 
 
 def time_spec(design: Design) -> ChoiceSpec:

@@ -27,6 +27,7 @@ from skinsource.design.edits.setup import repair_for_actuators
 from skinsource.export.formats.format import ChannelOverview
 from skinsource.export.methods import methods_of
 from skinsource.export.stimulus_export.export import write_prepared, written_files
+from skinsource.export.stimulus_export.options import StimulusOptions
 from skinsource.export.stimulus_export.preparing import PreparedStimulus, prepare_stimulus
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.models import specs_of
@@ -342,7 +343,8 @@ class StimulusPart(ExportPart):
     def _show_channels(self, prepared: PreparedStimulus) -> None:
         self.prepared = prepared
         self.channels.show_channels(prepared.channels, self._colours)
-        notes = prepared.edges, prepared.loses, calibration_of(prepared)
+        silent = "" if self._ordered is None else left_out(self._design, self._ordered.options)
+        notes = silent, prepared.edges, prepared.loses, calibration_of(prepared)
         self._notes.setText(" ".join(filter(None, notes)))
 
     def _show_progress(self, order: Order, done: int, total: int) -> None:
@@ -383,6 +385,18 @@ def _write(prepared: Any, path: Path, confirmed: bool, *, largest_error: float, 
     """Write what was shown; return the first of its files."""
     # Drives are sampled, not predicted.
     return write_prepared(prepared, path, confirmed=confirmed, **job).files[0]
+
+
+def left_out(design: Design, options: StimulusOptions) -> str:
+    """Return a sentence on the selected tracks that are not written, and why; "": all are."""
+    ids, clips = options.inputs or (), options.clips or ()
+    silent = [
+        f"track at {track.location} ({'muted' if track.muted else 'not solo'})"
+        for track in design.inputs
+        if track not in audible_inputs(design.inputs)
+        and (track.id in ids or any(clip.id in clips for clip in track.clips))
+    ]
+    return f"Left out: {', '.join(silent)}." if silent else ""
 
 
 def calibration_of(prepared: PreparedStimulus) -> str:

@@ -491,7 +491,7 @@ def _actuator_spec(actuation: Actuation | None, name: str | None) -> ChoiceSpec:
     return ChoiceSpec(
         label="Actuator",
         options=((_NONE, "None"), *own, *listed),
-        hint="What moves the skin at each place",
+        hint="Part of the design: what moves the skin at each place",
     )
 
 

@@ -8,7 +8,6 @@ import skinsource as ss
 from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.design.design import View
 from skinsource_gui.pages.stimulus.form import StimulusForm, recall, remembered
-from skinsource_gui.panels.output.panel import OutputPanel
 
 DESIGN = ss.Design(
     limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Gabor(200.0, cycles=8.0), onset_s=0.1),)
@@ -67,15 +66,6 @@ def test_what_is_remembered_does_not_replace_what_the_design_says(form_on, last)
     form = form_on(chosen(RegularisedInverse(boost_db=9.0)))
     recall(form, remembered(form_on(chosen(last))))
     assert shown(form) == (FINGERTIP, "RegularisedInverse", 9.0)
-
-
-def test_the_names_are_those_of_the_panel_output(form_on, qtbot):
-    panel, form = OutputPanel(), form_on(chosen(RegularisedInverse()))
-    qtbot.addWidget(panel)
-    panel.choices.show_actuation(chosen(RegularisedInverse()).actuation)
-    for name in ("actuator", "equaliser"):
-        cell, field = panel.choices.cell(name).field, form.field(name)
-        assert texts(cell) == texts(field)
 
 
 def test_tracks_that_are_solo_are_said_where_all_that_are_heard_are_written(form_on):

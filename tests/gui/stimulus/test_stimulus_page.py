@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtWidgets import QFileDialog, QPushButton
+from PySide6.QtWidgets import QDialogButtonBox, QFileDialog, QPushButton
 
 import skinsource as ss
 from skinsource.actuators.measured_response import MeasuredResponse
@@ -75,6 +75,16 @@ def test_options_reach_what_is_shown(page, qtbot):
     choose(page, qtbot, "channels", "files")
     assert len(page.prepared.files) == 3
     assert "3 files" in label(page, "summary")
+
+
+def test_selected_tracks_that_are_silent_are_said_to_be_left_out(make_desk, design, qtbot):
+    design = design.with_input(0, muted=True).with_input(1, solo=True)
+    clips = tuple(clip.id for clip in design.clips)
+    page = opened(make_desk(design, View(selected_inputs=design.ids, selected_clips=clips)), qtbot)
+    silent = "Left out: track at 7 (muted), track at 7 (not solo)."
+    for plays, said in (("all", "Uncalibrated"), ("tracks", silent), ("clips", silent)):
+        choose(page, qtbot, "plays", plays)
+        assert label(page, "loses").startswith(said)
 
 
 def test_what_cannot_be_says_why_and_cannot_be_exported(page, qtbot):
@@ -191,7 +201,8 @@ def test_what_the_actuators_cannot_follow_names_its_place_and_is_mended_here(des
 
 def test_what_is_chosen_here_is_an_edit_of_the_design(desk, page, qtbot):
     document, form = desk.document, page.form
-    before = document.design
+    before, said = document.design, []
+    document.message.connect(said.append)
     without_tap = replace(before, inputs=before.inputs[:2])
     document.edit("Remove the tap", without_tap)
     page = opened(desk, qtbot)
@@ -209,8 +220,10 @@ def test_what_is_chosen_here_is_an_edit_of_the_design(desk, page, qtbot):
         form.field("boost_db").edited.emit(boost_db, 1)
     qtbot.waitUntil(lambda: not page.busy, timeout=WAIT_MS)
     assert "limited to 2 dB" in label(page, "loses")
+    assert "Undo" in said[-1]
     # Closed without an export, and opened again.
-    desk.exports.end()
+    box = page.window().findChild(QDialogButtonBox)
+    box.button(QDialogButtonBox.StandardButton.Close).click()
     page = opened(desk, qtbot, "stimulus_set")
     assert page.form.field("boost_db").value_si == 2.0
     desk.exports.page.show_export("stimulus")
