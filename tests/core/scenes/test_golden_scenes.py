@@ -59,6 +59,16 @@ def test_scenes_of_a_pulse_are_the_impulse_responses_themselves(measured):
             np.testing.assert_allclose(traces, response, rtol=0, atol=1e-12)
 
 
+def test_the_energy_of_figure_1d_is_that_of_all_axes(measured):
+    opened = ss.scenes.open_scene("1D")
+    limb, location = ss.load_limb(opened.design.limb), opened.design.inputs[0].location
+    power = np.square(np.abs(np.fft.rfft(limb.response_to(location)[19]))).sum(axis=0)
+    share = (
+        power[np.linspace(0.0, limb.sample_rate_hz / 2.0, power.size) > 200.0].sum() / power.sum()
+    )
+    assert f"{100.0 * share:.0f} % of the energy at output 20" in opened.scene.sentence
+
+
 def test_figure_2h_draws_in_towards_the_finger(measured):
     opened = ss.scenes.open_scene("2H")
     view = ss.View(axes="xyz", method="mag", outputs=tuple(range(1, 73)))
