@@ -444,7 +444,9 @@ def _superposition(opened: OpenedScene) -> str:
 
 def _at_least(name: str, values: Floats | None) -> str:
     known = np.zeros(0) if values is None else values[np.isfinite(values)]
-    return f"{name} on this limb is at least {known.min():.6f}." if known.size else ""
+    # Four digits, rounded down: what is straight but for rounding errors is at least 0.9999.
+    least = np.floor(1e4 * known.min(initial=0.99999)) / 1e4
+    return f"{name} on this limb is at least {least:.4f}." if known.size else ""
 
 
 #: What is computed, by the name of the scene.
