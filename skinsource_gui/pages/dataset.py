@@ -43,6 +43,7 @@ class DatasetPage(ToolPage):
         self._limbs, self._jobs = limbs, PageJobs(runner, self, INSTALLATIONS)
         size_mb = round(sum(file.size_bytes for file in published_files()) / 1e6)
         about = page_label("page_text", _ABOUT.format(size=size_mb))
+        about.setTextFormat(Qt.TextFormat.RichText)
         about.setOpenExternalLinks(True)
         self._bar = progress_bar("dataset_progress", "Progress of the installation")
         self._install = self.add_button(
@@ -89,7 +90,7 @@ class DatasetPage(ToolPage):
     def _show_installed(self, note: str = "") -> None:
         count = sum(name.startswith(_MEASURED) for name in self._limbs.names)
         self.say(
-            f"{count} measured limbs are installed; choose one at the left of the bar above the "
+            f"{count} measured limbs are installed; choose one at the right of the bar above the "
             f"panels.{note}"
             if count
             else "No measured limb is installed yet."

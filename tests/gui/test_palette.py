@@ -154,6 +154,17 @@ def test_where_nothing_is_found_the_palette_says_so_and_enter_does_nothing(windo
     assert palette.isVisible()
 
 
+def test_what_cannot_be_done_now_comes_last_with_its_reason_and_enter_leaves_it(window, qtbot):
+    run_from_palette(window, qtbot, "remove all inputs")
+    assert listed_for(window, qtbot, "mute")[-1] == "Mute input"
+    palette = palette_with(window, qtbot, "mute input")
+    row = palette.list.topLevelItem(0)
+    assert (row.isDisabled(), row.text(1)) == (True, "Select an input")
+    qtbot.keyClick(palette.line, Qt.Key.Key_Return)
+    assert palette.isVisible()
+    palette.reject()
+
+
 def test_the_colours_in_use_are_checked_however_they_were_chosen(window):
     actions = window.actions_by_name
     assert actions["use_viridis_colours"].isChecked()

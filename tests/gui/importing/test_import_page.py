@@ -368,6 +368,26 @@ def test_of_files_chosen_together_the_next_begins_with_what_was_chosen_for_the_o
     assert looked_at(desk.imports.pages[0], qtbot).form.made == {}
 
 
+def test_files_of_one_shape_are_asked_about_once_where_that_is_chosen(
+    desk, qtbot, sound, tmp_path, answers
+):
+    mono, imports = tmp_path / "mono.wav", desk.imports
+    soundfile.write(mono, np.arange(4800) / 4800, 48_000)
+    answers["several"] = [str(path) for path in (sound, sound, mono, sound)]
+    imports.ask_and_import()
+    choose(looked_at(imports.pages[0], qtbot), qtbot, "signal", "1")
+    imports.pages[0].same.click()
+    imports.pages[0].accept()
+    # What has another shape is asked about.
+    qtbot.waitUntil(lambda: any(page.isVisible() and page.ready for page in imports.pages))
+    assert "3 of 4" in imports.pages[0].windowTitle()
+    imports.pages[0].accept()
+    qtbot.waitUntil(lambda: len(desk.document.design.inputs) == 4)
+    qtbot.waitUntil(lambda: not desk.findChildren(QWidget, "import_page"))
+    names = [track.clips[-1].waveform.name for track in desk.document.design.inputs]
+    assert names == ["tap.wav, channel 2"] * 2 + ["mono.wav", "tap.wav, channel 2"]
+
+
 def test_a_site_lights_up_while_a_recording_is_held_over_it(window, sound, tmp_path):
     stage = window.panel("hand").diagram.stage
     at = site(window, 13)
