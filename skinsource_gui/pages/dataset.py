@@ -49,7 +49,8 @@ class DatasetPage(ToolPage):
         self._install = self.add_button(
             "install_from_folder", "Install from folder…", "", self._ask_and_install
         )
-        self._fetch = self.add_button("download", "Download…", "", self._download)
+        download = partial(self._jobs.add, Job(INSTALLATIONS[1], fetch))
+        self._fetch = self.add_button("download", "Download…", "", download)
         self._cancel = self.add_button("cancel_installing", "Cancel", "", self._jobs.cancel)
         self._close = self.add_button("close_page", "Close", "", self.close)
         buttons = in_row(self._install, self._fetch, None, self._cancel, self._close)
@@ -67,9 +68,6 @@ class DatasetPage(ToolPage):
         folder = QtWidgets.QFileDialog.getExistingDirectory(self, "Folder with the download", start)
         if folder:
             self._jobs.add(Job(INSTALLATIONS[0], partial(install, Path(folder))))
-
-    def _download(self) -> None:
-        self._jobs.add(Job(INSTALLATIONS[1], fetch))
 
     def _show_state(self) -> None:
         runs = self._jobs.busy

@@ -260,8 +260,6 @@ _WHILE_TYPING = (
 #: Keys that work on a text that is only shown.
 _WHILE_RESTING = (_Standard.Copy, _Standard.Paste)
 _TEXTS = (QtWidgets.QLineEdit, QtWidgets.QPlainTextEdit)
-#: Widgets that Space presses or opens.
-_PRESSED = (QtWidgets.QAbstractButton, QtWidgets.QComboBox)
 # Why a list loses the keyboard for a while: it drops down, or another window is used.
 _COMES_BACK = (Qt.FocusReason.PopupFocusReason, Qt.FocusReason.ActiveWindowFocusReason)
 _HELD = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
@@ -300,31 +298,22 @@ class ShortcutsInFields(KeyboardFilter):
         if isinstance(watched, _TEXTS):
             own = _WHILE_RESTING if watched.isReadOnly() else _WHILE_TYPING
             typed = not watched.isReadOnly() and _is_typed(event)
-            pressed = QtGui.QKeySequence(event.keyCombination())
-            if (
-                pressed in self._shortcuts
-                and not typed
-                and not any(event.matches(key) for key in own)
-            ):
+            kept = typed or any(event.matches(key) for key in own)
+            if not kept and QtGui.QKeySequence(event.keyCombination()) in self._shortcuts:
                 event.ignore()
                 return True
         elif event.key() == Qt.Key.Key_Space and not event.modifiers() & _HELD:
-            if watched is self._used:
-                # Space plays what was chosen; the arrow keys choose again.
-                event.ignore()
-            else:
-                event.accept()
+            # After a click Space plays what was chosen; the arrow keys choose again.
+            event.setAccepted(watched is not self._used)
             return True
         return super().eventFilter(watched, event)
 
     def wanted(self, focused: QtWidgets.QWidget | None) -> QtWidgets.QWidget | None:
         # A clicked button has the keyboard too, but the next key is not meant for it.
-        clicked = bool(QtWidgets.QApplication.mouseButtons())
-        if not isinstance(focused, (*_TEXTS, *_PRESSED)) or not self._window.isAncestorOf(focused):
-            return None
-        if isinstance(focused, QtWidgets.QAbstractButton) and clicked:
-            return None
-        return focused
+        pressed = () if QtWidgets.QApplication.mouseButtons() else QtWidgets.QAbstractButton
+        kinds = (*_TEXTS, QtWidgets.QComboBox, pressed)
+        watches = isinstance(focused, kinds) and self._window.isAncestorOf(focused)
+        return focused if watches else None
 
 
 def _is_typed(event: QtGui.QKeyEvent) -> bool:

@@ -156,7 +156,8 @@ def test_where_nothing_is_found_the_palette_says_so_and_enter_does_nothing(windo
 
 def test_what_cannot_be_done_now_comes_last_with_its_reason_and_enter_leaves_it(window, qtbot):
     run_from_palette(window, qtbot, "remove all inputs")
-    assert listed_for(window, qtbot, "mute")[-1] == "Mute input"
+    for letters, name in (("mute", "Mute input"), ("waveform: wavelet", "Waveform: Wavelet train")):
+        assert listed_for(window, qtbot, letters)[-1] == name
     palette = palette_with(window, qtbot, "mute input")
     row = palette.list.topLevelItem(0)
     assert (row.isDisabled(), row.text(1)) == (True, "Select an input")
