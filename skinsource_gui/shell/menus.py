@@ -178,8 +178,8 @@ class Palette(QtWidgets.QDialog):
         row.setDisabled(action is None or not action.isEnabled())
         return row
 
-    def _run(self) -> None:
-        item = self.list.currentItem()
+    def _run(self, clicked: QtWidgets.QTreeWidgetItem | None = None) -> None:
+        item = self.list.currentItem() if clicked is None else clicked
         action = None if item is None else item.data(0, Qt.ItemDataRole.UserRole)
         if action is not None and action.isEnabled():
             # The action may handle events: the line that has the key is deleted after it returns.

@@ -37,9 +37,7 @@ def test_what_there_is_to_note_is_said_after_the_installation(window, qtbot, syn
     assert "Note: made from files that are not the published ones: " in text_of(page)
 
 
-def test_map_files_that_are_not_the_published_ones_are_refused_with_the_reason(
-    page, qtbot, synthetic_download, monkeypatch
-):
+def test_other_map_files_are_refused_with_the_reason(page, qtbot, synthetic_download, monkeypatch):
     monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(synthetic_download))
     page.findChild(QPushButton, "install_from_folder").click()
     qtbot.waitUntil(lambda: "not the published content" in text_of(page), timeout=60_000)
