@@ -260,8 +260,6 @@ _WHILE_TYPING = (
 #: Keys that work on a text that is only shown.
 _WHILE_RESTING = (_Standard.Copy, _Standard.Paste)
 _TEXTS = (QtWidgets.QLineEdit, QtWidgets.QPlainTextEdit)
-# Why a list loses the keyboard for a while: it drops down, or another window is used.
-_COMES_BACK = (Qt.FocusReason.PopupFocusReason, Qt.FocusReason.ActiveWindowFocusReason)
 _HELD = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
 
 
@@ -288,12 +286,10 @@ class ShortcutsInFields(KeyboardFilter):
         self.follow(True)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if isinstance(watched, QtWidgets.QComboBox):
-            if event.type() == QEvent.Type.MouseButtonPress:
-                self._used = watched
-            elif isinstance(event, QtGui.QFocusEvent) and event.reason() not in _COMES_BACK:
-                self._used = None
-        if event.type() != QEvent.Type.ShortcutOverride or not isinstance(event, QtGui.QKeyEvent):
+        kind = event.type()
+        if kind == QEvent.Type.MouseButtonPress and isinstance(watched, QtWidgets.QComboBox):
+            self._used = watched
+        if kind != QEvent.Type.ShortcutOverride or not isinstance(event, QtGui.QKeyEvent):
             return super().eventFilter(watched, event)
         if isinstance(watched, _TEXTS):
             own = _WHILE_RESTING if watched.isReadOnly() else _WHILE_TYPING
@@ -309,6 +305,10 @@ class ShortcutsInFields(KeyboardFilter):
         return super().eventFilter(watched, event)
 
     def wanted(self, focused: QtWidgets.QWidget | None) -> QtWidgets.QWidget | None:
+        # While its list is open, that has the keyboard.
+        is_open = QtWidgets.QApplication.activePopupWidget() is not None
+        if focused is not None and focused is not self._used and not is_open:
+            self._used = None
         # A clicked button has the keyboard too, but the next key is not meant for it.
         pressed = () if QtWidgets.QApplication.mouseButtons() else QtWidgets.QAbstractButton
         kinds = (*_TEXTS, QtWidgets.QComboBox, pressed)

@@ -120,3 +120,13 @@ def test_space_plays_after_a_list_was_clicked_and_opens_one_reached_by_key(studi
         choose(kind, name)
     assert pressed == [1, 1]
     assert isinstance(studio.document.design.inputs[0].clips[0].waveform, Tone)
+
+
+def test_space_plays_once_a_place_is_chosen_from_a_list_that_was_clicked(studio, pressed, qtbot):
+    place = studio.panel("inspector").findChild(QComboBox, "location_field")
+    QTest.mouseClick(place, LEFT)
+    QTest.keyClick(place.view(), Qt.Key.Key_Return)
+    studio.activateWindow()
+    qtbot.waitUntil(place.hasFocus)
+    QTest.keyClick(place, SPACE)
+    assert pressed == [1]
