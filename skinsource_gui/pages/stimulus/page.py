@@ -201,7 +201,6 @@ class StimulusPart(ExportPart):
         self.form = StimulusForm(design, view)
         self.channels = ChannelsView()
         self._notes = page_label("stimulus_loses", tone="dim")
-        self._notes.setTextFormat(Qt.TextFormat.PlainText)
         self._bar = progress_bar("stimulus_progress", "Progress", keeps_room=True)
         self._bar.setTextVisible(True)
         self._bar.setFormat("Computing… %p %")

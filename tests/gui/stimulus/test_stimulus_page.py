@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtWidgets import QDialogButtonBox, QFileDialog, QPushButton
+from PySide6.QtWidgets import QApplication, QDialogButtonBox, QFileDialog, QLabel, QPushButton
 
 import skinsource as ss
 from skinsource.actuators.measured_response import MeasuredResponse
@@ -132,8 +132,12 @@ def test_a_rig_says_what_is_wired_and_an_equaliser_makes_volts(
 
 def test_every_format_of_the_table_is_offered_and_shown(page, qtbot):
     page.form.field("advanced").click()
+    page.window().resize(1080, 520)
+    hint = page.findChild(QLabel, "stimulus_format_hint")
     for file_format in FORMATS:
         choose(page, qtbot, "format", file_format.name)
+        QApplication.processEvents()
+        assert hint.height() >= hint.heightForWidth(hint.width()), file_format.name
         assert page.ready, file_format.name
         for name in file_format.choices:
             assert page.form.field(name).isVisible()
