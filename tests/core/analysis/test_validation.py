@@ -76,18 +76,6 @@ def write_csv(path, time_s):
     np.savetxt(path, table, delimiter=",", header=head, comments="", fmt="%.12g")
 
 
-@pytest.mark.parametrize("suffix", [".csv", ".npz"])
-def test_recorded_responses_are_read_output_by_output(tmp_path, suffix):
-    path = tmp_path / f"field{suffix}"
-    if suffix == ".csv":
-        write_csv(path, np.arange(400) / 1300.0)
-    else:
-        np.savez(path, field=FIELD.reshape(18, -1).T, fs=1300.0)
-    assert open_recorded(path, 6, 3, 1300.0) == pytest.approx(FIELD)
-    with pytest.raises(RecordingError, match="18 signals, expected 12"):
-        open_recorded(path, 4, 3, 1300.0)
-
-
 @pytest.mark.parametrize("n_times", [5, 18, 400])
 @pytest.mark.parametrize("turned", [False, True])
 def test_an_array_of_two_dimensions_has_as_many_channels_as_the_limb_however_many_times(

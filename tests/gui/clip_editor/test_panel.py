@@ -195,17 +195,6 @@ def test_only_a_glide_offers_the_tool_and_elsewhere_the_key_says_why_not(qtbot, 
 SILENCE, FADE = Samples(values=np.zeros(260), sample_rate_hz=RATE_HZ), Fade(0.0, 0.01)
 
 
-def test_a_stroke_becomes_samples_in_one_step(flat):
-    flat.drag((0.05, 0.0), (0.08, 0.5), (0.1, 0.5), (0.12, 0.0))
-    values = flat.drawn
-    assert values.size == 260
-    assert values.max() == pytest.approx(0.5, abs=0.01)
-    assert (values[117:130] > 0.45).all()
-    assert not values[:60].any()
-    assert not values[160:].any()
-    assert len(set(flat.gestures)) == 1
-
-
 def test_with_shift_a_stroke_is_a_straight_line(flat):
     flat.drag((0.05, 0.0), (0.07, -0.8), (0.09, 0.3), (0.15, 0.5), held=SHIFT)
     line = flat.drawn[70:190]
