@@ -54,20 +54,14 @@ def test_a_shifted_measurement_is_brought_back(lag):
     assert field == pytest.approx(pulse, abs=1e-12)
 
 
-def fitted(levels, responses):
-    """Frequencies, and the adjusted R² of lines over levels, (n_channels, n_bins)."""
-    fit = proportion(levels, responses, 1300.0, BAND_HZ)
-    return fit.frequency_hz, fit.adjusted_r2
-
-
 def test_the_adjusted_share_is_that_of_its_formula():
     levels = np.array([1.0, 2.0, 3.0, 4.0])
     heights = np.array([1.0, 2.2, 2.7, 4.1])
     tone = np.sin(2 * np.pi * 100.0 * np.arange(1300) / 1300.0)
-    frequency_hz, fit = fitted(levels, heights[:, None, None] * tone)
-    k = int(np.argmin(np.abs(frequency_hz - 100.0)))
+    fit = proportion(levels, heights[:, None, None] * tone, 1300.0, BAND_HZ)
+    k = int(np.argmin(np.abs(fit.frequency_hz - 100.0)))
     r2 = np.corrcoef(levels, heights)[0, 1] ** 2
-    assert fit[0, k] == pytest.approx(1 - (1 - r2) * 3 / 2)
+    assert fit.adjusted_r2[0, k] == pytest.approx(1 - (1 - r2) * 3 / 2)
 
 
 def write_csv(path, time_s):

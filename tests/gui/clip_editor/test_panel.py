@@ -118,16 +118,6 @@ def click(bench, at):
     QTest.mouseClick(bench.canvas.viewport(), LEFT, pos=whole(at))
 
 
-def test_a_point_of_the_frequency_is_dragged_and_the_amplitude_stays(glide):
-    amplitude = curve(glide, "amplitude")
-    glide.drag_px(frequency_at(glide, 0.2, 300.0), frequency_at(glide, 0.25, 400.0))
-    times, values = zip(*curve(glide, "frequency"), strict=True)
-    assert times == pytest.approx((0.0, 0.25, 0.4), abs=0.002)
-    assert values == pytest.approx((100.0, 400.0, 300.0), abs=3.0)
-    same(curve(glide, "amplitude"), amplitude)
-    assert len(set(glide.gestures)) == 1
-
-
 def test_a_point_of_the_amplitude_is_dragged_and_goes_no_higher_than_one(glide):
     frequency = curve(glide, "frequency")
     glide.drag_px(glide.at(0.4, 0.9), glide.at(0.4, 1.5))
