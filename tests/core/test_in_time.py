@@ -199,6 +199,7 @@ def test_silence_stays_silent_and_a_single_sample_stays_alone():
     assert not silent.high.any()
     alone = extremes_between(np.array([[-2.0]]))
     assert alone.range == (-2.0, -2.0)
+    assert extremes_between(np.array([[[3.0], [4.0]]])).range == (5.0, 5.0)
     assert extremes_between(np.zeros((0, 100))).range == (0.0, 0.0)
     assert extremes_between(np.zeros((1, 0))).low.shape == (1, 0)
 
