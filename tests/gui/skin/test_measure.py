@@ -108,11 +108,6 @@ def test_keys_open_the_menu_of_a_word(window, key):
     assert opened == [word]
 
 
-def test_the_automatic_range_holds_the_loudest_output(window):
-    assert window.panel.colour_bar.value_range == (-60.0, -10.0)
-    assert not window.panel.content.fixed
-
-
 def test_the_automatic_range_follows_the_loudest_output_alone(window):
     for loudest, top in (
         (-11.0, -10),
