@@ -414,6 +414,7 @@ NUMBERS: tuple[int, ...] = (1, 2, 3, 4)
 EDITED = 0
 
 NUMBER = NumberSpec(label="Number", minimum=0, maximum=max(NUMBERS), whole=True)
+OWN_TITLE = replace(TITLE, left_out_empty=True)
 GAIN = NumberSpec(label="Gain", minimum=1e-12, maximum=1e12)
 
 
@@ -425,12 +426,15 @@ class Snapshot:
     ----------
     number
         1 to 4; 0 is the design that was edited when a snapshot was shown.
+    title
+        Its own, which the user gave it; empty: it is called as its design.
     gain
         Factor on predictions and playback that matched its level when it was shown last; it is
         not in the amplitudes of ``design``.
     """
 
     number: int = fields.number(EDITED, NUMBER)
+    title: str = fields.text("", OWN_TITLE)
     design: Design = fields.field(ModelSpec(label="Design", kinds=lambda: (Design,)))
     gain: float = fields.number(1.0, GAIN)
 

@@ -11,7 +11,6 @@ from PySide6.QtCore import QPointF
 
 from skinsource.base.conventions import Axes, Floats
 from skinsource.base.decibels import FLOOR_DB
-from skinsource.base.errors import printable
 from skinsource.design.comparing import (
     MOST_SIDE_BY_SIDE,
     difference_db,
@@ -36,9 +35,8 @@ from skinsource.engine.time_rules import Moving
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.own_limbs import axes_on
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
-from skinsource.studies import scenes
 from skinsource_gui.fields.units import output_text
-from skinsource_gui.panels.compare.card import card_level_text, played_db
+from skinsource_gui.panels.compare.card import card_level_text, played_db, told_titles
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.colour_maps import DIVERGING
 from skinsource_gui.plots.pictures import common_title
@@ -725,28 +723,33 @@ def snapshot_names(
     ``with_limbs``: names of snapshots on several limbs include the limb.
     """
     names: list[Names] = []
-    titles = [printable(scenes.title_of(side.snapshot.design)).strip() for side in compared]
-    # A title that several have tells none of them.
-    titles = [title * (titles.count(title) == 1) for title in titles]
-    own_parts = _own_parts([each for each in titles if each])
+    titles = told_titles(compared)
+    own_parts = _own_parts([each for each in titles.values() if each])
     several = with_limbs and len({side.snapshot.design.limb for side in compared}) > 1
-    for side, title in zip(compared, titles, strict=True):
+    for side in compared:
         along = axes_on(side.snapshot.design.limb, axes)
         other = f" ({label_of(AXES, along).title})" if along != axes else ""
         on_limb = f" on {short_limb_title(side.snapshot.design.limb)}" if several else ""
         other += on_limb
         working = side.snapshot.number == EDITED
         called = _WORKING[0] if working else f"Snapshot {side.name}"
-        parts = dict.fromkeys((title, own_parts.get(title, title)))
-        longest = tuple(f"{called} · {part}{other}" for part in parts if part)
-        if working:
-            # A scene that was not changed is told by its title, as the others are.
-            told = title == side.snapshot.design.title
-            longest = tuple(f"{part}{other}" for part in parts if told and part)
-        elif len(longest) > 1:
-            longest = (*longest, f"{side.name} · {own_parts[title]}{other}")
-        names.append((*longest, f"{called}{other}", f"{side.name}{on_limb}"))
+        title = titles.get(side.snapshot.number, "")
+        own = own_parts.get(title, "")
+        cut = own if len(own) <= _SHORT else f"{own[: _SHORT - 1].rstrip()}…"
+        longest: Names = ()
+        # A scene that was not changed is told by its title, as the others are.
+        if working and title == side.snapshot.design.title:
+            longest = title, own
+        elif title and not working:
+            begun = (called, title), (called, own), (side.name, own), (side.name, cut)
+            longest = tuple(" · ".join(parts) for parts in begun)
+        wordings = dict.fromkeys(f"{part}{other}" for part in (*longest, called) if part)
+        names.append((*wordings, f"{side.name}{on_limb}"))
     return names
+
+
+# A name with more letters is cut where a map has no room for it.
+_SHORT = 14
 
 
 def _own_parts(titles: Sequence[str]) -> dict[str, str]:
