@@ -30,10 +30,8 @@ class HistoryState:
         """Return whether a step to ``other`` would lose nothing, so that none is needed."""
         mine, theirs = self.view, other.view
         same = mine.outputs == theirs.outputs and self.design == other.design
-        if not same:
-            return False
         # The gain with which a snapshot was shown last is no loss.
-        return _stored_in(mine).items() <= _stored_in(theirs).items()
+        return same and _stored_in(mine).items() <= _stored_in(theirs).items()
 
     def is_before(self, other: "HistoryState") -> bool:
         """Return whether ``other`` continues this state with the same inputs and clips."""

@@ -173,12 +173,6 @@ def test_designs_are_alike_where_amplitudes_differ_by_rounding_alone():
     assert not same_but_rounding(DESIGN, OTHER)
 
 
-def test_a_snapshot_is_forgotten_and_the_design_stays():
-    design, view = store(DESIGN, View(), 1)
-    outcome = edits.forget_snapshot(design, view, 1)
-    assert (outcome.design, outcome.view) == (DESIGN, View())
-
-
 def test_a_number_is_taken_once():
     twice = (Snapshot(number=1, design=DESIGN), Snapshot(number=1, design=OTHER))
     with pytest.raises(InvalidInputError, match="different ones"):

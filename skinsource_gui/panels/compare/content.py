@@ -367,15 +367,13 @@ def _map(side: Compared, levels_db: Floats | None, noisy: tuple[int, ...]) -> Sm
 def _relative(small: SmallMap, maximum_db: float) -> SmallMap:
     """Return the same map with its levels re ``maximum_db``; silent outputs stay silent."""
     levels, field = small.levels_db, small.field_levels_db
+    if levels is not None:
+        levels = np.where(levels > FLOOR_DB, levels - maximum_db, levels)
     return replace(
         small,
-        levels_db=None if levels is None else _below(levels, maximum_db),
+        levels_db=levels,
         field_levels_db=None if field is None else field - maximum_db,
     )
-
-
-def _below(levels_db: Floats, maximum_db: float) -> Floats:
-    return np.where(levels_db > FLOOR_DB, levels_db - maximum_db, levels_db)
 
 
 def _of_all(called: Sequence[Names], n_compared: int) -> Names:
@@ -483,7 +481,12 @@ class Kind:
 
     def reference(self, compared: Sequence[Compared], design: Design, view: View) -> int:
         """Return which of them is in the window; the first where none is."""
-        return 0
+        shown = (k for k, side in enumerate(compared) if self.is_shown(side.snapshot, design, view))
+        return next(shown, 0)
+
+    def is_shown(self, side: Snapshot, design: Design, view: View) -> bool:
+        """Return whether that one of them is in the window."""
+        return False
 
     def hindrance(self, compared: Sequence[Compared], view: View) -> str:
         """Return why nothing can be compared, in a sentence; empty where something can."""
@@ -607,9 +610,8 @@ class OfLimbs(Kind):
             names.append((f"{title}{other}", short_limb_title(limb), number))
         return names
 
-    def reference(self, compared: Sequence[Compared], design: Design, view: View) -> int:
-        matches = [side.snapshot.design.limb == design.limb for side in compared]
-        return matches.index(True) if True in matches else 0
+    def is_shown(self, side: Snapshot, design: Design, view: View) -> bool:
+        return side.design.limb == design.limb
 
     def hindrance(self, compared: Sequence[Compared], view: View) -> str:
         if len(compared) == 1:
@@ -668,10 +670,8 @@ class OfFrequencies(Kind):
         known = [frequency_of(side.snapshot.design) or 0.0 for side in compared]
         return [_WORKING if isinf(hz) else (f"{hz:g} Hz",) for hz in known]
 
-    def reference(self, compared: Sequence[Compared], design: Design, view: View) -> int:
-        own_hz = frequency_of(design)
-        matches = [frequency_of(side.snapshot.design) == own_hz for side in compared]
-        return matches.index(True) if True in matches else 0
+    def is_shown(self, side: Snapshot, design: Design, view: View) -> bool:
+        return frequency_of(side.design) == frequency_of(design)
 
     def hindrance(self, compared: Sequence[Compared], view: View) -> str:
         return super().hindrance(compared, view) if compared else NO_FREQUENCY
@@ -685,11 +685,9 @@ class OfSnapshots(Kind):
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
         return snapshot_names(compared, view.axes, with_limbs=difference)
 
-    def reference(self, compared: Sequence[Compared], design: Design, view: View) -> int:
+    def is_shown(self, side: Snapshot, design: Design, view: View) -> bool:
         held = shown_snapshot(view.snapshots, design)
-        number = EDITED if held is None else held.number
-        matches = [side.snapshot.number == number for side in compared]
-        return matches.index(True) if True in matches else 0
+        return side.number == (EDITED if held is None else held.number)
 
     def hindrance(self, compared: Sequence[Compared], view: View) -> str:
         if len(compared) < 2:

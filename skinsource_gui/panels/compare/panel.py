@@ -252,8 +252,7 @@ class ComparePanel(MapsPanel):
         """Draw the maps and their scale for a page or a slide; size in px."""
         painter.fillRect(QRectF(0, 0, width, height), QtGui.QColor(theme.base))
         # Words grow with the picture, and are no smaller than on the screen.
-        scale = min(width / max(self.width(), 1), height / max(self.height(), 1))
-        scale = max(scale, 1.0)
+        scale = max(min(width / max(self.width(), 1), height / max(self.height(), 1)), 1.0)
         painter.save()
         painter.scale(scale, scale)
         with on_paper():

@@ -271,8 +271,7 @@ def change_texts(design: Design, view: View, **texts: Any) -> Edit | Refusal:
     >>> print(change_texts(ss.Design(limb="synthetic-1"), ss.View(), title="Soft").design.title)
     Soft
     """
-    label = f"Change {' and '.join(texts)}"
-    return Edit(label=label, design=replace(design, **texts), view=view)
+    return Edit(label=f"Change {' and '.join(texts)}", design=replace(design, **texts), view=view)
 
 
 @refusing
