@@ -163,13 +163,16 @@ def test_the_title_of_a_snapshot_is_typed_over_its_card_and_is_its_own(
     window.files._save_to(tmp_path / "a.skinsource")
     opened = open_design(tmp_path / "a.skinsource")
     assert [each.title for each in opened.view.snapshots] == ["Soft", ""]
-    outcome = rename_snapshot(document.design, document.view, 1, "x" * 40)
+    outcome = rename_snapshot(document.design, document.view, 2, "x" * 40)
     document.apply(outcome)
     assert document.modified
     window.do("undo")
-    assert cards(panel)[1].text().startswith("1 Soft:")
-    names = snapshot_names([Compared(snapshot=outcome.view.snapshots[0])], "xyz")
-    assert names[0][-3:-1] == ("1 · xxxxxxxxxxxxx…", "Snapshot 1")
+    assert cards(panel)[2].text().startswith("2:")
+    first, second = outcome.view.snapshots
+    several = first, second, replace(first, number=3)
+    names = snapshot_names([Compared(snapshot=each) for each in several], "xyz")
+    assert [each[1] for each in names] == ["1 · Soft", f"2 · {'x' * 40}", "3 · Soft"]
+    assert names[1][-3:-1] == ("2 · xxxxxxxxxxxxx…", "Snapshot 2")
 
 
 def test_maps_show_snapshots_as_loud_as_they_are_shown_and_how_they_differ(window, panel, settle):
