@@ -19,6 +19,7 @@ from skinsource.studies import scenes
 from skinsource_gui import pages
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.plots.small_map import with_colours_of
+from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.keys import KEYS, key_text, meaning_of, shortcut_text
 from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import UNIT_PX, scaled
@@ -34,6 +35,11 @@ if TYPE_CHECKING:
 
 _LARGE = 1.6
 _SIZE = 560, 420
+# What keys do that no control of the stage names.
+_HINTS = (
+    "{next} or {previous}: other scene · {hold}: pause · {levels}: levels · {fit}: fit scales · "
+    "{cover}: cover · {more}: all keys · {end} or {leave}: leave"
+)
 
 
 class NotesWindow(QtWidgets.QWidget):
@@ -49,14 +55,12 @@ class NotesWindow(QtWidgets.QWidget):
         super().__init__(window, Qt.WindowType.Window)
         self.setObjectName("notes_window")
         self.setWindowTitle("Notes – SkinSource studio")
-        self.heading, self.next = QtWidgets.QLabel(self), QtWidgets.QLabel(self)
+        self.heading, self.next = page_label("notes_heading"), page_label("notes_next")
         self.notes = QtWidgets.QTextBrowser(self)
         self.notes.setOpenExternalLinks(True)
         large = scaled(self.font(), _LARGE)
         for part in (self.heading, self.notes, self.next):
             part.setFont(large)
-        self.heading.setWordWrap(True)
-        self.next.setWordWrap(True)
         bold = QtGui.QFont(large)
         bold.setBold(True)
         self.heading.setFont(bold)
@@ -274,10 +278,9 @@ class Presenter(QObject):
         stage.setFocus()
         if compares and not stage_settings(self._document.view).compared:
             stage.compare()
-        following = KEYS["presenting"].gestures["next"].shown
-        cover = key_text("presenting", "cover")
-        leave = f"{shortcut_text('present')} or {key_text('presenting', 'leave')}"
-        self.done.emit(f"{following}: next scene · {cover}: cover the maps · {leave}: leave")
+        keys = {name: key_text("presenting", name) for name in KEYS["presenting"].gestures}
+        more, end = map(shortcut_text, ("show_keys", "present"))
+        self.done.emit(_HINTS.format(**keys, more=more, end=end))
 
     def end(self) -> None:
         """Bring back bars, panels where they stood, with those of the scene, and the map."""
@@ -323,8 +326,7 @@ class Presenter(QObject):
         except SkinSourceError as error:
             self.failed.emit(str(error))
             return
-        self._files.note_used(path)
-        self._show_path = path
+        self._note_file(path)
         self.open_show(entries)
 
     def open_show(self, entries: Sequence[ShowEntry | UnreadEntry], at: int = 0) -> None:
@@ -340,7 +342,7 @@ class Presenter(QObject):
         page.presented.connect(self._present)
         # It comes back with what is not saved.
         self.presenting_changed.connect(page.setHidden)
-        page.saved.connect(self._note_saved)
+        page.saved.connect(self._note_file)
         page.show()
         return page
 
@@ -379,7 +381,7 @@ class Presenter(QObject):
     def _bars(self) -> list[QtWidgets.QWidget]:
         return [self._window.menuWidget(), self._window.statusBar()]
 
-    def _note_saved(self, path: Path) -> None:
+    def _note_file(self, path: Path) -> None:
         self._show_path = path
         self._files.note_used(path)
 

@@ -734,15 +734,14 @@ def snapshot_names(
         title = titles.get(side.snapshot.number, "")
         own = own_parts.get(title, "")
         cut = own if len(own) <= _SHORT else f"{own[: _SHORT - 1].rstrip()}…"
-        longest: Names = ()
+        begun = (called, title), (called, own), (side.name, own), (side.name, cut)
+        longest = tuple(" · ".join(parts) for parts in begun)
+        if working:
+            longest = title, own, own, cut
         # A scene that was not changed is told by its title, as the others are.
-        if working and title == side.snapshot.design.title:
-            longest = title, own
-        elif title and not working:
-            begun = (called, title), (called, own), (side.name, own), (side.name, cut)
-            longest = tuple(" · ".join(parts) for parts in begun)
-        wordings = dict.fromkeys(f"{part}{other}" for part in (*longest, called) if part)
-        names.append((*wordings, f"{side.name}{on_limb}"))
+        told = title and (not working or title == side.snapshot.design.title)
+        wordings = (*longest, called) if told else (called,)
+        names.append((*(f"{part}{other}" for part in wordings), f"{side.name}{on_limb}"))
     return names
 
 

@@ -156,8 +156,8 @@ def test_the_title_of_a_snapshot_is_typed_over_its_card_and_is_its_own(
     # "Mine" is the title of two, and tells neither.
     called = [each.text().partition(":")[0] for each in cards(panel).values()]
     assert called == ["1 Soft", "2", "3", "4", "Working"]
-    heads = [("Snapshot 1 · Soft", "1 · Soft", "Snapshot 1", "1"), ("Snapshot 2", "2")]
-    assert [cell.headings for cell in panel.maps.content.cells[:2]] == heads
+    heads = [cell.heading for cell in panel.maps.content.cells]
+    assert heads == ["Snapshot 1 · Soft", "Snapshot 2", "Working design"]
     QTest.keyClick(cards(panel)[0], KEY.Key_F2)
     assert window.windowTitle().startswith("Mine[*]")
     window.files._save_to(tmp_path / "a.skinsource")
@@ -171,7 +171,7 @@ def test_the_title_of_a_snapshot_is_typed_over_its_card_and_is_its_own(
     first, second = outcome.view.snapshots
     several = first, second, replace(first, number=3)
     names = snapshot_names([Compared(snapshot=each) for each in several], "xyz")
-    assert [each[1] for each in names] == ["1 · Soft", f"2 · {'x' * 40}", "3 · Soft"]
+    assert [each[2] for each in names] == ["1 · Soft", f"2 · {'x' * 40}", "3 · Soft"]
     assert names[1][-3:-1] == ("2 · xxxxxxxxxxxxx…", "Snapshot 2")
 
 
@@ -412,4 +412,4 @@ def test_the_working_design_is_told_by_its_title_until_a_scene_is_changed():
         sides = [Compared(snapshot=each) for each in with_edited(scene.view.snapshots, design)]
         names = snapshot_names(sides, "z")
         assert names[0][1] == "Snapshot 1 · 5 mm/s"
-        assert names[-1][-3 if name == "80 mm/s" else 0] == name
+        assert names[-1][2 if name == "80 mm/s" else 0] == name
