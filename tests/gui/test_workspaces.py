@@ -233,6 +233,27 @@ def test_a_file_leaves_the_arrangement_as_it_is(window, settle, tmp_path):
     assert sizes(window) == before
 
 
+def test_an_arrangement_too_large_for_the_screen_gives_its_panels_the_room_there_is(window, settle):
+    window.resize(*LARGE)
+    settle()
+    drag_line(window, 60)
+    window.docks["hand"].hide()
+    window.docks["compare"].bring_forward()
+    own, layout = in_sight(window), window.workspaces.content()
+    window.resize(*SMALL)
+    window.do("reset_workspace")
+    settle()
+    first = sizes(window)
+    window.workspaces.put(layout)
+    settle()
+    assert in_sight(window) == own
+    now = sizes(window)
+    assert all(now[name].width() >= first[name].width() for name in own & set(first))
+    window.resize(*LARGE)
+    window.workspaces.put(layout)
+    assert window.workspaces.content() == layout
+
+
 def test_a_scene_opens_on_the_stage_and_the_own_arrangement_comes_back(window, settle):
     window.docks["hand"].hide()
     own = in_sight(window)

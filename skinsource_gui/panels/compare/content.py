@@ -743,6 +743,10 @@ def snapshot_names(
             # A scene that was not changed is told by its title, as the others are.
             told = title == side.snapshot.design.title
             longest = tuple(f"{part}{other}" for part in parts if told and part)
+            if len(longest) > 1:
+                # What is its own is short enough.
+                names.append((*longest, longest[-1]))
+                continue
         elif len(longest) > 1:
             longest = (*longest, f"{side.name} · {own_parts[title]}{other}")
         names.append((*longest, f"{called}{other}", f"{side.name}{on_limb}"))
