@@ -282,6 +282,8 @@ class Workspaces(QObject):
             self._settling.stop()
             self._moved = True
             room = self._window.screen().availableSize().expandedTo(self._window.size())
+            # Where the window is about to stand as it was left, its layout fits.
+            known = known and not (self.is_placed and self._window.isHidden())
             # A layout of Qt begins with the size of all docks, behind some numbers.
             if known and QSize(*unpack_from(">ii", content, 17)).expandedTo(room) != room:
                 before = self._state()
@@ -357,7 +359,9 @@ class Workspaces(QObject):
         self.shown.emit(workspace.name)
 
     def _place(self, split: Split) -> None:
-        docks = [self._docks[_panels(part)[0]] for part, _ in split.parts]
+        parts = (part for part, _ in split.parts)
+        firsts = (part if isinstance(part, str) else next(part.panels()) for part in parts)
+        docks = [self._docks[first] for first in firsts]
         for before, after in pairwise(docks):
             if split in self._folded:
                 self._window.tabifyDockWidget(before, after)
@@ -522,10 +526,6 @@ class Workspaces(QObject):
             if dock.isFloating() and dock.isVisible():
                 dock.hide()
                 dock.show()
-
-
-def _panels(part: str | Split) -> tuple[str, ...]:
-    return (part,) if isinstance(part, str) else tuple(part.panels())
 
 
 def _edge(part: str | Split) -> str:

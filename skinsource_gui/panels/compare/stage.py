@@ -616,10 +616,10 @@ class StagePanel(MapsPanel):
 
 def _compared(design: Design, view: View, compare: CompareSettings) -> Kind:
     """Return what is compared, people where that is less than two, or the design alone."""
+    snapshots = with_edited(view.snapshots, design)
     for kind in (KINDS[compare.of], KINDS["limbs"]):
-        of_snapshots = kind is KINDS["snapshots"]
-        sides = with_edited(view.snapshots, design) if of_snapshots else ()
-        if kind.own or len(sides or kind.beside(compare, design)) > 1:
+        sides = snapshots if kind is KINDS["snapshots"] else kind.beside(compare, design)
+        if kind.own or len(sides) > 1:
             return kind
     return _ALONE
 

@@ -222,8 +222,7 @@ def paint_page(
     if content.message or not content.cells:
         painter.drawText(room, _CENTRE, content.message)
         return
-    synthetic = any(cell.synthetic for cell in content.cells)
-    text = " · ".join(filter(None, (content.about, "SYNTHETIC" * synthetic)))
+    text = " · ".join(filter(None, (content.about, "SYNTHETIC" * bool(content.head_lines))))
     painter.drawText(QRectF(0, 0, room.width(), 1.5 * line), _CENTRE, text)
     below = room.adjusted(0, 1.5 * line, 0, 0)
     paint_content(painter, content, places_for(below, content, painter.font()), theme)
