@@ -116,7 +116,7 @@ class Strip(Figure):
             painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()))
 
     def _area(self) -> QRectF:
-        line = 1.2 * self.fontMetrics().height()
+        line = 1.4 * self.fontMetrics().height()
         return QRectF(self.rect()).adjusted(UNIT_PX, line, -UNIT_PX, -line)
 
     def _paint(self, painter: QtGui.QPainter) -> None:
@@ -137,7 +137,7 @@ class Strip(Figure):
             left += painter.fontMetrics().horizontalAdvance(f"{label}{_BETWEEN}")
         painter.setPen(QtGui.QColor(theme.dim))
         above = QRectF(area.left(), 0.0, area.width(), line)
-        below = QRectF(area.left(), area.bottom(), area.width(), 1.2 * line)
+        below = QRectF(area.left(), area.bottom() + 0.2 * line, area.width(), 1.2 * line)
         joined = "".join((self._words[1], _BETWEEN, self._words[2]))
         left_side, right_side = Qt.AlignmentFlag.AlignLeft, Qt.AlignmentFlag.AlignRight
         painter.drawText(above, right_side, self._words[0])
