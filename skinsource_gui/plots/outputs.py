@@ -90,6 +90,8 @@ class OutputPicker(QObject):
         The outputs that are selected at present.
     toggles
         Whether a click adds or removes an output without a key that is held.
+    reach_px
+        From how far away a click selects an output.
     hovered, pointer
         The output under the pointer, and the place of that; None while it is elsewhere.
     band
@@ -106,7 +108,7 @@ class OutputPicker(QObject):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self.selected: Outputs = ()
-        self.toggles = False
+        self.toggles, self.reach_px = False, REACH_PX
         self.hovered: int | None = None
         self.pointer: QPointF | None = None
         self.band: QRectF | None = None
@@ -138,7 +140,7 @@ class OutputPicker(QObject):
     def move(self, at: QPointF, points: Floats) -> None:
         """Follow the mouse, with or without the button."""
         self.pointer = at
-        self.hovered = output_at(points, at)
+        self.hovered = output_at(points, at, self.reach_px)
         if self._pressed is not None:
             band = QRectF(self._pressed, at).normalized()
             if self.band is not None or max(band.width(), band.height()) >= _CLICK_PX:
@@ -154,7 +156,7 @@ class OutputPicker(QObject):
             inside = outputs_inside(points, band)
             self._choose(joined(self.selected, inside) if adds else inside)
             return
-        number = output_at(points, event.position())
+        number = output_at(points, event.position(), self.reach_px)
         if number is not None:
             toggles = adds or self.toggles
             self._choose(toggled(self.selected, number) if toggles else (number,))

@@ -382,10 +382,9 @@ def paint_ring(
 ) -> None:
     """Draw a ring on a wider one in the colour of the background, to be visible on any colour."""
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.setPen(QtGui.QPen(QtGui.QColor(theme.base), 2.0 * pen.widthF()))
-    painter.drawEllipse(centre, radius, radius)
-    painter.setPen(pen)
-    painter.drawEllipse(centre, radius, radius)
+    for drawn in (QtGui.QPen(QtGui.QColor(theme.base), 2.0 * pen.widthF()), pen):
+        painter.setPen(drawn)
+        painter.drawEllipse(centre, radius, radius)
 
 
 def paint_band(painter: QtGui.QPainter, band: QRectF, theme: Theme) -> None:

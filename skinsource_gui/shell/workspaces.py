@@ -5,6 +5,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import partial, reduce
 from itertools import pairwise
+from struct import unpack_from
 
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QByteArray, QEvent, QObject, QPointF, QSize, Qt, QTimer, Signal
@@ -271,12 +272,27 @@ class Workspaces(QObject):
         return bytes(self._window.saveState().data())
 
     def put(self, content: bytes) -> None:
-        """Restore the layout ``content`` of this window; do nothing where it is empty."""
+        """Restore the layout ``content`` of this window; do nothing where it is empty.
+
+        Of one that is too large for the screen only which panels are in sight is taken.
+        """
         if content:
             with self._arranging():
-                self._window.restoreState(QByteArray(content))
+                known = self._window.restoreState(QByteArray(content))
             self._settling.stop()
             self._moved = True
+            room = self._window.screen().availableSize().expandedTo(self._window.size())
+            # Where the window is about to stand as it was left, its layout fits.
+            known = known and not (self.is_placed and self._window.isHidden())
+            # A layout of Qt begins with the size of all docks, behind some numbers.
+            if known and QSize(*unpack_from(">ii", content, 17)).expandedTo(room) != room:
+                before = self._state()
+                self._show(self._present.name)
+                for name, (hidden, _, in_sight) in before.items():
+                    if hidden:
+                        self._docks[name].hide()
+                    elif in_sight and self._docks[name].isHidden():
+                        self._docks[name].bring_forward()
 
     def restore(self) -> None:
         """Restore the last session; place and size of the window only where its screen is there."""
@@ -343,7 +359,9 @@ class Workspaces(QObject):
         self.shown.emit(workspace.name)
 
     def _place(self, split: Split) -> None:
-        docks = [self._docks[_panels(part)[0]] for part, _ in split.parts]
+        parts = (part for part, _ in split.parts)
+        firsts = (part if isinstance(part, str) else next(part.panels()) for part in parts)
+        docks = [self._docks[first] for first in firsts]
         for before, after in pairwise(docks):
             if split in self._folded:
                 self._window.tabifyDockWidget(before, after)
@@ -508,10 +526,6 @@ class Workspaces(QObject):
             if dock.isFloating() and dock.isVisible():
                 dock.hide()
                 dock.show()
-
-
-def _panels(part: str | Split) -> tuple[str, ...]:
-    return (part,) if isinstance(part, str) else tuple(part.panels())
 
 
 def _edge(part: str | Split) -> str:

@@ -174,6 +174,8 @@ def test_each_workspace_is_remembered_until_it_is_reset(window, settle):
 
 def test_a_session_goes_on_where_the_last_one_ended(session, preferences):
     window = session()
+    # The first window fills the screen.
+    assert not window.workspaces.is_placed
     window.resize(780, 660)
     QApplication.processEvents()
     window.docks["inspector"].hide()
@@ -184,13 +186,15 @@ def test_a_session_goes_on_where_the_last_one_ended(session, preferences):
     window.close()
     assert preferences.screen == "800 x 800 at 1"
     again = session()
+    assert again.workspaces.is_placed
     assert in_sight(again) == {"skin", "traces"}
     again.do(COMPOSE)
     assert in_sight(again) == own
     again.close()
-    # On another screen the same panels are hidden.
+    # On another screen the same panels are hidden, and sizes do not count.
     preferences.screen = "1920 x 1080 at 2"
     elsewhere = session()
+    assert not elsewhere.workspaces.is_placed
     assert "inspector" not in in_sight(elsewhere)
 
 
@@ -233,6 +237,23 @@ def test_a_file_leaves_the_arrangement_as_it_is(window, settle, tmp_path):
     assert sizes(window) == before
 
 
+def test_an_arrangement_too_large_for_the_screen_gives_its_panels_the_room_there_is(window, settle):
+    window.resize(*LARGE)
+    settle()
+    drag_line(window, 60)
+    window.docks["hand"].hide()
+    window.docks["compare"].bring_forward()
+    own, layout = in_sight(window), window.workspaces.content()
+    window.resize(*SMALL)
+    window.do("reset_workspace")
+    settle()
+    first = sizes(window)
+    window.workspaces.put(layout)
+    settle()
+    assert in_sight(window) == own
+    assert all(sizes(window)[name].width() >= first[name].width() for name in own & set(first))
+
+
 def test_a_scene_opens_on_the_stage_and_the_own_arrangement_comes_back(window, settle):
     window.docks["hand"].hide()
     own = in_sight(window)
@@ -242,20 +263,6 @@ def test_a_scene_opens_on_the_stage_and_the_own_arrangement_comes_back(window, s
     assert in_sight(window) == {"stage"}
     window.do(COMPOSE)
     assert in_sight(window) == own
-
-
-def test_the_first_window_fills_the_screen_and_later_ones_are_as_they_were_left(
-    session, preferences
-):
-    window = session()
-    assert not window.workspaces.is_placed
-    window.close_unasked()
-    again = session()
-    assert again.workspaces.is_placed
-    again.close_unasked()
-    # Sizes of another screen do not count here.
-    preferences.screen = "1920 x 1080 at 2"
-    assert not session().workspaces.is_placed
 
 
 def present(window, settle, qtbot):

@@ -741,7 +741,9 @@ def snapshot_names(
         # A scene that was not changed is told by its title, as the others are.
         told = title and (not working or title == side.snapshot.design.title)
         wordings = (*longest, called) if told else (called,)
-        names.append((*(f"{part}{other}" for part in wordings), f"{side.name}{on_limb}"))
+        # What is its own is short enough.
+        shortest = cut if working and told and own else side.name
+        names.append((*(f"{part}{other}" for part in wordings), f"{shortest}{on_limb}"))
     return names
 
 

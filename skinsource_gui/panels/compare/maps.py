@@ -7,12 +7,7 @@ from PySide6 import QtGui, QtWidgets
 
 from skinsource.design import edits
 from skinsource.design.design import Design, View
-from skinsource_gui.panels.compare.content import (
-    KINDS,
-    Cell,
-    CompareContent,
-    Kind,
-)
+from skinsource_gui.panels.compare.content import KINDS, Cell, CompareContent, Kind
 from skinsource_gui.panels.compare.motion import Clock, MovingMaps
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.panels.compare.view import MapsView

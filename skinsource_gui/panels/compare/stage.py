@@ -16,6 +16,7 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_spec, is_gain
 from skinsource.design.clips import ONSET as ONSET_SPEC
+from skinsource.design.comparing import with_edited
 from skinsource.design.design import AMPLITUDE_GAIN, EDITED, Design, Input, View
 from skinsource.design.edits.edit import clip_of, leading_input
 from skinsource.design.panel_settings import (
@@ -35,7 +36,7 @@ from skinsource.studies import scenes
 from skinsource_gui.fields.editor import Burst
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.units import axis_unit, output_text, parse_number, value_text
-from skinsource_gui.panels.compare.content import ALL_AXES, KINDS, Names, OfWindow
+from skinsource_gui.panels.compare.content import ALL_AXES, KINDS, Kind, Names, OfWindow
 from skinsource_gui.panels.compare.maps import MapsPanel
 from skinsource_gui.panels.compare.motion import rounded
 from skinsource_gui.panels.compare.settings import CompareSettings
@@ -114,28 +115,28 @@ class Strip(Figure):
             painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()))
 
     def _area(self) -> QRectF:
-        line = 1.2 * self.fontMetrics().height()
+        line = 1.4 * self.fontMetrics().height()
         return QRectF(self.rect()).adjusted(UNIT_PX, line, -UNIT_PX, -line)
 
     def _paint(self, painter: QtGui.QPainter) -> None:
         theme, area, line = current_theme(), self._area(), painter.fontMetrics().height()
-        middle = area.center().y()
+        middle, pen_px = area.center().y(), max(line / 9.0, 1.5)
         painter.setPen(QtGui.QPen(QtGui.QColor(theme.grid), 1))
         painter.drawLine(QPointF(area.left(), middle), QPointF(area.right(), middle))
         left, ((x_low, x_high), (y_low, y_high)) = area.left(), self.ends
         for curve, label in zip(self.curves, self._labels(area.width()), strict=True):
             x = area.left() + area.width() * (curve.x - x_low) / (x_high - x_low)
             y = area.bottom() - area.height() * (curve.y - y_low) / (y_high - y_low)
-            painter.setPen(theme.output_pen(curve.rank, max(line / 9.0, 1.5)))
+            painter.setPen(theme.output_pen(curve.rank, pen_px))
             painter.save()
-            painter.setClipRect(area)
+            painter.setClipRect(area.adjusted(0.0, -pen_px, 0.0, pen_px))
             painter.drawPolyline(QtGui.QPolygonF(list(map(QPointF, x.tolist(), y.tolist()))))
             painter.restore()
             painter.drawText(QPointF(left, 0.9 * line), label)
             left += painter.fontMetrics().horizontalAdvance(f"{label}{_BETWEEN}")
         painter.setPen(QtGui.QColor(theme.dim))
         above = QRectF(area.left(), 0.0, area.width(), line)
-        below = QRectF(area.left(), area.bottom(), area.width(), 1.2 * line)
+        below = QRectF(area.left(), area.bottom() + 0.2 * line, area.width(), 1.2 * line)
         joined = "".join((self._words[1], _BETWEEN, self._words[2]))
         left_side, right_side = Qt.AlignmentFlag.AlignLeft, Qt.AlignmentFlag.AlignRight
         painter.drawText(above, right_side, self._words[0])
@@ -195,7 +196,7 @@ class Knob(QtWidgets.QWidget):
         for part in (self.dial, self.field):
             part.setAccessibleName(self.label.text())
         self.field.set_spec(spec)
-        self.field.set_value(value)
+        self.field.set_value(float(f"{value:.4g}"))
         with QSignalBlocker(self.dial):
             self.dial.setValue(round(_STEPS * self._share(value)))
 
@@ -226,8 +227,8 @@ _SPECTRUM_DB = 60.0
 _RESTS_MS = 1000
 
 
-# Ends a title that numbers were left out of; a number and its unit.
-_EDITED = " · edited"
+# Begins what stays true; ends a title that numbers were left out of; a number and its unit.
+_LASTING, _EDITED = ("Try", "Measured", "The skin itself"), " · edited"
 _QUANTITY = re.compile(r"(\d+(?:[.,]\d+)?)[\s-]?([^\W\d]\S*?)(?=[\s,.:;()-]|$)")
 
 
@@ -305,7 +306,7 @@ class StagePanel(MapsPanel):
 
     def show_state(self, design: Design, view: View) -> None:
         stage, compare = stage_settings(view), settings_of(view, "compare", CompareSettings)
-        kind = KINDS[compare.of] if stage.compared else _ALONE
+        kind = _compared(design, view, compare) if stage.compared else _ALONE
         self.switch.setChecked(stage.compared)
         self._show_knob(design, view)
         compared = view.snapshots if kind is KINDS["snapshots"] else ()
@@ -481,7 +482,7 @@ class StagePanel(MapsPanel):
         if now != title or design.inputs != before.inputs:
             # What was said of other numbers is no longer true.
             parts = re.split(r"(?<=\.) (?=[A-Z])", words)
-            said = " ".join(p for p in parts if p.startswith("Try") or not re.search(r"\d", p))
+            said = " ".join(p for p in parts if p.startswith(_LASTING) or not re.search(r"\d", p))
         # The end of a title says which of them it is.
         texts = title, now.removesuffix(_EDITED)
         title, now = (common_title([text, *others]) or text for text in texts)
@@ -607,6 +608,16 @@ class StagePanel(MapsPanel):
                 self.held, self._held_ends = scale.range_db, self.strip.ends
             self.edited.emit(outcome, gesture)
             self._rest.start()
+
+
+def _compared(design: Design, view: View, compare: CompareSettings) -> Kind:
+    """Return what is compared, people where that is less than two, or the design alone."""
+    snapshots = with_edited(view.snapshots, design)
+    for kind in (KINDS[compare.of], KINDS["limbs"]):
+        sides = snapshots if kind is KINDS["snapshots"] else kind.beside(compare, design)
+        if kind.own or len(sides) > 1:
+            return kind
+    return _ALONE
 
 
 def _names(number: int, limb: str) -> Names:

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from math import ceil
+from math import ceil, inf
 
 import numpy as np
 from PySide6 import QtGui, QtWidgets
@@ -14,7 +14,7 @@ from skinsource_gui.panels.compare.content import Cell, CompareContent
 from skinsource_gui.plots.colour_maps import colour_table
 from skinsource_gui.plots.curves import fitting
 from skinsource_gui.plots.figure import shrunk
-from skinsource_gui.plots.outputs import OutputPicker
+from skinsource_gui.plots.outputs import REACH_PX, OutputPicker
 from skinsource_gui.plots.small_map import (
     LEAST_MAP_PX,
     map_grid,
@@ -222,8 +222,7 @@ def paint_page(
     if content.message or not content.cells:
         painter.drawText(room, _CENTRE, content.message)
         return
-    synthetic = any(cell.synthetic for cell in content.cells)
-    text = " · ".join(filter(None, (content.about, "SYNTHETIC" * synthetic)))
+    text = " · ".join(filter(None, (content.about, "SYNTHETIC" * bool(content.head_lines))))
     painter.drawText(QRectF(0, 0, room.width(), 1.5 * line), _CENTRE, text)
     below = room.adjusted(0, 1.5 * line, 0, 0)
     paint_content(painter, content, places_for(below, content, painter.font()), theme)
@@ -357,7 +356,8 @@ class MapsView(QtWidgets.QWidget):
         if self.output is not None:
             self.pointed_at.emit(self.output)
         for place in self.places.cells:
-            self.update(place.map.toAlignedRect())
+            # The outline is drawn a little beyond.
+            self.update(place.map.adjusted(-2, -2, 2, 2).toAlignedRect())
 
     def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -402,6 +402,8 @@ class MapsView(QtWidgets.QWidget):
         """Note the map under a point; where there is none it stays the one before."""
         cells = enumerate(self.places.cells)
         self._at = next((k for k, place in cells if place.whole.contains(point)), self._at)
+        on_map = any(place.map.contains(point) for place in self.places.cells)
+        self.picker.reach_px = inf if on_map else REACH_PX
 
     def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
