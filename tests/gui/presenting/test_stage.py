@@ -86,14 +86,17 @@ def complete(panel, qtbot, n):
     return panel.maps.content.cells
 
 
+def side_by_side(panel, qtbot, n, **compare):
+    show(panel.window(), StageSettings(compared=True), **compare)
+    return complete(panel, qtbot, n)
+
+
 COMPARED = {"frequencies": 4, "limbs": 4, "axes": 3}
 
 
 @pytest.mark.parametrize("of", COMPARED)
 def test_maps_side_by_side_move_together_in_one_scale(stage, qtbot, of):
-    window = stage.window()
-    show(window, StageSettings(compared=True), of=of)
-    before = complete(stage, qtbot, COMPARED[of])
+    before = side_by_side(stage, qtbot, COMPARED[of], of=of)
     assert stage.maps.content.common_scale is not None
     tick(stage)
     after = stage.maps.content.cells
@@ -115,21 +118,10 @@ def test_maps_and_traces_move_along_the_axis_of_the_view_and_say_it(stage, qtbot
     assert loop.moving.largest == pytest.approx(np.abs(response.signals[:, 0]).max())
 
 
-def test_three_snapshots_move_and_a_louder_one_is_shown_larger(stage, qtbot):
-    window = stage.window()
-    louder = [window.document.design.with_input(0, amplitude=each) for each in (1.0, 2.0, 3.0)]
-    window.document.look(replace(window.document.view, snapshots=stored(louder)))
-    show(window, StageSettings(compared=True), of="snapshots")
-    first, second, third = complete(stage, qtbot, 3)
-    np.testing.assert_allclose(second.values_db, 2.0 * first.values_db)
-    np.testing.assert_allclose(third.values_db, 3.0 * first.values_db)
-
-
 def test_six_maps_cost_as_many_interpolations_a_frame_and_no_prediction(stage, qtbot):
     window = stage.window()
     others = (50.0, 150.0, 200.0, 300.0, 400.0)
-    show(window, StageSettings(compared=True), of="frequencies", frequencies_hz=others)
-    complete(stage, qtbot, 6)
+    side_by_side(stage, qtbot, 6, of="frequencies", frequencies_hz=others)
     qtbot.waitUntil(lambda: not window.engine.busy)
     requests = []
     window.engine.finished.connect(requests.append)
@@ -213,29 +205,9 @@ def test_a_design_says_what_is_turned_also_one_of_before(stage, control, turned)
     window.document.look(before)
     stage.knob.dial.setValue(700)
     after = window.document.design
-    values = {
-        "frequency_hz": after.clips[0].waveform.frequency_hz != 100.0,
-        "amplitude": after.inputs[0].amplitude != 1.0,
-        "onset_s": after.clips[0].onset_s != 0.0,
-    }
-    assert [name for name, changed in values.items() if changed] == [turned]
-
-
-def test_the_clock_runs_only_while_something_moves_in_sight(stage, qtbot):
-    complete(stage, qtbot, 1)
-    assert stage.clock._timer.isActive()
-    stage.window().do("present")
-    assert not stage.clock._timer.isActive()
-
-
-def test_the_strip_shows_the_outputs_of_one_map_or_one_output_of_several(stage, qtbot):
-    window = stage.window()
-    complete(stage, qtbot, 1)
-    assert len(stage.strip.curves) == len(window.document.view.outputs)
-    show(window, StageSettings(compared=True), of="frequencies")
-    complete(stage, qtbot, 4)
-    names = [curve.names for curve in stage.strip.curves]
-    assert names == [("50 Hz",), ("100 Hz",), ("200 Hz",), ("400 Hz",)]
+    was = {"frequency_hz": 100.0, "amplitude": 1.0, "onset_s": 0.0}
+    now = after.clips[0].waveform.frequency_hz, after.inputs[0].amplitude, after.clips[0].onset_s
+    assert [name for name, value in zip(was, now, strict=True) if value != was[name]] == [turned]
 
 
 def test_the_names_of_curves_are_as_long_as_there_is_room(stage, qtbot):
@@ -253,8 +225,7 @@ def test_the_names_of_curves_are_as_long_as_there_is_room(stage, qtbot):
 
 
 def test_maps_that_come_late_are_in_phase_with_those_that_move(stage, qtbot):
-    show(stage.window(), StageSettings(compared=True), of="limbs")
-    complete(stage, qtbot, 4)
+    side_by_side(stage, qtbot, 4, of="limbs")
     first, *others = stage.compared
     stage.show_on_limbs([first, replace(first, values=None), *others])
     tick(stage)
@@ -264,17 +235,6 @@ def test_maps_that_come_late_are_in_phase_with_those_that_move(stage, qtbot):
     # Those that moved go on from where they were.
     np.testing.assert_array_equal(one.values_db, before)
     np.testing.assert_array_equal(late.values_db, before)
-
-
-def test_maps_of_other_frequencies_stay_in_phase_while_the_knob_turns(stage, qtbot):
-    show(stage.window(), StageSettings(compared=True), of="frequencies")
-    complete(stage, qtbot, 4)
-    tick(stage)
-    ran_s = stage.moving.ran_s
-    stage.knob.dial.setValue(900)
-    qtbot.waitUntil(lambda: not stage.window().engine.busy and not stage.is_stale)
-    # The slowest, whose period is that of all of them, was not turned.
-    assert stage.moving.ran_s == pytest.approx(ran_s)
 
 
 def test_maps_named_by_a_frequency_have_all_tones_at_it(stage, qtbot):
@@ -388,6 +348,33 @@ def test_what_the_compare_panel_shows_is_presented(stage, qtbot):
     complete(stage, qtbot, 4)
 
 
+@pytest.mark.parametrize("moves", [True, False])
+def test_curves_of_a_comparison_go_with_its_maps(stage, qtbot, moves):
+    window = stage.window()
+
+    def is_empty():
+        return not (stage.maps.content.cells or stage.strip.curves or window.engine.busy)
+
+    show(window, StageSettings(compared=True, moves=moves), of="snapshots")
+    window.do("store_snapshot_1")
+    stage.knob.dial.setValue(0)
+    complete(stage, qtbot, 2)
+    assert len(stage.strip.curves) == 2
+    # What was turned is taken back: the design is the snapshot again.
+    window.do("present")
+    assert not stage.clock._timer.isActive()
+    window.do("arrange_presentation")
+    qtbot.waitUntil(is_empty)
+    show(window, StageSettings(compared=True, moves=moves), of="frequencies")
+    complete(stage, qtbot, 4)
+    assert stage.clock._timer.isActive() is moves
+    names = [curve.names for curve in stage.strip.curves]
+    assert names == [("50 Hz",), ("100 Hz",), ("200 Hz",), ("400 Hz",)]
+    window.document.edit("Empty", replace(window.document.design, inputs=()))
+    qtbot.waitUntil(is_empty)
+    assert stage.maps.content.message
+
+
 def test_the_knob_says_whose_number_it_turns(stage):
     document = stage.window().document
     tone = ss.waveforms.Tone(frequency_hz=100.0)
@@ -428,8 +415,7 @@ def test_words_of_ones_own_say_the_number_that_is_played(stage, qtbot, title, tu
     stage.knob.edited.emit(150.0, None)
     assert (stage.heading.text(), stage.sentence.text()) == (turned, "It runs. Try 50 Hz.")
     document.look(replace(document.view, snapshots=stored(others)))
-    show(stage.window(), StageSettings(compared=True), of="snapshots")
-    working = complete(stage, qtbot, 3)[-1]
+    working = side_by_side(stage, qtbot, 3, of="snapshots")[-1]
     assert any(turned in name for name in working.headings)
     assert title not in working.headings
     # Another design with the same words is the one that they are said of.
@@ -448,9 +434,10 @@ def test_maps_in_motion_say_by_how_much_they_are_matched(stage, qtbot):
     window = stage.window()
     louder = window.document.design, window.document.design.with_input(0, amplitude=4.0)
     window.document.look(replace(window.document.view, snapshots=stored(louder)))
-    show(window, StageSettings(compared=True), of="snapshots")
-    complete(stage, qtbot, 2)
-    assert not any("matched" in cell.value_text(None) for cell in stage.maps.content.cells)
+    side_by_side(stage, qtbot, 2, of="snapshots")
+    one, other = stage.maps.content.cells
+    np.testing.assert_allclose(other.values_db, 4.0 * one.values_db)
+    assert not any("matched" in cell.value_text(None) for cell in (one, other))
     window.do("match_levels")
     qtbot.waitUntil(lambda: stage.compared[1].gain != 1.0 and not window.engine.busy)
     one, other = stage.maps.content.cells
@@ -491,8 +478,7 @@ def test_slow_motion_is_chosen_on_the_stage_and_said_there(stage, qtbot):
     assert stage.moving.turns - turns == pytest.approx(0.05 / 20 * 100.0)
     window.do("play_automatic")
     assert stage.moving.slow_motion == 50.0
-    show(window, StageSettings(compared=True), of="frequencies")
-    complete(stage, qtbot, 4)
+    side_by_side(stage, qtbot, 4, of="frequencies")
     window.do("play_slower")
     qtbot.waitUntil(lambda: stage.moving.slow_motion == 500.0)
 
@@ -515,8 +501,7 @@ def test_of_a_long_motion_the_loudest_part_moves_in_half_a_minute(stage, qtbot):
     # Of designs beside one another it is the same part, where a shorter one may have ended.
     tap = replace(noisy, inputs=(ss.track(7, ss.waveforms.Tap()),))
     window.document.look(replace(window.document.view, snapshots=stored((noisy, tap))))
-    show(window, StageSettings(compared=True), of="snapshots")
-    complete(stage, qtbot, 2)
+    side_by_side(stage, qtbot, 2, of="snapshots")
     qtbot.waitUntil(lambda: [each.names[0] for each in stage.strip.curves] == ["Snapshot 1"])
 
 
@@ -550,8 +535,7 @@ def test_several_maps_show_hands_unless_an_output_of_the_arm_is_selected(stage, 
     window.document.look(replace(window.document.view, outputs=outputs))
     complete(stage, qtbot, 1)
     assert not stage.maps.places.low
-    show(window, StageSettings(compared=True), of="limbs")
-    complete(stage, qtbot, 4)
+    side_by_side(stage, qtbot, 4, of="limbs")
     assert stage.maps.places.low == (72 not in outputs)
     # What is selected is seen.
     points, areas = stage.maps.points_of(1), stage.maps.places.cells[1].map
@@ -576,8 +560,7 @@ def test_a_key_and_a_switch_show_arms_of_one_map_and_of_several(stage, qtbot, mo
     show(window, StageSettings(compared=True), of="snapshots")
     qtbot.waitUntil(lambda: not stage.maps.content.cells)
     key()
-    show(window, StageSettings(compared=True), of="limbs")
-    complete(stage, qtbot, 4)
+    side_by_side(stage, qtbot, 4, of="limbs")
     assert is_shown(arm=False)
     # It is shown even where there is little room.
     monkeypatch.setattr(stage.maps, "least_lines", 1e3)
@@ -615,8 +598,7 @@ def test_maps_keep_their_part_of_the_height_however_large_and_long_the_words(sta
     long = f"{SENTENCE[:-1]} and {'then turn it to another one, ' * 30}again."
     title = window.document.design.title
     window.document.edit("", replace(window.document.design, notes=long, title=title * 30))
-    show(window, StageSettings(compared=True), of="limbs")
-    complete(stage, qtbot, 4)
+    side_by_side(stage, qtbot, 4, of="limbs")
     qtbot.waitUntil(lambda: window.workspaces.settled and stage.width() > 0.9 * screen[0])
     qtbot.waitUntil(lambda: stage.maps.height() >= 0.42 * stage.height())
     assert stage.sentence.text().endswith("…")
@@ -641,8 +623,7 @@ def test_maps_that_move_side_by_side_are_filmed_in_a_loop(stage, qtbot, tmp_path
         maps_film, "video_file", lambda *_: nullcontext(lambda each: frames.append(each * 1.0))
     )
     assert not shown(window, "maps_animation").ready
-    show(window, StageSettings(compared=True), of="frequencies", frequencies_hz=(50.0,))
-    complete(stage, qtbot, 2)
+    side_by_side(stage, qtbot, 2, of="frequencies", frequencies_hz=(50.0,))
     part, turns = shown(window, "maps_animation"), stage.moving.turns
     for name, value in (("width_px", 320), ("height_px", 180), ("colours", "dark")):
         part.form._edit(name, value, None)
@@ -665,8 +646,7 @@ def test_the_warning_stays_on_one_line_above_several_maps(stage, qtbot):
     window = stage.window()
     window.showNormal()
     window.resize(1920, 1080)
-    show(window, StageSettings(compared=True), of="limbs")
-    complete(stage, qtbot, 4)
+    side_by_side(stage, qtbot, 4, of="limbs")
     stage.show_caution("⚠ Outside the measured band, 2 more")
     stage.layout().activate()
     line_px = stage.caution.fontMetrics().height()
@@ -710,8 +690,7 @@ def test_clicks_on_the_stage_add_and_remove_outputs_in_one_scale(stage, qtbot):
     stage._rest.timeout.emit()
     assert stage.strip.ends == ends
     # Of several maps one output is shown, which is the one that was clicked.
-    show(window, StageSettings(compared=True), of="axes")
-    complete(stage, qtbot, 3)
+    side_by_side(stage, qtbot, 3, of="axes")
     assert click(52) == (52,)
 
 
