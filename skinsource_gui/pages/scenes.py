@@ -147,11 +147,8 @@ class ScenesPage(ToolPage):
         self.open_button.setEnabled(not reason)
         self.picture.show_image(picture_of(scene).toImage())
         self.picture.setAccessibleName(scene.title)
-        lines = [
-            f"<b>{escape(scene.heading)}</b>",
-            escape(scene.notes.partition("\n")[0]),
-            _dim(_source_of(scene)),
-        ]
+        words, *sources = scene.notes.split("\n")
+        lines = [f"<b>{escape(scene.heading)}</b>", escape(words), _dim(" ".join(sources))]
         lines.append(self._reason_text(reason) if reason else self._limbs_text(scene))
         self.text.setText("<br>".join(lines))
 
@@ -210,11 +207,6 @@ def _recoloured(image: QtGui.QImage, base: QtGui.QColor, text: QtGui.QColor) -> 
         greys = black + (white - black) * high
         lines[..., :3] = np.round(255.0 * (coloured * bgr + (1.0 - coloured) * greys))
     return image
-
-
-def _source_of(scene: Scene) -> str:
-    inferred = f" Inferred: {'; '.join(scene.inferred)}." if scene.inferred else ""
-    return f"Source: {scene.source}.{inferred}"
 
 
 def _dim(text: str) -> str:

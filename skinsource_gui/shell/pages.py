@@ -42,7 +42,7 @@ _PICTURE_PX = 640
 def keys_page(actions: Iterable[ActionSpec], parent: QtWidgets.QWidget) -> QtWidgets.QDialog:
     """Return the page of all shortcuts and of what the mouse does."""
     rows: list[tuple[str, str | None]] = []
-    for group in (*MOUSE.values(), *KEYS.values()):
+    for group in (*KEYS.values(), *MOUSE.values()):
         rows += [(group.heading, None)]
         rows += [(gesture.shown, gesture.effect) for gesture in group.gestures.values()]
     rows += [("Everywhere", None)]

@@ -37,6 +37,11 @@ Entry = ShowEntry | UnreadEntry
 
 _LARGE = 1.6
 _SIZE = 560, 420
+# What keys do that no control of the stage names.
+_HINTS = (
+    "{next} or {previous}: other scene · {hold}: pause · {levels}: levels · {fit}: fit scales · "
+    "{cover}: cover · {more}: all keys · {end} or {leave}: leave"
+)
 
 
 class NotesWindow(QtWidgets.QWidget):
@@ -52,7 +57,7 @@ class NotesWindow(QtWidgets.QWidget):
         super().__init__(window, Qt.WindowType.Window)
         self.setObjectName("notes_window")
         self.setWindowTitle("Notes – SkinSource studio")
-        self.heading, self.next = page_label("notes_title"), page_label("notes_next")
+        self.heading, self.next = page_label("notes_heading"), page_label("notes_next")
         self.notes = QtWidgets.QTextBrowser(self)
         self.notes.setOpenExternalLinks(True)
         large = scaled(self.font(), _LARGE)
@@ -242,7 +247,7 @@ class Presenter(QObject):
         panels.each(self._meet)
         self._focused: QtWidgets.QWidget | None = None
         self._steps: tuple[Step, ...] = ()
-        self._entries: tuple[ShowEntry | UnreadEntry, ...] = ()
+        self._entries: tuple[Entry, ...] = ()
         self._at = -1
         # Steps of the history when the design was put on the stage: what is turned there is taken
         # back.  Whether there is work in it that is asked about before another one comes.
@@ -274,10 +279,9 @@ class Presenter(QObject):
         stage = cast("StagePanel", self._made[STAGE])
         if compares and not stage_settings(self._document.view).compared:
             stage.compare()
-        following = KEYS["presenting"].gestures["next"].shown
-        cover = key_text("presenting", "cover")
-        leave = f"{shortcut_text('present')} or {key_text('presenting', 'leave')}"
-        self.done.emit(f"{following}: next scene · {cover}: cover the maps · {leave}: leave")
+        keys = {name: key_text("presenting", name) for name in KEYS["presenting"].gestures}
+        more, end = map(shortcut_text, ("show_keys", "present"))
+        self.done.emit(_HINTS.format(**keys, more=more, end=end))
 
     def end(self) -> None:
         """Bring back bars, panels where they stood, with those of the scene, and the map."""
@@ -386,7 +390,7 @@ class Presenter(QObject):
     def _bars(self) -> list[QtWidgets.QWidget]:
         return [self._window.menuWidget(), self._window.statusBar()]
 
-    def _note_saved(self, path: Path, entries: tuple[ShowEntry | UnreadEntry, ...]) -> None:
+    def _note_saved(self, path: Path, entries: tuple[Entry, ...]) -> None:
         self._at = min(self._at, len(entries) - 1) if self._entries else -1
         self._show_path, self._entries, self._steps = path, entries, steps_of_show(entries)
         self._files.note_used(path)

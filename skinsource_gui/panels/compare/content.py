@@ -743,8 +743,8 @@ def snapshot_names(
             # A scene that was not changed is told by its title, as the others are.
             told = title == side.snapshot.design.title
             longest = tuple(f"{part}{other}" for part in parts if told and part)
-        elif len(longest) > 1:
-            longest = (*longest, f"{side.name} · {own_parts[title]}{other}")
+        if len(longest) > 1:
+            longest = (*longest, f"{f'{side.name} · ' * (not working)}{own_parts[title]}{other}")
         names.append((*longest, f"{called}{other}", f"{side.name}{on_limb}"))
     return names
 

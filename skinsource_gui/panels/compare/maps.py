@@ -154,7 +154,8 @@ class MapsPanel(Panel):
     def run_clock(self) -> None:
         """Let the maps move, if they do and can be seen."""
         content = self.maps.content
-        self.clock.run(self.moves and self.isVisible() and bool(content.cells))
+        on = self.moves and self.isVisible() and bool(content.cells)
+        self.clock.run(on, self.moving.pictures_per_s)
 
     def showEvent(self, event: QtGui.QShowEvent) -> None:
         super().showEvent(event)

@@ -26,11 +26,15 @@ from skinsource_gui.state.compared import Compared
 # Colours reach their ends at this share of the largest acceleration, which under the actuator is
 # far larger than elsewhere.
 _SHARE_OF_LARGEST = 0.1
-_AFTER = " after matching,"
 #: A motion that would take longer to see is shown in its loudest part alone, s.
 MOST_S = 30.0
-# That of clips one after another, as from place to place, is whole up to this time of the skin, s.
-_MOST_OF_CLIPS_S = 2.0
+# Clips one after another, as from place to place, are seen in this time, s, and therefore up to so
+# many times faster; at a chosen speed they are whole up to this time of the skin, s.
+_CLIPS_S, _FASTER, _MOST_OF_CLIPS_S = 18.0, 9.0, 2.0
+_PICTURES_PER_S = SHOWN_HZ * PICTURES_PER_PERIOD
+# Of a faster motion a period has up to so many times fewer pictures, and a late one goes on by at
+# most so many of them: with two a period, waves would seem to run backwards.
+_FEWER, _LATER = 4.0, 1.2
 
 
 def rounded(value: float) -> str:
@@ -54,6 +58,8 @@ class MovingMaps:
         the design is shown.
     unit
         Unit of what moves, along which axis it does, and whether it is matched.
+    pictures_per_s
+        How many pictures are needed for it.
     made
         Number of maps that were interpolated.
     """
@@ -61,7 +67,7 @@ class MovingMaps:
     def __init__(self) -> None:
         self.loops: list[tuple[Loop, float] | None] = []
         self.turns = 0.0
-        self.slow_motion, self.made = 1.0, 0
+        self.slow_motion, self.pictures_per_s, self.made = 1.0, _PICTURES_PER_S, 0
         self.axes, self.chosen, self.matched, self.unit = "z", 0.0, "", "m/s²"
         self._cells: tuple[Cell, ...] = ()
         self._compared: Sequence[Compared] = ()
@@ -90,11 +96,16 @@ class MovingMaps:
         self.loops = [_loop(side, self.axes) for side in compared]
         loops = [known for known in self.loops if known is not None]
         self.slow_motion = max((loop.slow_motion for loop, _ in loops), default=1.0)
+        followed, self.pictures_per_s = self.slow_motion, _PICTURES_PER_S
         if self.chosen > 1.0:
             self.slow_motion = self.chosen
         part_s = MOST_S / self.slow_motion
-        if any(is_sequence(side.snapshot.design) for side in compared):
+        if self.longest_s and any(is_sequence(side.snapshot.design) for side in compared):
             part_s = max(part_s, _MOST_OF_CLIPS_S)
+            if self.chosen <= 1.0:
+                part_s = min(self.longest_s, _FASTER * _CLIPS_S / followed)
+                self.slow_motion = min(followed, _CLIPS_S / part_s)
+                self.pictures_per_s *= max(followed / self.slow_motion / _FEWER, 1.0)
         long = [loop for loop, _ in loops if loop.phasors is None and loop.duration_s > part_s]
         if long:
             after_s = max(long, key=lambda loop: loop.largest).loudest_after_s(part_s)
@@ -131,6 +142,8 @@ class MovingMaps:
     def advance(self, seconds: float) -> None:
         """Go on by this time of the person who looks."""
         if longest_s := self.longest_s:
+            if self.pictures_per_s > _PICTURES_PER_S:
+                seconds = min(seconds, _LATER / self.pictures_per_s)
             self.turns += seconds / (self.slow_motion * longest_s)
 
     def cells(self) -> tuple[Cell, ...]:
@@ -161,14 +174,15 @@ class MovingMaps:
             return cell
         loop, gain = known
         value, matched = f"{rounded(loop.largest * gain)} m/s²", gain_text(gain)
-        after = f"{_AFTER} {matched}" if matched else ""
+        whole = f"up to {value}{f' after matching, {matched}' if matched else ''}"
+        short = (f"{value}, matched {matched}", f"matched {matched}") if matched else (value,)
         return replace(
             cell,
             small=small_map_of(side.values),
             scale=scale,
             design=design,
             synthetic=bool(side.values["limb_data"].synthetic),
-            reaches=(f"up to {value}{after}", f"{value}{after.replace(_AFTER, ', matched')}"),
+            reaches=(whole, *short),
         )
 
     def _frame(self, k: int) -> Cell:
@@ -207,17 +221,17 @@ class Clock(QObject):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        per_s = SHOWN_HZ * PICTURES_PER_PERIOD
-        self._timer = QTimer(self, interval=round(1e3 / per_s), timerType=Qt.TimerType.PreciseTimer)
+        self._timer = QTimer(self, timerType=Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self._tick)
         self._elapsed = QElapsedTimer()
         self.held = False
 
-    def run(self, on: bool) -> None:
-        """Begin or stop."""
-        self.held = self.held and on
-        if on != self._timer.isActive():
+    def run(self, on: bool, pictures_per_s: float) -> None:
+        """Begin or stop, or go on with other pictures per second."""
+        self.held, interval_ms = self.held and on, round(1e3 / pictures_per_s)
+        if (on, interval_ms) != (self._timer.isActive(), self._timer.interval()):
             self._elapsed.start()
+            self._timer.setInterval(interval_ms)
             (self._timer.start if on else self._timer.stop)()
 
     def _tick(self) -> None:

@@ -20,7 +20,6 @@ from skinsource.design.design import AMPLITUDE_GAIN, EDITED, Design, Input, View
 from skinsource.design.edits.edit import clip_of, leading_input
 from skinsource.design.panel_settings import (
     AMPLITUDE,
-    COMPARED,
     ONSET,
     STAGE,
     StageSettings,
@@ -45,10 +44,10 @@ from skinsource_gui.plots.pictures import common_title
 from skinsource_gui.plots.small_map import Range
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.frames import CachedPicture, Same
-from skinsource_gui.qt.keys import key_text
+from skinsource_gui.qt.keys import KEYS
 from skinsource_gui.qt.labels import how_to_add
 from skinsource_gui.qt.layouts import in_column, in_row, named
-from skinsource_gui.qt.theme import UNIT_PX, current_theme, letter_scale, set_tone, tabular
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, letter_scale, tabular
 from skinsource_gui.state.compared import Compared
 
 _ALONE = OfWindow()
@@ -169,7 +168,8 @@ class Knob(QtWidgets.QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        self.label, self.dial = QtWidgets.QLabel(), named(QtWidgets.QDial(), "stage_dial")
+        self.label = page_label("stage_number", tone="dim", centred=True)
+        self.dial = named(QtWidgets.QDial(), "stage_dial")
         self.field = NumberField(ONSET_SPEC)
         self._ends, self._logarithmic, self._burst = (0.0, 1.0), False, Burst(self)
         # The maps have the room first.
@@ -182,10 +182,8 @@ class Knob(QtWidgets.QWidget):
         self.dial.valueChanged.connect(self._turn)
         self.field.edited.connect(self.edited)
         self.field.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.label.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.label.setWordWrap(True)
-        set_tone(self.label, "dim")
-        in_column(self.label, (self.dial, 1), self.field, of=self, margins=0, gap_px=UNIT_PX // 2)
+        parts, gap_px = (self.label, (self.dial, 1), self.field), UNIT_PX // 2
+        self.column = in_column(*parts, of=self, margins=0, gap_px=gap_px)
         self.setFocusProxy(self.dial)
 
     def show_number(self, name: str, spec: NumberSpec, value: float, of: str = "") -> None:
@@ -252,14 +250,13 @@ class StagePanel(MapsPanel):
         super().__init__(parent)
         self.heading, self.sentence = page_label("stage_title"), page_label("stage_sentence")
         self.strip, self.knob = Strip(), Knob()
-        self.caution, self.switch = QtWidgets.QLabel(), QtWidgets.QCheckBox("Compare")
-        self.arm = QtWidgets.QCheckBox("Arm")
-        self.caution.setObjectName("stage_caution")
-        self.caution.setWordWrap(True)
-        set_tone(self.caution, "warning")
-        named(self.switch, "stage_compare", hint=COMPARED.hint)
+        self.caution = page_label("stage_caution", tone="warning")
+        self.arm, self.switch = QtWidgets.QCheckBox("Arm"), QtWidgets.QCheckBox("Compare")
+        keys = KEYS["presenting"].gestures
+        named(self.switch, "stage_compare", hint=keys["compare"].hint)
         self.switch.clicked.connect(self.compare)
-        named(self.arm, "stage_arm", hint=f"Show the arm too ({key_text('presenting', 'arm')})")
+        named(self.arm, "stage_arm", hint=keys["arm"].hint)
+        self.knob.dial.setToolTip(keys["fit"].hint)
         self.arm.clicked.connect(self.show_arm)
         self.maps.arm_shown.connect(self.arm.setChecked)
         self._switches = in_column(self.arm, self.switch, margins=0)
@@ -449,7 +446,8 @@ class StagePanel(MapsPanel):
         top = max(margin, self.caution.fontMetrics().height() + UNIT_PX)
         self._grid.setContentsMargins(margin, top, margin, margin)
         self._set_letters(grown * words, self.knob.field)
-        self._grid.setRowMinimumHeight(4, self.knob.minimumSizeHint().height())
+        knob = self.knob
+        self._grid.setRowMinimumHeight(4, knob.column.minimumHeightForWidth(knob.width()))
         for label, whole, text in self._said:
             # Nothing moves where less is said than before.
             label.setMinimumHeight(0 if whole == text else self._height_of(label))

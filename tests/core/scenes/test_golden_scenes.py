@@ -59,6 +59,15 @@ def test_scenes_of_a_pulse_are_the_impulse_responses_themselves(measured):
             np.testing.assert_allclose(traces, response, rtol=0, atol=1e-12)
 
 
+def test_the_energy_of_figure_1d_is_that_of_all_axes(measured):
+    opened = ss.scenes.open_scene("1D")
+    response = ss.load_limb(opened.design.limb).response_to(8)[19]
+    power = np.square(np.abs(np.fft.rfft(response))).sum(axis=0)
+    above = np.fft.rfftfreq(response.shape[-1], 1.0 / 1300.0) > 200.0
+    share = power[above].sum() / power.sum()
+    assert f"{100.0 * share:.0f} % of the energy at output 20" in opened.scene.sentence
+
+
 def test_figure_2h_draws_in_towards_the_finger(measured):
     opened = ss.scenes.open_scene("2H")
     view = ss.View(axes="xyz", method="mag", outputs=tuple(range(1, 73)))

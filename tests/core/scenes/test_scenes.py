@@ -1,6 +1,7 @@
 """The shipped scenes: their texts and designs, opened on the limbs that there are."""
 
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -12,7 +13,7 @@ from skinsource.cli.command_line import main
 from skinsource.design.design import shown_snapshot
 from skinsource.design.design_file import open_design
 from skinsource.design.panel_settings import stage_settings
-from skinsource.studies.scenes.scenes import _later_and_weaker, path_of
+from skinsource.studies.scenes.scenes import FINDINGS, _later_and_weaker, path_of
 
 MEASURED = tuple(name for name in LIMB_NAMES if name.startswith("measured"))
 NAMES = ss.scenes.names()
@@ -23,6 +24,11 @@ def test_each_design_file_has_a_description():
     stored = {path.stem for path in ss.scenes.scenes_folder().glob("*.skinsource")}
     assert stored == set(NAMES)
     assert len(set(ss.scenes.all_scenes())) == len(NAMES)
+
+
+def levels_of(opened):
+    name = "output_levels_db"
+    return [ss.evaluate(each.design, name, view=opened.view)[name] for each in opened.conditions]
 
 
 @every
@@ -60,13 +66,12 @@ def test_each_opens_on_the_synthetic_limb_of_its_number_elsewhere_and_moves_what
     opened = ss.scenes.open_scene(name, available=("synthetic-1",))
     there = ss.scenes.open_scene(name, available=MEASURED)
     assert "SYNTHETIC" in opened.note
-    for here, condition in zip(opened.conditions, there.conditions, strict=True):
+    sides = zip(opened.conditions, there.conditions, levels_of(opened), strict=True)
+    for here, condition, own_db in sides:
         assert here.label == condition.label
         assert here.design.limb == condition.design.limb.replace("measured", "synthetic")
         assert here.design.inputs == condition.design.inputs
-        levels = ss.evaluate(here.design, "output_levels_db", view=opened.view)
-        shown_db = levels["output_levels_db"][[output - 1 for output in opened.view.outputs]]
-        assert shown_db.max() > -60.0
+        assert own_db[[output - 1 for output in opened.view.outputs]].max() > -60.0
 
 
 def test_what_is_compared_differs_in_what_its_labels_say():
@@ -130,10 +135,7 @@ def test_the_missing_panels_of_the_paper_are_listed_with_the_reason():
 
 def test_the_numbers_of_a_sentence_are_those_of_the_limb_that_is_open():
     opened = ss.scenes.open_scene("2F", available=("synthetic-3",))
-    levels = [
-        ss.evaluate(each.design, "output_levels_db", view=opened.view)["output_levels_db"][18]
-        for each in opened.conditions
-    ]
+    levels = [each[18] for each in levels_of(opened)]
     gain_db = levels[2] - max(levels[:2])
     words = f"{abs(gain_db):.0f} dB {'louder' if gain_db > 0 else 'softer'} at output 19"
     assert words in opened.design.notes
@@ -147,19 +149,27 @@ def test_a_sentence_on_travel_tells_the_group_delay_and_not_where_a_tone_is_larg
     tone = np.sin(2 * np.pi * 200.0 * times_s) * (times_s < 0.1)
     # The later one comes after 8 ms, and goes on growing.
     traces = np.stack([tone, np.roll(tone * (0.5 + 0.1 * times_s), 80)])
-    text = _later_and_weaker(traces, 1e4, 3, 5)
+    text = _later_and_weaker(traces[:, None], 1e4, 3, 5)
     assert "8 ms later (group delay)" in text
     # Of another shape there is no delay.
     traces[1] = np.random.default_rng(1).standard_normal(2000)
-    assert "later" not in _later_and_weaker(traces, 1e4, 3, 5)
+    assert "later" not in _later_and_weaker(traces[:, None], 1e4, 3, 5)
+
+
+@pytest.mark.parametrize("name", ["5D", "5E", "5F"])
+def test_scenes_of_linearity_tell_what_is_computed_beside_what_the_paper_measured(name):
+    opened = ss.scenes.open_scene(name, available=())
+    assert f"at least 0.9999. {opened.scene.measured}" in opened.design.notes
+    first, *others = opened.conditions
+    clip = replace(first.design.clips[0], gain=4.0)
+    bent = replace(first, design=first.design.with_input(0, clips=(clip,)))
+    assert "1.000000" not in FINDINGS[name](replace(opened, conditions=(bent, *others)))
 
 
 def test_people_are_told_apart_by_how_far_each_carries_the_pulse():
     opened = ss.scenes.open_scene("1G", available=())
     found = opened.scene.sentence.removeprefix(ss.scenes.scene("1G").sentence)
-    for condition in opened.conditions:
-        levels_db = ss.evaluate(condition.design, "output_levels_db", view=opened.view)
-        own_db = levels_db["output_levels_db"]
+    for condition, own_db in zip(opened.conditions, levels_of(opened), strict=True):
         assert f"{condition.label.lower()} {own_db.max() - own_db[51]:.0f} dB" in found
 
 

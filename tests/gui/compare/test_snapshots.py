@@ -389,4 +389,4 @@ def test_the_working_design_is_told_by_its_title_until_a_scene_is_changed():
         sides = [Compared(snapshot=each) for each in with_edited(scene.view.snapshots, design)]
         names = snapshot_names(sides, "z")
         assert names[0][1] == "Snapshot 1 · 5 mm/s"
-        assert names[-1][-3 if name == "80 mm/s" else 0] == name
+        assert names[-1][2 if name == "80 mm/s" else 0] == name

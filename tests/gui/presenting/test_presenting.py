@@ -1,5 +1,7 @@
 """Presenting: bars away, words over the window, a covered map, scenes in turn and their notes."""
 
+import re
+
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QContextMenuEvent
@@ -10,6 +12,7 @@ from skinsource.base.lock import Lock
 from skinsource.design.design_file import open_design
 from skinsource.studies.scenes.scenes import all_scenes
 from skinsource_gui.pages.files.file_actions import FileActions
+from skinsource_gui.qt.keys import KEYS, key_text
 from skinsource_gui.qt.overlays import COVERED, Cover
 from skinsource_gui.shell.presenting import NotesWindow, steps_of_folder
 from tests.gui.analysis.analysis_bench import analysis
@@ -106,6 +109,10 @@ def test_a_covered_map_shows_nothing_that_was_computed(window, settle):
 def test_while_the_bars_are_away_words_lie_over_the_window(studio):
     studio.do("present")
     assert "F9 or Esc: leave" in studio.notice.text
+    # There, or at its control, every key of the stage is named.
+    tips = [part.toolTip() for part in studio.panel("stage").findChildren(QWidget)]
+    for key in (key_text("presenting", name) for name in KEYS["presenting"].gestures):
+        assert re.search(rf"\b{key}(:|\)| or)", f"{studio.notice.text} {tips}")
     studio.do("next_scene")
     assert studio.notice.text == "Scene 3 of 3: 3 both"
     studio.do("next_scene")
@@ -240,7 +247,13 @@ def test_of_a_scene_that_was_turned_it_is_said_that_it_is_left_as_it_was(open_wi
     louder(window, 2.0)
     window.do("undo")
     window.do("next_scene")
-    assert "changes" not in window.notice.text
+    assert "saved" not in window.notice.text
+    # By hand, too.
+    before = window.document.design.inputs[0].amplitude
+    louder(window, 2.0 * before)
+    louder(window, before)
+    window.do("next_scene")
+    assert "saved" not in window.notice.text
 
 
 @pytest.mark.parametrize("presented", ["afterwards", "before"])

@@ -308,7 +308,7 @@ def _overlay(ax: Any, opened: OpenedScene, time_ms: Floats, curves: Floats) -> N
     ax.locator_params(axis="x", nbins=4)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False)
 class Fits:
     """Straight lines of output over input, in bands of 2 Hz.
 
@@ -372,15 +372,7 @@ def lines_of(opened: OpenedScene) -> Fits:
         output_spectra = scipy.fft.rfft(normal_of(condition.design, field))
         of_outputs.append(band_rms(output_spectra, n_times, rate_hz, swept)[1])
     x, y = np.stack(of_input), np.stack(of_outputs)
-    slope, offset, adjusted_r2 = straight_lines(x[:, None], y)
-    return Fits(
-        frequency_hz=frequency_hz,
-        input_rms=x,
-        output_rms=y,
-        slope=slope,
-        offset=offset,
-        adjusted_r2=adjusted_r2,
-    )
+    return Fits(frequency_hz, x, y, *straight_lines(x[:, None], y))
 
 
 def output_over_input(opened: OpenedScene) -> Drawn:
@@ -409,7 +401,7 @@ def output_over_input(opened: OpenedScene) -> Drawn:
             low, high = ax.get_ylim()
             ax.set_ylim(low, high * 12.0)
     columns = {"frequency_hz": fits.frequency_hz}
-    for level, label in enumerate(_labels(opened)):
+    for level, label in enumerate(opened.scene.labels):
         columns[f"input at {label} ({unit})"] = fits.input_rms[level]
         for number in outputs:
             columns[f"output_{number} at {label} (m/s²)"] = fits.output_rms[level, number - 1]
@@ -506,19 +498,15 @@ _HEIGHT_MM, _BAR_ROOM_MM = 92.0, 20.0
 _RELATIVE_RANGE_DB = (-MAP_RANGE_DB, 0.0)
 
 
-def maps_in_one_scale(opened: OpenedScene) -> Drawn:
-    """Draw a map for each design, all in one scale of levels."""
+def maps_of_designs(opened: OpenedScene, *, own_scale: bool) -> Drawn:
+    """Draw a map for each design, all in one scale of levels or each re its loudest output."""
     levels = [levels_of(condition.design, None, opened.view) for condition in opened.conditions]
-    colours = common_range(*(level.values for level in levels))
-    return maps_figure(opened, levels, _labels(opened), colours, "dB re 1 m/s²")
-
-
-def maps_each_relative(opened: OpenedScene) -> Drawn:
-    """Draw a map for each design, each re its loudest output."""
-    levels = [levels_of(condition.design, None, opened.view) for condition in opened.conditions]
+    if not own_scale:
+        colours = common_range(*(level.values for level in levels))
+        return maps_figure(opened, levels, opened.scene.labels, colours, "dB re 1 m/s²")
     tops_db = [float(level.values.max()) for level in levels]
     unit = "dB re the loudest output of each"
-    return maps_figure(opened, levels, _labels(opened), _RELATIVE_RANGE_DB, unit, tops_db)
+    return maps_figure(opened, levels, opened.scene.labels, _RELATIVE_RANGE_DB, unit, tops_db)
 
 
 def maps_of_axes(opened: OpenedScene) -> Drawn:
@@ -558,10 +546,6 @@ def maps_figure(
     for level, top_db, title in zip(levels, tops_db, titles, strict=True):
         columns[f"{title.replace(',', '')} ({unit})"] = levels_for_tables(level.values) - top_db
     return Drawn(sheet=sheet, tables={"": columns})
-
-
-def _labels(opened: OpenedScene) -> list[str]:
-    return [condition.label for condition in opened.conditions]
 
 
 # Time of the first frame after the pre-trigger delay: 100 ms on the published limbs.
@@ -738,14 +722,14 @@ def traces(opened: OpenedScene, *, colours: Sequence[str], own_scale: bool) -> D
     drawn_s, drawn = drawn_s[shown], drawn[..., shown]
     size = None if own_scale else common_size(list(drawn))
     rows = [_row(number, 1e3 * drawn_s, drawn[:, k], size) for k, number in enumerate(view.outputs)]
-    labels = _labels(opened) if several else []
+    labels = opened.scene.labels if several else ()
     sheet, ax = _rows_sheet(opened, rows, labels, colours)
     with style():
         ax.set_xlabel("Time (ms)")
         scale = "each row relative to its peak" if own_scale else f"a row is {size:.3g} m/s² high"
         annotate_scale(ax, f"{signal_label(view.axes, view.method)}; {scale}")
     columns = {"time_s": time_s[within]}
-    for label, curves_of_design in zip(_labels(opened), curves, strict=True):
+    for label, curves_of_design in zip(opened.scene.labels, curves, strict=True):
         name = f"_{label.replace(' ', '_')}" if several else ""
         for number, curve in zip(view.outputs, curves_of_design, strict=True):
             columns[f"output_{number}{name}_m_per_s2"] = curve
@@ -807,18 +791,19 @@ def _in_time_range(opened: OpenedScene, time_s: Floats) -> Any:
 
 
 _OWN_TRACES = partial(traces, colours=(COLOURS[2],), own_scale=True)
+_MAPS, _RELATIVE_MAPS = (partial(maps_of_designs, own_scale=own) for own in (False, True))
 #: The function that draws the figure of a scene, by the name of the scene.
 FIGURES: dict[str, Callable[[OpenedScene], Drawn]] = {
     "1C": pulse_traces,
     "1D": axis_spectra,
     "1E": maps_of_axes,
-    "1F": maps_each_relative,
-    "1G": maps_each_relative,
+    "1F": _RELATIVE_MAPS,
+    "1G": _RELATIVE_MAPS,
     "2A": _OWN_TRACES,
-    "2B": maps_in_one_scale,
+    "2B": _MAPS,
     "2C": _OWN_TRACES,
     "2D": partial(axis_spectra, n_bins=MEAN_OF_BINS),
-    "2E": maps_in_one_scale,
+    "2E": _MAPS,
     "2F": partial(traces, colours=_RED_BLUE_BLACK, own_scale=False),
     "2H": train_windows,
     "4A": tone_frames,

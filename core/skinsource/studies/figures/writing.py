@@ -82,26 +82,25 @@ def about(opened: OpenedScene, *, maps: bool) -> list[str]:
     ``maps``: whether its figure shows maps.
     """
     shown = opened.scene
-    lines = [f"SkinSource studio: {shown.heading}", shown.sentence, f"after {shown.source}"]
-    lines += [f"inferred: {part}" for part in shown.inferred]
-    if opened.synthetic:
-        lines.append(SYNTHETIC)
-    if opened.note:
-        lines.append(opened.note)
     limbs = (f"{limb_label(limb_name).title} ({limb_name})" for limb_name in limbs_of(opened))
-    lines.append(f"limb: {', '.join(limbs)}")
-    lines.append(f"scaling: {label_of(SCALINGS, opened.design.scaling).both}")
-    lines += condition_lines(opened, maps=maps)
-    lines.append(f"computed by: skinsource {__version__}, numpy {np.__version__}")
-    return lines
+    return [
+        f"SkinSource studio: {shown.heading}",
+        shown.sentence,
+        f"after {shown.source}",
+        *(f"inferred: {part}" for part in shown.inferred),
+        *filter(None, (SYNTHETIC * opened.synthetic, opened.note)),
+        f"limb: {', '.join(limbs)}",
+        f"scaling: {label_of(SCALINGS, opened.design.scaling).both}",
+        *condition_lines(opened, maps=maps),
+        f"computed by: skinsource {__version__}, numpy {np.__version__}",
+    ]
 
 
 def _write(folder: Path, opened: OpenedScene, drawn: Drawn) -> list[Path]:
-    name, written = opened.scene.name, []
-    for kind in METADATA:
-        path = folder / f"{name}.{kind}"
+    name = opened.scene.name
+    written = [folder / f"{name}.{kind}" for kind in METADATA]
+    for path, kind in zip(written, METADATA, strict=True):
         write_bytes(path, figure_content(drawn.figure, kind))
-        written.append(path)
     for suffix, table in drawn.tables.items():
         path = folder / f"{name}{suffix}.csv"
         with output_file(path, never) as file:

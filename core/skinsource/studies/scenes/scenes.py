@@ -7,7 +7,7 @@ paper need not hold there, so that one with numbers that are computed there foll
 
 import re
 import tomllib
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache, partial
 from pathlib import Path
@@ -33,6 +33,7 @@ from skinsource.limbs.limb import PUBLISHED, LimbFacts
 from skinsource.limbs.own_limbs import facts_of, own_map
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.signals.analysis.wave_speed import LEAST_ALIKE, group_delays
+from skinsource.studies.checking import straightness, superposition
 
 #: Source of the figures of all scenes.
 PAPER = "Tummala et al. (2024), SkinSource"
@@ -337,11 +338,13 @@ def told(opened: OpenedScene) -> OpenedScene:
     return replace(with_designs(opened, changed), scene=scene)
 
 
-def _at_the_ends(opened: OpenedScene, text: Callable[[Floats, float, int, int], str]) -> str:
-    """Return a text on the traces of the first and the last shown output above the noise."""
-    results = evaluate(
-        opened.design, "selected_traces", "above_noise_db", "sample_rate_hz", view=opened.view
-    )
+def _at_the_ends(
+    opened: OpenedScene, text: Callable[[Floats, float, int, int], str], *, all_axes: bool = False
+) -> str:
+    """Return a text on the axes of the first and the last shown output above the noise."""
+    axes = facts_of(opened.design.limb).axes if all_axes else opened.view.axes
+    view, names = replace(opened.view, axes=axes), ("axis_traces", "above_noise_db")
+    results = evaluate(opened.design, *names, "sample_rate_hz", view=view)
     outputs, above_db = opened.view.outputs, results["above_noise_db"]
     heard = [
         row
@@ -352,11 +355,11 @@ def _at_the_ends(opened: OpenedScene, text: Callable[[Floats, float, int, int], 
         return ""
     rows = [heard[0], heard[-1]]
     near, far = (outputs[row] for row in rows)
-    return text(results["selected_traces"][rows], results["sample_rate_hz"], near, far)
+    return text(results["axis_traces"][rows], results["sample_rate_hz"], near, far)
 
 
 def _power(traces: Floats, rate_hz: float) -> tuple[Floats, Floats]:
-    power = np.square(np.abs(scipy.fft.rfft(traces)))
+    power = np.square(np.abs(scipy.fft.rfft(traces))).sum(axis=1)
     return scipy.fft.rfftfreq(traces.shape[-1], 1.0 / rate_hz), power / power.sum(axis=1)[:, None]
 
 
@@ -370,6 +373,7 @@ def _high_frequencies(traces: Floats, rate_hz: float, near: int, far: int) -> st
 
 
 def _later_and_weaker(traces: Floats, rate_hz: float, near: int, far: int) -> str:
+    (traces,) = np.moveaxis(traces, 1, 0)
     peaks = np.abs(scipy.signal.hilbert(traces)).max(axis=1)
     weaker_db = float(-np.diff(decibels(peaks))[0])
     delays_s, alike = group_delays(traces, rate_hz)
@@ -395,13 +399,13 @@ def _mean_frequencies(traces: Floats, rate_hz: float, near: int, far: int) -> st
     )
 
 
+def _of_each(opened: OpenedScene, name: str) -> list[Any]:
+    """Return a quantity of each design of a scene."""
+    return [evaluate(each.design, name, view=opened.view)[name] for each in opened.conditions]
+
+
 def _interference(opened: OpenedScene) -> str:
-    levels_db = np.stack(
-        [
-            evaluate(condition.design, "output_levels_db", view=opened.view)["output_levels_db"]
-            for condition in opened.conditions
-        ]
-    )
+    levels_db = np.stack(_of_each(opened, "output_levels_db"))
     gains_db = levels_db[-1] - levels_db[:-1].max(axis=0)
     parts = (
         f"{abs(gain_db):.0f} dB {'louder' if gain_db > 0.0 else 'softer'} at output {number}"
@@ -416,21 +420,45 @@ def _interference(opened: OpenedScene) -> str:
 def _carried(opened: OpenedScene) -> str:
     """Return a text on the level at the last shown output, on each limb."""
     number = opened.view.outputs[-1]
-    parts = []
-    for condition in opened.conditions:
-        levels_db = evaluate(condition.design, "output_levels_db", view=opened.view)
-        own_db = levels_db["output_levels_db"]
-        parts.append(f"{condition.label.lower()} {own_db.max() - own_db[number - 1]:.0f} dB")
+    pairs = zip(opened.conditions, _of_each(opened, "output_levels_db"), strict=True)
+    parts = (f"{at.label.lower()} {own.max() - own[number - 1]:.0f} dB" for at, own in pairs)
     return f"At output {number} it is below its maximum by: {', '.join(parts)}."
+
+
+def _straightness(opened: OpenedScene) -> str:
+    """Return a text on the lines of output over input, at all outputs and in all bands."""
+    strengths = [each.design.inputs[0].amplitude for each in opened.conditions]
+    in_bands = _of_each(opened, "output_band_rms")
+    # A response may be too long for it.
+    r2 = None if None in in_bands else straightness(strengths, in_bands).adjusted_r2
+    return _at_least("Adjusted R²", r2)
+
+
+def _superposition(opened: OpenedScene) -> str:
+    """Return a text on the sum of what each input causes, and what both cause, at all outputs."""
+    numbers = range(1, facts_of(opened.design.limb).n_outputs + 1)
+    everywhere = replace(opened, view=replace(opened.view, outputs=tuple(numbers)))
+    *parts, joint = _of_each(everywhere, "selected_traces")
+    return _at_least("The correlation of the two", superposition(parts, joint).correlation)
+
+
+def _at_least(name: str, values: Floats | None) -> str:
+    known = np.zeros(0) if values is None else values[np.isfinite(values)]
+    # Four digits, rounded down: what is straight but for rounding errors is at least 0.9999.
+    least = np.floor(1e4 * known.min(initial=0.99999)) / 1e4
+    return f"{name} on this limb is at least {least:.4f}." if known.size else ""
 
 
 #: What is computed, by the name of the scene.
 FINDINGS: dict[str, Callable[[OpenedScene], str]] = {
-    "1D": partial(_at_the_ends, text=_high_frequencies),
+    "1D": partial(_at_the_ends, text=_high_frequencies, all_axes=True),
     "1G": _carried,
     "2A": partial(_at_the_ends, text=_later_and_weaker),
     "2C": partial(_at_the_ends, text=_mean_frequencies),
     "2F": _interference,
+    "5D": _straightness,
+    "5E": _straightness,
+    "5F": _superposition,
 }
 
 
@@ -614,21 +642,12 @@ def title_of(design: Design) -> str:
         designs = _designs_of(path_of(known.name))
     except SkinSourceError:
         return design.title
-    without_limb = _LIMB.sub("", known.title)
-    prefix = _title_prefix(f"Fig. {known.name}: ", (known.title, without_limb), design.title)
+    titles = (f"Fig. {known.name}: {title}" for title in (known.title, _LIMB.sub("", known.title)))
+    prefix = next((each for each in titles if f"{design.title} · ".startswith(f"{each} · ")), "")
     if not prefix or _is_as_made(known, designs, design):
         return design.title
     changed_limb = _LIMB.search(prefix) and not _is_on(designs[0], design)
     return f"{_LIMB.sub('', prefix) if changed_limb else prefix} · {_EDITED}"
-
-
-def _title_prefix(figure: str, titles: Sequence[str], title: str) -> str:
-    """Return the one of the scene's own titles that ``title`` begins with; empty: none."""
-    prefixes = (figure + own_title for own_title in titles)
-    return next(
-        (prefix for prefix in prefixes if title == prefix or title.startswith(f"{prefix} · ")),
-        "",
-    )
 
 
 def _is_as_made(known: Scene, designs: tuple[Design, ...], design: Design) -> bool:
