@@ -10,9 +10,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QPoint, Qt, QTimer, Signal
 
-from skinsource.base.errors import SkinSourceError
+from skinsource.base.errors import SkinSourceError, counted
 from skinsource.design import edits
 from skinsource.design.design import Design, View
 from skinsource.design.design_file import SHOW_SUFFIX, SUFFIX
@@ -134,6 +134,7 @@ def _placed_first(
     return edits.place_waveform(design, view, int(number), recording, onset_s)
 
 
+_HIDDEN_MS = 1000
 # Dropped anywhere, the first are opened; no kind but recordings is taken with others.
 _OPENED = (SUFFIX, SHOW_SUFFIX)
 _ALONE = (*_OPENED, presets.SUFFIX)
@@ -235,8 +236,9 @@ class ImportActions(QObject):
         self._pages: list[Any] = []
         # Files whose pages open when the page before is closed.
         self._waiting: list[tuple[Path, DropPlace | None, int, int]] = []
-        # What was chosen for the file before.
-        self._made: dict[str, Any] = {}
+        # What was chosen for files before, by their shapes where it is the same for others like
+        # them; by None for the last one.
+        self._made: dict[Any, Any] = {}
 
     @property
     def pages(self) -> tuple[Any, ...]:
@@ -280,12 +282,16 @@ class ImportActions(QObject):
         def put_at(recordings: tuple[Recording, ...], option: str) -> Edit | Refusal:
             return placed(self._document.design, self._document.view, option, onset_s, recordings)
 
-        page = pages.ImportPage(path, limb, places, put_at, self._window, self._made)
+        page: Any = pages.ImportPage(path, limb, places, put_at, self._window, self._made)
         if count > 1:
             page.setWindowTitle(f"{page.windowTitle()}, file {number} of {count}")
+            page.same.setText(f"Same for {counted(count - number, 'more file')}")
+            page.same.setVisible(number < count)
 
         def put(recordings: tuple[Recording, ...], option: str) -> None:
-            self._made = page.form.made if page.form else {}
+            self._made[None] = page.form.made
+            if page.same.isChecked():
+                self._made[page.form.shape] = page.form.made
             outcome = put_at(recordings, option)
             self._document.apply(outcome, None)
             self._preferences.folder = path.absolute().parent
@@ -297,7 +303,11 @@ class ImportActions(QObject):
         # What is chosen there is told after it has closed.
         page.finished.connect(self._open_next, Qt.ConnectionType.QueuedConnection)
         self._pages.append(page)
-        page.show()
+        # One that has nothing to ask is seen where it takes long, so that it can be cancelled.
+        if page.asks:
+            page.show()
+        else:
+            QTimer.singleShot(_HIDDEN_MS, page, page.show)
 
     def _open_next(self) -> None:
         if self._waiting and not self._pages:

@@ -43,12 +43,14 @@ class DatasetPage(ToolPage):
         self._limbs, self._jobs = limbs, PageJobs(runner, self, INSTALLATIONS)
         size_mb = round(sum(file.size_bytes for file in published_files()) / 1e6)
         about = page_label("page_text", _ABOUT.format(size=size_mb))
+        about.setTextFormat(Qt.TextFormat.RichText)
         about.setOpenExternalLinks(True)
         self._bar = progress_bar("dataset_progress", "Progress of the installation")
         self._install = self.add_button(
             "install_from_folder", "Install from folder…", "", self._ask_and_install
         )
-        self._fetch = self.add_button("download", "Download…", "", self._download)
+        download = partial(self._jobs.add, Job(INSTALLATIONS[1], fetch))
+        self._fetch = self.add_button("download", "Download…", "", download)
         self._cancel = self.add_button("cancel_installing", "Cancel", "", self._jobs.cancel)
         self._close = self.add_button("close_page", "Close", "", self.close)
         buttons = in_row(self._install, self._fetch, None, self._cancel, self._close)
@@ -66,9 +68,6 @@ class DatasetPage(ToolPage):
         folder = QtWidgets.QFileDialog.getExistingDirectory(self, "Folder with the download", start)
         if folder:
             self._jobs.add(Job(INSTALLATIONS[0], partial(install, Path(folder))))
-
-    def _download(self) -> None:
-        self._jobs.add(Job(INSTALLATIONS[1], fetch))
 
     def _show_state(self) -> None:
         runs = self._jobs.busy
@@ -89,7 +88,7 @@ class DatasetPage(ToolPage):
     def _show_installed(self, note: str = "") -> None:
         count = sum(name.startswith(_MEASURED) for name in self._limbs.names)
         self.say(
-            f"{count} measured limbs are installed; choose one at the left of the bar above the "
+            f"{count} measured limbs are installed; choose one at the right of the bar above the "
             f"panels.{note}"
             if count
             else "No measured limb is installed yet."

@@ -75,7 +75,6 @@ class RunView(QtWidgets.QWidget):
             f"{gestures['store'].shown} when both feel equally strong.",
         )
         self.note = page_label("matching_note")
-        self.note.setTextFormat(Qt.TextFormat.PlainText)
         self.buttons = {
             name: page_button(f"matching_{name}", label, gestures[name].hint)
             for name, label in _BUTTONS.items()

@@ -79,7 +79,6 @@ class ToolPage(QtWidgets.QDialog):
         self.setObjectName(name)
         self.setWindowTitle(title)
         self.message = page_label("page_message")
-        self.message.setTextFormat(Qt.TextFormat.PlainText)
         if size_px is not None:
             self.resize(*size_px)
 

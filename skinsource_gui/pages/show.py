@@ -22,6 +22,7 @@ from skinsource.design.panel_settings import CONTROL
 from skinsource.studies import scenes
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.page import ToolPage
+from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.layouts import add_row, in_column, in_row, named
 from skinsource_gui.qt.questions import ask_to_save
 from skinsource_gui.state.document import Document
@@ -30,6 +31,7 @@ from skinsource_gui.state.preferences import Preferences
 TITLE = "Show"
 _SIZE_PX = 960, 560
 _SHOWS, _DESIGNS = f"Shows (*{SHOW_SUFFIX})", f"SkinSource designs (*{SUFFIX})"
+_ABOUT = "A show presents designs one after another, each with a sentence and one knob to turn."
 _ENTRY = Qt.ItemDataRole.UserRole
 
 Entry = ShowEntry | UnreadEntry
@@ -175,6 +177,8 @@ class ShowPage(ToolPage):
             ("Notes", self.notes),
         ):
             add_row(form, f"show_{label.lower()}", label, field)
+        self._about = page_label("show_about", _ABOUT, tone="dim")
+        in_column(self._about, None, of=self.list.viewport())
         left = in_column((self.list, 1), in_row(self.add, up, down, remove, None))
         hint = "Show it from the selected design"
         present = self.add_button("show_present", "Present", hint, self._present_selected)
@@ -206,6 +210,7 @@ class ShowPage(ToolPage):
         known = isinstance(entry, ShowEntry)
         for part in (self.heading, self.sentence, self.knob, self.notes, self._present_button):
             part.setEnabled(known)
+        self._about.setVisible(item is None)
         for part in self._of_entry:
             part.setEnabled(item is not None)
         if isinstance(entry, UnreadEntry):

@@ -19,6 +19,7 @@ from skinsource_gui.pages.dataset import TITLE
 from skinsource_gui.qt.buttons import menu_of
 from skinsource_gui.qt.layouts import in_row, named, show_tooltip, tooltip
 from skinsource_gui.qt.theme import UNIT_PX, icon_of
+from skinsource_gui.shell.menus import MISSING
 from skinsource_gui.state.document import MOST_STEPS, Document, ReplaceDesign
 
 #: Height of the line in letters of the usual size.
@@ -89,17 +90,18 @@ class SetupBar(QtWidgets.QWidget):
             there = bool(field.model().flags(field.model().index(index, 0)) & _ENABLED)
             hint = field.itemData(index, Qt.ItemDataRole.ToolTipRole) or ""
             choose = partial(field.choose, field.itemData(index))
-            actions.append(choice_action(title, hint, choose, there=there))
+            actions.append(choice_action(title, hint, choose, "" if there else NOT_INSTALLED))
         measured = set(facts_of(self._document.design.limb).axes)
         single = len(self._document.view.axes) == 1
         for edit, (name, label, _, words) in zip(_LOOKS, CHOICES[2:], strict=True):
             for word in words:
-                there = not (name == "method" and single)
-                there = there and (name != "axes" or set(word.name) <= measured)
+                missing = "Choose two axes or more" * (name == "method" and single)
+                if name == "axes" and not set(word.name) <= measured:
+                    missing = "Not measured on this limb"
                 choose = partial(self._choose, edit, word.name, None)
                 title = f"{label}: {word.title}"
                 hint = tooltip(word.sentence)
-                actions.append(choice_action(title, hint, choose, there=there))
+                actions.append(choice_action(title, hint, choose, missing))
         return actions
 
     def _choose(self, edit: Callable[..., Edit | Refusal], value: str, gesture: int | None) -> None:
@@ -113,12 +115,13 @@ _LOOKS = (edits.look_along, edits.look_by_method, edits.level_over)
 
 
 def choice_action(
-    title: str, hint: str, choose: Callable[[], object], *, there: bool = True
+    title: str, hint: str, choose: Callable[[], object], missing: str = ""
 ) -> QtGui.QAction:
-    """Return an action of the palette that makes a choice; ``there``: it can be made now."""
+    """Return an action of the palette that makes a choice, unless something is missing for it."""
     action = QtGui.QAction(title)
     action.setToolTip(hint)
-    action.setEnabled(there)
+    action.setEnabled(not missing)
+    action.setProperty(MISSING, missing)
     action.triggered.connect(lambda: choose())
     return action
 

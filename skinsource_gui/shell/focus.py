@@ -5,7 +5,7 @@ makes it skip what stands between.
 
 Shortcuts of the window work inside number fields and lines of text too. Keys without Ctrl or Alt
 that a widget needs stay with it: letters and spaces where a text is typed, Space on what is pressed
-with it, and on a drop-down list until something was chosen from it.
+with it, and on a drop-down list that was not clicked.
 """
 
 from collections.abc import Callable, Iterable, Sequence
@@ -260,8 +260,6 @@ _WHILE_TYPING = (
 #: Keys that work on a text that is only shown.
 _WHILE_RESTING = (_Standard.Copy, _Standard.Paste)
 _TEXTS = (QtWidgets.QLineEdit, QtWidgets.QPlainTextEdit)
-#: Widgets that Space presses or opens.
-_PRESSED = (QtWidgets.QAbstractButton, QtWidgets.QComboBox)
 _HELD = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
 
 
@@ -283,67 +281,39 @@ class ShortcutsInFields(KeyboardFilter):
         super().__init__(window)
         self._window = window
         self._shortcuts = [key for action in actions for key in action.shortcuts()]
-        # The list that was clicked, or chosen from, and still has the keyboard.
+        # The list that was clicked, and still has the keyboard.
         self._used: QtWidgets.QComboBox | None = None
         self.follow(True)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() != QEvent.Type.ShortcutOverride or not isinstance(event, QtGui.QKeyEvent):
+        kind = event.type()
+        if kind == QEvent.Type.MouseButtonPress and isinstance(watched, QtWidgets.QComboBox):
+            self._used = watched
+        if kind != QEvent.Type.ShortcutOverride or not isinstance(event, QtGui.QKeyEvent):
             return super().eventFilter(watched, event)
         if isinstance(watched, _TEXTS):
             own = _WHILE_RESTING if watched.isReadOnly() else _WHILE_TYPING
             typed = not watched.isReadOnly() and _is_typed(event)
-            pressed = QtGui.QKeySequence(event.keyCombination())
-            if (
-                pressed in self._shortcuts
-                and not typed
-                and not any(event.matches(key) for key in own)
-            ):
+            kept = typed or any(event.matches(key) for key in own)
+            if not kept and QtGui.QKeySequence(event.keyCombination()) in self._shortcuts:
                 event.ignore()
                 return True
         elif event.key() == Qt.Key.Key_Space and not event.modifiers() & _HELD:
-            if watched is self._used:
-                # Space plays what was chosen; the arrow keys choose again.
-                event.ignore()
-            else:
-                event.accept()
+            # After a click Space plays what was chosen; the arrow keys choose again.
+            event.setAccepted(watched is not self._used)
             return True
         return super().eventFilter(watched, event)
 
     def wanted(self, focused: QtWidgets.QWidget | None) -> QtWidgets.QWidget | None:
-        if (
-            focused is not None
-            and focused is not self._used
-            and not _is_popup_of(self._used, focused)
-        ):
+        # While its list is open, that has the keyboard.
+        is_open = QtWidgets.QApplication.activePopupWidget() is not None
+        if focused is not None and focused is not self._used and not is_open:
             self._used = None
         # A clicked button has the keyboard too, but the next key is not meant for it.
-        clicked = bool(QtWidgets.QApplication.mouseButtons())
-        if not isinstance(focused, (*_TEXTS, *_PRESSED)) or not self._window.isAncestorOf(focused):
-            return None
-        if isinstance(focused, QtWidgets.QAbstractButton) and clicked:
-            return None
-        if isinstance(focused, QtWidgets.QComboBox) and clicked:
-            self._used = focused
-        return focused
-
-    def watch(self, widget: QtWidgets.QWidget | None) -> None:
-        before = self._watched
-        if isinstance(before, QtWidgets.QComboBox) and shiboken6.isValid(before):
-            before.activated.disconnect(self._note_used)
-        super().watch(widget)
-        if isinstance(widget, QtWidgets.QComboBox):
-            widget.activated.connect(self._note_used)
-
-    def _note_used(self) -> None:
-        if isinstance(self._watched, QtWidgets.QComboBox):
-            self._used = self._watched
-
-
-def _is_popup_of(field: QtWidgets.QComboBox | None, widget: QtWidgets.QWidget) -> bool:
-    """Return whether a widget belongs to the list that drops down from a field."""
-    # A field may be gone that was used last, and is watched no more.
-    return field is not None and shiboken6.isValid(field) and field.isAncestorOf(widget)
+        pressed = () if QtWidgets.QApplication.mouseButtons() else QtWidgets.QAbstractButton
+        kinds = (*_TEXTS, QtWidgets.QComboBox, pressed)
+        watches = isinstance(focused, kinds) and self._window.isAncestorOf(focused)
+        return focused if watches else None
 
 
 def _is_typed(event: QtGui.QKeyEvent) -> bool:

@@ -97,12 +97,14 @@ _AROUND_PX = 14
 _LIST_KEYS = (Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_PageUp, Qt.Key.Key_PageDown)
 _NOTHING_FOUND = "Nothing found"
 _HINT = "Try another word, such as export, limb, mute or theme"
-#: Property of an action: keywords by which it is found.
-KEYWORDS = "keywords"
+#: Properties of an action: keywords by which it is found, and why it cannot be done now.
+KEYWORDS, MISSING = "keywords", "missing"
 
 
 class Palette(QtWidgets.QDialog):
     """A list of actions that narrows while one types; Enter runs the marked one.
+
+    What cannot be done now comes last, grey and with the reason.
 
     Parameters
     ----------
@@ -155,11 +157,12 @@ class Palette(QtWidgets.QDialog):
 
     def _narrow(self, letters: str) -> None:
         self.list.clear()
-        for action in matching([action for action in self._actions if action.isEnabled()], letters):
+        found = [each for each in self._actions if each.isEnabled() or each.property(MISSING)]
+        for action in sorted(matching(found, letters), key=lambda each: not each.isEnabled()):
             self._add(_label(action), _state_and_keys(action), action)
         if not self.list.topLevelItemCount():
             for text in (_NOTHING_FOUND, _HINT, f"{shortcut_text('show_keys')} shows all keys"):
-                self._add(text).setFlags(Qt.ItemFlag.NoItemFlags)
+                self._add(text)
         elif (first := self.list.topLevelItem(0)) is not None:
             self.list.setCurrentItem(first)
 
@@ -172,12 +175,13 @@ class Palette(QtWidgets.QDialog):
         row.setForeground(1, self.palette().placeholderText())
         row.setData(0, Qt.ItemDataRole.UserRole, action)
         row.setToolTip(0, "" if action is None else action.toolTip())
+        row.setDisabled(action is None or not action.isEnabled())
         return row
 
-    def _run(self) -> None:
-        item = self.list.currentItem()
+    def _run(self, clicked: QtWidgets.QTreeWidgetItem | None = None) -> None:
+        item = self.list.currentItem() if clicked is None else clicked
         action = None if item is None else item.data(0, Qt.ItemDataRole.UserRole)
-        if action is not None:
+        if action is not None and action.isEnabled():
             # The action may handle events: the line that has the key is deleted after it returns.
             self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose, False)
             self.accept()
@@ -186,7 +190,9 @@ class Palette(QtWidgets.QDialog):
 
 
 def _state_and_keys(action: QtGui.QAction) -> str:
-    """Return whether an action is on, and its keys."""
+    """Return whether an action is on, and its keys; or why it cannot be done."""
+    if not action.isEnabled():
+        return str(action.property(MISSING))
     state = "on   " if action.isChecked() else ""
     keys = action.shortcut().toString(QtGui.QKeySequence.SequenceFormat.NativeText)
     # That of a panel, which its menu has after its name.
@@ -329,6 +335,7 @@ class ActionSet(QObject):
 def _explain(action: QtGui.QAction, spec: ActionSpec) -> None:
     """Say what an action does, and what is missing where it cannot be done."""
     missing = "" if action.isEnabled() else spec.missing
+    action.setProperty(MISSING, missing)
     keys = action.shortcut().toString(QtGui.QKeySequence.SequenceFormat.NativeText)
     hint = f"{spec.hint} ({keys})" if keys else spec.hint
     action.setToolTip(f"{hint}\n{missing}" if missing else hint)

@@ -148,14 +148,11 @@ def design_choices(document: Document) -> list[QtGui.QAction]:
         choice_action(f"Scaling: {word.title}", tooltip(word.sentence), partial(scale, word.name))
         for word in scalings_on(drive_unit_known=known)
     ]
-    hint = "Use for the selected inputs"
-    waveforms = [
-        choice_action(
-            f"Waveform: {kind.title}", hint, partial(play, kind.__name__), there=bool(chosen)
-        )
+    hint, missing = "Use for the selected inputs", "" if chosen else "Select an input"
+    return scalings + [
+        choice_action(f"Waveform: {kind.title}", hint, partial(play, kind.__name__), missing)
         for kind in kinds()
     ]
-    return scalings + waveforms
 
 
 _LARGEST_AT_FIRST = (1600, 940)

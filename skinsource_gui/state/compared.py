@@ -7,9 +7,11 @@ from typing import Any
 import numpy as np
 
 from skinsource.base.decibels import FLOOR_DB
+from skinsource.base.errors import printable
 from skinsource.design.comparing import gain_text, match_text
 from skinsource.design.design import EDITED, Design, Snapshot, View
 from skinsource.design.signal_path import unplayable_text
+from skinsource.studies import scenes
 
 #: The note where designs are shown with matched levels.
 LEVELS_MATCHED = "levels matched"
@@ -53,8 +55,14 @@ class Compared:
         return unplayable_text((self.values or {}).get("unplayable_inputs", ()))
 
     @property
+    def title(self) -> str:
+        """The snapshot's own title, or that of its design."""
+        title = self.snapshot.title or scenes.title_of(self.snapshot.design)
+        return printable(title).strip()
+
+    @property
     def name(self) -> str:
-        """Its name on a card."""
+        """Its number on a card."""
         return "Working" if self.snapshot.number == EDITED else str(self.snapshot.number)
 
 

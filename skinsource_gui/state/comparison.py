@@ -158,27 +158,25 @@ class Comparison(QObject):
     def show(self, number: int) -> None:
         """Put a snapshot in place of the design, as loud as the others where that is wanted."""
         document = self._document
-        before = document.design, document.view
-        if not document.view.levels_matched:
-            outcome = edits.show_snapshot(*before, number)
+        before, matched = (document.design, document.view.snapshots), document.view.levels_matched
+
+        def show_known() -> None:
+            if (document.design, document.view.snapshots) != before:
+                return
+            gain = self._gain(number) if matched else 1.0
+            outcome = edits.show_snapshot(document.design, document.view, number, gain)
             document.apply(outcome, self._showing)
-            if isinstance(outcome, Edit):
+            name, by = snapshot_name(number).capitalize(), match_text(gain)
+            if isinstance(outcome, Edit) and by:
+                self.done.emit(f"{name} is shown {by}. {_AS_STORED}")
+            elif isinstance(outcome, Edit) and not (matched and outcome.design == before[0]):
                 self.done.emit(_shown_text(number, document))
-            return
 
-        def show_matched() -> None:
-            if (document.design, document.view.snapshots) == (before[0], before[1].snapshots):
-                gain = self._gain(number)
-                outcome = edits.show_snapshot(document.design, document.view, number, gain)
-                document.apply(outcome, self._showing)
-                name, matched = snapshot_name(number).capitalize(), match_text(gain)
-                if isinstance(outcome, Edit) and matched:
-                    self.done.emit(f"{name} is shown {matched}. {_AS_STORED}")
-                elif isinstance(outcome, Edit) and outcome.design != before[0]:
-                    self.done.emit(_shown_text(number, document))
-
-        self._when_complete = show_matched
-        self._ask()
+        if matched:
+            self._when_complete = show_known
+            self._ask()
+        else:
+            show_known()
 
     def _of_snapshots(self) -> list[_Side]:
         """Return all snapshots, and the present design where it is none of them."""

@@ -30,11 +30,8 @@ class HistoryState:
         """Return whether a step to ``other`` would lose nothing, so that none is needed."""
         mine, theirs = self.view, other.view
         same = mine.outputs == theirs.outputs and self.design == other.design
-        if not same:
-            return False
         # The gain with which a snapshot was shown last is no loss.
-        designs = {snapshot.number: snapshot.design for snapshot in theirs.snapshots}
-        return all(designs.get(snapshot.number) == snapshot.design for snapshot in mine.snapshots)
+        return same and _stored_in(mine).items() <= _stored_in(theirs).items()
 
     def is_before(self, other: "HistoryState") -> bool:
         """Return whether ``other`` continues this state with the same inputs and clips."""
@@ -336,12 +333,14 @@ def _has_saved_snapshots(saved: Design, saved_view: View, view: View) -> bool:
     """
     if view.snapshots == saved_view.snapshots:
         return True
-    then = {snapshot.number: snapshot.design for snapshot in saved_view.snapshots}
-    now = {snapshot.number: snapshot.design for snapshot in view.snapshots}
-    if any(now.get(number) != design for number, design in then.items()):
-        return False
-    held = (saved, *then.values())
-    return all(design in held for number, design in now.items() if number not in then)
+    then, now = _stored_in(saved_view), _stored_in(view)
+    held = ("", saved), *then.values()
+    return then.items() <= now.items() and all(stored in held for stored in now.values())
+
+
+def _stored_in(view: View) -> dict[int, tuple[str, Design]]:
+    """Return what a view has stored by number: all of a snapshot but its gain."""
+    return {each.number: (each.title, each.design) for each in view.snapshots}
 
 
 def _existing(view: View, design: Design) -> View:

@@ -169,14 +169,7 @@ def test_designs_are_alike_where_amplitudes_differ_by_rounding_alone():
     assert same_but_rounding(louder(OTHER, 1 + 1e-12), OTHER)
     assert not same_but_rounding(louder(OTHER, 1.001), OTHER)
     assert not same_but_rounding(replace(OTHER, inputs=OTHER.inputs[:1]), OTHER)
-    assert not same_but_rounding(OTHER, replace(OTHER, inputs=OTHER.inputs[:1]))
     assert not same_but_rounding(DESIGN, OTHER)
-
-
-def test_a_snapshot_is_forgotten_and_the_design_stays():
-    design, view = store(DESIGN, View(), 1)
-    outcome = edits.forget_snapshot(design, view, 1)
-    assert (outcome.design, outcome.view) == (DESIGN, View())
 
 
 def test_a_number_is_taken_once():

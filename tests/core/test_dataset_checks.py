@@ -107,18 +107,6 @@ def test_a_file_that_is_no_matlab_file_is_refused(download, refused, content):
     assert refused().startswith("impulseResponses.mat: ")
 
 
-@pytest.mark.parametrize("version", ["v7", "v7.3"])
-@pytest.mark.parametrize("share", [0.02, 0.999])
-def test_a_file_that_was_cut_off_is_refused(
-    download, refused, write_table, complete_rows, version, share
-):
-    path = download / "impulseResponses.mat"
-    write_table(path, complete_rows[:4], version)
-    whole = path.read_bytes()
-    path.write_bytes(whole[: int(len(whole) * share)])
-    assert "impulseResponses.mat: cannot be read as a MATLAB file" in refused()
-
-
 @pytest.mark.parametrize(
     ("name", "variable", "value", "text"),
     [

@@ -103,6 +103,15 @@ def test_edits_by_hand_dissolve_a_motion_and_say_so_once():
         assert (dragged.design.motions, dragged.said) == ((), "")
 
 
+def test_clips_of_a_dissolved_motion_are_called_after_what_they_play_and_others_keep_their_name():
+    design = with_motion(design=with_motion())
+    first, second = design.motions
+    after = after_edit(design, edits.move_clips, first.clips[:1], 0.1).design
+    assert after.motions == (second,)
+    assert [after.clip(id).label for id in first.clips] == ["", "", ""]
+    assert list(map(after.clip, second.clips)) == list(map(design.clip, second.clips))
+
+
 def test_edits_of_other_things_and_the_way_back_keep_it():
     design = with_motion()
     last = design.ids[-1]

@@ -2,7 +2,6 @@
 
 import tracemalloc
 from fractions import Fraction
-from itertools import permutations
 
 import mpmath
 import numpy as np
@@ -24,12 +23,6 @@ PAIRS = [
     (48_000, 44_100),
     (1210, 1300),
     (1300, 1210),
-]
-RATES = (1300, 2000, 8000, 44_100, 48_000, 96_000, 192_000)
-ODD = ((1301, 44_101), (44_101, 1301), (1301, 8000), (44_101, 48_000), (7919, 44_100))
-OTHER_PAIRS = [
-    *(pair for pair in permutations(RATES, 2) if pair not in PAIRS),
-    *(pair for pair in ODD if pair not in PAIRS),
 ]
 PHASE = 0.3
 # Away from the ends, where a tone that is cut off hard rings: for 46 ms; between rates close to
@@ -73,16 +66,6 @@ def test_tones_of_the_band_keep_size_and_phase(from_hz, to_hz):
         assert abs(np.arctan2(across, in_phase)) < 1e-6
 
 
-@pytest.mark.parametrize(("from_hz", "to_hz"), OTHER_PAIRS)
-def test_any_two_rates_keep_the_ends_of_the_band(from_hz, to_hz):
-    for frequency in (25, 600):
-        places, samples = converted_tone(frequency, from_hz, to_hz)
-        some = np.linspace(0, len(places) - 1, 40).astype(int)
-        error = samples[some] - exact(frequency, to_hz, places[some])
-        # 1 gain, no phase: an error of a millionth holds both promises at once.
-        assert np.abs(error).max() < 1e-6
-
-
 @pytest.mark.parametrize("from_hz", [2000, 8000, 44_100, 48_000, 192_000, 44_101])
 def test_what_lies_above_the_band_does_not_fold_into_it(from_hz):
     for frequency in (700, 900, 2500, 3900):
@@ -99,20 +82,6 @@ def test_what_lies_in_the_transition_folds_only_above_the_band():
         at_hz = np.arange(len(spectrum)) * 0.1
         assert spectrum[at_hz > 600].max() > 1e-4
         assert ss.decibels(spectrum[(at_hz >= 25) & (at_hz <= 595)].max()) < -80.0
-
-
-@pytest.mark.parametrize("rate_hz", [2000, 8000, 44_100, 48_000, 96_000, 192_000, 1777])
-def test_there_and_back_is_where_it_began(rate_hz):
-    rng = np.random.default_rng(5)
-    places = np.arange(2600)
-    signal = np.zeros(2600)
-    for frequency in rng.uniform(25.0, 600.0, 30):
-        signal += np.sin(2.0 * np.pi * frequency * places / 1300.0 + rng.uniform(0.0, 6.0))
-    signal *= np.exp(-0.5 * ((places - 1300) / 200.0) ** 2)
-    back = ss.resample(ss.resample(signal, 1300, rate_hz), rate_hz, 1300)
-    assert len(back) >= 2600
-    error = back[:2600] - signal
-    assert ss.decibels(np.abs(error).max() / np.abs(signal).max()) < -115.0
 
 
 def test_equal_rates_give_the_same_bits():
@@ -291,38 +260,18 @@ def energy(samples, rate_hz):
     return np.sum(samples**2) / rate_hz
 
 
-def above_db(signal, edge_hz):
-    """What is missing without all that lies above an edge, by a plain transform."""
-    power = np.abs(np.fft.rfft(signal, 16 * signal.size)) ** 2
-    frequency_hz = np.fft.rfftfreq(16 * signal.size, 1.0 / RATE_HZ)
-    return 10.0 * np.log10(power.sum() / power[frequency_hz < edge_hz].sum())
-
-
-@pytest.mark.parametrize(
-    ("signal", "to_hz"),
-    [
-        (burst(100.0) + burst(560.0), 1000),
-        (burst(100.0) + 3.0 * burst(300.0), 400),
-        (burst(60.0) + 0.1 * burst(200.0), 300),
-        (burst(60.0) + burst(90.0), 300),
-        (burst(200.0) + burst(450.0), 1000),
-    ],
-)
-def test_what_lies_clear_of_the_edge_is_lost_or_is_not(signal, to_hz):
-    assert loss_db(signal, to_hz) == pytest.approx(above_db(signal, to_hz / 2), abs=1e-3)
-
-
 @pytest.mark.parametrize(
     "signal",
     [
         ss.white_noise(0.5, seed=3, sample_rate_hz=RATE_HZ),
         burst(100.0) + burst(470.0),
+        burst(100.0) + burst(560.0),
         burst(485.0),
         # As of something that is struck, and of a click.
         np.exp(-TIME_S / 0.004) * np.sin(2.0 * np.pi * 250.0 * TIME_S),
         np.eye(1, 40, 20)[0],
     ],
-    ids=["noise", "beside the edge", "in the transition", "struck", "click"],
+    ids=["noise", "beside the edge", "behind the edge", "in the transition", "struck", "click"],
 )
 def test_it_is_the_energy_that_resampling_leaves(signal):
     # Room at both ends: what rings there counts.

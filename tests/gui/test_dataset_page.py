@@ -37,9 +37,7 @@ def test_what_there_is_to_note_is_said_after_the_installation(window, qtbot, syn
     assert "Note: made from files that are not the published ones: " in text_of(page)
 
 
-def test_map_files_that_are_not_the_published_ones_are_refused_with_the_reason(
-    page, qtbot, synthetic_download, monkeypatch
-):
+def test_other_map_files_are_refused_with_the_reason(page, qtbot, synthetic_download, monkeypatch):
     monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(synthetic_download))
     page.findChild(QPushButton, "install_from_folder").click()
     qtbot.waitUntil(lambda: "not the published content" in text_of(page), timeout=60_000)
@@ -69,9 +67,7 @@ def test_installing_from_a_folder_can_be_cancelled(page, window, qtbot, tmp_path
     assert not page.findChild(QPushButton, "cancel_installing").isVisible()
 
 
-def test_an_installation_goes_on_when_the_page_closes_and_the_limbs_are_there(
-    page, window, qtbot, synthetic_download
-):
+def test_an_installation_goes_on_when_the_page_closes(page, window, qtbot, synthetic_download):
     work = partial(install, synthetic_download, unpublished=True)
     window.runner.add(Job(INSTALLATIONS[0], work))
     page.close()
@@ -97,9 +93,7 @@ def offered(window):
     return count, [entry.data(Qt.ItemDataRole.ToolTipRole) for entry in entries if entry.data()]
 
 
-def test_limbs_that_are_installed_while_the_studio_runs_can_be_used_at_once(
-    window, settle, synthetic_download, user_data
-):
+def test_limbs_installed_meanwhile_are_used_at_once(window, settle, synthetic_download, user_data):
     count, hints = offered(window)
     assert count == 4
     assert hints[0].startswith(NOT_INSTALLED)
@@ -117,9 +111,7 @@ def test_limbs_that_are_installed_while_the_studio_runs_can_be_used_at_once(
     assert "computed" in window.findChild(QComboBox, "limb").toolTip().lower()
 
 
-def test_a_design_whose_limb_was_missing_is_shown_once_it_is_installed(
-    window, settle, synthetic_installed
-):
+def test_a_design_is_shown_once_its_missing_limb_is_installed(window, settle, synthetic_installed):
     away = synthetic_installed.with_suffix(".away")
     synthetic_installed.rename(away)
     window.document.edit("a", replace(window.document.design, limb="measured-2"))

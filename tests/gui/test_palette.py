@@ -34,10 +34,6 @@ def test_what_begins_with_the_letters_comes_before_what_holds_them(qapp):
     assert found == ["Theme of the day", "Dark theme"]
 
 
-def _note(ran, name, _checked=False):
-    ran.append(name)
-
-
 def test_the_line_is_there_until_what_its_key_runs_is_done(qtbot):
     # As panels that come to the front do it, within the key event of the line.
     def handle_events(_checked=False):
@@ -154,6 +150,29 @@ def test_where_nothing_is_found_the_palette_says_so_and_enter_does_nothing(windo
     assert palette.isVisible()
 
 
+def test_what_cannot_be_done_now_comes_last_with_its_reason_and_is_not_run(window, qtbot):
+    enabled = {name: action.isEnabled for name, action in window.actions_by_name.items()}
+    assert enabled["select_no_outputs"]()
+    assert enabled["mute_input"]()
+    window.document.look(replace(window.document.view, outputs=(), selected_inputs=()))
+    assert not enabled["select_no_outputs"]()
+    assert enabled["clear_inputs"]()
+    window.do("clear_inputs")
+    assert not enabled["clear_inputs"]()
+    for letters, name in (("mute", "Mute input"), ("waveform: wavelet", "Waveform: Wavelet train")):
+        assert listed_for(window, qtbot, letters)[-1] == name
+    palette = palette_with(window, qtbot, "input")
+    row = palette.list.findItems("Mute input", Qt.MatchFlag.MatchExactly)[0]
+    assert (row.isDisabled(), row.text(1)) == (True, "Select an input")
+    at = palette.list.visualItemRect(row).center()
+    QTest.mouseClick(palette.list.viewport(), Qt.MouseButton.LeftButton, pos=at)
+    assert palette.isVisible()
+    palette.line.setText("mute input")
+    qtbot.keyClick(palette.line, Qt.Key.Key_Return)
+    assert palette.isVisible()
+    palette.reject()
+
+
 def test_the_colours_in_use_are_checked_however_they_were_chosen(window):
     actions = window.actions_by_name
     assert actions["use_viridis_colours"].isChecked()
@@ -193,18 +212,6 @@ def test_hiding_is_an_entry_of_its_own_and_a_panel_that_is_shown_gets_the_keyboa
     for panel in map(window.panel, ("skin", "timeline")):
         run_from_palette(window, qtbot, f"Show panel: {panel.title}")
         qtbot.waitUntil(lambda panel=panel: panel.isAncestorOf(QApplication.focusWidget()))
-
-
-def test_conditions_follow_the_document(window):
-    enabled = {name: action.isEnabled for name, action in window.actions_by_name.items()}
-    assert enabled["select_no_outputs"]()
-    assert enabled["mute_input"]()
-    window.document.look(replace(window.document.view, outputs=(), selected_inputs=()))
-    assert not enabled["select_no_outputs"]()
-    assert not enabled["mute_input"]()
-    assert enabled["clear_inputs"]()
-    window.do("clear_inputs")
-    assert not enabled["clear_inputs"]()
 
 
 def test_each_menu_opens_with_a_letter_of_its_own_and_the_first_with_f10(window, qtbot):

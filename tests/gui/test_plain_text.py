@@ -85,9 +85,11 @@ def shown_letter_by_letter():
     """How many labels and pages show the text, after none is found that reads it as HTML."""
     count = 0
     for widget in QApplication.allWidgets():
-        if isinstance(widget, QLabel) and widget.isVisible() and "<img" in widget.text():
-            assert widget.textFormat() is Qt.TextFormat.PlainText, widget.objectName()
-            count += 1
+        if isinstance(widget, QLabel) and widget.isVisible():
+            plain = widget.textFormat() is Qt.TextFormat.PlainText
+            # What the studio itself formats is not shown as its letters.
+            assert ("</" if plain else "<img") not in widget.text(), widget.objectName()
+            count += "<img" in widget.text()
         elif isinstance(widget, QTextEdit) and widget.isVisible():
             assert "<img" not in widget.toHtml(), widget.objectName()
             count += "<img" in widget.toPlainText()

@@ -90,9 +90,13 @@ ACTUATION = OptionalSpec(
 RIG = OptionalSpec(
     label="Rig", of=ModelSpec(label="Rig", kinds=lambda: (Rig,)), left_out_empty=True
 )
-SCALING = ChoiceSpec(
-    label="Scaling", options=tuple((word.name, word.title) for word in labels.SCALINGS)
-)
+
+
+def _choice_of(label: str, options: tuple[labels.Word, ...]) -> ChoiceSpec:
+    return ChoiceSpec(label=label, options=tuple((option.name, option.title) for option in options))
+
+
+SCALING = _choice_of("Scaling", labels.SCALINGS)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -350,11 +354,6 @@ Plain = None | bool | int | float | str | tuple[float, ...]
 #: Settings of panels: (name of the panel, ((name of a field, its value), …)), by name.
 PanelFields = tuple[tuple[str, tuple[tuple[str, Plain], ...]], ...]
 
-
-def _choice_of(label: str, options: tuple[labels.Word, ...]) -> ChoiceSpec:
-    return ChoiceSpec(label=label, options=tuple((option.name, option.title) for option in options))
-
-
 AXES = _choice_of("Axes", labels.AXES)
 METHOD = _choice_of("Method", labels.METHODS)
 SPAN = _choice_of("Levels", labels.SPANS)
@@ -425,12 +424,15 @@ class Snapshot:
     ----------
     number
         1 to 4; 0 is the design that was edited when a snapshot was shown.
+    title
+        Its own, which the user gave it; empty: it is called as its design.
     gain
         Factor on predictions and playback that matched its level when it was shown last; it is
         not in the amplitudes of ``design``.
     """
 
     number: int = fields.number(EDITED, NUMBER)
+    title: str = fields.text("", replace(TITLE, left_out_empty=True))
     design: Design = fields.field(ModelSpec(label="Design", kinds=lambda: (Design,)))
     gain: float = fields.number(1.0, GAIN)
 

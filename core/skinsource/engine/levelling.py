@@ -12,7 +12,7 @@ from skinsource.engine.evaluation import Evaluator
 from skinsource.signals.loudest_window import LOUDEST_WINDOW_S
 
 #: Label of the predicted level.
-MEASURE = f"loudest {LOUDEST_WINDOW_S * 1000:g} ms of any output"
+MEASURE = f"magnitude of all axes, loudest {LOUDEST_WINDOW_S * 1000:g} ms of any output"
 _VIEW = View(axes="xyz", method="mag", span="loudest")
 
 

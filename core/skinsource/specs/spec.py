@@ -218,6 +218,8 @@ class TextSpec(Spec):
         Most characters.
     one_line
         Whether line ends are forbidden.
+    left_out_empty
+        Whether an empty text is left out of files, which older versions can read then.
     reader
         Parses a text in a language, such as a formula, or raises `InvalidInputError`, whose
         ``column``, if it has one, is the position of the mistake.  Such a text is edited live.
@@ -225,6 +227,7 @@ class TextSpec(Spec):
 
     longest: int
     one_line: bool = False
+    left_out_empty: bool = False
     reader: Callable[[str], object] | None = None
 
     def checked(self, value: Any) -> str:

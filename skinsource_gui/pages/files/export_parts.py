@@ -80,8 +80,6 @@ class ExportPart(QtWidgets.QWidget):
         self._worker = Worker(f"skinsource-{name}", self)
         self._summary = page_label(f"{name}_summary")
         self._problem = page_label(f"{name}_problem", tone="error")
-        for label in (self._summary, self._problem):
-            label.setTextFormat(Qt.TextFormat.PlainText)
         self._problem.hide()
 
     @property

@@ -6,7 +6,7 @@ dragged in it.
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -52,7 +52,7 @@ from skinsource_gui.plots.plot import Plot
 from skinsource_gui.plots.preview import SpectrumPreview
 from skinsource_gui.plots.ranges import Range, XAxis, wave_of
 from skinsource_gui.qt.buttons import Answer, answers, page_label, progress_bar
-from skinsource_gui.qt.layouts import form_of, in_column, in_row
+from skinsource_gui.qt.layouts import form_of, in_column, in_row, named
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
 from skinsource_gui.state.worker import Worker, fault_text
 
@@ -103,6 +103,8 @@ _DURATION = NumberSpec(
 
 #: Values of the fields of a form, by their names.
 Made = dict[str, Any]
+#: What a file is like, see `ChoiceForm.shape`.
+Shape = tuple[object, ...]
 
 
 class ChoiceForm(QtWidgets.QWidget):
@@ -171,6 +173,13 @@ class ChoiceForm(QtWidgets.QWidget):
         if self._axes.value != _EACH:
             return (self.choice,)
         return tuple(replace(self.choice, series=signal.key) for signal in self._beside)
+
+    @property
+    def shape(self) -> Shape:
+        """What files have in common that leave the same open about the same signals."""
+        of = self._contents
+        series = ((s.key, s.unit, s.is_time, of.rate_of(s) is None) for s in of.series)
+        return (of.format, *series)
 
     @property
     def made(self) -> Made:
@@ -741,7 +750,16 @@ class ImportPage(ToolPage):
     put_at
         Makes the edit that puts recordings at one of them, which says where that is.
     made
-        Choices that the page begins with, as ``made`` of the form of another file has them.
+        Choices that were made for other files, as ``made`` of their forms has them.  A file of one
+        of these shapes is imported with the same without asking, where that is possible; others
+        begin with those of None.
+
+    Attributes
+    ----------
+    same
+        Whether the choices hold for further files; hidden where there are none.
+    asks
+        Whether the user is to see the page; else it shows itself once it has something to ask.
     """
 
     #: A `skinsource.design.waveforms.samples.Recording` for each signal; the name of the place.
@@ -754,10 +772,13 @@ class ImportPage(ToolPage):
         places: tuple[tuple[str, str], ...],
         put_at: Callable[[tuple[Recording, ...], str], Edit | Refusal],
         parent: QtWidgets.QWidget | None = None,
-        made: Made | None = None,
+        made: Mapping[Shape | None, Made] | None = None,
     ) -> None:
         super().__init__(parent, "import_page", f"Import {path_text(Path(path.name))}", (820, 520))
         self._band_hz, self._made = limb.band_hz, made or {}
+        self.asks = not any(self._made)
+        self.same = named(QtWidgets.QCheckBox(), "import_same")
+        self.same.hide()
         self.form: ChoiceForm | None = None
         self._recordings: tuple[Recording, ...] = ()
         self._surveyed = ""
@@ -782,7 +803,8 @@ class ImportPage(ToolPage):
         self._left = in_column(*parts, of=left, margins=0, gap_px=UNIT_PX)
         right = in_column(self._strip, (self.preview, 1), gap_px=UNIT_PX)
         columns = in_row(left, (right, 1), gap_px=2 * UNIT_PX)
-        in_column((columns, 1), self._bar, self._buttons, of=self)
+        foot = in_row(self.same, (self._buttons, 1))
+        in_column((columns, 1), self._bar, foot, of=self)
         self.preview.show_message(_READING)
         self._worker = ReadingWorker(path, limb.sample_rate_hz, self)
         worker = self._worker
@@ -816,7 +838,7 @@ class ImportPage(ToolPage):
     def _show_contents(self, contents: Found) -> None:
         self._about.setText(about(contents))
         self.form = ChoiceForm(contents, self)
-        self.form.repeat(self._made)
+        self.form.repeat(self._made.get(self.form.shape, self._made.get(None, {})))
         self.form.changed.connect(self._import)
         self._left.insertWidget(2, self.form)
         self._strip.part_chosen.connect(self.form.take_part)
@@ -865,6 +887,7 @@ class ImportPage(ToolPage):
         self._import_button.setEnabled(True)
         self._import_button.setDefault(True)
         self._show_where()
+        self._ask(self._made.get(self.form.shape))
 
     def _show_where(self, *_: object) -> None:
         """Say where the recordings will be; while they are read it is not known."""
@@ -879,6 +902,13 @@ class ImportPage(ToolPage):
             return
         self._bar.hide()
         self.preview.show_message(reason)
+        self._ask(None)
+
+    def _ask(self, made: Made | None) -> None:
+        """Let the user decide, unless the first choices shown are those made for such a file."""
+        asked, self.asks = self.asks, True
+        if not asked:
+            (self.accept if self.form and self.form.made == made else self.show)()
 
     def _show_progress(self, done: int, total: int) -> None:
         self._bar.setRange(0, 1000)

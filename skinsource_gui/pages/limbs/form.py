@@ -11,11 +11,10 @@ from PySide6.QtCore import QObject, QPointF, QRectF, QSize, Qt, Signal
 
 from skinsource.base.conventions import Floats
 from skinsource.base.errors import counted
-from skinsource.design.labels import AXES
+from skinsource.design.design import AXES
 from skinsource.limbs.limb_import import LimbSource
 from skinsource.limbs.own_limbs import NAME_RULE
 from skinsource.specs.numbers import NumberSpec
-from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.hand.picture import spacing_of
@@ -284,11 +283,7 @@ class PlacesCanvas(QtWidgets.QWidget):
         return fitted(bounds, room, up=up).transform()
 
 
-_AXES = ChoiceSpec(
-    label="Axes",
-    options=tuple((word.name, word.title) for word in AXES),
-    hint="Axes of each output, in file order; z: normal",
-)
+_AXES = replace(AXES, hint="Axes of each output, in file order; z: normal")
 _STARTING_AXES = "z"
 _HIGHEST_RATE_HZ = 768_000.0
 

@@ -325,7 +325,7 @@ class LimbPage(ToolPage):
         self._limbs.look()
         self.show_limbs(result.name if isinstance(result, LimbFacts) else self.chosen)
         if isinstance(result, LimbFacts):
-            self.say(f"Imported as {result.name}. Choose it at the left of the bar.")
+            self.say(f"Imported as {result.name}. Choose it at the right of the bar.")
         else:
             self.say(f"{job.title}: done.")
 

@@ -10,7 +10,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, cast
 
-from PySide6 import QtWidgets
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 
 from skinsource.actuators.equalising import BOOST, NEW_QUALITY, PHASE
@@ -264,6 +264,11 @@ class StimulusForm(QtWidgets.QWidget):
             self.refused.emit(str(error))
         else:
             self.changed.emit(order)
+
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
+        super().resizeEvent(event)
+        # Qt would leave a text of several lines the height of fewer.
+        self._form.invalidate()
 
     def _connect(self) -> None:
         for name, field in self._fields.items():

@@ -46,7 +46,7 @@ from skinsource_gui.plots.ranges import in_rows, without_notches
 from skinsource_gui.qt.buttons import page_button, page_label, progress_bar, scrolled, show_or_hide
 from skinsource_gui.qt.layouts import in_column, in_row, named, tooltip
 from skinsource_gui.qt.overlays import PALE, Staleness
-from skinsource_gui.qt.theme import UNIT_PX, current_theme, dots_in_px, tabular
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, dots_in_px, set_tone, tabular
 from skinsource_gui.state.worker import fault_text
 
 _ROW_PX, _GAP_PX = 58, 6
@@ -201,7 +201,6 @@ class StimulusPart(ExportPart):
         self.form = StimulusForm(design, view)
         self.channels = ChannelsView()
         self._notes = page_label("stimulus_loses", tone="dim")
-        self._notes.setTextFormat(Qt.TextFormat.PlainText)
         self._bar = progress_bar("stimulus_progress", "Progress", keeps_room=True)
         self._bar.setTextVisible(True)
         self._bar.setFormat("Computing… %p %")
@@ -346,6 +345,7 @@ class StimulusPart(ExportPart):
         silent = "" if self._ordered is None else left_out(self._design, self._ordered.options)
         notes = silent, prepared.edges, prepared.loses, calibration_of(prepared)
         self._notes.setText(" ".join(filter(None, notes)))
+        set_tone(self._notes, "warning" if prepared.misfit else "dim")
 
     def _show_progress(self, order: Order, done: int, total: int) -> None:
         if order is self._ordered:
@@ -388,13 +388,14 @@ def _write(prepared: Any, path: Path, confirmed: bool, *, largest_error: float, 
 
 
 def left_out(design: Design, options: StimulusOptions) -> str:
-    """Return a sentence on the selected tracks that are not written, and why; "": all are."""
+    """Return a sentence on tracks, chosen ones or all, that are silent, and why; "": none is."""
+    every = options.inputs is options.clips is None
     ids, clips = options.inputs or (), options.clips or ()
     silent = [
         f"track at {track.location} ({'muted' if track.muted else 'not solo'})"
         for track in design.inputs
         if track not in audible_inputs(design.inputs)
-        and (track.id in ids or any(clip.id in clips for clip in track.clips))
+        and (every or track.id in ids or any(clip.id in clips for clip in track.clips))
     ]
     return f"Left out: {', '.join(silent)}." if silent else ""
 

@@ -1,15 +1,14 @@
 """A snapshot as a card, and its texts."""
 
+from collections.abc import Sequence
 from functools import partial
 
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPoint, QSize, Qt, Signal
 
 from skinsource.base.decibels import FLOOR_DB
-from skinsource.base.errors import printable
 from skinsource.design.comparing import gain_text, loudest_db, snapshot_name
 from skinsource.design.design import TITLE
-from skinsource.studies import scenes
 from skinsource_gui.fields.editors import TextLine
 from skinsource_gui.fields.units import minus
 from skinsource_gui.qt.buttons import passing_menu
@@ -40,7 +39,7 @@ def card_text(compared: Compared, *, present: bool) -> str:
     gain = gain_text(compared.gain)
     parts = [
         snapshot_name(compared.snapshot.number).capitalize(),
-        printable(scenes.title_of(compared.snapshot.design)).strip(),
+        compared.title,
         f"loudest output {card_level_text(compared)}",
         f"shown {gain} to match" if gain else "",
         "in the window" if present else "",
@@ -48,6 +47,13 @@ def card_text(compared: Compared, *, present: bool) -> str:
         compared.left_out,
     ]
     return ", ".join(part for part in parts if part)
+
+
+def told_titles(compared: Sequence[Compared]) -> dict[int, str]:
+    """Return titles by number, without that of designs which several have: it tells none."""
+    known = [side.title for side in compared]
+    told = [side for side in compared if side.snapshot.title or known.count(side.title) == 1]
+    return {side.snapshot.number: side.title for side in told}
 
 
 _PLACE = "snapshot"
@@ -93,8 +99,8 @@ class Card(QtWidgets.QToolButton):
         self.clicked.connect(self._act)
         self.show_snapshot(None, present=False)
 
-    def show_snapshot(self, compared: Compared | None, *, present: bool) -> None:
-        """Take over what to show; None: nothing is stored."""
+    def show_snapshot(self, compared: Compared | None, title: str = "", *, present: bool) -> None:
+        """Take over what to show, and how it is called; None: nothing is stored."""
         self.compared, self.present = compared, present
         text = (
             f"Snapshot {self.number}: nothing stored; click, or press {self._store_key}, to store"
@@ -108,7 +114,6 @@ class Card(QtWidgets.QToolButton):
             self.setText(f"{self.number}: {self._store_key}")
         else:
             warned = "⚠ " if compared.left_out else ""
-            title = printable(scenes.title_of(compared.snapshot.design)).strip()
             # Behind the last middle dot titles of scenes differ.
             own, right = title.rpartition(" · ")[2], Qt.TextElideMode.ElideRight
             called = f"{compared.name} {self.fontMetrics().elidedText(own, right, _TITLE_PX)}"
@@ -141,8 +146,9 @@ class Card(QtWidgets.QToolButton):
         self._rename()  # the first click has shown it
 
     def _rename(self) -> None:
-        if self.compared is not None:
-            line = TitleLine(self, self.compared.snapshot.design.title)
+        # The working design has the title that stands in the inspector.
+        if self.compared is not None and self.number:
+            line = TitleLine(self, self.compared.title)
             line.edited.connect(lambda title, _: self.renamed.emit(self.number, title))
 
     def _act(self) -> None:
@@ -152,6 +158,7 @@ class Card(QtWidgets.QToolButton):
         menu = passing_menu(self)
         if self.compared is not None:
             menu.addAction("Show", lambda: self.requested.emit(self.number, "show"))
+        if self.compared is not None and self.number:
             menu.addAction("Rename", self._rename)
         if self.number:
             menu.addAction(

@@ -11,7 +11,6 @@ from PySide6.QtCore import QPointF
 
 from skinsource.base.conventions import Axes, Floats
 from skinsource.base.decibels import FLOOR_DB
-from skinsource.base.errors import printable
 from skinsource.design.comparing import (
     MOST_SIDE_BY_SIDE,
     difference_db,
@@ -36,9 +35,8 @@ from skinsource.engine.time_rules import Moving
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.own_limbs import axes_on
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
-from skinsource.studies import scenes
 from skinsource_gui.fields.units import output_text
-from skinsource_gui.panels.compare.card import card_level_text, played_db
+from skinsource_gui.panels.compare.card import card_level_text, played_db, told_titles
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.colour_maps import DIVERGING
 from skinsource_gui.plots.pictures import common_title
@@ -369,15 +367,13 @@ def _map(side: Compared, levels_db: Floats | None, noisy: tuple[int, ...]) -> Sm
 def _relative(small: SmallMap, maximum_db: float) -> SmallMap:
     """Return the same map with its levels re ``maximum_db``; silent outputs stay silent."""
     levels, field = small.levels_db, small.field_levels_db
+    if levels is not None:
+        levels = np.where(levels > FLOOR_DB, levels - maximum_db, levels)
     return replace(
         small,
-        levels_db=None if levels is None else _below(levels, maximum_db),
+        levels_db=levels,
         field_levels_db=None if field is None else field - maximum_db,
     )
-
-
-def _below(levels_db: Floats, maximum_db: float) -> Floats:
-    return np.where(levels_db > FLOOR_DB, levels_db - maximum_db, levels_db)
 
 
 def _of_all(called: Sequence[Names], n_compared: int) -> Names:
@@ -485,7 +481,12 @@ class Kind:
 
     def reference(self, compared: Sequence[Compared], design: Design, view: View) -> int:
         """Return which of them is in the window; the first where none is."""
-        return 0
+        shown = (k for k, side in enumerate(compared) if self.is_shown(side.snapshot, design, view))
+        return next(shown, 0)
+
+    def is_shown(self, side: Snapshot, design: Design, view: View) -> bool:
+        """Return whether that one of them is in the window."""
+        return False
 
     def hindrance(self, compared: Sequence[Compared], view: View) -> str:
         """Return why nothing can be compared, in a sentence; empty where something can."""
@@ -609,9 +610,8 @@ class OfLimbs(Kind):
             names.append((f"{title}{other}", short_limb_title(limb), number))
         return names
 
-    def reference(self, compared: Sequence[Compared], design: Design, view: View) -> int:
-        matches = [side.snapshot.design.limb == design.limb for side in compared]
-        return matches.index(True) if True in matches else 0
+    def is_shown(self, side: Snapshot, design: Design, view: View) -> bool:
+        return side.design.limb == design.limb
 
     def hindrance(self, compared: Sequence[Compared], view: View) -> str:
         if len(compared) == 1:
@@ -670,10 +670,8 @@ class OfFrequencies(Kind):
         known = [frequency_of(side.snapshot.design) or 0.0 for side in compared]
         return [_WORKING if isinf(hz) else (f"{hz:g} Hz",) for hz in known]
 
-    def reference(self, compared: Sequence[Compared], design: Design, view: View) -> int:
-        own_hz = frequency_of(design)
-        matches = [frequency_of(side.snapshot.design) == own_hz for side in compared]
-        return matches.index(True) if True in matches else 0
+    def is_shown(self, side: Snapshot, design: Design, view: View) -> bool:
+        return frequency_of(side.design) == frequency_of(design)
 
     def hindrance(self, compared: Sequence[Compared], view: View) -> str:
         return super().hindrance(compared, view) if compared else NO_FREQUENCY
@@ -687,11 +685,9 @@ class OfSnapshots(Kind):
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
         return snapshot_names(compared, view.axes, with_limbs=difference)
 
-    def reference(self, compared: Sequence[Compared], design: Design, view: View) -> int:
+    def is_shown(self, side: Snapshot, design: Design, view: View) -> bool:
         held = shown_snapshot(view.snapshots, design)
-        number = EDITED if held is None else held.number
-        matches = [side.snapshot.number == number for side in compared]
-        return matches.index(True) if True in matches else 0
+        return side.number == (EDITED if held is None else held.number)
 
     def hindrance(self, compared: Sequence[Compared], view: View) -> str:
         if len(compared) < 2:
@@ -725,28 +721,32 @@ def snapshot_names(
     ``with_limbs``: names of snapshots on several limbs include the limb.
     """
     names: list[Names] = []
-    titles = [printable(scenes.title_of(side.snapshot.design)).strip() for side in compared]
-    # A title that several have tells none of them.
-    titles = [title * (titles.count(title) == 1) for title in titles]
-    own_parts = _own_parts([each for each in titles if each])
+    titles = told_titles(compared)
+    own_parts = _own_parts([each for each in titles.values() if each])
     several = with_limbs and len({side.snapshot.design.limb for side in compared}) > 1
-    for side, title in zip(compared, titles, strict=True):
+    for side in compared:
         along = axes_on(side.snapshot.design.limb, axes)
         other = f" ({label_of(AXES, along).title})" if along != axes else ""
         on_limb = f" on {short_limb_title(side.snapshot.design.limb)}" if several else ""
         other += on_limb
         working = side.snapshot.number == EDITED
         called = _WORKING[0] if working else f"Snapshot {side.name}"
-        parts = dict.fromkeys((title, own_parts.get(title, title)))
-        longest = tuple(f"{called} · {part}{other}" for part in parts if part)
+        title = titles.get(side.snapshot.number, "")
+        own = own_parts.get(title, "")
+        cut = own if len(own) <= _SHORT else f"{own[: _SHORT - 1].rstrip()}…"
+        begun = (called, title), (called, own), (side.name, own), (side.name, cut)
+        longest = tuple(" · ".join(parts) for parts in begun)
         if working:
-            # A scene that was not changed is told by its title, as the others are.
-            told = title == side.snapshot.design.title
-            longest = tuple(f"{part}{other}" for part in parts if told and part)
-        if len(longest) > 1:
-            longest = (*longest, f"{f'{side.name} · ' * (not working)}{own_parts[title]}{other}")
-        names.append((*longest, f"{called}{other}", f"{side.name}{on_limb}"))
+            longest = title, own, own, cut
+        # A scene that was not changed is told by its title, as the others are.
+        told = title and (not working or title == side.snapshot.design.title)
+        wordings = (*longest, called) if told else (called,)
+        names.append((*(f"{part}{other}" for part in wordings), f"{side.name}{on_limb}"))
     return names
+
+
+# A name with more letters is cut where a map has no room for it.
+_SHORT = 14
 
 
 def _own_parts(titles: Sequence[str]) -> dict[str, str]:

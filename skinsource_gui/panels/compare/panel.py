@@ -11,13 +11,13 @@ from PySide6.QtCore import QRectF, QSize, Signal
 from skinsource.design import edits
 from skinsource.design.comparing import MOST_SIDE_BY_SIDE, other_snapshot
 from skinsource.design.design import EDITED, NUMBERS, Design, View, shown_snapshot
-from skinsource.design.edits.view import change_texts
+from skinsource.design.edits.view import rename_snapshot
 from skinsource.design.labels import limb_label
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.limbs.catalog import available_limbs
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.editors import NumbersEditor
-from skinsource_gui.panels.compare.card import Card
+from skinsource_gui.panels.compare.card import Card, told_titles
 from skinsource_gui.panels.compare.content import KINDS, LEAST_COMPARED, tab_separated
 from skinsource_gui.panels.compare.maps import MapsPanel
 from skinsource_gui.panels.compare.settings import (
@@ -252,8 +252,7 @@ class ComparePanel(MapsPanel):
         """Draw the maps and their scale for a page or a slide; size in px."""
         painter.fillRect(QRectF(0, 0, width, height), QtGui.QColor(theme.base))
         # Words grow with the picture, and are no smaller than on the screen.
-        scale = min(width / max(self.width(), 1), height / max(self.height(), 1))
-        scale = max(scale, 1.0)
+        scale = max(min(width / max(self.width(), 1), height / max(self.height(), 1)), 1.0)
         painter.save()
         painter.scale(scale, scale)
         with on_paper():
@@ -269,11 +268,12 @@ class ComparePanel(MapsPanel):
         if self.design is not None:
             present = shown_snapshot(self.view.snapshots, self.design)
         in_window = EDITED if present is None else present.number
+        titles = told_titles(self.compared)
         sides = {side.snapshot.number: side for side in self.compared}
         for card in self.cards:
-            side = sides.get(card.number)
+            side, title = sides.get(card.number), titles.get(card.number, "")
             card.setVisible(card.number != EDITED or side is not None)
-            card.show_snapshot(side, present=side is not None and card.number == in_window)
+            card.show_snapshot(side, title, present=side is not None and card.number == in_window)
 
     def _act(self, number: int, what: str) -> None:
         if what == "store":
@@ -285,7 +285,7 @@ class ComparePanel(MapsPanel):
 
     def _rename(self, number: int, title: str) -> None:
         if self.design is not None:
-            self.edited.emit(change_texts(self.design, self.view, number, title=title), None)
+            self.edited.emit(rename_snapshot(self.design, self.view, number, title), None)
 
     def _read(self, output: int | None) -> None:
         # Maps that move under the pointer cannot be pointed at.

@@ -272,8 +272,6 @@ class StagePanel(MapsPanel):
         self._said_of: dict[tuple[str, str], Design] = {}
         self._track: Input | None = None
         self._turned = ""
-        for label in (self.heading, self.sentence):
-            label.setTextFormat(Qt.TextFormat.PlainText)
         self.maps.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         # On a single map the wave is to be seen on the arm, too.
         self.maps.least_lines, self.maps.several_on_hands = 9.0, True

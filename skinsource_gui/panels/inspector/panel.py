@@ -598,7 +598,7 @@ class InspectorPanel(Panel):
         """Change the title of the design, or the first line of its notes."""
         _, line_end, others = self._design.notes.partition("\n")
         field, text = (name, text) if name == "title" else ("notes", f"{text}{line_end}{others}")
-        self.edited.emit(change_texts(self._design, self._view, None, **{field: text}), gesture)
+        self.edited.emit(change_texts(self._design, self._view, **{field: text}), gesture)
 
     def _change_field(self, name: str, value: Any, gesture: int | None) -> None:
         """Change a field of all selected inputs, by typing or dragging."""

@@ -11,7 +11,7 @@ from PySide6.QtCore import QEvent, QSize, Qt, Signal
 from skinsource.design import edits
 from skinsource.design.design import Design, View
 from skinsource.design.edits.edit import Edit, Refusal
-from skinsource.design.labels import AXES, METHODS, SPANS, TRIAD_SENTENCE, label_of
+from skinsource.design.labels import AXES, METHODS, SPANS, TRIAD_SENTENCE, Word
 from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.skin.content import MapContent
@@ -35,23 +35,27 @@ _ARROW = " ▾"
 
 def offer(
     menu: QtWidgets.QMenu,
-    options: Iterable[tuple[str, str, str]],
+    options: Iterable[tuple[str, ...]],
     current: str,
     choose: Callable[[str], object],
 ) -> list[QtGui.QAction]:
-    """Add exclusive entries, each with name, title and hint, to a menu; return them."""
+    """Add exclusive entries, each with name, title and perhaps a hint, to a menu; return them."""
     group = QtGui.QActionGroup(menu)
     menu.setToolTipsVisible(True)
     actions = []
-    for name, title, hint in options:
+    for name, title, *hint in options:
         action = menu.addAction(title, partial(choose, name))
         action.setData(name)
-        action.setToolTip(tooltip(hint) if hint else "")
+        action.setToolTip(tooltip(*hint) if hint else "")
         action.setCheckable(True)
         action.setChecked(name == current)
         group.addAction(action)
         actions.append(action)
     return actions
+
+
+def _explained(words: Iterable[Word]) -> list[tuple[str, ...]]:
+    return [(word.name, word.title, word.sentence) for word in words]
 
 
 class MeasureWord(QtWidgets.QToolButton):
@@ -191,12 +195,13 @@ class MeasureLine(QtWidgets.QWidget):
         # That levels are matched is said in any width.
         short_unit = self._content.quantity.matched or unit.split(" ")[0]
         combined = self._settings.quantity in (LEVELS, RMS)
-        shorter = label_of(AXES, self._view.axes).title if combined else signal.split(" t")[0]
+        *axes, how = signal.split(", ")
+        method = f"{''.join(axes)} {how.split(' ')[0]}".lstrip()
+        shorter = method if combined else signal.split(" t")[0]
         brief = what.replace("Sensation level", "Sensation")
         shortened = (
             (what, signal, over, unit),
             (what, signal, over, short_unit),
-            (what, shorter, over, unit),
             (what, shorter, over, short_unit),
             (what, shorter, over.split(" ", 1)[-1], short_unit),
             (brief, shorter, over.split(" ", 1)[-1], short_unit),
@@ -214,24 +219,21 @@ class MeasureLine(QtWidgets.QWidget):
         return sum(b.width_of(word) for b, word in zip(self._words, words, strict=True))
 
     def _offer_quantities(self, menu: QtWidgets.QMenu) -> None:
-        options = ((name, title, "") for name, title in QUANTITY.options)
-        offer(menu, options, self._settings.quantity, partial(self._choose, "quantity"))
+        offer(menu, QUANTITY.options, self._settings.quantity, partial(self._choose, "quantity"))
 
     def _offer_axes(self, menu: QtWidgets.QMenu) -> None:
-        axes = ((word.name, word.title, word.sentence) for word in AXES)
+        axes, methods = _explained(AXES), _explained(METHODS)
         measured = set(facts_of(self._design.limb if self._design else "").axes)
         for action in offer(menu, axes, self._view.axes, partial(self._edit, edits.look_along)):
             action.setEnabled(set(action.data()) <= measured)
         menu.addSeparator()
-        methods = ((word.name, word.title, word.sentence) for word in METHODS)
         choose = partial(self._edit, edits.look_by_method)
         for action in offer(menu, methods, self._view.method, choose):
             # A single axis needs no method.
             action.setEnabled(len(self._view.axes) > 1)
 
     def _offer_spans(self, menu: QtWidgets.QMenu) -> None:
-        spans = ((word.name, word.title, word.sentence) for word in SPANS)
-        offer(menu, spans, self._view.span, partial(self._edit, edits.level_over))
+        offer(menu, _explained(SPANS), self._view.span, partial(self._edit, edits.level_over))
 
     def _offer_looks(self, menu: QtWidgets.QMenu) -> None:
         shown, settings = self._content, self._settings
@@ -242,8 +244,7 @@ class MeasureLine(QtWidgets.QWidget):
             lambda on: self._look(with_range(settings, None if on else shown.value_range))
         )
         menu.addSeparator()
-        styles = ((name, title, "") for name, title in MAP_STYLE.options)
-        offer(menu, styles, settings.map_style, partial(self._choose, "map_style"))
+        offer(menu, MAP_STYLE.options, settings.map_style, partial(self._choose, "map_style"))
         sensors = menu.addAction("Mark sensors")
         sensors.setToolTip(SENSORS_SHOWN.hint)
         sensors.setCheckable(True)
@@ -255,8 +256,7 @@ class MeasureLine(QtWidgets.QWidget):
 
     def offer_colours(self, menu: QtWidgets.QMenu) -> None:
         """Add the colours to a menu."""
-        colours = ((name, title, "") for name, title in COLOURS.options)
-        offer(menu, colours, self._settings.colours, partial(self._choose, "colours"))
+        offer(menu, COLOURS.options, self._settings.colours, partial(self._choose, "colours"))
 
     def _choose(self, field: str, value: Any) -> None:
         self._look(replace(self._settings, **{field: value}))

@@ -84,8 +84,6 @@ def test_noise_along_a_direction_is_that_of_independent_axes():
     axes = rng.normal(size=(2, 3, 200_000)) * np.sqrt(energy / 10)[..., None]
     drawn = np.einsum("oa,oat->ot", direction, axes)
     assert noise_rms == pytest.approx(drawn.std(axis=-1), rel=0.01)
-    length = output_noise_rms(energy, Projection((0, 1, 2), None), 10)
-    assert length == pytest.approx(np.sqrt([2.9, 2.9]))
 
 
 @pytest.mark.parametrize(("share", "state"), [(0.04, "kept"), (0.06, "left"), (0.15, "left")])

@@ -42,20 +42,6 @@ PLAYED = Design(
 VIEW = View(axes="xz", method="mag", outputs=(31, 5))
 
 
-def test_it_gives_back_every_number(lab):
-    limb = load_limb("lab-1")
-    assert (limb.n_inputs, limb.n_outputs, limb.n_axes) == (N_INPUTS, N_OUTPUTS, 2)
-    assert (limb.axes, limb.sample_rate_hz, limb.pre_trigger_delay_s) == ("xz", RATE_HZ, 0.002)
-    for place in range(1, N_INPUTS + 1):
-        np.testing.assert_array_equal(limb.response_to(place), response(place))
-    for positions, expected in (
-        (limb.map.outline, lab.outline),
-        (limb.map.input_positions, lab.input_positions),
-        (limb.map.output_positions, lab.output_positions),
-    ):
-        np.testing.assert_array_equal(positions, expected)
-
-
 def test_it_is_named_beside_the_others_and_removed(lab):
     assert available_limbs()[-1] == "lab-1"
     assert limb_label("lab-1").title == "Lab 1"

@@ -118,16 +118,6 @@ def click(bench, at):
     QTest.mouseClick(bench.canvas.viewport(), LEFT, pos=whole(at))
 
 
-def test_a_point_of_the_frequency_is_dragged_and_the_amplitude_stays(glide):
-    amplitude = curve(glide, "amplitude")
-    glide.drag_px(frequency_at(glide, 0.2, 300.0), frequency_at(glide, 0.25, 400.0))
-    times, values = zip(*curve(glide, "frequency"), strict=True)
-    assert times == pytest.approx((0.0, 0.25, 0.4), abs=0.002)
-    assert values == pytest.approx((100.0, 400.0, 300.0), abs=3.0)
-    same(curve(glide, "amplitude"), amplitude)
-    assert len(set(glide.gestures)) == 1
-
-
 def test_a_point_of_the_amplitude_is_dragged_and_goes_no_higher_than_one(glide):
     frequency = curve(glide, "frequency")
     glide.drag_px(glide.at(0.4, 0.9), glide.at(0.4, 1.5))
@@ -193,17 +183,6 @@ def test_only_a_glide_offers_the_tool_and_elsewhere_the_key_says_why_not(qtbot, 
 
 
 SILENCE, FADE = Samples(values=np.zeros(260), sample_rate_hz=RATE_HZ), Fade(0.0, 0.01)
-
-
-def test_a_stroke_becomes_samples_in_one_step(flat):
-    flat.drag((0.05, 0.0), (0.08, 0.5), (0.1, 0.5), (0.12, 0.0))
-    values = flat.drawn
-    assert values.size == 260
-    assert values.max() == pytest.approx(0.5, abs=0.01)
-    assert (values[117:130] > 0.45).all()
-    assert not values[:60].any()
-    assert not values[160:].any()
-    assert len(set(flat.gestures)) == 1
 
 
 def test_with_shift_a_stroke_is_a_straight_line(flat):

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog
 import skinsource as ss
 from skinsource import Design, View, edits, open_design, save_design, track
 from skinsource.design.comparing import with_edited
-from skinsource.design.edits.view import change_texts
+from skinsource.design.edits.view import rename_snapshot
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.panels.compare.content import snapshot_names, tab_separated
 from skinsource_gui.state.compared import ELSEWHERE, SILENCE, Compared
@@ -71,7 +71,7 @@ def test_an_edit_of_a_shown_snapshot_says_what_it_replaces_and_nothing_is_lost(w
     window.do("store_snapshot_1")
     edit(window, 2.0)
     window.do("toggle_snapshots")
-    document.apply(change_texts(document.design, document.view, 1, title="Soft"))
+    document.apply(rename_snapshot(document.design, document.view, 1, "Soft"))
     edit(window, 5.0)
     edit(window, 6.0)
     settle()
@@ -133,7 +133,11 @@ def test_cards_are_used_with_the_keyboard(window, panel, settle):
     assert [snapshot.number for snapshot in window.document.view.snapshots] == [0, 1]
 
 
-def test_the_title_of_a_snapshot_is_typed_over_its_card(window, panel, settle):
+def test_the_title_of_a_snapshot_is_typed_over_its_card_and_is_its_own(
+    window, panel, settle, tmp_path
+):
+    document = window.document
+    document.edit("t", replace(document.design, title="Mine"))
     window.do("store_snapshot_1")
     settle()
     card = cards(panel)[1]
@@ -144,10 +148,31 @@ def test_the_title_of_a_snapshot_is_typed_over_its_card(window, panel, settle):
         begin()
         QApplication.focusWidget().insert(typed)
         QTest.keyClick(QApplication.focusWidget(), end)
-    assert card.text().startswith("1 Soft:")
-    assert (window.document.design.title, card.present) == ("Soft", True)
+    assert (card.text()[:7], card.present) == ("1 Soft:", True)
+    edit(window, 2.0)
+    window.do("store_snapshot_2")
+    edit(window, 3.0)
+    settle()
+    # "Mine" is the title of two, and tells neither.
+    called = [each.text().partition(":")[0] for each in cards(panel).values()]
+    assert called == ["1 Soft", "2", "3", "4", "Working"]
+    heads = [cell.heading for cell in panel.maps.content.cells]
+    assert heads == ["Snapshot 1 · Soft", "Snapshot 2", "Working design"]
+    QTest.keyClick(cards(panel)[0], KEY.Key_F2)
+    assert window.windowTitle().startswith("Mine[*]")
+    window.files._save_to(tmp_path / "a.skinsource")
+    opened = open_design(tmp_path / "a.skinsource")
+    assert [each.title for each in opened.view.snapshots] == ["Soft", ""]
+    outcome = rename_snapshot(document.design, document.view, 2, "x" * 40)
+    document.apply(outcome)
+    assert document.modified
     window.do("undo")
-    assert card.text().startswith("1:")
+    assert cards(panel)[2].text().startswith("2:")
+    first, second = outcome.view.snapshots
+    several = first, second, replace(first, number=3)
+    names = snapshot_names([Compared(snapshot=each) for each in several], "xyz")
+    assert [each[2] for each in names] == ["1 · Soft", f"2 · {'x' * 40}", "3 · Soft"]
+    assert names[1][-3:-1] == ("2 · xxxxxxxxxxxxx…", "Snapshot 2")
 
 
 def test_maps_show_snapshots_as_loud_as_they_are_shown_and_how_they_differ(window, panel, settle):
@@ -339,8 +364,6 @@ def test_storing_is_no_step_and_is_saved_with_the_file(window, settle, tmp_path)
     assert (window.document.modified, titles) == (True, [True])
     assert not window.document.undo_stack.canUndo()
     window.do("redo")
-    window.document.undo_stack.clear()
-    assert not window.document.undo_stack.canUndo()
     window.files.save()
     assert (window.document.modified, titles[-1]) == (False, False)
     assert open_design(tmp_path / "a.skinsource").view.snapshots[0].design == window.document.design

@@ -257,9 +257,7 @@ def placeholder(desk):
     return track, clip
 
 
-def test_a_recording_goes_in_place_of_what_stands_for_one_and_of_another_when_that_is_said(
-    desk, page_at, sound, placeholder
-):
+def test_a_recording_replaces_what_stands_for_one_or_another(desk, page_at, sound, placeholder):
     document, track, clip = desk.document, *placeholder
     first = actions.options(document.design, document.view, None)[0]
     assert first[0] == f"clip {clip.id}"
@@ -275,9 +273,7 @@ def test_a_recording_goes_in_place_of_what_stands_for_one_and_of_another_when_th
     assert again[:2] == [f"track {track.id}", f"clip {clip.id}"]
 
 
-def test_a_recording_whose_place_went_while_its_page_was_open_is_refused(
-    desk, page_at, sound, placeholder
-):
+def test_a_recording_whose_place_went_meanwhile_is_refused(desk, page_at, sound, placeholder):
     document, (_, clip) = desk.document, placeholder
     page, messages = page_at(sound), []
     document.refused.connect(messages.append)
@@ -325,31 +321,21 @@ def test_a_file_that_is_dropped_goes_where_it_was_dropped(window, qtbot, sound, 
         assert isinstance(inputs[0].clips[-1].waveform, Recording)
 
 
-def test_of_several_files_one_after_the_other_is_asked_about_and_what_is_left_out_is_named(
-    window, qtbot, sound, tmp_path
-):
+def test_several_files_are_asked_about_in_turn_and_others_named(window, qtbot, sound, tmp_path):
     second = tmp_path / "second.wav"
     second.write_bytes(sound.read_bytes())
     row = window.panel("timeline").heads.viewport().mapTo(window, QPoint(60, 10))
     for kind in (QDragEnterEvent, QDropEvent):
         drop(window, sound, row, kind, tmp_path / "a.skinsource", second)
     assert "a.skinsource" in window.notice.text
-    for number, path in enumerate((sound, second), 1):
-        (page,) = window.imports.pages
-        assert path.name in page.windowTitle()
-        assert f"{number} of 2" in page.windowTitle()
-        qtbot.waitUntil(lambda page=page: page.ready, timeout=60_000)
-        page.accept()
+    for title in ("tap.wav, file 1 of 2", "second.wav, file 2 of 2"):
+        assert title in window.imports.pages[0].windowTitle()
+        window.imports.pages[0].reject()
         QApplication.processEvents()
     assert window.imports.pages == ()
-    tracks = window.document.design.inputs
-    names = [(track.location, track.clips[-1].waveform.name) for track in tracks]
-    assert names == [(7, "tap.wav, channel 1"), (8, "second.wav, channel 1")]
 
 
-def test_of_files_chosen_together_the_next_begins_with_what_was_chosen_for_the_one_before(
-    desk, qtbot, sound, tmp_path, answers
-):
+def test_each_file_begins_with_the_choices_of_the_last(desk, qtbot, sound, tmp_path, answers):
     soundfile.write(tmp_path / "mono.wav", np.ones(4800), 48_000)
     answers["several"] = [str(sound), str(sound), str(tmp_path / "mono.wav")]
     desk.imports.ask_and_import()
@@ -368,6 +354,26 @@ def test_of_files_chosen_together_the_next_begins_with_what_was_chosen_for_the_o
     assert looked_at(desk.imports.pages[0], qtbot).form.made == {}
 
 
+def test_files_of_one_shape_are_asked_about_once(desk, qtbot, sound, tmp_path, answers):
+    mono, imports = tmp_path / "mono.wav", desk.imports
+    soundfile.write(mono, np.arange(4800) / 4800, 48_000)
+    answers["several"] = [str(path) for path in (sound, sound, mono, sound)]
+    imports.ask_and_import()
+    choose(looked_at(imports.pages[0], qtbot), qtbot, "signal", "1")
+    imports.pages[0].same.click()
+    imports.pages[0].accept()
+    # What has another shape is asked about.
+    qtbot.waitUntil(lambda: any(page.isVisible() and page.ready for page in imports.pages))
+    assert "3 of 4" in imports.pages[0].windowTitle()
+    imports.pages[0].accept()
+    qtbot.waitUntil(lambda: len(desk.document.design.inputs) == 4)
+    qtbot.waitUntil(lambda: not desk.findChildren(QWidget, "import_page"))
+    tracks = desk.document.design.inputs
+    assert [track.location for track in tracks] == [7, 8, 9, 10]
+    names = [track.clips[-1].waveform.name for track in tracks]
+    assert names == ["tap.wav, channel 2"] * 2 + ["mono.wav", "tap.wav, channel 2"]
+
+
 def test_a_site_lights_up_while_a_recording_is_held_over_it(window, sound, tmp_path):
     stage = window.panel("hand").diagram.stage
     at = site(window, 13)
@@ -384,9 +390,7 @@ def where(page):
     return page.findChild(QLabel, "import_where").text()
 
 
-def test_a_recording_goes_to_the_playhead_even_over_a_clip_and_has_the_name_of_its_file(
-    desk, page_at, sound
-):
+def test_a_recording_goes_to_the_playhead_and_has_the_name_of_its_file(desk, page_at, sound):
     document = desk.document
     document.apply(edits.move_playhead(document.design, document.view, 0.1))
     assert document.design.inputs[0].clips[0].end_s > 0.1
@@ -403,9 +407,7 @@ def test_a_recording_goes_to_the_playhead_even_over_a_clip_and_has_the_name_of_i
     assert clip_name(clip).startswith("tap.wav")
 
 
-def test_each_channel_gets_a_clip_on_a_place_of_its_own_and_keeps_its_share(
-    desk, qtbot, page_at, sound
-):
+def test_each_channel_gets_a_place_of_its_own_and_keeps_its_share(desk, qtbot, page_at, sound):
     document = desk.document
     document.edit("Strong", document.design.with_input(0, amplitude=3.603))
     document.apply(edits.move_playhead(document.design, document.view, 1.0))

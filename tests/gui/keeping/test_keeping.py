@@ -156,9 +156,7 @@ def test_several_are_offered_in_a_list(window, leave, qtbot, user_data):
     assert not page.isVisible()
 
 
-def test_a_file_that_could_not_be_opened_at_the_start_is_said_with_the_offer(
-    window, leave, tmp_path
-):
+def test_a_file_that_could_not_be_opened_at_start_is_said_with_the_offer(window, leave, tmp_path):
     leave(2.5)
     window.files.open(tmp_path / "gone.skinsource")
     complaint = window.notice.text

@@ -100,9 +100,7 @@ def test_reference_and_test_are_lit_in_turn(sound, page, qtbot):
     assert sound.streams[0].samples[:2].any()
 
 
-def test_esc_stops_at_once_and_a_second_one_in_a_hurry_closes_nothing(
-    sound, page, qtbot, monkeypatch
-):
+def test_esc_stops_at_once_and_a_second_in_a_hurry_closes_nothing(sound, page, qtbot, monkeypatch):
     monkeypatch.setattr("skinsource_gui.pages.matching._HURRY_S", 60.0)  # also for a busy machine
     begin(page, qtbot)
     stream = page.player.now.stream

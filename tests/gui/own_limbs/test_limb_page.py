@@ -279,9 +279,7 @@ def png_of(width, height):
         ("none.jpg", b""),
     ],
 )
-def test_what_is_no_photograph_is_refused_and_the_next_one_is_read(
-    tmp_path, process, name, content
-):
+def test_what_is_no_photograph_is_refused_and_the_next_is_read(tmp_path, process, name, content):
     (tmp_path / name).write_bytes(content)
     with pytest.raises(RecordingError, match="cannot be read as a picture") as caught:
         photograph.read(tmp_path / name, process)

@@ -156,9 +156,7 @@ def made(monkeypatch):
     ready.set()
 
 
-def test_it_is_said_that_sound_is_prepared_until_it_plays(
-    sound, studio, player, qtbot, armed, made
-):
+def test_sound_is_said_to_be_prepared_until_it_plays(sound, studio, player, qtbot, armed, made):
     button = studio.playback.button
     studio.do("play_on_actuators")
     assert button.text().endswith("Preparing…")

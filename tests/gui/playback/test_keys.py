@@ -4,6 +4,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QMenu
 
 from skinsource.design.waveforms.pulses import Noise
+from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.shell.playing import EscapeTwice
 from tests.gui.analysis.analysis_bench import analysis
 
@@ -65,22 +66,18 @@ def test_escape_twice_is_heard_wherever_the_keyboard_is(studio, qtbot):
     presses = []
     escape.pressed.connect(lambda: presses.append(1))
     escape.listen(True)
-    for name in ("hand", "timeline"):
+
+    def heard(*keys):
+        for key in keys:
+            QTest.keyClick(QApplication.focusWidget(), key)
+        return len(presses)
+
+    for times, name in enumerate(("hand", "timeline")):
         studio.panel(name).setFocus()
-        widget = QApplication.focusWidget()
-        QTest.keyClick(widget, ESCAPE)
-        assert presses == []
-        QTest.keyClick(widget, ESCAPE)
-        assert presses == [1]
-        presses.clear()
-    QTest.keyClick(widget, ESCAPE)
-    QTest.keyClick(widget, Qt.Key.Key_A)
-    QTest.keyClick(widget, ESCAPE)
-    assert presses == []
+        assert (heard(ESCAPE), heard(ESCAPE)) == (times, times + 1)
+    assert heard(ESCAPE, Qt.Key.Key_A, ESCAPE) == 2
     escape.listen(False)
-    QTest.keyClick(widget, ESCAPE)
-    QTest.keyClick(widget, ESCAPE)
-    assert presses == []
+    assert heard(ESCAPE, ESCAPE) == 2
 
 
 def test_escape_twice_stops_what_plays(sound, studio, player, qtbot, listen):
@@ -101,13 +98,15 @@ def kind(studio, pressed):
     return field
 
 
-def test_space_plays_once_a_waveform_is_chosen_and_opens_the_list_when_one_comes_back(
-    studio, pressed, kind
-):
-    QTest.mouseClick(kind, LEFT)
-    menu = kind.findChild(QMenu, "kind_menu")
-    menu.setActiveAction(next(action for action in menu.actions() if "Noise" in action.text()))
+def choose(kind, name):
+    menu = next(menu for menu in kind.findChildren(QMenu, "kind_menu") if menu.isVisible())
+    menu.setActiveAction(next(action for action in menu.actions() if name in action.text()))
     QTest.keyClick(menu, Qt.Key.Key_Return)
+
+
+def test_space_plays_after_a_list_was_clicked_and_opens_one_reached_by_key(studio, pressed, kind):
+    QTest.mouseClick(kind, LEFT)
+    choose(kind, "Noise")
     assert isinstance(studio.document.design.inputs[0].clips[0].waveform, Noise)
     kind = studio.panel("inspector").findChild(QComboBox, "kind_field")
     assert kind.hasFocus()
@@ -116,7 +115,18 @@ def test_space_plays_once_a_waveform_is_chosen_and_opens_the_list_when_one_comes
     assert pressed == [1, 1]
     studio.panel("hand").setFocus()
     kind.setFocus()
-    QTest.keyClick(kind, SPACE)
+    for name in ("Chirp", "Tone"):
+        QTest.keyClick(kind, SPACE)
+        choose(kind, name)
     assert pressed == [1, 1]
-    assert any(menu.isVisible() for menu in kind.findChildren(QMenu, "kind_menu"))
-    kind.hidePopup()
+    assert isinstance(studio.document.design.inputs[0].clips[0].waveform, Tone)
+
+
+def test_space_plays_once_a_place_is_chosen_from_a_list_that_was_clicked(studio, pressed, qtbot):
+    place = studio.panel("inspector").findChild(QComboBox, "location_field")
+    QTest.mouseClick(place, LEFT)
+    QTest.keyClick(place.view(), Qt.Key.Key_Return)
+    studio.activateWindow()
+    qtbot.waitUntil(place.hasFocus)
+    QTest.keyClick(place, SPACE)
+    assert pressed == [1]

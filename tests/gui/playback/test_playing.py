@@ -121,9 +121,7 @@ def test_a_playhead_that_is_put_elsewhere_is_followed(sound, studio, player, qtb
     assert document.view.playhead_s == 0.4
 
 
-def test_space_animates_the_skin_and_never_moves_an_actuator(
-    sound, studio, player, qtbot, arm, animate
-):
+def test_space_animates_the_skin_and_moves_no_actuator(sound, studio, player, qtbot, arm, animate):
     arm()
     studio.document.look(replace(studio.document.view, slow_motion=1.0))
     now = animate()

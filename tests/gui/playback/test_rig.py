@@ -78,9 +78,7 @@ def test_what_is_no_rig_is_refused_and_the_present_one_stays(panel, player, path
     assert player.settings.rig == BENCH
 
 
-def test_a_rig_that_is_gone_is_no_reason_to_play_without_its_limits(
-    sound, studio, player, path, tmp_path
-):
+def test_a_rig_that_is_gone_does_not_play_without_its_limits(sound, studio, player, path, tmp_path):
     player.settings.preferences.rig_path = str(tmp_path / "gone.skinrig")
     player.settings._rig_was_read = False
     player.arm(True)

@@ -38,6 +38,14 @@ def made(page, folder, monkeypatch):
     return page
 
 
+def test_an_empty_list_says_what_a_show_is(page):
+    assert page._about.isVisible()
+    page.add_open_design()
+    assert not page._about.isVisible()
+    page.remove()
+    assert page._about.isVisible()
+
+
 def test_designs_files_and_scenes_are_put_into_an_order_and_saved(studio, made, path):
     assert titles(made) == ["2 tone", "1 tap", "3 both", "Two inputs interfere"]
     made.shift(-1)

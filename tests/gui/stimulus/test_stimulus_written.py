@@ -30,9 +30,7 @@ from tests.gui.stimulus.conftest import opened
 from tests.gui.stimulus.stimulus_bench import WAIT_MS, choose, export, label
 
 
-def test_from_the_page_to_the_file_each_clip_is_sampled_once(
-    desk, qtbot, save_as, monkeypatch, design
-):
+def test_from_page_to_file_each_clip_is_sampled_once(desk, qtbot, save_as, monkeypatch, design):
     sampled, sample, predictions, predict = [], stimulus.played, [], sidecar.about_validity
 
     def count_sampled(waveform, *arguments):
@@ -239,9 +237,7 @@ def content_of(folder):
     return {path.name: path.read_bytes() for path in folder.iterdir()}
 
 
-def test_the_window_writes_what_the_command_writes(
-    part, desk, design, qtbot, save_as, tmp_path, capsys
-):
+def test_the_window_writes_as_commands_do(part, desk, design, qtbot, save_as, tmp_path, capsys):
     vary(part, qtbot, 0, "2.frequency_hz", "50, 120")
     vary(part, qtbot, 1, "2.duration_s", "100, 200")
     part.output.choose("29")

@@ -634,7 +634,8 @@ def match_tracks(design: Design, view: View, levels_db: Mapping[int, float]) -> 
     }
     outcome = change_inputs(design, view, "Match levels of", changes)
     whom = location_text(design.input(last[-1]).location, design.limb) if last else "the strongest"
-    said = f"Matched {len(chosen)} inputs to {whom}, by the {span_label('loudest')} of any output"
+    measure = f"magnitude of {', '.join(facts_of(design.limb).axes)}, {span_label('loudest')}"
+    said = f"Matched {len(chosen)} inputs to {whom}, by the {measure} of any output"
     return replace(outcome, said=said) if isinstance(outcome, Edit) else outcome
 
 

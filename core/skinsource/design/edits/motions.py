@@ -2,9 +2,10 @@
 
 A group stays while its clips are those that its motion writes: moved in time or given another
 waveform as a whole, it is that motion.  Each track has an amplitude of its own, and clips may be
-muted.  Otherwise edited by hand it is dissolved.
+muted.  Otherwise edited by hand it is dissolved, and its clips are called after what they play.
 """
 
+from collections.abc import Iterable
 from dataclasses import replace
 from statistics import mode
 from typing import Any
@@ -115,13 +116,26 @@ def with_whole_motions(before: Design, edit: Edit) -> Edit:
         _as_moved(group, known if group in before.motions else {}, now) for group in design.motions
     ]
     whole = tuple(filter(None, groups))
-    gone = {group.clips for group in design.motions} - {group.clips for group in whole}
+    kept = {group.clips for group in whole}
+    gone = {group.clips: group.motion for group in design.motions if group.clips not in kept}
     lost = [group for group in before.motions if group.clips in gone]
     said = edit.said
     if lost:
-        title = lost[0].motion.title
-        said = f"{title} is now single clips; Undo makes it a motion again."
+        said = f"{lost[0].motion.title} is now single clips; Undo makes it a motion again."
+    if gone:
+        design = _without_labels(design, gone.values(), set().union(*kept))
     return replace(edit, design=replace(design, motions=whole), said=said)
+
+
+def _without_labels(design: Design, gone: Iterable[Motion], kept: set[int]) -> Design:
+    """Return a design whose clips, but for those kept, are not called after motions."""
+    labels = {place[0].label for motion in gone for place in _written_by(motion)}
+
+    def plain(clip: Clip) -> Clip:
+        return replace(clip, label="") if clip.label in labels and clip.id not in kept else clip
+
+    tracks = (replace(track, clips=tuple(map(plain, track.clips))) for track in design.inputs)
+    return replace(design, inputs=tuple(tracks))
 
 
 _Place = tuple[Clip, int, float]

@@ -262,32 +262,36 @@ def keep_match_gain(design: Design, view: View) -> Edit | Refusal:
 
 
 @refusing
-def change_texts(
-    design: Design, view: View, number: int | None = None, **texts: Any
-) -> Edit | Refusal:
-    """Change title or notes of the design; or of a snapshot, and of the design where it shows it.
+def change_texts(design: Design, view: View, **texts: Any) -> Edit | Refusal:
+    """Change title or notes of the design.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(change_texts(ss.Design(limb="synthetic-1"), ss.View(), title="Soft").design.title)
+    Soft
+    """
+    return Edit(label=f"Change {' and '.join(texts)}", design=replace(design, **texts), view=view)
+
+
+@refusing
+def rename_snapshot(design: Design, view: View, number: int, title: str) -> Edit | Refusal:
+    """Give a snapshot a title of its own; "": it is called as its design.
 
     Examples
     --------
     >>> import skinsource as ss
     >>> design = ss.Design(limb="synthetic-1")
     >>> stored = ss.edits.store_snapshot(design, ss.View(), 1)
-    >>> edit = change_texts(stored.design, stored.view, 1, title="Soft")
-    >>> print(edit.design.title, edit.view.snapshots[0].design.title)
-    Soft Soft
+    >>> edit = rename_snapshot(stored.design, stored.view, 1, "Soft")
+    >>> print(edit.view.snapshots[0].title, edit.design == design)
+    Soft True
     """
-    chosen = next((snapshot for snapshot in view.snapshots if snapshot.number == number), None)
-    before = design if chosen is None else chosen.design
-    after = replace(before, **texts)
     snapshots = tuple(
-        replace(snapshot, design=after) if snapshot is chosen else snapshot
-        for snapshot in view.snapshots
+        replace(each, title=title.strip()) if each.number == number else each
+        for each in view.snapshots
     )
-    return Edit(
-        label=f"Change {' and '.join(texts)}",
-        design=after if design == before else design,
-        view=replace(view, snapshots=snapshots),
-    )
+    return change_view(design, view, f"Rename {snapshot_name(number)}", snapshots=snapshots)
 
 
 @refusing

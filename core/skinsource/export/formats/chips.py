@@ -11,6 +11,8 @@ from typing import ClassVar
 import numpy as np
 import scipy
 
+from skinsource.actuators.actuator import Actuator
+from skinsource.actuators.equalising import resonance_of
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.models import Piezo
 from skinsource.base.conventions import Floats
@@ -105,6 +107,7 @@ class Drv2605l(StimulusFormat):
     rate_hz = _FIFO_HZ
     fixed_rate = True
     plays_waveform = False
+    driven = "a linear resonant actuator of 125 to 300 Hz"
     numbers = "values"
     choices: ClassVar = {
         _UPDATES: ChoiceSpec(
@@ -153,6 +156,12 @@ class Drv2605l(StimulusFormat):
         """Return how many bytes it takes."""
         return n_channels * n_points_of(n_times / _FIFO_HZ, 1.0 / int(choices[_UPDATES]))
 
+    def drives(self, model: Actuator) -> bool:
+        """Return whether the chip can follow its resonance; that of a measured one is unknown."""
+        if isinstance(model, Piezo | MeasuredResponse):
+            return isinstance(model, MeasuredResponse)
+        return 125.0 <= resonance_of(model)[0] <= 300.0
+
     def loses(self, choices: Choices) -> str:
         """Return a sentence on what is not in the file."""
         return "Only the amplitude is sent, in 128 steps; frequency and phase are the chip's."
@@ -172,10 +181,14 @@ class _Fifo(StimulusFormat):
     suffix = ".h"
     rate_hz = _FIFO_HZ
     fixed_rate = True
-    actuators = (Piezo, MeasuredResponse)
+    driven = "a piezo"
     integers: str
     kind: str
     comment: tuple[str, ...]
+
+    def drives(self, model: Actuator) -> bool:
+        """Return whether it is a piezo, or may be one."""
+        return isinstance(model, Piezo | MeasuredResponse)
 
     def write(self, file: StimulusFile, path: Path) -> Facts:
         """Write the file."""

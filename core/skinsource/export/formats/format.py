@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 
 from skinsource.actuators.actuator import Actuator
 from skinsource.base.conventions import Floats
-from skinsource.base.errors import InvalidInputError, lowered, quoted
+from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.design.design import Design
 from skinsource.engine.stimulus import Channel, Stimulus
@@ -184,9 +184,8 @@ class StimulusFormat(ABC):
         Whether the device plays the samples, not only how strong they are.
     numbers
         What its numbers are called where the sidecar says what they mean.
-    actuators
-        Kinds of actuators that it drives, so that an equaliser must be made for one of them; None:
-        any.
+    driven
+        The kind of actuator that the device drives, in a sentence; "": any.
     """
 
     name: str
@@ -202,7 +201,7 @@ class StimulusFormat(ABC):
     to_device: bool = True
     plays_waveform: bool = True
     numbers: str = "samples"
-    actuators: tuple[type[Actuator], ...] | None = None
+    driven: str = ""
 
     @abstractmethod
     def write(self, file: StimulusFile, path: Path) -> Facts:
@@ -220,19 +219,20 @@ class StimulusFormat(ABC):
         """Return what the device is told: the samples, or amplitudes at their own rate."""
         return stimulus
 
-    def check_equaliser(self, actuator: str, model: Actuator | None) -> None:
-        """Raise `InvalidInputError` where it does not drive what an equaliser is made for."""
+    def drives(self, model: Actuator) -> bool:
+        """Return whether the device drives an actuator."""
+        return True
+
+    def misfit(self, actuator: str, model: Actuator | None, *, equalised: bool) -> str:
+        """Return sentences where it does not drive an actuator, or not with an equaliser; or ""."""
         chip = self.title.partition(",")[0]
-        if not self.plays_waveform:
-            raise InvalidInputError(
-                f"{chip} sends only the amplitude, which no equaliser can shape. Choose no "
-                "equaliser, or WAV."
-            )
-        if self.actuators is not None and not isinstance(model, self.actuators):
-            raise InvalidInputError(
-                f"{chip} drives a {lowered(self.actuators[0].title)}, and the equaliser is made "
-                f"for {quoted(actuator)}. Choose no equaliser, or WAV."
-            )
+        if equalised and not self.plays_waveform:
+            reason, cure = "sends only the amplitude, which no equaliser can shape", "no equaliser"
+        elif model is None or self.drives(model):
+            return ""
+        else:
+            reason, cure = f"drives {self.driven}, not {quoted(actuator)}", "another actuator"
+        return f"{chip} {reason}. Choose {cure}, or WAV."
 
     def rounds(self, choices: Choices) -> bool:
         """Return whether whole numbers are written, so that dither is possible."""

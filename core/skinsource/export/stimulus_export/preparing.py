@@ -100,6 +100,8 @@ class PreparedStimulus:
         Actuators and wiring that it is made for, and the filter that makes volts; None: not known.
     weakened
         A sentence on what the equaliser takes from the drive; "": less than 1 dB.
+    misfit
+        Sentences on an actuator that the device does not drive; "": none is known.
     """
 
     format: StimulusFormat
@@ -115,6 +117,7 @@ class PreparedStimulus:
     rig: Rig | None = None
     equaliser: Equaliser | None = None
     weakened: str = ""
+    misfit: str = ""
 
     def named(self, path: Path) -> "PreparedStimulus":
         """Return it with the names that files have in an export to ``path``."""
@@ -202,9 +205,9 @@ class PreparedStimulus:
 
     @property
     def loses(self) -> str:
-        """Sentences on the part of the drive that is not in the files; "": all is."""
+        """Sentences on what of the drive reaches no actuator, or no file; "": all does."""
         by_format = self.format.loses(self.files[0].choices)
-        return " ".join(filter(None, (by_format, self.lost_at_rate, self.weakened)))
+        return " ".join(filter(None, (self.misfit, by_format, self.lost_at_rate, self.weakened)))
 
     @property
     def advice_on_loss(self) -> str:
@@ -360,9 +363,11 @@ def prepare_stimulus(
         stop_if(stop)
         drives = stage(drives)
     stop_if(stop)
-    for channel in drives.channels if equaliser is not None else ():
-        if channel.place is not None:
-            format.check_equaliser(*actuator_at(channel.place, rig, at_places))
+    misfit, equalised = "", equaliser is not None
+    for place in filter(None, (channel.place for channel in drives.channels)):
+        misfit = misfit or format.misfit(*actuator_at(place, rig, at_places), equalised=equalised)
+    if misfit and equalised:
+        raise InvalidInputError(misfit)
     wanted = _exported_part(drives, drives.duration_s, options)
     drives = _for_rig(drives, rig, equaliser, options, at_places)
     if options.from_s is not None or options.to_s is not None:
@@ -422,6 +427,7 @@ def prepare_stimulus(
         rig=rig,
         equaliser=equaliser,
         weakened="" if equaliser is None else weakened_by(equaliser, wanted, rig, at_places),
+        misfit=misfit,
     )
 
 
