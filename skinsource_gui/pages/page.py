@@ -1,16 +1,19 @@
 """The base of the pages that a menu opens, and of their tables."""
 
 from collections.abc import Callable, Collection, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QRectF, QSize, Qt
+from PySide6.QtCore import QRectF, QSize, Qt, QTimer
 
 from skinsource.base.errors import SkinSourceError, sentence
 from skinsource_gui.qt.buttons import page_button, page_label
 from skinsource_gui.qt.labels import set_table_look
 from skinsource_gui.qt.theme import set_tone
 from skinsource_gui.state.preferences import Preferences
+
+_POLL_MS = 10
 
 
 class PictureView(QtWidgets.QWidget):
@@ -93,6 +96,13 @@ class ToolPage(QtWidgets.QDialog):
         """Show why something did not work."""
         set_tone(self.message, "error")
         self.message.setText(sentence(reason))
+
+    def once_released(self, do: Callable[[], object]) -> None:
+        """Do something once the mouse is up: for a window that is hidden before, it stays down."""
+        if QtWidgets.QApplication.mouseButtons():
+            QTimer.singleShot(_POLL_MS, self, partial(self.once_released, do))
+        else:
+            do()
 
     def add_button(
         self, name: str, text: str, hint: str, do: Callable[[], object]

@@ -86,7 +86,7 @@ class ScenesPage(ToolPage):
         self._fill(selected)
         self.list.currentRowChanged.connect(self._show)
         # Not itemActivated: Return would count twice, for the list and for the button.
-        self.list.itemDoubleClicked.connect(self.open_button.click)
+        self.list.itemDoubleClicked.connect(lambda: self.once_released(self.open_button.click))
         self.played_on.edited.connect(self._show_limb)
         self.accepted.connect(lambda: self.chosen.emit(self.scene.name, self.played_on.value))
         self._show_limb()
@@ -129,16 +129,14 @@ class ScenesPage(ToolPage):
 
     def _show_limb(self) -> None:
         """Dim the scenes that do not apply on the chosen limb."""
-        limb = self.played_on.value
+        limb, theme = self.played_on.value, current_theme()
         self._reasons = {
             scene.name: why_not_on(scene.name, limb) if limb else "" for scene in self._scenes
         }
         for row, scene in enumerate(self._scenes):
             reason = self._reasons[scene.name]
             item = self.list.item(row)
-            item.setForeground(
-                QtGui.QColor(current_theme().dim if reason else current_theme().text)
-            )
+            item.setForeground(QtGui.QColor(theme.dim if reason else theme.text))
             item.setToolTip(f"{scene.sentence}\n{reason}".strip())
         self._show(self.list.currentRow())
 

@@ -54,8 +54,8 @@ class ShowPage(ToolPage):
 
     #: Entries of a show, and which of them is to be presented first.
     presented = Signal(object, int)
-    #: The `Path` of a show that was saved.
-    saved = Signal(object)
+    #: `Path` and entries of a show that was saved, or of which other changes are given up.
+    saved = Signal(object, object)
 
     def __init__(
         self,
@@ -77,7 +77,7 @@ class ShowPage(ToolPage):
         self._lay_out()
         self._add(entries)
         self.list.currentRowChanged.connect(self._show)
-        self.list.doubleClicked.connect(lambda at: self._present(at.row()))
+        self.list.doubleClicked.connect(lambda: self.once_released(self._present_selected))
         self.list.model().rowsMoved.connect(lambda *_: self._show(self.list.currentRow()))
         self.heading.textEdited.connect(lambda text: self._change(title=text.strip()))
         self.sentence.textEdited.connect(lambda text: self._change(sentence=text.strip()))
@@ -146,12 +146,14 @@ class ShowPage(ToolPage):
             return False
         self._path, self._saved = path, self.entries
         self.say(f"Saved {path.name}")
-        self.saved.emit(path)
+        self.saved.emit(path, self._saved)
         return True
 
     def reject(self) -> None:
         question = "The show has changes that are not saved. Save them?"
         if self.entries == self._saved or ask_to_save(self, "Unsaved show", question, self.save):
+            if self._path is not None and self.entries != self._saved:
+                self.saved.emit(self._path, self._saved)
             super().reject()
 
     def _lay_out(self) -> None:
@@ -178,8 +180,8 @@ class ShowPage(ToolPage):
         self._about = page_label("show_about", _ABOUT, tone="dim")
         in_column(self._about, None, of=self.list.viewport())
         left = in_column((self.list, 1), in_row(self.add, up, down, remove, None))
-        hint, at_first = "Show it from the first design", partial(self._present, 0)
-        present = self.add_button("show_present", "Present", hint, at_first)
+        hint = "Show it from the selected design"
+        present = self.add_button("show_present", "Present", hint, self._present_selected)
         save = self.add_button("show_save", "Save", "Write the show to its file", self.save)
         close = self.add_button("show_close", "Close", "", self.reject)
         foot = in_row((self.message, 1), present, save, close)
@@ -234,5 +236,5 @@ class ShowPage(ToolPage):
         if isinstance(entry, ShowEntry) and entry.notes != notes:
             self._change(notes=notes)
 
-    def _present(self, row: int) -> None:
-        self.presented.emit(self.entries, row)
+    def _present_selected(self) -> None:
+        self.presented.emit(self.entries, self.list.currentRow())

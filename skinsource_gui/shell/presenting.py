@@ -33,6 +33,8 @@ if TYPE_CHECKING:
     from skinsource_gui.panels.compare.maps import MapsPanel
     from skinsource_gui.panels.compare.stage import StagePanel
 
+Entry = ShowEntry | UnreadEntry
+
 _LARGE = 1.6
 _SIZE = 560, 420
 # What keys do that no control of the stage names.
@@ -61,9 +63,8 @@ class NotesWindow(QtWidgets.QWidget):
         large = scaled(self.font(), _LARGE)
         for part in (self.heading, self.notes, self.next):
             part.setFont(large)
-        bold = QtGui.QFont(large)
-        bold.setBold(True)
-        self.heading.setFont(bold)
+        large.setBold(True)
+        self.heading.setFont(large)
         in_column(self.heading, (self.notes, 1), self.next, of=self, margins=2 * UNIT_PX)
         self.resize(*_SIZE)
 
@@ -75,9 +76,7 @@ class NotesWindow(QtWidgets.QWidget):
 
     def show_beside(self, window: QtWidgets.QWidget) -> None:
         """Show it on another screen than ``window``, where there is one."""
-        others = [
-            screen for screen in QtGui.QGuiApplication.screens() if screen is not window.screen()
-        ]
+        others = [each for each in QtGui.QGuiApplication.screens() if each is not window.screen()]
         if others:
             self.move(others[0].availableGeometry().center() - self.rect().center())
         self.show()
@@ -141,7 +140,9 @@ def _belongs_to_presenter(watched: QObject, meaning: str) -> bool:
         and not watched.isReadOnly()
         and getattr(watched, "editing", True)
     )
-    return not typing and not QtWidgets.QApplication.mouseButtons()
+    # Where a file was chosen by a double click, a button counts as pressed that is up.
+    under_mouse = isinstance(watched, QtWidgets.QWidget) and watched.underMouse()
+    return not (typing or (under_mouse and QtWidgets.QApplication.mouseButtons()))
 
 
 @dataclass(frozen=True, slots=True)
@@ -182,10 +183,10 @@ def _natural(path: Path) -> list[tuple[int, str]]:
     return [(int(part), "") if part.isdecimal() else (-1, part) for part in parts]
 
 
-def steps_of_show(entries: Sequence[ShowEntry | UnreadEntry]) -> tuple[Step, ...]:
+def steps_of_show(entries: Sequence[Entry]) -> tuple[Step, ...]:
     """Return the designs of a show; one that cannot be read says why when it is opened."""
 
-    def opened(entry: ShowEntry | UnreadEntry) -> tuple[Design, View]:
+    def opened(entry: Entry) -> tuple[Design, View]:
         if isinstance(entry, UnreadEntry):
             raise DesignFileError(entry.problem)
         return entry.presented
@@ -240,12 +241,13 @@ class Presenter(QObject):
         self._files, self._actions = files, actions
         self._workspaces, self._preferences = workspaces, services.preferences
         self._show_path: Path | None = None
+        self._page: ShowPage | None = None
         self.presenting = self.covered = False
         self._made = panels
         panels.each(self._meet)
         self._focused: QtWidgets.QWidget | None = None
         self._steps: tuple[Step, ...] = ()
-        self._entries: tuple[ShowEntry | UnreadEntry, ...] = ()
+        self._entries: tuple[Entry, ...] = ()
         self._at = -1
         # Steps of the history when the design was put on the stage: what is turned there is taken
         # back.  Whether there is work in it that is asked about before another one comes.
@@ -275,7 +277,6 @@ class Presenter(QObject):
         window.addActions([each for name, each in self._actions().items() if name != "play"])
         window.setWindowState(window.windowState() | Qt.WindowState.WindowFullScreen)
         stage = cast("StagePanel", self._made[STAGE])
-        stage.setFocus()
         if compares and not stage_settings(self._document.view).compared:
             stage.compare()
         keys = {name: key_text("presenting", name) for name in KEYS["presenting"].gestures}
@@ -326,36 +327,44 @@ class Presenter(QObject):
         except SkinSourceError as error:
             self.failed.emit(str(error))
             return
-        self._note_file(path)
-        self.open_show(entries)
-
-    def open_show(self, entries: Sequence[ShowEntry | UnreadEntry], at: int = 0) -> None:
-        """Put one of some designs on the stage; the others come before and after it."""
-        if entries and self._may_leave():
-            self._entries, self._steps = tuple(entries), steps_of_show(entries)
-            self._open(at)
+        if self._page is not None:
+            self._page.reject()
+        if self._page is None and entries and self._may_leave():
+            self._files.note_used(path)
+            self._open_show(path, entries, 0)
 
     def make_show(self) -> "ShowPage":
         """Open the page on which the show that is open, or a new one, is changed."""
-        path, entries = self._show_path if self._entries else None, self._entries
-        page = pages.ShowPage(self._document, self._preferences, self._window, path, entries)
-        page.presented.connect(self._present)
-        # It comes back with what is not saved.
-        self.presenting_changed.connect(page.setHidden)
-        page.saved.connect(self._note_file)
+        page = self._page
+        if page is None:
+            of_show = self._show_path, self._entries
+            page = pages.ShowPage(self._document, self._preferences, self._window, *of_show)
+            page.presented.connect(self._present)
+            # It comes back with what is not saved.
+            self.presenting_changed.connect(page.setHidden)
+            page.saved.connect(self._note_saved)
+            page.finished.connect(self._forget_page)
+            self._page = page
         page.show()
+        page.raise_()
+        page.activateWindow()
         return page
 
-    def _present(self, entries: Sequence[ShowEntry | UnreadEntry], at: int) -> None:
+    def _present(self, entries: Sequence[Entry], at: int) -> None:
         if entries and self._may_leave():
             if not self.presenting:
                 self.begin()
             self._asks = False
-            self.open_show(entries, at)
+            self._open_show(self._show_path, entries, at)
+
+    def _open_show(self, path: Path | None, entries: Sequence[Entry], at: int) -> None:
+        self._show_path, self._entries = path, tuple(entries)
+        self._steps = steps_of_show(entries)
+        self._open(at)
 
     def note_scene(self, name: str) -> None:
         """A scene of the paper was opened elsewhere: the next one comes after it."""
-        self._steps, self._entries = self._steps_of_paper(), ()
+        self._steps, self._entries, self._show_path = self._steps_of_paper(), (), None
         self._at = [scene.name for scene in scenes.all_scenes()].index(name)
         self._made[STAGE].setFocus()
 
@@ -381,9 +390,13 @@ class Presenter(QObject):
     def _bars(self) -> list[QtWidgets.QWidget]:
         return [self._window.menuWidget(), self._window.statusBar()]
 
-    def _note_file(self, path: Path) -> None:
-        self._show_path = path
+    def _note_saved(self, path: Path, entries: tuple[Entry, ...]) -> None:
+        self._at = min(self._at, len(entries) - 1) if self._entries else -1
+        self._show_path, self._entries, self._steps = path, entries, steps_of_show(entries)
         self._files.note_used(path)
+
+    def _forget_page(self) -> None:
+        self._page = None
 
     def _meet(self, panel: Panel) -> None:
         panel.show_covered(self.covered)
@@ -415,12 +428,9 @@ class Presenter(QObject):
         """Go to the next scene; "-1": to the one before."""
         if not self._steps:
             path = self._document.path
-            self._steps = (
-                () if path is None else steps_of_folder(path.parent)
-            ) or self._steps_of_paper()
-            stems = [step.title for step in self._steps]
-            here = "" if path is None else path.stem
-            self._at = stems.index(here) if here in stems else -1
+            beside = () if path is None else steps_of_folder(path.parent)
+            self._steps = beside or self._steps_of_paper()
+            self._at = next((k for k, step in enumerate(beside) if step.path == path), -1)
         target = self._at + int(by)
         if not 0 <= target < len(self._steps):
             self.done.emit("This is the last scene" if int(by) > 0 else "This is the first scene")
@@ -472,7 +482,7 @@ class Presenter(QObject):
         # With another design the history is empty; with a step of it, it is not.
         if not self._opening and self._document.undo_stack.count() == 0:
             self._begun, self._asks = 0, True
-            self._steps, self._entries, self._at = (), (), -1
+            self._steps, self._entries, self._show_path, self._at = (), (), None, -1
 
     def _show_notes(self) -> None:
         if self._notes is None:

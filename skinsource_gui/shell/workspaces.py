@@ -252,11 +252,13 @@ class Workspaces(QObject):
         layout = b"" if self._untouched else self.content()
         geometry, name = window.saveGeometry(), self._present.name
         self._before_show = _Before(geometry, window.size(), name, layout)
+        self._docks[STAGE].setContextMenuPolicy(Qt.ContextMenuPolicy.NoContextMenu)
         self.show_scene()
 
     def end_show(self) -> None:
         """Show what was there before the presentation."""
         before, self._before_show = self._before_show, None
+        self._docks[STAGE].setContextMenuPolicy(Qt.ContextMenuPolicy.DefaultContextMenu)
         if before is not None:
             self._show(before.name)
             self.put(before.layout)
@@ -355,6 +357,8 @@ class Workspaces(QObject):
         self._moved = False
         self._share_room()
         self._settling.start()
+        if name == PRESENTATION:
+            self._docks[STAGE].panel.setFocus()
         self._keyboard.settle()
         self.shown.emit(workspace.name)
 

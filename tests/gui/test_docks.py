@@ -4,12 +4,13 @@ import random
 
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QContextMenuEvent, QHoverEvent
+from PySide6.QtGui import QHoverEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
 from skinsource_gui.shell.workspaces import WORKSPACES
 from tests.gui.dock_bench import bar_with, bars, click_tab, in_sight, titles
+from tests.gui.menus import close_menus, lines_at
 
 
 @pytest.fixture
@@ -207,14 +208,10 @@ def test_a_dock_has_a_title_only_while_it_floats(window, settle):
 
 def test_the_right_button_and_keys_float_and_close_a_panel(active, qtbot):
     dock = active.docks["hand"]
-    at = QPoint(2, 2)
-    event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, at, dock.mapToGlobal(at))
-    QApplication.sendEvent(active.panel("hand"), event)
-    menu = dock.findChild(QMenu, "dock_menu")
-    entries = {action.text(): action for action in menu.actions()}
+    entries = lines_at(dock, "dock_menu", active.panel("hand"), QPoint(2, 2))
     assert set(entries) == {"Float Hand", "Close Hand"}
     entries["Float Hand"].trigger()
-    menu.close()
+    close_menus(dock, "dock_menu")
     assert dock.isFloating()
     dock.activateWindow()
     dock.panel.setFocus()

@@ -84,8 +84,8 @@ class Session:
             return self._copies[-1]
         self._write_owner_and_file(b"" if file is None else os.fsencode(file.absolute()))
         self._number += 1
-        stem = file.stem[:_LONGEST_STEM] if file else "untitled"
-        path = self.folder / f"{stem}.{self._number}{SUFFIX}"
+        name = file.stem if file else re.sub(r"[^\w ,-]+", "", content.design.title).strip()
+        path = self.folder / f"{name[:_LONGEST_STEM] or 'untitled'}.{self._number}{SUFFIX}"
         write_bytes(path, design_file.to_bytes(content), private=True)
         self._copies.append(path)
         self._last = content

@@ -92,6 +92,9 @@ class MapsPanel(Panel):
             moving.update((), ())
         if kind.own:
             self._show_own()
+        elif not (self.needs_of_snapshots or self.needs_on_limbs):
+            # Nothing is sent where there is nothing to compare.
+            self.show_on_limbs(())
 
     def reset_range(self) -> None:
         self.moving.restart()
@@ -124,14 +127,15 @@ class MapsPanel(Panel):
         problem = self._problem if kind.own else ""
         message = problem or kind.hindrance(compared, view)
         cells: tuple[Cell, ...] = ()
-        if compared and design is not None and not message:
-            if self.moves:
-                names = kind.names(compared, view, difference=False)
-                self.moving.update(compared, names, self.held)
-                cells = self.moving.cells()
-            else:
-                drawn = kind.drawn(compared, design, view, self.settings)
-                cells = tuple(cell.in_range(self.held) for cell in drawn)
+        if not compared or design is None or message:
+            self.moving.update((), ())
+        elif self.moves:
+            names = kind.names(compared, view, difference=False)
+            self.moving.update(compared, names, self.held)
+            cells = self.moving.cells()
+        else:
+            drawn = kind.drawn(compared, design, view, self.settings)
+            cells = tuple(cell.in_range(self.held) for cell in drawn)
         content = CompareContent(
             cells=cells,
             outputs=view.outputs,

@@ -1,7 +1,7 @@
 """The stage: title and sentence, maps in motion, traces and one knob, for people further off."""
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from math import isclose, log, sqrt
 from textwrap import shorten
@@ -31,7 +31,6 @@ from skinsource.design.panel_settings import (
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import NumberSpec
-from skinsource.specs.spec import Spec
 from skinsource.studies import scenes
 from skinsource_gui.fields.editor import Burst
 from skinsource_gui.fields.number_field import NumberField
@@ -335,7 +334,7 @@ class StagePanel(MapsPanel):
         self._lay_out(several=several)
         # Of several maps, traces are of one output.
         self.maps.picker.toggles = not several
-        if not self.moves and self.compared:
+        if not self.moves and self.maps.content.cells:
             names = self.kind.names(self.compared, self.view, difference=False)
             self.moving.update(self.compared, names)
         self._show_traces()
@@ -530,11 +529,8 @@ class StagePanel(MapsPanel):
         track, self._turned, spec, value = number
         n_turned, of = len(view.selected_inputs), ""
         if len(design.inputs) > 1:
-            of = (
-                f" of {n_turned} inputs"
-                if n_turned > 1
-                else f" of place\N{NO-BREAK SPACE}{track.location}"
-            )
+            place = f"place\N{NO-BREAK SPACE}{track.location}"
+            of = f" of {n_turned} inputs" if n_turned > 1 else f" of {place}"
         self.knob.show_number(self._turned, spec, value, of)
 
     def _show_traces(self) -> None:
@@ -572,7 +568,7 @@ class StagePanel(MapsPanel):
                 called = _names(number, limb) if alone else of_map
                 curves.append(Curve(names=called, rank=row if alone else k, x=x, y=values[row]))
         top = max((float(np.abs(curve.y).max()) for curve in curves), default=0.0) or 1.0
-        if spectra:
+        if spectra and curves:
             low_hz, high_hz = facts_of(limb).band_hz or (0.0, float(curves[0].x[-1]))
             top = max(float(curve.y.max()) for curve in curves)
             ends = self._held_ends or ((low_hz, high_hz), (top - _SPECTRUM_DB, top))
@@ -631,21 +627,13 @@ def _number(design: Design, view: View) -> tuple[Input, str, NumberSpec, float] 
     if track is None:
         return None
     clip, control = clip_of(track, view), stage_settings(view).control
-    frequencies = {} if clip is None else _frequencies(specs_of(clip.waveform))
     if clip is not None and control == ONSET:
         return track, "onset_s", ONSET_SPEC, clip.onset_s
-    if clip is not None and frequencies and control != AMPLITUDE:
-        name, spec = next(iter(frequencies.items()))
+    if clip is not None and control != AMPLITUDE:
         facts = facts_of(design.limb)
-        spec = spec.at_rate(facts.sample_rate_hz, facts.band_hz)
-        return track, name, spec, getattr(clip.waveform, name)
-    spec = AMPLITUDE_GAIN if is_gain(design, track) else amplitude_spec(design)
-    return track, "amplitude", spec, track.amplitude
-
-
-def _frequencies(specs: Mapping[str, Spec]) -> dict[str, NumberSpec]:
-    return {
-        name: spec
-        for name, spec in specs.items()
-        if isinstance(spec, NumberSpec) and spec.measured_band_hz is not None
-    }
+        for name, spec in specs_of(clip.waveform).items():
+            if isinstance(spec, NumberSpec) and spec.measured_band_hz is not None:
+                spec = spec.at_rate(facts.sample_rate_hz, facts.band_hz)
+                return track, name, spec, getattr(clip.waveform, name)
+    amplitude = AMPLITUDE_GAIN if is_gain(design, track) else amplitude_spec(design)
+    return track, "amplitude", amplitude, track.amplitude

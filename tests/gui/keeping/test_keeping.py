@@ -139,13 +139,15 @@ def test_a_copy_that_ended_the_studio_is_set_aside_and_named(window, leave, user
 
 def test_several_are_offered_in_a_list(window, leave, qtbot, user_data):
     leave(2.5)
+    window.document.edit("", replace(window.document.design, title="A: tone/2"))
     leave(3.5)
     window.keeping.offer(window.notice)
     assert "Copies were stored of 2 designs" in window.notice.text
     choose(window, "Show them…")
     (page,) = window.findChildren(UnsavedWorkPage)
     assert page.rows.count() == 2
-    assert re.match(r"untitled, copied at \d\d:\d\d:\d\d\n", page.rows.item(0).text())
+    assert page.rows.item(0).text().startswith("A tone2, copied")
+    assert re.match(r"untitled, copied at \d\d:\d\d:\d\d\n", page.rows.item(1).text())
     assert not page.rows.item(0).icon().isNull()
     page.discard_button.click()
     assert page.rows.count() == 1

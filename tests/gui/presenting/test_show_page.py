@@ -1,10 +1,14 @@
 """A show is made in the window: designs, files and scenes in an order, with words and a knob."""
 
 import pytest
-from PySide6.QtWidgets import QFileDialog, QMessageBox, QPushButton
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QPushButton, QWidget
 
 import skinsource as ss
 from skinsource.design.design_file import ShowEntry
+
+LEFT = Qt.MouseButton.LeftButton
 
 
 def titles(page):
@@ -49,7 +53,6 @@ def test_designs_files_and_scenes_are_put_into_an_order_and_saved(studio, made, 
     made.remove()
     assert titles(made) == ["1 tap", "Two inputs interfere", "3 both"]
     made.list.setCurrentRow(2)
-    made.heading.setText("Both")
     made.heading.textEdited.emit("Both")
     made.sentence.textEdited.emit("Two inputs at once.")
     made.notes.setPlainText("Ask first.")
@@ -65,15 +68,7 @@ def test_designs_files_and_scenes_are_put_into_an_order_and_saved(studio, made, 
     assert not made.isVisible()
 
 
-def test_changes_that_are_not_saved_are_asked_about(made, answers):
-    made.reject()
-    assert made.isVisible()
-    answers["question"] = QMessageBox.StandardButton.Discard
-    made.reject()
-    assert not made.isVisible()
-
-
-def test_a_show_is_presented_in_its_order_and_changed_again(studio, made, path):
+def test_a_show_is_presented_in_its_order(studio, made, path):
     made.save()
     made.done(0)
     studio.files.open(path)
@@ -85,10 +80,6 @@ def test_a_show_is_presented_in_its_order_and_changed_again(studio, made, path):
         studio.do("next_scene")
         shown.append(studio.panel("stage").heading.text())
     assert shown == ["1 tap", "3 both", "Two inputs interfere"]
-    studio.do("present")
-    again = studio.presenter.make_show()
-    assert titles(again) == ["2 tone", "1 tap", "3 both", "Two inputs interfere"]
-    again.done(0)
 
 
 @pytest.mark.parametrize("saved", [False, True])
@@ -136,17 +127,54 @@ def test_an_entry_that_cannot_be_read_is_named_passed_by_and_kept(studio, made, 
     assert known == [False, True, True, True]
 
 
-def test_presenting_a_show_takes_the_page_away_until_its_end(studio, made):
-    made.list.setCurrentRow(3)
+def test_presenting_a_show_takes_the_page_away_until_its_end(studio, made, qtbot):
+    made.list.setCurrentRow(2)
     made.findChild(QPushButton, "show_present").click()
     assert studio.presenter.presenting
-    assert studio.document.design.title == "2 tone"
+    assert studio.document.design.title == "3 both"
     studio.do("present")
-    made.list.doubleClicked.emit(made.list.model().index(1, 0))
+    made.list.setCurrentRow(1)
+    QTest.mousePress(QWidget(), LEFT)
+    made.list.doubleClicked.emit(made.list.currentIndex())
+    # A window that is hidden by then would miss that the button is up again.
+    assert made.isVisible()
+    QTest.mouseRelease(QWidget(), LEFT)
+    qtbot.waitUntil(lambda: not made.isVisible())
     assert studio.document.design.title == "1 tap"
-    assert not made.isVisible()
     studio.do("next_scene")
     assert studio.document.design.title == "3 both"
     studio.do("present")
     assert made.isVisible()
     made.done(0)
+
+
+def test_there_is_one_page_of_the_show_and_it_begins_with_what_was_saved(
+    studio, made, tmp_path, answers
+):
+    path = tmp_path / "lecture.skinshow"
+    answers["save"] = str(path)
+    made.findChild(QPushButton, "show_present").click()
+    studio.do("present")
+    assert studio.presenter.make_show() is made
+    made.list.setCurrentRow(0)
+    made.heading.textEdited.emit("New")
+    made.save()
+    made.reject()
+    again = studio.presenter.make_show()
+    assert titles(again)[0] == "New"
+    again.heading.textEdited.emit("Given up")
+    again.findChild(QPushButton, "show_present").click()
+    studio.do("present")
+    # Changes that are not saved are asked about, also before another show takes the place.
+    studio.files.open(path)
+    assert again.isVisible()
+    answers["question"] = QMessageBox.StandardButton.Discard
+    again.reject()
+    again = studio.presenter.make_show()
+    assert titles(again)[0] == "New"
+    studio.files.open(path)
+    assert not again.isVisible()
+    # A show is not saved over another one that was open before.
+    studio.files.open(path.parent / "1 tap.skinsource")
+    again = studio.presenter.make_show()
+    assert (again.entries, again._path) == ((), None)

@@ -86,14 +86,17 @@ def complete(panel, qtbot, n):
     return panel.maps.content.cells
 
 
+def side_by_side(panel, qtbot, n, **compare):
+    show(panel.window(), StageSettings(compared=True), **compare)
+    return complete(panel, qtbot, n)
+
+
 COMPARED = {"frequencies": 4, "limbs": 4, "axes": 3}
 
 
 @pytest.mark.parametrize("of", COMPARED)
 def test_maps_side_by_side_move_together_in_one_scale(stage, qtbot, of):
-    window = stage.window()
-    show(window, StageSettings(compared=True), of=of)
-    before = complete(stage, qtbot, COMPARED[of])
+    before = side_by_side(stage, qtbot, COMPARED[of], of=of)
     assert stage.maps.content.common_scale is not None
     tick(stage)
     after = stage.maps.content.cells
@@ -118,8 +121,7 @@ def test_maps_and_traces_move_along_the_axis_of_the_view_and_say_it(stage, qtbot
 def test_six_maps_cost_as_many_interpolations_a_frame_and_no_prediction(stage, qtbot):
     window = stage.window()
     others = (50.0, 150.0, 200.0, 300.0, 400.0)
-    show(window, StageSettings(compared=True), of="frequencies", frequencies_hz=others)
-    complete(stage, qtbot, 6)
+    side_by_side(stage, qtbot, 6, of="frequencies", frequencies_hz=others)
     qtbot.waitUntil(lambda: not window.engine.busy)
     requests = []
     window.engine.finished.connect(requests.append)
@@ -203,22 +205,9 @@ def test_a_design_says_what_is_turned_also_one_of_before(stage, control, turned)
     window.document.look(before)
     stage.knob.dial.setValue(700)
     after = window.document.design
-    values = {
-        "frequency_hz": after.clips[0].waveform.frequency_hz != 100.0,
-        "amplitude": after.inputs[0].amplitude != 1.0,
-        "onset_s": after.clips[0].onset_s != 0.0,
-    }
-    assert [name for name, changed in values.items() if changed] == [turned]
-
-
-def test_the_strip_shows_the_outputs_of_one_map_or_one_output_of_several(stage, qtbot):
-    window = stage.window()
-    complete(stage, qtbot, 1)
-    assert len(stage.strip.curves) == len(window.document.view.outputs)
-    show(window, StageSettings(compared=True), of="frequencies")
-    complete(stage, qtbot, 4)
-    names = [curve.names for curve in stage.strip.curves]
-    assert names == [("50 Hz",), ("100 Hz",), ("200 Hz",), ("400 Hz",)]
+    was = {"frequency_hz": 100.0, "amplitude": 1.0, "onset_s": 0.0}
+    now = after.clips[0].waveform.frequency_hz, after.inputs[0].amplitude, after.clips[0].onset_s
+    assert [name for name, value in zip(was, now, strict=True) if value != was[name]] == [turned]
 
 
 def test_the_names_of_curves_are_as_long_as_there_is_room(stage, qtbot):
@@ -236,8 +225,7 @@ def test_the_names_of_curves_are_as_long_as_there_is_room(stage, qtbot):
 
 
 def test_maps_that_come_late_are_in_phase_with_those_that_move(stage, qtbot):
-    show(stage.window(), StageSettings(compared=True), of="limbs")
-    complete(stage, qtbot, 4)
+    side_by_side(stage, qtbot, 4, of="limbs")
     first, *others = stage.compared
     stage.show_on_limbs([first, replace(first, values=None), *others])
     tick(stage)
@@ -247,17 +235,6 @@ def test_maps_that_come_late_are_in_phase_with_those_that_move(stage, qtbot):
     # Those that moved go on from where they were.
     np.testing.assert_array_equal(one.values_db, before)
     np.testing.assert_array_equal(late.values_db, before)
-
-
-def test_maps_of_other_frequencies_stay_in_phase_while_the_knob_turns(stage, qtbot):
-    show(stage.window(), StageSettings(compared=True), of="frequencies")
-    complete(stage, qtbot, 4)
-    tick(stage)
-    ran_s = stage.moving.ran_s
-    stage.knob.dial.setValue(900)
-    qtbot.waitUntil(lambda: not stage.window().engine.busy and not stage.is_stale)
-    # The slowest, whose period is that of all of them, was not turned.
-    assert stage.moving.ran_s == pytest.approx(ran_s)
 
 
 def test_maps_named_by_a_frequency_have_all_tones_at_it(stage, qtbot):
@@ -366,6 +343,29 @@ def test_keys_of_the_stage_work_in_the_window_too(stage, qtbot):
     assert window.document.design.title == title
 
 
+@pytest.mark.parametrize("moves", [True, False])
+def test_curves_of_a_comparison_go_with_its_maps(stage, qtbot, moves):
+    window = stage.window()
+    show(window, StageSettings(compared=True, moves=moves), of="snapshots")
+    window.do("store_snapshot_1")
+    stage.knob.dial.setValue(0)
+    complete(stage, qtbot, 2)
+    assert len(stage.strip.curves) == 2
+    # What was turned is taken back: the design is the snapshot again, and people are compared.
+    window.do("present")
+    assert not stage.clock._timer.isActive()
+    window.do("arrange_presentation")
+    complete(stage, qtbot, 4)
+    assert len(stage.strip.curves) == 4
+    show(window, StageSettings(compared=True, moves=moves), of="frequencies")
+    complete(stage, qtbot, 4)
+    assert stage.clock._timer.isActive() is moves
+    names = [curve.names for curve in stage.strip.curves]
+    assert names == [("50 Hz",), ("100 Hz",), ("200 Hz",), ("400 Hz",)]
+    window.document.edit("Empty", replace(window.document.design, inputs=()))
+    qtbot.waitUntil(lambda: not (stage.strip.curves or window.engine.busy))
+
+
 def test_numbers_of_a_scene_are_not_said_of_another_design(stage, qtbot):
     document = stage.window().document
     opened = ss.scenes.open_scene("2B", available=("synthetic-1",))
@@ -399,8 +399,7 @@ def test_words_of_ones_own_say_the_number_that_is_played(stage, qtbot, title, tu
     stage.knob.edited.emit(150.0, None)
     assert (stage.heading.text(), stage.sentence.text()) == (turned, said[24:])
     document.look(replace(document.view, snapshots=stored(others)))
-    show(stage.window(), StageSettings(compared=True), of="snapshots")
-    working = complete(stage, qtbot, 3)[-1]
+    working = side_by_side(stage, qtbot, 3, of="snapshots")[-1]
     assert any(turned in name for name in working.headings)
     assert title not in working.headings
     # Another design with the same words is the one that they are said of.
@@ -419,8 +418,8 @@ def test_maps_in_motion_are_as_loud_as_they_are_and_say_by_how_much_they_are_mat
     window = stage.window()
     louder = window.document.design, window.document.design.with_input(0, amplitude=4.0)
     window.document.look(replace(window.document.view, snapshots=stored(louder)))
-    show(window, StageSettings(compared=True), of="snapshots")
-    one, other = complete(stage, qtbot, 2)
+    side_by_side(stage, qtbot, 2, of="snapshots")
+    one, other = stage.maps.content.cells
     np.testing.assert_allclose(other.values_db, 4.0 * one.values_db)
     assert not any("matched" in cell.value_text(None) for cell in (one, other))
     window.do("match_levels")
@@ -463,8 +462,7 @@ def test_slow_motion_is_chosen_on_the_stage_and_said_there(stage, qtbot):
     assert stage.moving.turns - turns == pytest.approx(0.05 / 20 * 100.0)
     window.do("play_automatic")
     assert stage.moving.slow_motion == 50.0
-    show(window, StageSettings(compared=True), of="frequencies")
-    complete(stage, qtbot, 4)
+    side_by_side(stage, qtbot, 4, of="frequencies")
     window.do("play_slower")
     qtbot.waitUntil(lambda: stage.moving.slow_motion == 500.0)
 
@@ -487,8 +485,7 @@ def test_of_a_long_motion_the_loudest_part_moves_in_half_a_minute(stage, qtbot):
     # Of designs beside one another it is the same part, where a shorter one may have ended.
     tap = replace(noisy, inputs=(ss.track(7, ss.waveforms.Tap()),))
     window.document.look(replace(window.document.view, snapshots=stored((noisy, tap))))
-    show(window, StageSettings(compared=True), of="snapshots")
-    complete(stage, qtbot, 2)
+    side_by_side(stage, qtbot, 2, of="snapshots")
     qtbot.waitUntil(lambda: [each.names[0] for each in stage.strip.curves] == ["Snapshot 1"])
 
 
@@ -539,8 +536,7 @@ def test_several_maps_show_hands_unless_an_output_of_the_arm_is_selected(stage, 
     window.document.look(replace(window.document.view, outputs=outputs))
     complete(stage, qtbot, 1)
     assert not stage.maps.places.low
-    show(window, StageSettings(compared=True), of="limbs")
-    complete(stage, qtbot, 4)
+    side_by_side(stage, qtbot, 4, of="limbs")
     assert stage.maps.places.low == (72 not in outputs)
     # What is selected is seen.
     points, areas = stage.maps.points_of(1), stage.maps.places.cells[1].map
@@ -601,8 +597,7 @@ def test_maps_keep_their_part_of_the_height_however_large_and_long_the_words(sta
     long = f"{SENTENCE[:-1]} and {'then turn it to another one, ' * 30}again."
     title = window.document.design.title
     window.document.edit("", replace(window.document.design, notes=long, title=title * 30))
-    show(window, StageSettings(compared=True), of="limbs")
-    complete(stage, qtbot, 4)
+    side_by_side(stage, qtbot, 4, of="limbs")
     qtbot.waitUntil(lambda: window.workspaces.settled and stage.width() > 0.9 * screen[0])
     qtbot.waitUntil(lambda: stage.maps.height() >= 0.42 * stage.height())
     assert stage.sentence.text().endswith("…")
@@ -627,8 +622,7 @@ def test_maps_that_move_side_by_side_are_filmed_in_a_loop(stage, qtbot, tmp_path
         maps_film, "video_file", lambda *_: nullcontext(lambda each: frames.append(each * 1.0))
     )
     assert not shown(window, "maps_animation").ready
-    show(window, StageSettings(compared=True), of="frequencies", frequencies_hz=(50.0,))
-    complete(stage, qtbot, 2)
+    side_by_side(stage, qtbot, 2, of="frequencies", frequencies_hz=(50.0,))
     part, turns = shown(window, "maps_animation"), stage.moving.turns
     for name, value in (("width_px", 320), ("height_px", 180), ("colours", "dark")):
         part.form._edit(name, value, None)
@@ -651,8 +645,7 @@ def test_the_warning_stays_on_one_line_above_several_maps(stage, qtbot):
     window = stage.window()
     window.showNormal()
     window.resize(1920, 1080)
-    show(window, StageSettings(compared=True), of="limbs")
-    complete(stage, qtbot, 4)
+    side_by_side(stage, qtbot, 4, of="limbs")
     stage.show_caution("⚠ Outside the measured band, 2 more")
     stage.layout().activate()
     line_px = stage.caution.fontMetrics().height()
@@ -697,8 +690,7 @@ def test_clicks_on_the_stage_add_and_remove_outputs_in_one_scale(stage, qtbot):
     stage._rest.timeout.emit()
     assert stage.strip.ends == ends
     # Of several maps one output is shown, which is the one that was clicked.
-    show(window, StageSettings(compared=True), of="axes")
-    complete(stage, qtbot, 3)
+    side_by_side(stage, qtbot, 3, of="axes")
     assert click(52) == (52,)
     # It is the nearest one, however far it is.
     leftmost = int(np.nanargmin(stage.maps.points_of(0)[:, 0])) + 1
