@@ -1,5 +1,7 @@
 """Selected clips on the clipboard: copied, cut and pasted."""
 
+from dataclasses import replace
+
 from PySide6 import QtWidgets
 from PySide6.QtCore import QMimeData
 
@@ -40,7 +42,8 @@ def copy_clips(design: Design, view: View) -> Edit | Refusal:
 
 def cut_clips(design: Design, view: View) -> Edit | Refusal:
     """Move the selected clips to the clipboard; what cannot be there stays."""
-    copied = copy_clips(design, view)
+    # Of the clip panel's clips those alone that are selected.
+    copied = copy_clips(design, replace(view, selected_inputs=()))
     if isinstance(copied, Refusal):
         return copied
     return edits.cut_clips(design, view, view.selected_clips)

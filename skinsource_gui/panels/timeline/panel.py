@@ -211,7 +211,7 @@ class TimelinePanel(Panel):
         self._stack.addWidget(self._empty)
         self._stack.addWidget(table)
         in_column(self._toolbar, (self._stack, 1), self._foot, of=self, margins=0, gap_px=0)
-        self.setFocusProxy(self.heads)
+        self.setFocusProxy(self.lanes)
         self._connect()
 
     def minimumSizeHint(self) -> QSize:
@@ -323,7 +323,8 @@ class TimelinePanel(Panel):
         tools.track_requested.connect(
             lambda: self.edited.emit(add_track(self._design, self._view), None)
         )
-        tools.track_requested.connect(self.heads.setFocus)
+        for adds in (tools.add_requested, tools.track_requested):
+            adds.connect(self.lanes.setFocus)
         tools.snap.clicked.connect(lanes.set_snaps)
         tools.zoom_requested.connect(lanes.zoom)
         tools.everything.clicked.connect(lanes.show_everything)

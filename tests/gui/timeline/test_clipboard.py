@@ -58,7 +58,7 @@ def test_paste_goes_to_the_head_and_the_time_that_were_clicked_last_from_any_foc
     active.panel("hand").setFocus()
     for name in ("add_input", "undo", "add_input"):
         active.do(name)
-    assert active.panel("timeline").heads.hasFocus()
+    assert active.panel("timeline").lanes.hasFocus()
     active.document.apply(edits.move_playhead(active.document.design, active.document.view, 0.9))
     heads = active.panel("timeline").heads
     QTest.mouseClick(heads.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(90, 50))
@@ -125,7 +125,12 @@ def test_each_entry_acts_on_all_selected_clips_in_one_step(two_clips):
     assert not any(
         window.actions_by_name[f"{name}_clips"].isEnabled() for name in ("remove", "cut")
     )
-    document.look(chosen)
+    # What is cut is what is copied: not the clip of the other track, which is dotted.
+    document.look(replace(chosen, selected_clips=(1,)))
+    window.do("cut_clips")
+    window.do("paste_clips")
+    assert len(document.design.clips) == 2
+    document.look(edits.select_all_clips(document.design, document.view).view)
     window.do("remove_clips")
     assert document.design.clips == ()
 
@@ -232,11 +237,17 @@ def test_the_menu_of_the_button_adds_clips_and_tracks(empty):
     assert played(empty) == [Tone, WaveletTrain]
     tone, train = empty.document.design.inputs[0].clips
     assert train.onset_s == tone.end_s
+    assert "at 200 ms, behind the last" in empty.statusBar().currentMessage()
+    assert empty.focusWidget() is empty.panel("timeline").lanes
+    # A key does the same.
+    QTest.keyClick(empty.focusWidget(), Qt.Key.Key_N)
+    assert empty.document.design.inputs[0].clips[2].onset_s == train.end_s
+    empty.do("undo")
     entries["Track"].trigger()
     assert played(empty) == [Tone, WaveletTrain]
     assert [track.location for track in empty.document.design.inputs] == [7, 8]
     assert empty.document.view.selected_inputs == (2,)
-    assert empty.focusWidget() is empty.panel("timeline").heads
+    assert empty.focusWidget() is empty.panel("timeline").lanes
 
 
 def test_a_first_drawn_waveform_takes_one_click_and_the_pen_lies_ready(empty):
