@@ -23,16 +23,13 @@ _NO_CLIPS = Refusal(sentence="No clip is selected; click one in the timeline.")
 _NOTHING = "The clipboard holds no {}; copy some first."
 
 
+@refusing
 def copy_clips(design: Design, view: View) -> Edit | Refusal:
     """Put the selected clips on the clipboard; the design stays."""
     fragment = edits.fragment_of(design, chosen_clips(design, view))
     if fragment is None:
         return _NO_CLIPS
-    try:
-        text = edits.fragment_text(fragment)
-    except SkinSourceError as error:
-        return Refusal(sentence=sentence(str(error)))
-    data = QMimeData()
+    text, data = edits.fragment_text(fragment), QMimeData()
     data.setData(_MIME.format("clips"), text.encode())
     data.setText(text)
     QtWidgets.QApplication.clipboard().setMimeData(data)

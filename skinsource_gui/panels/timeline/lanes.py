@@ -96,7 +96,7 @@ class LanesMenu:
         view = self._lanes.content.view
         several = len(view.selected_clips) > 1
         what = f"{len(view.selected_clips)} clips" if several else "clip"
-        self._line(menu, "Edit clip", "open", lambda: self._lanes.opened.emit(clip))
+        self._line(menu, "Edit clip", "open", self._lanes.open)
         if motion_of(self._lanes.content.design, clip) is not None:
             menu.addAction("Edit motion…").triggered.connect(
                 partial(self._lanes.action_requested.emit, "make_motion")
@@ -273,7 +273,7 @@ class LaneKeys:
             "zoom_out": lambda: lanes.zoom(1 / ZOOM),
             "whole": lanes.show_everything,
             "select_all": lambda: lanes.look(edits.select_all_clips(content.design, content.view)),
-            "open": lambda: self._open(chosen),
+            "open": lambda: lanes.open() if chosen else None,
             "marker": lambda: lanes.add_marker(at_s),
             "add": lambda: lanes.edit(edits.add_waveform, lanes.last),
             "split": lambda: lanes.edit(edits.split_clips, chosen, at_s),
@@ -286,10 +286,6 @@ class LaneKeys:
         }
         if command in acts:
             acts[command]()
-
-    def _open(self, clips: tuple[int, ...]) -> None:
-        for clip in clips[-1:]:
-            self._lanes.opened.emit(clip)
 
     def _put_playhead(self, time_s: float) -> None:
         content = self._lanes.content
@@ -442,9 +438,8 @@ class LaneMouse:
         elif box is not None:
             # The first of the two clicks may have selected a clip below.
             ids = [box.clip.id for box in content.boxes_at(at)]
-            clip_id = self._pressed if self._pressed in ids else box.clip.id
-            self._lanes.select(clip_id)
-            self._lanes.opened.emit(clip_id)
+            self._lanes.select(self._pressed if self._pressed in ids else box.clip.id)
+            self._lanes.open()
         elif lane is not None:
             self._lanes.add_clip(lane.track.id, self.time_at(at))
 
@@ -578,8 +573,6 @@ class LanesView(Canvas):
     edited = Signal(object, object)
     view_changed = Signal(object)
     playhead_requested = Signal(float)
-    #: Id of a clip.
-    opened = Signal(int)
     #: The name of an action of the window.
     action_requested = Signal(str)
     #: Lanes are to be scrolled by so many notches.
@@ -656,6 +649,10 @@ class LanesView(Canvas):
     def select(self, *clips: int) -> None:
         """Select these clips and no others."""
         self.look(edits.select_clips(self.content.design, self.content.view, clips))
+
+    def open(self) -> None:
+        """Show the clip that was selected last in the clip editor."""
+        self.action_requested.emit("show_clip_editor")
 
     def add_clip(self, track: int, at_s: float) -> None:
         """Add a clip of the last used kind to a track."""

@@ -113,16 +113,6 @@ def test_markers_are_added_renamed_and_removed_on_the_ruler(lanes, monkeypatch):
     assert lanes.design.markers == ()
 
 
-def test_a_loop_goes_round_the_selected_clips_and_its_time_can_be_taken_out(lanes):
-    lanes.click(lanes.middle(2))
-    place = QPointF(lanes.content.scale.x(0.9), 5)
-    lanes.menu_at(place)["Loop the selected clips"].trigger()
-    assert lanes.design.loop_s == pytest.approx((0.3, 0.5))
-    lanes.menu_at(place)["Delete time in loop"].trigger()
-    assert lanes.design.clip(3).onset_s == pytest.approx(0.5)
-    assert 2 not in [clip.id for clip in lanes.design.clips]
-
-
 def test_a_drag_never_changes_the_zoom_and_fit_shows_the_clips_alone(lanes):
     fit = lanes.panel.findChild(QToolButton, "timeline_fit")
     for fitted in (False, True):
