@@ -34,10 +34,6 @@ def test_what_begins_with_the_letters_comes_before_what_holds_them(qapp):
     assert found == ["Theme of the day", "Dark theme"]
 
 
-def _note(ran, name, _checked=False):
-    ran.append(name)
-
-
 def test_the_line_is_there_until_what_its_key_runs_is_done(qtbot):
     # As panels that come to the front do it, within the key event of the line.
     def handle_events(_checked=False):

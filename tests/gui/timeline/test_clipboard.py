@@ -317,21 +317,6 @@ def test_after_another_clip_editor_and_timeline_show_all_of_a_new_design(open_wi
 NO_BUTTON = Qt.MouseButton.NoButton
 
 
-@pytest.fixture
-def studio(open_window):
-    return open_window(TWO_TRACKS, View(selected_inputs=(1,), selected_clips=(1,)))
-
-
-@pytest.fixture
-def lanes(studio):
-    return studio.panel("timeline").lanes
-
-
-@pytest.fixture
-def stage(studio):
-    return studio.panel("hand").diagram.stage
-
-
 def send(lanes, kind, at):
     """A real event of the mouse, which the lanes hold wherever it goes."""
     button = NO_BUTTON if kind == QEvent.Type.MouseMove else LEFT
@@ -340,32 +325,25 @@ def send(lanes, kind, at):
     QApplication.sendEvent(lanes.viewport(), event)
 
 
-def carry(studio, lanes, clip, site):
-    """Press on a clip and go to a place, and on to it again as hands tremble."""
-    start = next(box.rect.center() for box in lanes.content.boxes if box.clip.id == clip)
+def test_a_clip_is_dragged_onto_a_place_with_a_track_in_one_step(open_window):
+    studio = open_window(TWO_TRACKS, View(selected_inputs=(1,), selected_clips=(1,)))
+    document, lanes = studio.document, studio.panel("timeline").lanes
     diagram = studio.panel("hand").diagram
-    end = QPointF(lanes.mapFromGlobal(diagram.mapToGlobal(diagram.site_centre(site))))
+    start = next(box.rect.center() for box in lanes.content.boxes if box.clip.id == 2)
+    end = QPointF(lanes.mapFromGlobal(diagram.mapToGlobal(diagram.site_centre(3))))
     send(lanes, QEvent.Type.MouseButtonPress, start)
+    # There, and on to it again as hands tremble.
     for part in (0.02, 0.3, 0.7, 1.0, 1.0):
         send(lanes, QEvent.Type.MouseMove, start + part * (end - start))
-    return end
-
-
-def tracks(studio):
-    return [
-        (track.location, [clip.id for clip in track.clips])
-        for track in studio.document.design.inputs
-    ]
-
-
-def test_a_clip_is_dragged_onto_a_place_with_a_track_in_one_step(studio, lanes, stage):
-    document = studio.document
-    end = carry(studio, lanes, 2, 3)
+    stage = diagram.stage
     assert stage.state.target == 3
     # Until it is dropped everything is as it was.
     assert document.design == TWO_TRACKS
     send(lanes, QEvent.Type.MouseButtonRelease, end)
-    assert tracks(studio) == [(7, [1, 3]), (3, [4, 2])]
+    assert [[clip.id for clip in track.clips] for track in document.design.inputs] == [
+        [1, 3],
+        [4, 2],
+    ]
     assert document.design.clip(2).onset_s == 0.3
     assert stage.state.target is None
     assert document.undo_stack.count() == 1
