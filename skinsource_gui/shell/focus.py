@@ -182,8 +182,11 @@ class PanelFocus(QObject):
             before, closed = self._in_sight(), dock.isHidden()
             dock.bring_forward()
             if here != name:
-                self._return_to, self._covered = here, before - self._in_sight()
-                self._closed = closed
+                self._return_to, self._covered, self._closed = (
+                    here,
+                    before - self._in_sight(),
+                    closed,
+                )
         self._panels[name].setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def enter(self, name: str) -> None:

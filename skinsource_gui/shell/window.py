@@ -139,8 +139,7 @@ def gesture_choices(
         event = QtGui.QKeyEvent(QEvent.Type.KeyPress, pressed.key(), pressed.keyboardModifiers())
         QtWidgets.QApplication.sendEvent(panel.focusProxy() or panel, event)
 
-    places = (*MOUSE.items(), *KEYS.items())
-    for place, group in sorted(places, key=lambda each: "timeline" not in each):
+    for place, group in (*KEYS.items(), *MOUSE.items()):
         for gesture in group.gestures.values():
             where = f" {group.heading.lower()}" if gesture.keys else ""
             act = partial(tell, f"{gesture.shown}{where}: {gesture.effect}")

@@ -281,7 +281,6 @@ class InputFields(QObject):
             (self._duration, has_clip),
             (self._played_length, self._played_length.text_label.text()),
         )
-        track = () if self._curve_of is None else (self._curve,)
         gain = () if self._gain_of is None else (self._gain,)
         played = (self._played_hz,) if self._played_hz.text_label.text() else ()
         own = self._own
@@ -293,7 +292,7 @@ class InputFields(QObject):
         return (
             tuple(cell for cell, shown in head if shown and cell is not None),
             (self.kind, *own[:n_hz], *played, *own[n_hz:], *gain),
-            track,
+            () if self._curve_of is None else (self._curve,),
         )
 
     def _arrange(self) -> None:

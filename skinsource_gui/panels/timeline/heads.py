@@ -451,6 +451,7 @@ class Heads(QtWidgets.QListView):
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._design, self._view = Design(limb=""), View()
         self.chosen: tuple[int, ...] = ()
+        self._selection: tuple[tuple[int, ...], ...] = ()
         self._model, self._shows = HeadsModel(self), False
         self.setModel(self._model)
         delegate = HeadDelegate(self)
@@ -477,17 +478,17 @@ class Heads(QtWidgets.QListView):
 
     def show_state(self, design: Design, view: View, played: Mapping[int, Floats]) -> None:
         """Show one head for each track; see `HeadsModel.show_state`."""
-        same, before = design.ids == self._design.ids, self._view
+        same, selection = (
+            design.ids == self._design.ids,
+            (view.selected_inputs, view.selected_clips),
+        )
         if not same:
             self._cancel()
         self._design, self._view = design, view
         self._shows = True
         self._model.show_state(design, view, played)
-        clips = view.selected_clips
-        if not same or (view.selected_inputs, clips) != (
-            before.selected_inputs,
-            before.selected_clips,
-        ):
+        if not same or selection != self._selection:
+            self._selection = selection
             self._show_selection()
         self._shows = False
 
@@ -620,9 +621,8 @@ class Heads(QtWidgets.QListView):
         return self.chosen if id in self.chosen else (id,)
 
     def _show_selection(self) -> None:
-        if (of := chosen_heads(self._design, self._view)) != self.chosen:
-            self.chosen = of
-            self.viewport().update()
+        self.chosen = chosen_heads(self._design, self._view)
+        self.viewport().update()
         rows = {id: row for row, id in enumerate(self._design.ids)}
         chosen = [rows[id] for id in self._view.selected_inputs if id in rows]
         picked = self.selectionModel()

@@ -96,7 +96,7 @@ class LanesMenu:
         view = self._lanes.content.view
         several = len(view.selected_clips) > 1
         what = f"{len(view.selected_clips)} clips" if several else "clip"
-        self._line(menu, "Edit clip", "open", self._lanes.open)
+        self._action(menu, "Edit clip", "show_clip_editor")
         if motion_of(self._lanes.content.design, clip) is not None:
             menu.addAction("Edit motion…").triggered.connect(
                 partial(self._lanes.action_requested.emit, "make_motion")
@@ -273,7 +273,7 @@ class LaneKeys:
             "zoom_out": lambda: lanes.zoom(1 / ZOOM),
             "whole": lanes.show_everything,
             "select_all": lambda: lanes.look(edits.select_all_clips(content.design, content.view)),
-            "open": lambda: lanes.open() if chosen else None,
+            "open": partial(lanes.action_requested.emit, "show_clip_editor"),
             "marker": lambda: lanes.add_marker(at_s),
             "add": lambda: lanes.edit(edits.add_waveform, lanes.last),
             "split": lambda: lanes.edit(edits.split_clips, chosen, at_s),
@@ -439,7 +439,7 @@ class LaneMouse:
             # The first of the two clicks may have selected a clip below.
             ids = [box.clip.id for box in content.boxes_at(at)]
             self._lanes.select(self._pressed if self._pressed in ids else box.clip.id)
-            self._lanes.open()
+            self._lanes.action_requested.emit("show_clip_editor")
         elif lane is not None:
             self._lanes.add_clip(lane.track.id, self.time_at(at))
 
@@ -649,10 +649,6 @@ class LanesView(Canvas):
     def select(self, *clips: int) -> None:
         """Select these clips and no others."""
         self.look(edits.select_clips(self.content.design, self.content.view, clips))
-
-    def open(self) -> None:
-        """Show the clip that was selected last in the clip editor."""
-        self.action_requested.emit("show_clip_editor")
 
     def add_clip(self, track: int, at_s: float) -> None:
         """Add a clip of the last used kind to a track."""
