@@ -170,8 +170,7 @@ class PanelFocus(QObject):
 
     def show(self, name: str) -> None:
         """Bring a panel into sight and go there; if it has the keyboard, go back."""
-        here = self._here()
-        dock = self._docks[name]
+        here, dock = self._here(), self._docks[name]
         if here == name and self._return_to is not None:
             name, self._return_to = self._return_to, None
             for covered in (*self._covered, name):
@@ -182,11 +181,8 @@ class PanelFocus(QObject):
             before, closed = self._in_sight(), dock.isHidden()
             dock.bring_forward()
             if here != name:
-                self._return_to, self._covered, self._closed = (
-                    here,
-                    before - self._in_sight(),
-                    closed,
-                )
+                self._return_to, self._closed = here, closed
+                self._covered = before - self._in_sight()
         self._panels[name].setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def enter(self, name: str) -> None:

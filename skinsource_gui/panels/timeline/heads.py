@@ -478,10 +478,8 @@ class Heads(QtWidgets.QListView):
 
     def show_state(self, design: Design, view: View, played: Mapping[int, Floats]) -> None:
         """Show one head for each track; see `HeadsModel.show_state`."""
-        same, selection = (
-            design.ids == self._design.ids,
-            (view.selected_inputs, view.selected_clips),
-        )
+        same = design.ids == self._design.ids
+        selection = view.selected_inputs, view.selected_clips
         if not same:
             self._cancel()
         self._design, self._view = design, view
