@@ -8,7 +8,7 @@ that a widget needs stay with it: letters and spaces where a text is typed, Spac
 with it, and on a drop-down list that was not clicked.
 """
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, cast
 
 import shiboken6
@@ -20,6 +20,7 @@ from skinsource_gui.state.panel import PanelRegistry
 
 if TYPE_CHECKING:
     from skinsource_gui.panels.clip_editor.panel import ClipEditorPanel
+    from skinsource_gui.shell.docks import Dock
 
 
 def tab_stops(
@@ -142,18 +143,18 @@ class PanelFocus(QObject):
     ----------
     panels
         In the order in which the keyboard reaches them.
-    bring
-        Brings a panel of a name into sight.
+    docks
+        Those of the panels, by their names.
     """
 
-    def __init__(
-        self, panels: PanelRegistry, bring: Callable[[str], None], parent: QObject
-    ) -> None:
+    def __init__(self, panels: PanelRegistry, docks: Mapping[str, "Dock"], parent: QObject) -> None:
         super().__init__(parent)
-        self._panels, self._bring = panels, bring
-        # The panel to go back to, and the panels that the shown one has covered.
+        self._panels, self._docks = panels, docks
+        # The panel to go back to, the panels that the shown one has covered, and whether that
+        # one was closed before.
         self._return_to: str | None = None
         self._covered: frozenset[str] = frozenset()
+        self._closed = False
 
     def go(self, by: str) -> None:
         """Go to the next panel; "-1": to the one before."""
@@ -169,17 +170,19 @@ class PanelFocus(QObject):
 
     def show(self, name: str) -> None:
         """Bring a panel into sight and go there; if it has the keyboard, go back."""
-        here = self._here()
+        here, dock = self._here(), self._docks[name]
         if here == name and self._return_to is not None:
             name, self._return_to = self._return_to, None
-            for covered in self._covered:
-                self._bring(covered)
-            self._bring(name)
+            for covered in (*self._covered, name):
+                self._docks[covered].bring_forward()
+            if self._closed:
+                dock.hide()
         else:
-            before = self._in_sight()
-            self._bring(name)
+            before, closed = self._in_sight(), dock.isHidden()
+            dock.bring_forward()
             if here != name:
-                self._return_to, self._covered = here, before - self._in_sight()
+                self._return_to, self._closed = here, closed
+                self._covered = before - self._in_sight()
         self._panels[name].setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def enter(self, name: str) -> None:
@@ -190,8 +193,7 @@ class PanelFocus(QObject):
     def draw(self, tool: str) -> None:
         """Show the selected clip large and take a tool, such as the pen, for it."""
         panel = cast("ClipEditorPanel", self._panels["clip_editor"])
-        if self._here() != panel.name or not panel.isVisible():
-            self.show(panel.name)
+        self.enter(panel.name)
         panel.use(tool)
 
     def _in_sight(self) -> frozenset[str]:

@@ -5,7 +5,7 @@ from functools import partial
 from typing import TYPE_CHECKING, cast
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEventLoop, QObject, QPoint, Qt
+from PySide6.QtCore import QEvent, QEventLoop, QKeyCombination, QObject, QPoint, Qt
 
 from skinsource.design import edits
 from skinsource.design.design import Design, View
@@ -24,6 +24,7 @@ from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.panels.analysis.settings import VIEWS, AnalysisSettings
 from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.frames import DropPlace
+from skinsource_gui.qt.keys import KEYS, MOUSE
 from skinsource_gui.qt.layouts import tooltip
 from skinsource_gui.shell import docks
 from skinsource_gui.shell.actions import ACTIONS
@@ -125,6 +126,27 @@ def analysis_choices(document: Document, bring: Callable[[str], None]) -> Iterat
         action = choice_action(f"Analysis: {spec.title}", spec.answer, partial(analyse, spec.name))
         action.setProperty(KEYWORDS, spec.answer.lower())
         yield action
+
+
+def gesture_choices(
+    panels: PanelRegistry, enter: Callable[[str], None], tell: Callable[[str], None]
+) -> Iterator[QtGui.QAction]:
+    """Yield a new action for each gesture, which presses the key of a panel, or says what to do."""
+
+    def press(panel: Panel, key: str) -> None:
+        enter(panel.name)
+        pressed: QKeyCombination = QtGui.QKeySequence(key)[0]  # type: ignore[index]  # as in keys.py
+        event = QtGui.QKeyEvent(QEvent.Type.KeyPress, pressed.key(), pressed.keyboardModifiers())
+        QtWidgets.QApplication.sendEvent(panel.focusProxy() or panel, event)
+
+    for place, group in (*KEYS.items(), *MOUSE.items()):
+        for gesture in group.gestures.values():
+            where = f" {group.heading.lower()}" if gesture.keys else ""
+            act = partial(tell, f"{gesture.shown}{where}: {gesture.effect}")
+            if place in panels and gesture.keys and " " not in gesture.shown:
+                act = partial(press, panels[place], gesture.keys[0])
+            text = f"{gesture.effect[:1].upper()}{gesture.effect[1:]}\t{gesture.shown}{where}"
+            yield choice_action(text, group.heading, act)
 
 
 def scene_choices(show: Callable[[str], None]) -> Iterator[QtGui.QAction]:
@@ -265,7 +287,7 @@ class MainWindow(QtWidgets.QMainWindow):
 
     def _capabilities(self) -> dict[str, QObject]:
         # By the names that the table of actions has for them.
-        self._panel_focus = PanelFocus(self.panels, self.workspaces.bring, self)
+        self._panel_focus = PanelFocus(self.panels, self.docks, self)
         return {
             "files": self.files,
             "exports": self.exports,
@@ -377,7 +399,8 @@ class MainWindow(QtWidgets.QMainWindow):
         views = analysis_choices(self.document, self.workspaces.bring)
         choices = *self.setup_bar.choices(), *design_choices(self.document)
         figures = scene_choices(self.scenes.open)
-        return [*fields, *others, *panels, *views, *choices, *figures]
+        gestures = gesture_choices(self.panels, self._panel_focus.enter, self.reports.report)
+        return [*fields, *others, *panels, *views, *choices, *figures, *gestures]
 
     def _show_state(self) -> None:
         design, view = self.document.design, self.document.view

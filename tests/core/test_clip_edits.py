@@ -14,7 +14,8 @@ from skinsource.design.clips import MAX_CLIPS, MAX_EFFECTS, Clip, Marker
 from skinsource.design.design import MAX_INPUTS, Design, Input, track
 from skinsource.design.edits.cutting import faded_ends
 from skinsource.design.edits.edit import Edit, Refusal
-from skinsource.design.effects import Fade, Rectify, Repeat, Reverse, Stretch, Trim
+from skinsource.design.effects import Envelope, Fade, Rectify, Repeat, Reverse, Stretch, Trim
+from skinsource.design.presets.presets import whole_design
 from skinsource.design.waveforms import Layers, Noise, Tap, Tone
 from tests.core.clips_bench import total
 
@@ -452,6 +453,31 @@ def test_a_gain_curve_stays_before_and_behind_time_that_comes_or_goes(curve, at_
     ):
         np.testing.assert_allclose(gains(after, early), gains(before, early), atol=1e-5)
         np.testing.assert_allclose(gains(after, late + by_s), gains(before, late), atol=1e-5)
+
+
+# Sums of decimal times, as loops and a mouse give them, which no decimal number equals.
+uneven = st.floats(0.0, 1.5) | st.integers(0, 30).map(lambda k: sum([0.05] * k))
+
+
+@few
+@given(st.lists(st.tuples(uneven, st.just(0.5)), max_size=5).map(sorted), uneven, uneven)
+def test_rounding_of_times_refuses_no_edit(points, one_s, other_s):
+    start_s, end_s = sorted((one_s, other_s + 1e-3 * (one_s == other_s)))
+    shape = Envelope(((0.0, 1.0, "held"), *((x, y, "held") for x, y in points)))
+    clip = Clip(waveform=Tone(duration_s=0.01 + other_s), onset_s=start_s, effects=(shape,))
+    curved = Input(location=7, clips=(clip,) * 2, gain_curve=tuple(points))
+    design = Design(limb="synthetic-1", inputs=(curved,))
+    pasted = whole_design(design)
+    for edit, *more in (
+        (edits.remove_time, start_s, end_s),
+        (edits.insert_time, start_s, end_s - start_s),
+        (edits.split_clips, (1,), start_s + clip.duration_s / 3),
+        *((edit, 1, start_s, end_s) for edit in (edits.trim_clip, edits.stretch_clip)),
+        (edits.fade_clip, 1, 9.0, 0.1),
+        (edits.group_clips, (1, 2)),
+        (edits.paste_fragment, pasted, end_s),
+    ):
+        assert isinstance(edit(design, VIEW, *more), Edit), edit
 
 
 def test_markers_loop_and_gain_curve_are_set_and_taken_away():

@@ -164,6 +164,7 @@ def test_a_motion_is_added_beside_what_is_there_and_selected(kind):
     assert outcome.design.inputs[:2] == design.inputs
     added = outcome.design.inputs[2:]
     assert outcome.view.selected_inputs == tuple(track.id for track in added)
+    assert outcome.view.selected_clips == outcome.design.motions[-1].clips
     assert outcome.label == f"Add {kind.title.lower()} at {len(added)} places"
     for track, written in zip(added, kind().tracks(), strict=True):
         assert (track.location, track.amplitude) == (written.location, written.amplitude)

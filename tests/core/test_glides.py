@@ -12,7 +12,6 @@ from skinsource.design.waveforms import Chirp, Glide, Noise, Tap, Tone
 from skinsource.signals.synthesis import curve_of, with_curve
 
 RATE_HZ = 1300.0
-FINE_HZ = 48000.0
 POINTS = ((0.0, 60.0, 0.0), (0.1, 60.0, 1.0), (0.4, 240.0, 1.0), (0.5, 240.0, 0.0))
 STEP = ((0.0, 80.0, 1.0), (0.1, 80.0, 1.0), (0.1, 200.0, 1.0), (0.2, 200.0, 1.0))
 DESIGN = Design(limb="synthetic-1", inputs=(track(7, Glide(POINTS)), track(3, Tone())))

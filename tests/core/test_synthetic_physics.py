@@ -8,6 +8,7 @@ from scipy.signal import hilbert
 
 import skinsource as ss
 from skinsource.limbs.synthetic import SYNTHETIC_LIMBS, load_synthetic_limb
+from tests.core.test_extent import distances_mm
 
 RATE_HZ = 1300.0
 TIPS, HAND = (19, 20), (26, 27)
@@ -70,12 +71,6 @@ def centroid_hz(response):
     power = np.sum(np.abs(np.fft.rfft(response, 2048)) ** 2, axis=1)
     band = (frequency >= 15) & (frequency <= 600)
     return power[:, band] @ frequency[band] / power[:, band].sum(axis=1)
-
-
-def distances_mm(limb, location):
-    """Straight distances on the map from one input to all outputs, (72,)."""
-    ways_mm = limb.output_positions_mm - limb.input_positions_mm[location - 1]
-    return np.linalg.norm(ways_mm, axis=1)
 
 
 def test_1_low_frequencies_attenuate_less(limb):

@@ -28,7 +28,7 @@ from skinsource_gui.plots.small_map import (
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.qt.theme import LIGHT, on_paper
 from skinsource_gui.shell.panels import PANELS
-from tests.gui.analysis.analysis_bench import analysis
+from tests.gui.analysis.analysis_bench import analysis, look_at
 
 #: Too fast, too high, and on a synthetic limb.
 DESIGN = ss.Design(
@@ -235,18 +235,13 @@ def n_in(image, colours):
     return int(np.isin(pixels, colour_table(colours)[8:-8]).sum())
 
 
-def look_at(window, qtbot, name):
+def look_at_maps(window, qtbot, name):
     """Bring a panel into sight, and wait until it has maps."""
     if name == "compare":
         limbs = with_settings(window.document.view, "compare", CompareSettings(of="limbs"))
         window.document.look(limbs)
-    name, _, view = name.partition("/")
-    if view:
-        analysis(window, view)
-    window.docks[name].bring_forward()
-    panel = window.panel(name)
-    qtbot.waitUntil(panel.isVisible)
-    if view:
+    panel = look_at(window, qtbot, name)
+    if "/" in name:
         qtbot.waitUntil(lambda: panel.view.strip.content is not None, timeout=60_000)
     elif name == "compare":
         cells = lambda: panel.maps.content.cells  # noqa: E731
@@ -265,7 +260,7 @@ def picture_of(window, name):
 def test_colours_chosen_in_the_menu_are_those_of_every_map_of_levels(window, qtbot):
     for name in LEVEL_MAPS:
         window.do("use_magma_colours")
-        panel = look_at(window, qtbot, name)
+        panel = look_at_maps(window, qtbot, name)
         for image in (panel.grab().toImage(), picture_of(window, name)):
             assert n_in(image, "magma") > MANY, name
             assert n_in(image, "viridis") < FEW, name

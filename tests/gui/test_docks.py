@@ -169,8 +169,9 @@ def test_the_panels_menu_ticks_what_is_there_and_brings_what_is_behind(active, s
     assert "compare" in in_sight(window)
 
 
-def test_the_key_of_the_clip_editor_shows_it_and_goes_back(active):
-    before = in_sight(active)
+def test_the_key_of_the_clip_editor_shows_it_and_goes_back(active, qtbot):
+    before, lanes = in_sight(active), active.panel("timeline").lanes
+    size = lanes.size()
     active.panel("timeline").setFocus()
     active.do("show_clip_editor")
     assert in_sight(active) == before - {"timeline"} | {"clip_editor"}
@@ -178,6 +179,8 @@ def test_the_key_of_the_clip_editor_shows_it_and_goes_back(active):
     active.do("show_clip_editor")
     assert in_sight(active) == before
     assert with_keyboard(active) == "timeline"
+    # No tab stays, which would take some of its height.
+    qtbot.waitUntil(lambda: lanes.size() == size)
 
 
 def test_a_panel_that_goes_leaves_the_keyboard_to_another_one(active, qtbot):

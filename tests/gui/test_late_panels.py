@@ -15,7 +15,7 @@ from skinsource_gui.panels.analysis.panel import AnalysisPanel
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.shell.panels import PANELS
 from skinsource_gui.shell.workspaces import WORKSPACES
-from tests.gui.analysis.analysis_bench import analysis
+from tests.gui.analysis.analysis_bench import analysis, look_at
 from tests.gui.output.bench import CHOSEN
 from tests.gui.shared_window import rest
 
@@ -163,15 +163,6 @@ def studio(open_window, qtbot):
     window.document.look(replace(window.document.view, outputs=SELECTED))
     window.document.edit("Choose", replace(window.document.design, actuation=CHOSEN))
 
-    def look_at(name):
-        name, _, view = name.partition("/")
-        if view:
-            analysis(window, view)
-        window.docks[name].bring_forward()
-        panel = window.panel(name)
-        qtbot.waitUntil(panel.isVisible)
-        return panel
-
     def hide(name):
         name = name.partition("/")[0]
         window.docks[name].hide()
@@ -185,7 +176,7 @@ def studio(open_window, qtbot):
         clips = (replace(clips[0], waveform=waveform), *clips[1:])
         window.document.edit("Other", design.with_input(0, clips=clips, amplitude=2.5))
 
-    window.look_at, window.hide_panel = look_at, hide
+    window.look_at, window.hide_panel = partial(look_at, window, qtbot), hide
     window.settled, window.edit_all = partial(rest, window), make_louder
     return window
 

@@ -130,6 +130,11 @@ def test_other_words_for_an_action_find_it(window, qtbot):
         "sensation level": "Analysis: Perception",
         "difference": "Compare side by side",
         "people": "Compare side by side",
+        "trim": "Trim a clip, to play less or more",
+        "snap": "Snap edges to the grid, clip ends and the playhead",
+        "gain curve": "Show or hide the gain curve of the track",
+        "next clip": "Select the clip before, the next clip",
+        "join": "Split, join, group, repeat, mute, remove it, and more",
     }.items():
         assert expected in listed_for(window, qtbot, letters), letters
 
@@ -139,6 +144,13 @@ def test_a_view_of_analysis_is_found_and_opened(window, qtbot):
         run_from_palette(window, qtbot, letters)
         qtbot.waitUntil(window.panel("analysis").isVisible)
         assert window.panel("analysis").view.name == name
+
+
+def test_a_key_of_a_panel_is_pressed_and_another_gesture_told(window, qtbot):
+    run_from_palette(window, qtbot, "put a marker at")
+    assert len(window.document.design.markers) == 1
+    run_from_palette(window, qtbot, "trim a clip")
+    assert window.statusBar().currentMessage().startswith("Drag the start or the end of a clip")
 
 
 def test_where_nothing_is_found_the_palette_says_so_and_enter_does_nothing(window, qtbot):

@@ -29,18 +29,11 @@ from skinsource_gui.plots.pictures import (
 from skinsource_gui.plots.small_map import FieldImage
 from skinsource_gui.qt.frames import fitted
 from skinsource_gui.qt.theme import DARK, LIGHT, current_theme
+from tests.core.test_in_time import SHORT as DESIGN
 from tests.gui.analysis.analysis_bench import analysis
 from tests.gui.exporting import press, shown
 from tests.gui.menus import close_menus, lines_at
 from tests.gui.pages_of_paper import Paper
-
-DESIGN = ss.Design(
-    limb="synthetic-1",
-    inputs=(
-        ss.track(7, ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.2)),
-        ss.track(13, ss.waveforms.Tap(), onset_s=0.05, amplitude=-2.0),
-    ),
-)
 
 
 def texts_of(path):

@@ -276,13 +276,10 @@ class InputFields(QObject):
         head: tuple[tuple[LabelledCell | None, object], ...] = (
             (self.place, True),
             (self._amplitude, True),
+            (self._peak, self._peak.text_label.text()),
             (self._onset, has_clip),
             (self._duration, has_clip),
             (self._played_length, self._played_length.text_label.text()),
-        )
-        track = (
-            (self._peak, self._peak.text_label.text()),
-            (self._curve, self._curve_of is not None),
         )
         gain = () if self._gain_of is None else (self._gain,)
         played = (self._played_hz,) if self._played_hz.text_label.text() else ()
@@ -295,7 +292,7 @@ class InputFields(QObject):
         return (
             tuple(cell for cell, shown in head if shown and cell is not None),
             (self.kind, *own[:n_hz], *played, *own[n_hz:], *gain),
-            tuple(cell for cell, shown in track if shown),
+            () if self._curve_of is None else (self._curve,),
         )
 
     def _arrange(self) -> None:
@@ -574,8 +571,6 @@ class InspectorPanel(Panel):
         amplitude, peak = amplitude_spec(self._design), ""
         if is_gain(self._design, track):
             amplitude, peak = AMPLITUDE_GAIN, peak_text(self._design, track)
-        elif len(track.clips) > 1:
-            amplitude = replace(amplitude, label="Input amplitude")
         self._fields.show_limb(limb)
         self._fields.show_input(track, batch, amplitude, self._view, peak)
         self._chain.show_chain(self._design, self._view, clip, clips)

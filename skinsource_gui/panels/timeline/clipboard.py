@@ -1,5 +1,7 @@
 """Selected clips on the clipboard: copied, cut and pasted."""
 
+from dataclasses import replace
+
 from PySide6 import QtWidgets
 from PySide6.QtCore import QMimeData
 
@@ -21,16 +23,13 @@ _NO_CLIPS = Refusal(sentence="No clip is selected; click one in the timeline.")
 _NOTHING = "The clipboard holds no {}; copy some first."
 
 
+@refusing
 def copy_clips(design: Design, view: View) -> Edit | Refusal:
     """Put the selected clips on the clipboard; the design stays."""
     fragment = edits.fragment_of(design, chosen_clips(design, view))
     if fragment is None:
         return _NO_CLIPS
-    try:
-        text = edits.fragment_text(fragment)
-    except SkinSourceError as error:
-        return Refusal(sentence=sentence(str(error)))
-    data = QMimeData()
+    text, data = edits.fragment_text(fragment), QMimeData()
     data.setData(_MIME.format("clips"), text.encode())
     data.setText(text)
     QtWidgets.QApplication.clipboard().setMimeData(data)
@@ -40,7 +39,8 @@ def copy_clips(design: Design, view: View) -> Edit | Refusal:
 
 def cut_clips(design: Design, view: View) -> Edit | Refusal:
     """Move the selected clips to the clipboard; what cannot be there stays."""
-    copied = copy_clips(design, view)
+    # Of the clip panel's clips those alone that are selected.
+    copied = copy_clips(design, replace(view, selected_inputs=()))
     if isinstance(copied, Refusal):
         return copied
     return edits.cut_clips(design, view, view.selected_clips)

@@ -153,6 +153,13 @@ def text_of(head: Head, design: Design, view: View) -> str:
     return f"{played}\n{level}"
 
 
+def chosen_heads(design: Design, view: View) -> tuple[int, ...]:
+    """Return the tracks that are selected themselves: none where all are so only by clips."""
+    chosen = set(view.selected_clips)
+    by_clips = {track.id for track in design.inputs if chosen & {clip.id for clip in track.clips}}
+    return () if by_clips.issuperset(view.selected_inputs) else view.selected_inputs
+
+
 class HeadsModel(QAbstractListModel):
     """The heads as rows of a list, of which ``design`` and ``view`` are shown."""
 
@@ -194,8 +201,8 @@ class HeadsModel(QAbstractListModel):
         place = input_name(head.track.location, self._design.limb)
         text = text_of(head, self._design, self._view)
         if role == _Role.ToolTipRole:
-            chosen = self._view.selected_inputs
-            if len(chosen) > 1 and head.track.id in chosen and not self._view.selected_clips:
+            chosen = chosen_heads(self._design, self._view)
+            if len(chosen) > 1 and head.track.id in chosen:
                 text += "\nM, S and fader change all selected inputs"
             return f"{place.number} · {place.name}\n{text}"
         silent = ", silent" if head.silent else ""
@@ -280,7 +287,8 @@ class HeadDelegate(QtWidgets.QStyledItemDelegate):
         painter.save()
         painter.setFont(self._rows.font())
         if option.state & QtWidgets.QStyle.StateFlag.State_Selected:
-            self._paint_selection(painter, option.rect, theme, leads=leads)
+            chosen = head.track.id in self._rows.chosen
+            self._paint_selection(painter, option.rect, theme, leads=leads, chosen=chosen)
         colour, dim = theme.input_colour(head.track.colour), QtGui.QColor(theme.dim)
         text, number = QtGui.QColor(theme.text), head.track.location
         paint_swatch(painter, places.swatch, number, colour, text, silent=head.silent)
@@ -341,16 +349,18 @@ class HeadDelegate(QtWidgets.QStyledItemDelegate):
         return super().eventFilter(editor, event)
 
     def _paint_selection(
-        self, painter: QtGui.QPainter, row: QRect, theme: Theme, *, leads: bool
+        self, painter: QtGui.QPainter, row: QRect, theme: Theme, *, leads: bool, chosen: bool
     ) -> None:
+        """Mark the head that leads, or each that has selected clips; tint what changes together."""
         tint = QtGui.QColor(theme.accent)
-        if leads:
+        if leads or not chosen:
             painter.fillRect(row.x(), row.y(), _MARK_PX, row.height(), tint)
         if leads and self._rows.hasFocus():
             painter.setPen(QtGui.QPen(tint, 2))
             painter.drawRect(QRectF(row).adjusted(1, 1, -1, -1))
-        tint.setAlpha(_TINT_ALPHA)
-        painter.fillRect(row, tint)
+        if chosen:
+            tint.setAlpha(_TINT_ALPHA)
+            painter.fillRect(row, tint)
 
 
 def _part(room: QRectF, amplitude: float) -> QRectF:
@@ -416,6 +426,11 @@ class Heads(QtWidgets.QListView):
 
     A fader is dragged, turned by the wheel, or moved by keys, and moves those of all selected
     tracks by as many decibels.  Dragging a head puts the selected ones between two others.
+
+    Attributes
+    ----------
+    chosen
+        Tracks that change together, see `chosen_heads`.
     """
 
     #: `Edit` or `Refusal`, number of the gesture or None.
@@ -435,6 +450,8 @@ class Heads(QtWidgets.QListView):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._design, self._view = Design(limb=""), View()
+        self.chosen: tuple[int, ...] = ()
+        self._selection: tuple[tuple[int, ...], ...] = ()
         self._model, self._shows = HeadsModel(self), False
         self.setModel(self._model)
         delegate = HeadDelegate(self)
@@ -461,13 +478,15 @@ class Heads(QtWidgets.QListView):
 
     def show_state(self, design: Design, view: View, played: Mapping[int, Floats]) -> None:
         """Show one head for each track; see `HeadsModel.show_state`."""
-        same, chosen = design.ids == self._design.ids, self._view.selected_inputs
+        same = design.ids == self._design.ids
+        selection = view.selected_inputs, view.selected_clips
         if not same:
             self._cancel()
         self._design, self._view = design, view
         self._shows = True
         self._model.show_state(design, view, played)
-        if not same or view.selected_inputs != chosen:
+        if not same or selection != self._selection:
+            self._selection = selection
             self._show_selection()
         self._shows = False
 
@@ -485,7 +504,8 @@ class Heads(QtWidgets.QListView):
     def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         if event.key() == _Key.Key_Escape and self._cancel():
             return
-        command, chosen = meaning_of(_PLACE, event), self._view.selected_inputs
+        command, last = meaning_of(_PLACE, event), self._view.selected_input
+        chosen = () if last is None else self._affected(last)
         if not command or not self._design.inputs:
             event.ignore()
         elif command == "go":
@@ -552,7 +572,8 @@ class Heads(QtWidgets.QListView):
         if press is None or press.ids:
             return
         if press.gap is not None:
-            self._edit(edits.put_inputs_before, self._view.selected_inputs, press.gap)
+            dragged = self._affected(self._design.ids[press.row])
+            self._edit(edits.put_inputs_before, dragged, press.gap)
         elif press.was_selected:
             # A click on one of several selected heads selects that one alone.
             self._edit(edits.select_inputs, (self._design.ids[press.row],))
@@ -576,7 +597,7 @@ class Heads(QtWidgets.QListView):
             super().wheelEvent(event)
             return
         notches = (turns.y() or turns.x()) / NOTCH
-        self._step(self._view.selected_inputs, notches, event.modifiers())
+        self._step(self._affected(self._design.ids[index.row()]), notches, event.modifiers())
         event.accept()
 
     def contextMenuEvent(self, event: QtGui.QContextMenuEvent) -> None:
@@ -594,15 +615,12 @@ class Heads(QtWidgets.QListView):
         self.edited.emit(edit(self._design, self._view, *more), None)
 
     def _affected(self, id: int) -> tuple[int, ...]:
-        """Return the tracks that a control changes: all selected ones, if its own is among them.
-
-        Tracks that are selected only by clips on them do not count.
-        """
-        selected = self._view.selected_inputs
-        by_clips = {self._design.track_of(clip).id for clip in self._view.selected_clips}
-        return selected if id in selected and not by_clips.issuperset(selected) else (id,)
+        """Return the tracks that a control changes: all chosen ones, if its own is among them."""
+        return self.chosen if id in self.chosen else (id,)
 
     def _show_selection(self) -> None:
+        self.chosen = chosen_heads(self._design, self._view)
+        self.viewport().update()
         rows = {id: row for row, id in enumerate(self._design.ids)}
         chosen = [rows[id] for id in self._view.selected_inputs if id in rows]
         picked = self.selectionModel()

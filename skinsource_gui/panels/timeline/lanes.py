@@ -96,7 +96,7 @@ class LanesMenu:
         view = self._lanes.content.view
         several = len(view.selected_clips) > 1
         what = f"{len(view.selected_clips)} clips" if several else "clip"
-        self._line(menu, "Edit clip", "open", lambda: self._lanes.opened.emit(clip))
+        self._action(menu, "Edit clip", "show_clip_editor")
         if motion_of(self._lanes.content.design, clip) is not None:
             menu.addAction("Edit motion…").triggered.connect(
                 partial(self._lanes.action_requested.emit, "make_motion")
@@ -264,31 +264,28 @@ class LaneKeys:
         return bool(command)
 
     def _act(self, command: str) -> None:
-        """Do what a command does to the selected clips, or to what is shown."""
+        """Do what a command does to the clips that the clip panel edits, or to what is shown."""
         lanes, content = self._lanes, self._lanes.content
         view = content.view
-        chosen, at_s, track = view.selected_clips, view.playhead_s, view.selected_input
+        chosen, at_s = content.chosen, view.playhead_s
         acts: dict[str, Callable[[], object]] = {
             "zoom_in": lambda: lanes.zoom(ZOOM),
             "zoom_out": lambda: lanes.zoom(1 / ZOOM),
             "whole": lanes.show_everything,
             "select_all": lambda: lanes.look(edits.select_all_clips(content.design, content.view)),
-            "open": lambda: self._open(chosen),
+            "open": partial(lanes.action_requested.emit, "show_clip_editor"),
             "marker": lambda: lanes.add_marker(at_s),
-            "add": lambda: None if track is None else lanes.add_clip(track, at_s),
+            "add": lambda: lanes.edit(edits.add_waveform, lanes.last),
             "split": lambda: lanes.edit(edits.split_clips, chosen, at_s),
             "repeat": lambda: lanes.edit(edits.repeat_clips, chosen, 2),
             "mute": lambda: lanes.edit(edits.toggle_mute_clips, chosen),
             "duplicate": lambda: lanes.edit(edits.duplicate_clips, chosen),
             **{name: partial(lanes.action_requested.emit, name) for name in _ACTIONS},
-            "remove": lambda: lanes.edit(edits.remove_clips, chosen),
+            # What is not selected, but edited by the clip panel, is not removed.
+            "remove": lambda: lanes.edit(edits.remove_clips, view.selected_clips),
         }
         if command in acts:
             acts[command]()
-
-    def _open(self, clips: tuple[int, ...]) -> None:
-        for clip in clips[-1:]:
-            self._lanes.opened.emit(clip)
 
     def _put_playhead(self, time_s: float) -> None:
         content = self._lanes.content
@@ -441,9 +438,8 @@ class LaneMouse:
         elif box is not None:
             # The first of the two clicks may have selected a clip below.
             ids = [box.clip.id for box in content.boxes_at(at)]
-            clip_id = self._pressed if self._pressed in ids else box.clip.id
-            self._lanes.select(clip_id)
-            self._lanes.opened.emit(clip_id)
+            self._lanes.select(self._pressed if self._pressed in ids else box.clip.id)
+            self._lanes.action_requested.emit("show_clip_editor")
         elif lane is not None:
             self._lanes.add_clip(lane.track.id, self.time_at(at))
 
@@ -567,6 +563,8 @@ class LanesView(Canvas):
         Layers that are painted.
     gain
         Handles the gain curves.
+    last
+        What new clips play: what the clip plays that was selected last.
     """
 
     key_place = "timeline"
@@ -575,8 +573,6 @@ class LanesView(Canvas):
     edited = Signal(object, object)
     view_changed = Signal(object)
     playhead_requested = Signal(float)
-    #: Id of a clip.
-    opened = Signal(int)
     #: The name of an action of the window.
     action_requested = Signal(str)
     #: Lanes are to be scrolled by so many notches.
@@ -587,8 +583,7 @@ class LanesView(Canvas):
         design = Design(limb="")
         self.content = TimelineContent(design=design, view=View(), lengths=ClipLengths(design))
         self.elsewhere: Callable[[QPointF | None], DropPlace | None] = lambda at: None
-        # New clips play what the one plays that was selected last.
-        self._last: Waveform = Clip().waveform
+        self.last: Waveform = Clip().waveform
         named(self, "lanes", "Timeline")
         self.setMouseTracking(True)
         self.setMinimumSize(120, 60)
@@ -613,8 +608,8 @@ class LanesView(Canvas):
     def show_state(self, design: Design, view: View, lanes: tuple[Lane, ...]) -> None:
         """Show another design or view; lanes in coordinates of this widget."""
         chosen = view.selected_clips[-1:]
-        self._last = next(
-            (clip.waveform for clip in design.clips if (clip.id,) == chosen), self._last
+        self.last = next(
+            (clip.waveform for clip in design.clips if (clip.id,) == chosen), self.last
         )
         self.change(design=design, view=view, lanes=lanes)
 
@@ -657,7 +652,7 @@ class LanesView(Canvas):
 
     def add_clip(self, track: int, at_s: float) -> None:
         """Add a clip of the last used kind to a track."""
-        self.edit(edits.add_clip, track, at_s, self._last)
+        self.edit(edits.add_clip, track, at_s, self.last)
 
     def add_marker(self, at_s: float) -> None:
         """Add a marker with a number for a name."""

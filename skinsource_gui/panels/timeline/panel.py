@@ -211,7 +211,7 @@ class TimelinePanel(Panel):
         self._stack.addWidget(self._empty)
         self._stack.addWidget(table)
         in_column(self._toolbar, (self._stack, 1), self._foot, of=self, margins=0, gap_px=0)
-        self.setFocusProxy(self.heads)
+        self.setFocusProxy(self.lanes)
         self._connect()
 
     def minimumSizeHint(self) -> QSize:
@@ -314,16 +314,14 @@ class TimelinePanel(Panel):
         lanes.view_changed.connect(self._show_view)
         lanes.playhead_requested.connect(self.playhead_requested)
         lanes.action_requested.connect(self.action_requested)
-        lanes.opened.connect(lambda: self.action_requested.emit("show_clip_editor"))
         lanes.elsewhere = self._drop_place_elsewhere
         lanes.scroll_requested.connect(self._scroll)
-        tools.add_requested.connect(lambda kind: self._add(kind()))
+        tools.add_requested.connect(lambda kind: lanes.edit(edits.add_waveform, kind()))
         tools.draw_requested.connect(self._draw)
         tools.file_requested.connect(lambda: self.action_requested.emit("import_recording"))
-        tools.track_requested.connect(
-            lambda: self.edited.emit(add_track(self._design, self._view), None)
-        )
-        tools.track_requested.connect(self.heads.setFocus)
+        tools.track_requested.connect(lambda: lanes.edit(add_track))
+        for adds in (tools.add_requested, tools.track_requested):
+            adds.connect(self.lanes.setFocus)
         tools.snap.clicked.connect(lanes.set_snaps)
         tools.zoom_requested.connect(lanes.zoom)
         tools.everything.clicked.connect(lanes.show_everything)
@@ -334,16 +332,13 @@ class TimelinePanel(Panel):
         bar.valueChanged.connect(self._place_lanes)
         self._bar.valueChanged.connect(bar.setValue)
 
-    def _add(self, waveform: Waveform) -> None:
-        self.edited.emit(edits.add_waveform(self._design, self._view, waveform), None)
-
     def _draw(self, new: bool) -> None:
         """Take the pen to the selected clip, or to a new one, which is silent yet."""
         if new or leading_clip(self._design, self._view) is None:
             values = np.zeros(round(_DRAWN_S * self._rate_hz))
             drawn = Drawn(Samples(values=values, sample_rate_hz=self._rate_hz))
             if (track := self._view.selected_input) is None:
-                self._add(drawn)
+                self.lanes.edit(edits.add_waveform, drawn)
             else:
                 self.lanes.edit(edits.add_clip, track, self._view.playhead_s, drawn)
         self.action_requested.emit("draw_clip")

@@ -8,7 +8,7 @@ import pytest
 import skinsource as ss
 from skinsource import Design, View, evaluate, track
 from skinsource.design.panel_settings import SpectrogramSettings, with_settings
-from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.design.waveforms import Tap, Tone
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.signals.analysis.spectrogram import spectrogram
 from tests.core.own_limbs.lab_bench import installed
@@ -189,15 +189,6 @@ def test_a_long_design_has_them_all():
     assert values["line_wave"].wave.counted.all()
 
 
-PLAYED = Design(
-    limb="synthetic-2",
-    scaling="relative",
-    inputs=(
-        track(8, Tone(frequency_hz=150.0, duration_s=0.2)),
-        track(3, Noise(seed=2), amplitude=-0.5, onset_s=0.05),
-        track(8, Tap(), amplitude=2.0, onset_s=0.1),
-    ),
-)
 PAIRS = (
     ("axis_levels_db", "output_levels_db"),
     ("axis_surface_levels_db", "surface_levels_db"),

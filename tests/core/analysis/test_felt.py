@@ -19,8 +19,6 @@ from skinsource.perception.thresholds import (
     table_threshold,
 )
 
-RATE = 1300.0
-
 
 def tone(frequency_hz, duration_s=0.3, **changes):
     return ss.track(

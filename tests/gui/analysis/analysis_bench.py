@@ -14,6 +14,16 @@ def analysis(window, name, panel="analysis"):
     return window.panel(panel).view
 
 
+def look_at(window, qtbot, name):
+    """Bring a panel, or a view of Analysis such as ``"analysis/wave"``, into sight; return it."""
+    name, _, view = name.partition("/")
+    if view:
+        analysis(window, view)
+    window.docks[name].bring_forward()
+    qtbot.waitUntil(window.panel(name).isVisible)
+    return window.panel(name)
+
+
 def copied(window):
     """Press Copy, and return what is on the clipboard."""
     window.panel("analysis").copy.click()

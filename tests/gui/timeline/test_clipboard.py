@@ -58,7 +58,7 @@ def test_paste_goes_to_the_head_and_the_time_that_were_clicked_last_from_any_foc
     active.panel("hand").setFocus()
     for name in ("add_input", "undo", "add_input"):
         active.do(name)
-    assert active.panel("timeline").heads.hasFocus()
+    assert active.panel("timeline").lanes.hasFocus()
     active.document.apply(edits.move_playhead(active.document.design, active.document.view, 0.9))
     heads = active.panel("timeline").heads
     QTest.mouseClick(heads.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(90, 50))
@@ -125,7 +125,12 @@ def test_each_entry_acts_on_all_selected_clips_in_one_step(two_clips):
     assert not any(
         window.actions_by_name[f"{name}_clips"].isEnabled() for name in ("remove", "cut")
     )
-    document.look(chosen)
+    # What is cut is what is copied: not the clip of the other track, which is dotted.
+    document.look(replace(chosen, selected_clips=(1,)))
+    window.do("cut_clips")
+    window.do("paste_clips")
+    assert len(document.design.clips) == 2
+    document.look(edits.select_all_clips(document.design, document.view).view)
     window.do("remove_clips")
     assert document.design.clips == ()
 
@@ -232,11 +237,17 @@ def test_the_menu_of_the_button_adds_clips_and_tracks(empty):
     assert played(empty) == [Tone, WaveletTrain]
     tone, train = empty.document.design.inputs[0].clips
     assert train.onset_s == tone.end_s
+    assert "at 200 ms, behind the last" in empty.statusBar().currentMessage()
+    assert empty.focusWidget() is empty.panel("timeline").lanes
+    # A key does the same.
+    QTest.keyClick(empty.focusWidget(), Qt.Key.Key_N)
+    assert empty.document.design.inputs[0].clips[2].onset_s == train.end_s
+    empty.do("undo")
     entries["Track"].trigger()
     assert played(empty) == [Tone, WaveletTrain]
     assert [track.location for track in empty.document.design.inputs] == [7, 8]
     assert empty.document.view.selected_inputs == (2,)
-    assert empty.focusWidget() is empty.panel("timeline").heads
+    assert empty.focusWidget() is empty.panel("timeline").lanes
 
 
 def test_a_first_drawn_waveform_takes_one_click_and_the_pen_lies_ready(empty):
@@ -306,21 +317,6 @@ def test_after_another_clip_editor_and_timeline_show_all_of_a_new_design(open_wi
 NO_BUTTON = Qt.MouseButton.NoButton
 
 
-@pytest.fixture
-def studio(open_window):
-    return open_window(TWO_TRACKS, View(selected_inputs=(1,), selected_clips=(1,)))
-
-
-@pytest.fixture
-def lanes(studio):
-    return studio.panel("timeline").lanes
-
-
-@pytest.fixture
-def stage(studio):
-    return studio.panel("hand").diagram.stage
-
-
 def send(lanes, kind, at):
     """A real event of the mouse, which the lanes hold wherever it goes."""
     button = NO_BUTTON if kind == QEvent.Type.MouseMove else LEFT
@@ -329,33 +325,23 @@ def send(lanes, kind, at):
     QApplication.sendEvent(lanes.viewport(), event)
 
 
-def carry(studio, lanes, clip, site):
-    """Press on a clip and go to a place, and on to it again as hands tremble."""
-    start = next(box.rect.center() for box in lanes.content.boxes if box.clip.id == clip)
+def test_a_clip_is_dragged_onto_a_place_with_a_track_in_one_step(open_window):
+    studio = open_window(TWO_TRACKS, View(selected_inputs=(1,), selected_clips=(1,)))
+    document, lanes = studio.document, studio.panel("timeline").lanes
     diagram = studio.panel("hand").diagram
-    end = QPointF(lanes.mapFromGlobal(diagram.mapToGlobal(diagram.site_centre(site))))
+    start = next(box.rect.center() for box in lanes.content.boxes if box.clip.id == 2)
+    end = QPointF(lanes.mapFromGlobal(diagram.mapToGlobal(diagram.site_centre(3))))
     send(lanes, QEvent.Type.MouseButtonPress, start)
+    # There, and on to it again as hands tremble.
     for part in (0.02, 0.3, 0.7, 1.0, 1.0):
         send(lanes, QEvent.Type.MouseMove, start + part * (end - start))
-    return end
-
-
-def tracks(studio):
-    return [
-        (track.location, [clip.id for clip in track.clips])
-        for track in studio.document.design.inputs
-    ]
-
-
-def test_a_clip_is_dragged_onto_a_place_with_a_track_in_one_step(studio, lanes, stage):
-    document = studio.document
-    end = carry(studio, lanes, 2, 3)
+    stage = diagram.stage
     assert stage.state.target == 3
     # Until it is dropped everything is as it was.
     assert document.design == TWO_TRACKS
     send(lanes, QEvent.Type.MouseButtonRelease, end)
-    assert tracks(studio) == [(7, [1, 3]), (3, [4, 2])]
-    assert document.design.clip(2).onset_s == 0.3
+    assert [len(track.clips) for track in document.design.inputs] == [2, 2]
+    assert (document.design.track_of(2).location, document.design.clip(2).onset_s) == (3, 0.3)
     assert stage.state.target is None
     assert document.undo_stack.count() == 1
     document.undo_stack.undo()

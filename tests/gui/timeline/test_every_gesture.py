@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMenu
+from PySide6.QtWidgets import QApplication, QMenu, QToolButton
 
 from skinsource import Marker, edits
 from skinsource_gui.panels.timeline.content import show_gain_curves, timeline_tooltip
@@ -163,14 +163,22 @@ def frame(lanes):
     assert lanes.edits == []
 
 
+def snap(lanes):
+    button = lanes.panel.findChild(QToolButton, "timeline_snap")
+    for snaps in (False, True):
+        button.click()
+        assert lanes.content.snaps == snaps
+
+
 def menu(lanes):
+    lanes.look(edits.select_all_clips(lanes.design, lanes.view).view)
     at = lanes.middle(2).toPoint()
     event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, at, lanes.lanes.mapToGlobal(at))
     QApplication.sendEvent(lanes.lanes.viewport(), event)
     (shown,) = (menu for menu in lanes.panel.findChildren(QMenu) if menu.isVisible())
     text = " ".join(action.text() for action in shown.actions()).lower()
     shown.close()
-    assert all(word in text for word in ("split", "repeat", "mute", "remove"))
+    assert all(word in text for word in ("split", "join", "group", "repeat", "mute", "remove"))
 
 
 def wheel(lanes, turns, held):
@@ -239,6 +247,16 @@ def move_marker(lanes):
     assert moved == Marker(time_s=moved.time_s, name="hit")
 
 
+def ruler_menu(lanes):
+    lanes.click(lanes.middle(2))
+    place = QPointF(lanes.content.scale.x(0.9), 5)
+    lanes.menu_at(place)["Loop the selected clips"].trigger()
+    assert lanes.design.loop_s == pytest.approx((0.3, 0.5))
+    lanes.menu_at(place)["Delete time in loop"].trigger()
+    assert lanes.design.clip(3).onset_s == pytest.approx(0.5)
+    assert 2 not in [clip.id for clip in lanes.design.clips]
+
+
 def strip_of(lanes):
     lanes.look(show_gain_curves(lanes.view, (1,)))
     lanes.show(lanes.design.with_input(0, gain_curve=((0.0, 1.0), (0.6, 1.0))))
@@ -280,32 +298,11 @@ def draw(lanes):
 
 
 #: How a test makes each gesture that the table lists.
+OF_CLIPS = move, along, copy, free, trim, stretch, fade, place, select, below, frame, snap, menu
+OF_RULER = playhead, loop, loop_end, marker, move_marker
 MADE = {
-    "clips": {
-        "move": move,
-        "along": along,
-        "copy": copy,
-        "free": free,
-        "trim": trim,
-        "stretch": stretch,
-        "fade": fade,
-        "place": place,
-        "select": select,
-        "below": below,
-        "open": opened,
-        "add": add,
-        "frame": frame,
-        "menu": menu,
-        "zoom": zoom,
-        "pan": pan,
-    },
-    "ruler": {
-        "playhead": playhead,
-        "loop": loop,
-        "loop_end": loop_end,
-        "marker": marker,
-        "move_marker": move_marker,
-    },
+    "clips": {each.__name__: each for each in (*OF_CLIPS, add, zoom, pan)} | {"open": opened},
+    "ruler": {each.__name__: each for each in OF_RULER} | {"menu": ruler_menu},
     "gain_curve": {"point": point, "segment": segment, "add": add_gain, "draw": draw},
 }
 

@@ -177,14 +177,25 @@ def test_mute_and_solo_are_pressed_on_the_head_for_all_that_are_selected(bench):
     assert [track.solo for track in bench.design.inputs] == [True, False, True]
 
 
-def test_clips_that_are_selected_on_two_tracks_leave_mute_to_the_track_of_the_head(bench):
+def ground(bench, index):
+    """The colour of a head beside its parts."""
+    corner = bench.rows.visualRect(bench.head(index)).topRight()
+    return bench.rows.grab().toImage().pixelColor(corner + QPoint(-4, 5)).name()
+
+
+def test_heads_whose_clips_are_selected_look_unlike_selected_heads_and_change_one_by_one(bench):
     first, second, _ = (track.clips[0].id for track in bench.design.inputs)
     bench.look(View(selected_inputs=(1, 2), selected_clips=(first, second)))
     bench.press(1, "mute")
     assert [track.muted for track in bench.design.inputs] == [False, True, False]
+    bench.key(KEY.Key_Left, SHIFT)
+    drag_fader(bench, 0, -20)
+    assert not any("2 inputs" in label for label in bench.labels)
+    assert len({ground(bench, k) for k in range(3)}) == 1
     bench.look(View(selected_inputs=(1, 2), selected_clips=(first,)))
     bench.press(0, "mute")
     assert [track.muted for track in bench.design.inputs] == [True, True, False]
+    assert ground(bench, 0) == ground(bench, 1) != ground(bench, 2)
 
 
 @pytest.mark.parametrize(

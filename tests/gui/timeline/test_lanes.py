@@ -32,13 +32,17 @@ def test_shift_and_down_selects_besides_the_nearest_clip_below_and_up_goes_back(
     assert lanes.edits == []
 
 
-def test_a_click_on_the_ground_selects_the_track_alone_and_keys_then_change_no_clip(lanes):
+def test_a_click_on_the_ground_selects_the_track_alone_and_keys_then_move_and_remove_no_clip(lanes):
     before = lanes.design
     lanes.click(lanes.at(0.62))
     assert (lanes.view.selected_inputs, lanes.view.selected_clips) == ((1,), ())
-    for key in (_Key.Key_Delete, _Key.Key_M, _Key.Key_Right, _Key.Key_S):
+    for key in (_Key.Key_Delete, _Key.Key_Right, _Key.Key_S):
         lanes.key(key)
     assert lanes.design is before
+    # As the Clip menu, a key changes the dotted clip, which the clip panel edits.
+    lanes.key(_Key.Key_M)
+    assert [clip.muted for clip in lanes.design.clips] == [True, False, False, False]
+    lanes.key(_Key.Key_M)
     lanes.look(edits.select_clips(before, lanes.view, (2, 4)).view)
     lanes.click(lanes.at(0.62), CONTROL)
     assert lanes.view.selected_clips == (2, 4)
@@ -107,16 +111,6 @@ def test_markers_are_added_renamed_and_removed_on_the_ruler(lanes, monkeypatch):
     assert lanes.design.markers[0].name == "touch"
     lanes.menu_at(place)["Remove marker"].trigger()
     assert lanes.design.markers == ()
-
-
-def test_a_loop_goes_round_the_selected_clips_and_its_time_can_be_taken_out(lanes):
-    lanes.click(lanes.middle(2))
-    place = QPointF(lanes.content.scale.x(0.9), 5)
-    lanes.menu_at(place)["Loop the selected clips"].trigger()
-    assert lanes.design.loop_s == pytest.approx((0.3, 0.5))
-    lanes.menu_at(place)["Delete time in loop"].trigger()
-    assert lanes.design.clip(3).onset_s == pytest.approx(0.5)
-    assert 2 not in [clip.id for clip in lanes.design.clips]
 
 
 def test_a_drag_never_changes_the_zoom_and_fit_shows_the_clips_alone(lanes):

@@ -199,7 +199,7 @@ def fade_clip(design: Design, view: View, id: int, in_s: float, out_s: float) ->
     """
     clip = _one_clip(design, id, in_s, out_s)
     in_s = short(min(max(in_s, 0.0), clip.duration_s))
-    out_s = short(min(max(out_s, 0.0), clip.duration_s - in_s))
+    out_s = short(min(max(out_s, 0.0), max(clip.duration_s - in_s, 0.0)))
     effects: list[Any] = list(clip.effects)
     ends = faded_ends(clip)
     at = next((end.at for end in ends if end and not end.behind_trim), len(effects))
@@ -494,8 +494,9 @@ def _shifted_curve(curve: Curve, start_s: float, end_s: float, by_s: float) -> C
     ending = float(np.interp(start_s, times_s, gains)) if at_start is None else at_start
     following = float(np.interp(end_s, times_s, gains))
     before = [point for point in curve if point[0] < start_s]
-    following_points = [(short(x + by_s), y) for x, y in curve if x > end_s]
-    after_s = short(end_s + by_s)
+    # Rounding could pass the time of the cut.
+    after_s = max(short(end_s + by_s), start_s)
+    following_points = [(max(short(x + by_s), after_s), y) for x, y in curve if x > end_s]
     edges = [(start_s, ending), (after_s, ending), (after_s, following)]
     # Equal points in a row are one point.
     points = [point for point, _ in groupby([*before, *edges, *following_points])]

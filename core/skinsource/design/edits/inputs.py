@@ -404,9 +404,12 @@ def add_waveform(
     if selected is None:
         return place_waveform(design, view, free_location(design), waveform, view.playhead_s)
     start_s, end_s = view.playhead_s, view.playhead_s + waveform.duration_s
-    if any(clip.onset_s < end_s and clip.end_s > start_s for clip in selected.clips):
-        start_s = short(max(clip.end_s for clip in selected.clips))
-    return add_clip(design, view, selected.id, start_s, waveform)
+    if not any(clip.onset_s < end_s and clip.end_s > start_s for clip in selected.clips):
+        return add_clip(design, view, selected.id, start_s, waveform)
+    start_s = short(max(clip.end_s for clip in selected.clips))
+    outcome = add_clip(design, view, selected.id, start_s, waveform)
+    said = f"Clip added at {start_s * 1e3:.6g} ms, behind the last: no room at the playhead"
+    return replace(outcome, said=said) if isinstance(outcome, Edit) else outcome
 
 
 def _added(design: Design, view: View, label: str, new: Sequence[Input]) -> Edit:

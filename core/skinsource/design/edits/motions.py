@@ -13,13 +13,14 @@ from typing import Any
 from skinsource.base.errors import InvalidInputError, counted, quoted
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, MotionGroup, View
+from skinsource.design.edits.clips import clips_selected
 from skinsource.design.edits.edit import Edit, Refusal, refusing, with_inputs_added
 from skinsource.design.motions import Motion, with_motion_field
 
 
 @refusing
 def add_motion(design: Design, view: View, motion: Motion) -> Edit | Refusal:
-    """Add the tracks of a motion at the end, and select them.
+    """Add the tracks of a motion at the end, and select its clips.
 
     Examples
     --------
@@ -91,12 +92,11 @@ def _with_motion(design: Design, view: View, motion: Motion, index: int | None) 
     motions = list(design.motions)
     new_group = MotionGroup(motion=motion, clips=tuple(ids))
     motions[slice(len(motions), None) if index is None else slice(index, index + 1)] = [new_group]
-    chosen = tuple(holders[track.location] for track in written)
     return Edit(
         label=f"{'Add' if index is None else 'Change'} {motion.title.lower()} at "
         f"{counted(len(written), 'place')}",
         design=replace(after, motions=tuple(motions)),
-        view=replace(view, selected_inputs=chosen, selected_clips=()),
+        view=clips_selected(after, view, ids),
     )
 
 
