@@ -91,7 +91,7 @@ def test_hints_are_put_away_while_somebody_presents_and_come_back_after(window, 
     press(window, "Next")
     window.do("present")
     settle()
-    assert window.notice.text.startswith("Page Down")
+    assert window.notice.text.startswith("PgDown")
     window.do("next_scene")
     settle()
     assert window.notice.text.startswith("Scene")

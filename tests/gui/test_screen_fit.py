@@ -7,9 +7,9 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.qt.windows import fit_by_guess, fitted
 from skinsource_gui.shell.appearance import place_in_sight
+from skinsource_gui.shell.presenting import NotesWindow
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import start_design
-from tests.gui.presenting.test_presenting import notes_window
 
 WIDEST = QMargins(8, 31, 8, 8)
 FRAMES = [QMargins(1, 24, 1, 5), WIDEST, QMargins(0, 37, 0, 0)]
@@ -86,7 +86,7 @@ def test_a_window_is_moved_as_little_as_brings_it_into_sight(frame, rooms, place
 
 def test_notes_come_back_when_their_screen_is_gone(window, qtbot):
     window.do("show_notes")
-    notes = notes_window()
+    notes = window.findChild(NotesWindow)
     stood = window.frameGeometry()
     notes.move(5000, 300)
     assert not any(

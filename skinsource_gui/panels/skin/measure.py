@@ -206,6 +206,7 @@ class MeasureLine(QtWidgets.QWidget):
             (what, shorter, over.split(" ", 1)[-1], short_unit),
             (brief, shorter, over.split(" ", 1)[-1], short_unit),
             (brief, shorter, "", self._content.quantity.matched),
+            (brief, shorter.split(" ")[0], "", self._content.quantity.matched),
         )
         wide = self.width() > 5 * self.arm.fontMetrics().horizontalAdvance("Whole arm")
         self.arm.setText("Whole arm" if wide else "Arm")
