@@ -255,6 +255,12 @@ class StimulusForm(QtWidgets.QWidget):
             if name not in self.typed:
                 self._numbers[name].set_value(length_s)
 
+    def choose_full_scale(self, drive: float) -> None:
+        """Choose the drive at full scale, and show that field."""
+        self._boxes["advanced"].setChecked(True)
+        self._numbers["full_scale"].set_value(drive)
+        self._fields["scale"].choose("own")
+
     def emit_order(self) -> None:
         """Emit the order that the fields make, or why they make none."""
         self._show_rows()

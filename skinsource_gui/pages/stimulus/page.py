@@ -210,8 +210,8 @@ class StimulusPart(ExportPart):
         self._staleness.changed.connect(self._bar.setVisible)
         self._confirm = named(QtWidgets.QCheckBox("Write anyway"), "stimulus_confirm")
         self._confirm.hide()
-        self._mend = page_button("stimulus_mend", "", "Change the design so that it can be played")
-        self._mend.clicked.connect(lambda: self.edited.emit(self._mending, None))
+        self._mend = page_button("stimulus_mend", "", "Makes it playable")
+        self._mend.clicked.connect(self._apply_mend)
         self._mend.hide()
         self._copy = page_button("stimulus_copy_methods", "", "Text for the methods of a paper")
         self._copy.clicked.connect(self._copy_methods)
@@ -287,7 +287,6 @@ class StimulusPart(ExportPart):
         self._ordered, self.prepared = order, None
         # Clipping was confirmed for another order.
         self._confirm.setChecked(False)
-        self._offer_mend(None, None)
         self._show_computing(True)
         self._show_readiness()
         self._worker.run_newest(_ORDER, self._work(order), partial(self._receive, order))
@@ -329,6 +328,12 @@ class StimulusPart(ExportPart):
         kept = replace(design, actuation=self._design.actuation)
         return None if found is None else replace(found, design=kept)
 
+    def _apply_mend(self) -> None:
+        if self._mending is not None:
+            self.edited.emit(self._mending, None)
+        elif self.prepared is not None:
+            self.form.choose_full_scale(self.prepared.remedy_v)
+
     def _offer_mend(self, edit: Edit | None, _error: Exception | None) -> None:
         self._mending = edit
         show_or_hide(self._mend, edit.label if edit else "")
@@ -345,7 +350,9 @@ class StimulusPart(ExportPart):
         silent = "" if self._ordered is None else left_out(self._design, self._ordered.options)
         notes = silent, prepared.edges, prepared.loses, calibration_of(prepared)
         self._notes.setText(" ".join(filter(None, notes)))
-        set_tone(self._notes, "warning" if prepared.misfit else "dim")
+        set_tone(self._notes, "warning" if prepared.misfit or prepared.misscaled else "dim")
+        volts = prepared.remedy_v
+        show_or_hide(self._mend, f"Full scale of {volts:g} V" if volts else "")
 
     def _show_progress(self, order: Order, done: int, total: int) -> None:
         if order is self._ordered:
@@ -355,6 +362,7 @@ class StimulusPart(ExportPart):
     def _show_computing(self, computing: bool) -> None:
         """Show pale what is out of date; soon also how much is computed of what comes instead."""
         self._bar.setValue(0)
+        self._offer_mend(None, None)
         self._staleness.set_stale(computing)
         for part in (self.channels, self._summary, self._notes, self._problem):
             effect = QtWidgets.QGraphicsOpacityEffect(part, opacity=PALE)

@@ -131,6 +131,27 @@ def test_a_chip_cautions_about_another_kind_of_actuator_and_takes_no_equaliser_f
     assert ("Choose another actuator" in raw.loses) == bool(caution)
 
 
+@pytest.mark.parametrize(("name", "device_v"), [("bos1901", 95.0), ("drv2665", 25.0)])
+def test_a_header_in_volts_has_the_full_scale_of_the_file_beside_that_of_the_chip(
+    tmp_path, name, device_v
+):
+    at = ss.ActuatorAt(actuator="x", model=ss.actuators.load("example-piezo"))
+    through = ss.Actuation(actuators=(at,), equaliser=RegularisedInverse())
+    gabor = ss.waveforms.Gabor(frequency_hz=200.0)
+    design = ss.Design(limb="synthetic-1", inputs=(ss.track(7, gabor),), actuation=through)
+    path = tmp_path / "a.h"
+    loses = ss.export_stimulus(design, path, name).loses
+    here_v = sidecar(path)["full_scale"]
+    level_db = 20 * np.log10(device_v / here_v)
+    for text in (path.read_text(), loses):
+        assert f"is {here_v:.3g} V here, {device_v:g} V" in text
+        assert f"({level_db:.1f} dB) too strong" in text
+    options = ss.StimulusOptions(full_scale=device_v)
+    assert "steps. Raise" in ss.export_stimulus(design, path, name, options=options).loses
+    assert f"is {device_v:g} V here, {device_v:g} V" in path.read_text()
+    assert "too strong" not in path.read_text()
+
+
 def test_bos1901_gets_12_bits_that_begin_and_end_at_0_volts(design, tmp_path):
     path = tmp_path / "a.h"
     ss.export_stimulus(design, path, "bos1901", 48_000)

@@ -203,6 +203,27 @@ def test_what_the_actuators_cannot_follow_names_its_place_and_is_mended_here(des
     assert desk.document.design == before
 
 
+def test_a_full_scale_that_is_not_that_of_the_chip_is_a_warning_and_mended_here(make_desk, qtbot):
+    piezo = ss.ActuatorAt(actuator="x", model=ss.actuators.load("example-piezo"))
+    through = ss.Actuation(actuators=(piezo,), equaliser=ss.equalising.RegularisedInverse())
+    track = ss.track(7, ss.waveforms.Gabor(200.0), amplitude=100.0)
+    design = ss.Design(limb="synthetic-1", inputs=(track,), actuation=through)
+    page = opened(make_desk(design, View()), qtbot)
+    choose(page, qtbot, "format", "bos1901")
+    mend, notes = (
+        page.findChild(QPushButton, "stimulus_mend"),
+        page.findChild(QLabel, "stimulus_loses"),
+    )
+    assert notes.property("tone") == "warning"
+    assert mend.text() == "Full scale of 95 V"
+    mend.click()
+    qtbot.waitUntil(lambda: not page.busy, timeout=WAIT_MS)
+    assert page.prepared.files[0].full_scale == pytest.approx(95.0)
+    assert page.form.field("full_scale").isVisible()
+    assert not mend.isVisible()
+    assert notes.property("tone") == "dim"
+
+
 def test_what_is_chosen_here_is_an_edit_of_the_design(desk, page, qtbot):
     document, form = desk.document, page.form
     before, said = document.design, []

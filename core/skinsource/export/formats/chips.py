@@ -202,7 +202,9 @@ class _Fifo(StimulusFormat):
             "STIM_FULL_SCALE": quantised_drives.full_scale,
             "STIM_ZERO": 0,
         }
-        header = write_header(path, file, values, self.kind, self.comment, defines)
+        in_volts = file.stimulus.unit == "V"
+        comment = (*self.comment, *(f"{self.scale_text(file.full_scale)}.",) * in_volts)
+        header = write_header(path, file, values, self.kind, comment, defines)
         return {**facts, **header, "device_rate_hz": str(_FIFO_HZ)}
 
     def sent(self, stimulus: Stimulus, choices: Choices) -> Stimulus:
@@ -231,6 +233,7 @@ class Bos1901(_Fifo):
     hint = "12-bit words for the piezo driver, at 8 kHz"
     numbers = "words, read as 12 bits with sign,"
     integers, kind = "int12", "uint16_t"
+    device_v, device_steps, device = 95.0, 2047, "on the evaluation kit"
     comment = (
         "BOS1901: words for register 0x0, the FIFO of 64; PLAY of CONFIG: 8 kHz.",
         "Full scale is 95 V on the evaluation kit. First and last word are 0 V;",
@@ -245,6 +248,7 @@ class Drv2665(_Fifo):
     title = "DRV2665, FIFO"
     hint = "Bytes for the piezo driver, at 8 kHz"
     integers, kind = "int8", "int8_t"
+    device_v, device_steps, device = 25.0, 127, "at the least gain of the chip"
     comment = (
         "DRV2665: bytes for the FIFO of 100, which plays 8000 of them a second. First and",
         "last byte are 0.",

@@ -9,6 +9,7 @@ from typing import Any, ClassVar
 
 from skinsource.actuators.actuator import Actuator
 from skinsource.base.conventions import Floats
+from skinsource.base.decibels import decibels
 from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.design.design import Design
@@ -23,6 +24,8 @@ Facts = Mapping[str, Any]
 Choices = Mapping[str, str]
 
 SAMPLES = "samples"
+#: A smaller difference of full scales is not reported.
+LEAST_MISSCALED_DB = 0.1
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -186,6 +189,8 @@ class StimulusFormat(ABC):
         What its numbers are called where the sidecar says what they mean.
     driven
         The kind of actuator that the device drives, in a sentence; "": any.
+    device_v, device_steps, device
+        Volts of the device at full scale, steps up to it, and where it has that; 0: not known.
     """
 
     name: str
@@ -202,6 +207,7 @@ class StimulusFormat(ABC):
     plays_waveform: bool = True
     numbers: str = "samples"
     driven: str = ""
+    device_v, device_steps, device = 0.0, 0, ""
 
     @abstractmethod
     def write(self, file: StimulusFile, path: Path) -> Facts:
@@ -233,6 +239,16 @@ class StimulusFormat(ABC):
         else:
             reason, cure = f"drives {self.driven}, not {quoted(actuator)}", "another actuator"
         return f"{chip} {reason}. Choose {cure}, or WAV."
+
+    def scale_text(self, full_scale_v: float) -> str:
+        """Return what full scale is in a file and of the device, and what the difference does."""
+        text = f"Full scale is {full_scale_v:.3g} V here, {self.device_v:g} V {self.device}"
+        level_db = float(decibels(self.device_v / full_scale_v))
+        if abs(level_db) < LEAST_MISSCALED_DB:
+            return text
+        times = float(f"{10.0 ** (abs(level_db) / 20.0):.3g}")
+        way = "strong" if level_db > 0.0 else "weak"
+        return f"{text}: the drive is {times:g} times ({abs(level_db):.1f} dB) too {way} there"
 
     def rounds(self, choices: Choices) -> bool:
         """Return whether whole numbers are written, so that dither is possible."""

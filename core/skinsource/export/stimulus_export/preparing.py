@@ -39,7 +39,12 @@ from skinsource.engine.stimulus import (
     with_silence,
     with_sync,
 )
-from skinsource.export.formats.format import ChannelOverview, StimulusFile, StimulusFormat
+from skinsource.export.formats.format import (
+    LEAST_MISSCALED_DB,
+    ChannelOverview,
+    StimulusFile,
+    StimulusFormat,
+)
 from skinsource.export.stimulus_export.options import Nothing, StimulusOptions
 from skinsource.signals.resampling import half_transition, passed
 from skinsource.specs import models
@@ -62,6 +67,8 @@ MOST_LOSS_DB = 1.0
 LEAST_LOSS_DB = 0.01
 #: Smaller losses to the equaliser are not reported.
 LEAST_WEAKENED_DB = 1.0
+#: A drive of fewer steps is lost in rounding.
+LEAST_STEPS = 16
 # Third octaves count within so many dB of the strongest, and of the stronger neighbour.
 _WITHIN_DB, _FLANK_DB = 20.0, 6.0
 # Losses are reported up to the stop band of `skinsource.resample`.
@@ -207,7 +214,25 @@ class PreparedStimulus:
     def loses(self) -> str:
         """Sentences on what of the drive reaches no actuator, or no file; "": all does."""
         by_format = self.format.loses(self.files[0].choices)
-        return " ".join(filter(None, (self.misfit, by_format, self.lost_at_rate, self.weakened)))
+        lost = self.lost_at_rate, self.weakened
+        return " ".join(filter(None, (self.misfit, self.misscaled, by_format, *lost)))
+
+    @property
+    def remedy_v(self) -> float:
+        """Full scale of the device, where the files, in volts, have another one; else 0."""
+        device_v = self.format.device_v if self.drives.unit == "V" else 0.0
+        fits = device_v and abs(decibels(device_v * self.gain)) < LEAST_MISSCALED_DB
+        return 0.0 if fits else device_v
+
+    @property
+    def misscaled(self) -> str:
+        """Sentences on a full scale that is not the device's, or that leaves few steps; or ""."""
+        if volts := self.remedy_v:
+            return f"{self.format.scale_text(1.0 / self.gain)}. Choose a full scale of {volts:g} V."
+        most = self.format.device_steps
+        if 0.0 < (steps := most * self.peak * self.gain) < LEAST_STEPS:
+            return f"The largest sample is only {steps:.2g} of {most} steps. Raise the amplitudes."
+        return ""
 
     @property
     def advice_on_loss(self) -> str:
