@@ -198,22 +198,27 @@ class MeasureLine(QtWidgets.QWidget):
         *axes, how = signal.split(", ")
         method = f"{''.join(axes)} {how.split(' ')[0]}".lstrip()
         shorter = method if combined else signal.split(" t")[0]
-        brief = what.replace("Sensation level", "Sensation")
+        brief, least = what.replace("Sensation level", "Sensation"), shorter.split(" ")[0]
+        length = over.split(", ")[-1].removeprefix("loudest ")
+        whole, narrow = "Whole arm", "Arm"
         shortened = (
-            (what, signal, over, unit),
-            (what, signal, over, short_unit),
-            (what, shorter, over, short_unit),
-            (what, shorter, over.split(" ", 1)[-1], short_unit),
-            (brief, shorter, over.split(" ", 1)[-1], short_unit),
-            (brief, shorter, "", self._content.quantity.matched),
-            (brief, shorter.split(" ")[0], "", self._content.quantity.matched),
+            (whole, what, signal, over, unit),
+            (whole, what, signal, over, short_unit),
+            (whole, what, shorter, over, short_unit),
+            (whole, brief, shorter, over.split(" ", 1)[-1], short_unit),
+            (whole, brief, shorter, length, short_unit),
+            (narrow, brief, shorter, length, short_unit),
+            (narrow, brief, least, length, short_unit),
+            (narrow, brief, least, "", self._content.quantity.matched),
         )
-        wide = self.width() > 5 * self.arm.fontMetrics().horizontalAdvance("Whole arm")
-        self.arm.setText("Whole arm" if wide else "Arm")
         others = (part for part in (self.rms_window, self.arm) if not part.isHidden())
+        advance = self.arm.fontMetrics().horizontalAdvance
         room = self.width() - sum(part.sizeHint().width() for part in others)
-        fitting = (words for words in shortened if self._width_of(words) <= room)
-        for button, word in zip(self._words, next(fitting, shortened[-1]), strict=True):
+        room += advance(self.arm.text())
+        fitting = (row for row in shortened if advance(row[0]) + self._width_of(row[1:]) <= room)
+        arm, *words = next(fitting, shortened[-1])
+        self.arm.setText(arm)
+        for button, word in zip(self._words, words, strict=True):
             button.show_word(word)
 
     def _width_of(self, words: tuple[str, ...]) -> int:

@@ -107,6 +107,18 @@ def test_where_there_is_little_room_words_are_short_and_nothing_is_cut(window, q
         assert len(shown) == 4 or width < 420
 
 
+@pytest.mark.parametrize("gain", [1.0, 0.5])
+@pytest.mark.parametrize("method", [method.name for method in METHODS])
+def test_every_word_opens_its_menu_beside_a_long_record(window, method, gain):
+    line = window.panel.measure
+    window.panel.resize(414, 640)
+    window.show(window.design.with_clip(1, onset_s=12.34), method=method)
+    window.deliver(match_gain=gain)
+    assert [word.text() for word in line._words if not word.isVisible()] == []
+    assert line.span.text().endswith(" s ▾")
+    assert ("matched" in line.unit.text()) == (gain != 1.0)
+
+
 @pytest.mark.parametrize("key", [Qt.Key.Key_Return, Qt.Key.Key_Down])
 def test_keys_open_the_menu_of_a_word(window, key):
     word, opened = window.panel.measure.axes, []
