@@ -5,7 +5,7 @@ from itertools import count
 from typing import TYPE_CHECKING, Any
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QObject, QRectF, QTimer, Signal
+from PySide6.QtCore import QObject, QRectF, Qt, QTimer, Signal
 
 from skinsource.specs.spec import Spec
 from skinsource_gui.qt.theme import current_theme
@@ -19,6 +19,8 @@ else:
 
 #: What a field says while the selected inputs have different values.
 MIXED = "mixed"
+#: Losses of the focus after which it comes back: what is typed stays.
+TEMPORARY_LOSSES = (Qt.FocusReason.PopupFocusReason, Qt.FocusReason.ActiveWindowFocusReason)
 
 
 class Editor(_Widget):

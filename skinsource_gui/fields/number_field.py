@@ -9,7 +9,7 @@ from PySide6.QtCore import QEvent, QPoint, QRect, QRectF, QSize, Qt, QTimer, Sig
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.specs.numbers import NumberSpec
-from skinsource_gui.fields.editor import MIXED, Burst, Editor, new_gesture
+from skinsource_gui.fields.editor import MIXED, TEMPORARY_LOSSES, Burst, Editor, new_gesture
 from skinsource_gui.fields.units import (
     COARSE,
     EDITED_DIGITS,
@@ -146,9 +146,6 @@ _LEAST_PX = 72
 _GAP_PX, _TEXT_EDGE_PX = 4, 2
 # Events that change the size of letters or of the frame.
 _OTHER_SIZES = (QEvent.Type.FontChange, QEvent.Type.StyleChange)
-_TEMPORARY_LOSSES = frozenset(
-    {Qt.FocusReason.PopupFocusReason, Qt.FocusReason.ActiveWindowFocusReason}
-)
 
 
 class NumberField(Editor, QtWidgets.QLineEdit):
@@ -384,7 +381,7 @@ class NumberField(Editor, QtWidgets.QLineEdit):
 
     def focusOutEvent(self, event: QtGui.QFocusEvent) -> None:
         super().focusOutEvent(event)
-        if not self.editing or event.reason() in _TEMPORARY_LOSSES:
+        if not self.editing or event.reason() in TEMPORARY_LOSSES:
             return
         if self.commit():
             return

@@ -6,7 +6,7 @@ from PySide6.QtCore import QEvent, QMimeData, QSize, Qt, Signal
 from skinsource.base.errors import InvalidInputError
 from skinsource.signals.formula.reading import column_of
 from skinsource.specs.spec import TextSpec
-from skinsource_gui.fields.editor import MIXED, Burst, Editor, TextMark
+from skinsource_gui.fields.editor import MIXED, TEMPORARY_LOSSES, Editor, TextMark, new_gesture
 from skinsource_gui.qt.layouts import tooltip
 
 _MOST_LINES = 6
@@ -17,9 +17,10 @@ _UNDOING = (QtGui.QKeySequence.StandardKey.Undo, QtGui.QKeySequence.StandardKey.
 class LiveText(Editor, QtWidgets.QPlainTextEdit):
     """Edits a text of ``spec``, whose reader checks it while it is typed.
 
-    Each valid text is signalled at once; quick ones share a gesture, until a pause, Enter, or the
-    loss of the focus.  An invalid text stays, underlined where reading stopped; once it is left,
-    the value is the one before the typing, which Esc restores.  A long line is wrapped.
+    Each valid text is signalled at once; all share a gesture, until Enter or the loss of the focus.
+    While the text is invalid, it is underlined where reading stopped, and the value is the one
+    before the typing, whose text comes back with Esc or the loss of the focus.  A long line is
+    wrapped.
     """
 
     #: The new text; number of the gesture that quick successive texts share.
@@ -29,9 +30,10 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
         super().__init__(parent)
         self._spec = spec
         self._value, self._last_read, self._mixed = "", "", False
-        # The value before what is being typed.
+        # The value before what is being typed, None where it was mixed; and the gesture of that.
         self._start: str | None = None
-        self._burst, self._mark = Burst(self), TextMark(self)
+        self._gesture: int | None = None
+        self._mark = TextMark(self)
         self.problem = ""
         self.setAccessibleName(spec.label)
         self.setToolTip(tooltip(spec.label, spec.hint))
@@ -71,6 +73,7 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
         if self.text() != self._value:
             self._mark.put(column_of(reason))
             self._set_problem(reason)
+            self._revert()
 
     def show_mixed(self, mixed: bool, otherwise: str = "") -> None:
         """Say "mixed" in an empty field, or show the value; an empty one says ``otherwise``."""
@@ -112,20 +115,19 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
 
     def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
-            self._burst.end()
             if not self.problem:
-                self._start = None
+                self._gesture = None
         elif event.key() == Qt.Key.Key_Escape:
             event.setAccepted(self.text() != self._value)
-            self._revert()
             self.cancel()
         else:
             super().keyPressEvent(event)
 
     def focusOutEvent(self, event: QtGui.QFocusEvent) -> None:
         super().focusOutEvent(event)
-        self._revert()
-        self._burst.end()
+        if event.reason() not in TEMPORARY_LOSSES:
+            self.cancel()
+            self._gesture = None
 
     def insertFromMimeData(self, source: QMimeData) -> None:
         # A pasted text becomes one line.
@@ -153,21 +155,22 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
             problem, column = str(error), getattr(error, "column", None)
         self._mark.put(column)
         self._set_problem(problem)
-        if not problem and text != self._value:
-            if self._start is None:
-                self._start = self._value
-            self.edited.emit(text, self._burst.gesture())
+        if problem:
+            self._revert()
+        elif text != self._value:
+            if self._gesture is None:
+                self._gesture = new_gesture()
+                self._start = None if self._mixed else self._value
+            self.edited.emit(text, self._gesture)
 
     def _revert(self) -> None:
         """Give up the valid half of a text that became invalid: the value is as before it."""
-        start, self._start = self._start, None
-        if self.problem and start is not None and start != self._value:
-            self._value = start
-            self.edited.emit(start, self._burst.gesture())
+        if self._gesture is not None and self._start not in (None, self._value):
+            self._value = self._start
+            self.edited.emit(self._value, self._gesture)
 
     def _restore(self) -> None:
-        self._start = None
-        self._burst.end()
+        self._gesture = None
         self._last_read = self._value
         self.setPlainText(self._value)
         self._mark.put(None)

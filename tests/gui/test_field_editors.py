@@ -101,15 +101,15 @@ def test_half_a_list_says_what_is_missing_and_esc_brings_it_back(make_cell):
     cell = make_cell(FREQUENCIES, (50.0, 84.1))
     cell.edited.connect(lambda _name, value, _gesture: cell.set_value(value))
     QTest.keyClicks(cell.line, ", 90z")
-    assert cell.edits[-1] == (50.0, 84.1, 90.0)
+    assert (50.0, 84.1, 90.0) in cell.edits
+    assert cell.edits[-1] == (50.0, 84.1)
     assert cell.note == "Frequency: “z” is not one of its units. Units: Hz, kHz."
     QTest.keyClick(cell.line, Qt.Key.Key_Escape)
     assert cell.line.text() == "50, 84.1"
-    assert cell.edits[-1] == (50.0, 84.1)
     assert cell.note == ""
 
 
-def test_of_a_list_left_invalid_no_half_is_taken_and_the_text_stays_marked(make_cell, qtbot):
+def test_of_a_list_left_invalid_no_half_is_taken_and_its_text_comes_back(make_cell, qtbot):
     cell = make_cell(FREQUENCIES, (60.0,))
     cell.activateWindow()
     qtbot.waitUntil(cell.isActiveWindow)
@@ -117,10 +117,11 @@ def test_of_a_list_left_invalid_no_half_is_taken_and_the_text_stays_marked(make_
     cell.line.selectAll()
     QTest.keyClicks(cell.line, "50, 100, abc, 9000")
     assert (50.0, 100.0) in cell.edits
+    assert cell.edits[-1] == (60.0,)
+    assert "abc" in cell.note
     cell.line.clearFocus()
     assert cell.edits[-1] == (60.0,)
-    assert cell.line.text() == "50, 100, abc, 9000"
-    assert "abc" in cell.note
+    assert (cell.line.text(), cell.note) == ("60", "")
 
 
 def test_a_sweep_replaces_the_list_once_it_is_accepted(qtbot, make_cell):
