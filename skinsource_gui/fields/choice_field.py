@@ -8,7 +8,7 @@ from PySide6.QtCore import QEvent, QPointF, Qt, Signal
 from skinsource.base.errors import printable
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.editor import MIXED, Burst, Editor
-from skinsource_gui.qt.layouts import tooltip
+from skinsource_gui.qt.layouts import named, tooltip
 
 # Between an icon and its text.
 _BESIDE_PX = 4
@@ -104,8 +104,7 @@ class ChoiceField(Editor, DropDown):
         self._burst = Burst(self)
         self._unknown, self._empty, self._mixed = "", empty, False
         self.set_spec(spec)
-        self.setAccessibleName(spec.label)
-        self.setToolTip(tooltip(spec.label, spec.hint))
+        named(self, title=spec.label, hint=tooltip(spec.label, spec.hint))
         self.setSizePolicy(
             QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Fixed
         )

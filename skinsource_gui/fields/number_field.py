@@ -28,7 +28,7 @@ from skinsource_gui.fields.units import (
     with_unit,
 )
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
-from skinsource_gui.qt.layouts import show_tip_below, tooltip
+from skinsource_gui.qt.layouts import named, show_tip_below, tooltip
 from skinsource_gui.qt.theme import current_theme, letter_scale, tabular
 from skinsource_gui.qt.wheel import NOTCH
 
@@ -467,8 +467,7 @@ class NumberField(Editor, QtWidgets.QLineEdit):
         symbol = display_unit(self.spec.unit, self.value_si).symbol
         unit_px = max(map(self.fontMetrics().horizontalAdvance, (symbol, self._widest_unit)))
         self.setTextMargins(0, 0, unit_px + _GAP_PX, 0)
-        self.setAccessibleName(self.spec.label)
-        self.setToolTip(help_text(self.spec))
+        named(self, title=self.spec.label, hint=help_text(self.spec))
         self._show(self.value_si)
 
     @property

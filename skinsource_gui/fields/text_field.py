@@ -1,13 +1,13 @@
 """A field for texts with a reader, such as formulas and lists of numbers."""
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEvent, QMimeData, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QMimeData, QSize, Qt, QTimer, Signal
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.signals.formula.reading import column_of
 from skinsource.specs.spec import TextSpec
 from skinsource_gui.fields.editor import MIXED, TEMPORARY_LOSSES, Editor, TextMark, new_gesture
-from skinsource_gui.qt.layouts import tooltip
+from skinsource_gui.qt.layouts import named, show_tip_below, tooltip
 
 _MOST_LINES = 6
 _EDGE_PX = 5
@@ -35,8 +35,7 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
         self._gesture: int | None = None
         self._mark = TextMark(self)
         self.problem = ""
-        self.setAccessibleName(spec.label)
-        self.setToolTip(tooltip(spec.label, spec.hint))
+        named(self, title=spec.label, hint=tooltip(spec.label, spec.hint))
         self.setTabChangesFocus(True)
         # The document has the undo, of each valid text.
         self.setUndoRedoEnabled(False)
@@ -78,12 +77,12 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
     def show_mixed(self, mixed: bool, otherwise: str = "") -> None:
         """Say "mixed" in an empty field, or show the value; an empty one says ``otherwise``."""
         self.setPlaceholderText(MIXED if mixed else otherwise)
+        was_mixed, self._mixed = self._mixed, mixed
         if mixed and self.text() == self._value:
             self._last_read = ""
             self.setPlainText("")
-        elif self._mixed and not mixed and not self.text():
+        elif was_mixed and not mixed and not self.text():
             self._restore()
-        self._mixed = mixed
 
     def cancel(self) -> None:
         """Restore the value."""
@@ -126,8 +125,11 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
     def focusOutEvent(self, event: QtGui.QFocusEvent) -> None:
         super().focusOutEvent(event)
         if event.reason() not in TEMPORARY_LOSSES:
-            self.cancel()
             self._gesture = None
+            if problem := self.problem:
+                self._restore()
+                # The widget that gets the focus now hides tooltips.
+                QTimer.singleShot(0, self, lambda: show_tip_below(self, problem))
 
     def insertFromMimeData(self, source: QMimeData) -> None:
         # A pasted text becomes one line.
@@ -171,8 +173,8 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
 
     def _restore(self) -> None:
         self._gesture = None
-        self._last_read = self._value
-        self.setPlainText(self._value)
+        self._last_read = "" if self._mixed else self._value
+        self.setPlainText(self._last_read)
         self._mark.put(None)
         self._set_problem("")
 

@@ -21,7 +21,7 @@ from skinsource_gui.plots.figure import Axes, Axis, fitted_axes
 from skinsource_gui.plots.ranges import CachedColumns, Range, linear_ticks, wave_of
 from skinsource_gui.qt.buttons import paint_swatch
 from skinsource_gui.qt.frames import CachedPicture
-from skinsource_gui.qt.layouts import show_tooltip
+from skinsource_gui.qt.layouts import named, show_tooltip
 from skinsource_gui.qt.theme import (
     UNIT_PX,
     current_theme,
@@ -41,8 +41,7 @@ class _Preview(QtWidgets.QWidget):
 
     def __init__(self, name: str, title: str) -> None:
         super().__init__()
-        self.setObjectName(name)
-        self.setAccessibleName(title)
+        named(self, name, title)
         self.setFont(tabular(self.font()))
         self.setSizePolicy(
             QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Expanding

@@ -213,10 +213,6 @@ def wired_channel(rig: Rig, place: int | None) -> RigChannel:
     return channel
 
 
-#: Text on the calibration where no rig is known.
-UNCALIBRATED = "uncalibrated: no rig says how many volts, and how many m/s², a sample of 1 is"
-
-
 @checking
 def calibration_words(rig: Rig | None, places: Sequence[int]) -> str:
     """Return the text on the calibration of these places for exports and the player.
@@ -231,7 +227,7 @@ def calibration_words(rig: Rig | None, places: Sequence[int]) -> str:
     uncalibrated: no rig says how many volts, and how many m/s², a sample of 1 is
     """
     if rig is None:
-        return UNCALIBRATED
+        return "uncalibrated: no rig says how many volts, and how many m/s², a sample of 1 is"
     missing = []
     for place in places:
         channel = rig.channel_of(place)

@@ -17,7 +17,6 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QLineF, QRectF, QSize, Qt, Signal
 
 from skinsource.actuators.equalising import RegularisedInverse
-from skinsource.actuators.rigs import UNCALIBRATED
 from skinsource.base.conventions import Floats
 from skinsource.base.errors import Stopped, counted, sentence
 from skinsource.design.amplitudes import amplitude_unit
@@ -195,7 +194,6 @@ class StimulusPart(ExportPart):
         self._design, self._view, self._stem = design, view, stem
         self._colours = {track.id: track.colour for track in design.inputs}
         self._ordered: Order | None = None
-        self._mending: Edit | None = None
         #: What is shown, and would be written; None while it is prepared.
         self.prepared: PreparedStimulus | None = None
         self.form = StimulusForm(design, view)
@@ -211,7 +209,7 @@ class StimulusPart(ExportPart):
         self._confirm = named(QtWidgets.QCheckBox("Write anyway"), "stimulus_confirm")
         self._confirm.hide()
         self._mend = page_button("stimulus_mend", "", "Makes it playable")
-        self._mend.clicked.connect(self._apply_mend)
+        self._mend.clicked.connect(lambda: self._mending())
         self._mend.hide()
         self._copy = page_button("stimulus_copy_methods", "", "Text for the methods of a paper")
         self._copy.clicked.connect(self._copy_methods)
@@ -328,15 +326,13 @@ class StimulusPart(ExportPart):
         kept = replace(design, actuation=self._design.actuation)
         return None if found is None else replace(found, design=kept)
 
-    def _apply_mend(self) -> None:
-        if self._mending is not None:
-            self.edited.emit(self._mending, None)
-        elif self.prepared is not None:
-            self.form.choose_full_scale(self.prepared.remedy_v)
-
     def _offer_mend(self, edit: Edit | None, _error: Exception | None) -> None:
-        self._mending = edit
-        show_or_hide(self._mend, edit.label if edit else "")
+        self._offer(edit.label if edit else "", partial(self.edited.emit, edit, None))
+
+    def _offer(self, remedy: str, mend: Callable[[], object]) -> None:
+        """Offer a remedy as a button; "": none."""
+        self._mending = mend
+        show_or_hide(self._mend, remedy)
 
     def _show_computed(self, prepared: Any) -> None:
         self._show_channels(prepared)
@@ -348,11 +344,12 @@ class StimulusPart(ExportPart):
         self.prepared = prepared
         self.channels.show_channels(prepared.channels, self._colours)
         silent = "" if self._ordered is None else left_out(self._design, self._ordered.options)
-        notes = silent, prepared.edges, prepared.loses, calibration_of(prepared)
+        calibration = sentence(f"{prepared.calibration[:1].upper()}{prepared.calibration[1:]}")
+        notes = silent, prepared.edges, prepared.loses, calibration
         self._notes.setText(" ".join(filter(None, notes)))
         set_tone(self._notes, "warning" if prepared.misfit or prepared.misscaled else "dim")
-        volts = prepared.remedy_v
-        show_or_hide(self._mend, f"Full scale of {volts:g} V" if volts else "")
+        if volts := prepared.remedy_v:
+            self._offer(f"Full scale of {volts:g} V", partial(self.form.choose_full_scale, volts))
 
     def _show_progress(self, order: Order, done: int, total: int) -> None:
         if order is self._ordered:
@@ -406,16 +403,6 @@ def left_out(design: Design, options: StimulusOptions) -> str:
         and (every or track.id in ids or any(clip.id in clips for clip in track.clips))
     ]
     return f"Left out: {', '.join(silent)}." if silent else ""
-
-
-def calibration_of(prepared: PreparedStimulus) -> str:
-    """Return a sentence on whether accelerations follow from the samples."""
-    if prepared.calibration == UNCALIBRATED:
-        return (
-            "Uncalibrated: full scale is that of the design. Choose a rig to know what the "
-            "device sends."
-        )
-    return sentence(f"{prepared.calibration[:1].upper()}{prepared.calibration[1:]}")
 
 
 #: Of the worker's tasks: only the condition that was pointed at last is prepared.

@@ -28,7 +28,7 @@ from skinsource_gui.panels.skin.settings import (
 from skinsource_gui.plots.small_map import COLOURS
 from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.keys import key_text
-from skinsource_gui.qt.layouts import in_row, show_tooltip, tooltip
+from skinsource_gui.qt.layouts import in_row, named, show_tooltip, tooltip
 
 _ARROW = " ▾"
 
@@ -70,9 +70,7 @@ class MeasureWord(QtWidgets.QToolButton):
         parent: QtWidgets.QWidget,
     ) -> None:
         super().__init__(parent)
-        self.setObjectName(name)
-        self.setAccessibleName(title)
-        self.setToolTip(tooltip(title, hint))
+        named(self, name, title, tooltip(title, hint))
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
         menu = QtWidgets.QMenu(self)
@@ -200,16 +198,15 @@ class MeasureLine(QtWidgets.QWidget):
         shorter = method if combined else signal.split(" t")[0]
         brief, least = what.replace("Sensation level", "Sensation"), shorter.split(" ")[0]
         length = over.split(", ")[-1].removeprefix("loudest ")
-        whole, narrow = "Whole arm", "Arm"
         shortened = (
-            (whole, what, signal, over, unit),
-            (whole, what, signal, over, short_unit),
-            (whole, what, shorter, over, short_unit),
-            (whole, brief, shorter, over.split(" ", 1)[-1], short_unit),
-            (whole, brief, shorter, length, short_unit),
-            (narrow, brief, shorter, length, short_unit),
-            (narrow, brief, least, length, short_unit),
-            (narrow, brief, least, "", self._content.quantity.matched),
+            ("Whole arm", what, signal, over, unit),
+            ("Whole arm", what, signal, over, short_unit),
+            ("Whole arm", what, shorter, over, short_unit),
+            ("Whole arm", brief, shorter, over.split(" ", 1)[-1], short_unit),
+            ("Whole arm", brief, shorter, length, short_unit),
+            ("Arm", brief, shorter, length, short_unit),
+            ("Arm", brief, least, length, short_unit),
+            ("Arm", brief, least, "", self._content.quantity.matched),
         )
         others = (part for part in (self.rms_window, self.arm) if not part.isHidden())
         advance = self.arm.fontMetrics().horizontalAdvance
@@ -247,7 +244,9 @@ class MeasureLine(QtWidgets.QWidget):
         automatic.setCheckable(True)
         automatic.setChecked(not shown.fixed)
         automatic.toggled.connect(
-            lambda on: self._look(with_range(settings, None if on else shown.value_range))
+            lambda on: self.settings_chosen.emit(
+                with_range(settings, None if on else shown.value_range)
+            )
         )
         menu.addSeparator()
         offer(menu, MAP_STYLE.options, settings.map_style, partial(self._choose, "map_style"))
@@ -265,10 +264,7 @@ class MeasureLine(QtWidgets.QWidget):
         offer(menu, COLOURS.options, self._settings.colours, partial(self._choose, "colours"))
 
     def _choose(self, field: str, value: Any) -> None:
-        self._look(replace(self._settings, **{field: value}))
-
-    def _look(self, settings: SkinSettings) -> None:
-        self.settings_chosen.emit(settings)
+        self.settings_chosen.emit(replace(self._settings, **{field: value}))
 
     def _edit(self, edit: Callable[[Design, View, str], Edit | Refusal], value: str) -> None:
         if self._design is not None:

@@ -44,7 +44,7 @@ from skinsource_gui.plots.ranges import SteadyRange
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.keys import key_text
 from skinsource_gui.qt.labels import FittingLabel, FixedLabel
-from skinsource_gui.qt.layouts import in_column, in_row, tooltip
+from skinsource_gui.qt.layouts import in_column, in_row, named, tooltip
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, set_tone, tabular
 from skinsource_gui.qt.wheel import WHOLE
 from skinsource_gui.state.compared import Compared
@@ -61,8 +61,7 @@ PICTURE_PX = (1200, 1800)
 def _line(name: str, title: str, parent: QtWidgets.QWidget) -> FittingLabel:
     """Return a line of text that takes any width."""
     line = FittingLabel(parent)
-    line.setObjectName(name)
-    line.setAccessibleName(title)
+    named(line, name, title)
     line.setAlignment(Qt.AlignmentFlag.AlignLeft)
     line.setFont(tabular(line.font()))
     line.setSizePolicy(QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Fixed)

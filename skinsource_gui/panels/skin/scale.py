@@ -27,7 +27,7 @@ from skinsource_gui.panels.skin.settings import (
 from skinsource_gui.plots.small_map import ColourScale, paint_ramp
 from skinsource_gui.qt.frames import CachedPicture
 from skinsource_gui.qt.keys import meaning_of
-from skinsource_gui.qt.layouts import in_row, tooltip
+from skinsource_gui.qt.layouts import in_row, named, tooltip
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
 
 #: Returns a range of which an end, or both, was moved.
@@ -96,8 +96,7 @@ class ColourStrip(QtWidgets.QWidget):
         self._held: tuple[LevelRange, float, Change] | None = None
         self._marks: tuple[tuple[float, int], ...] = ()
         self._picture = CachedPicture()
-        self.setObjectName("colour_strip")
-        self.setAccessibleName("Range of the colours")
+        named(self, "colour_strip", "Range of the colours")
         hint = "Drag an end, or between; double-click: automatic"
         self.setToolTip(tooltip("Range of the colours", hint))
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -204,9 +203,7 @@ def _alike(limit: float) -> LevelRange:
 
 def _end_field(name: str, spec: NumberSpec, parent: QtWidgets.QWidget) -> NumberField:
     field = NumberField(spec, parent, widest_unit=spec.unit)
-    field.setObjectName(name)
-    field.setAccessibleName(spec.label)
-    field.setToolTip(tooltip(spec.label, spec.hint))
+    named(field, name, spec.label, tooltip(spec.label, spec.hint))
     return field
 
 

@@ -13,7 +13,7 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.panels.skin.settings import MAGNITUDE, RMS, SkinSettings, Z, time_text
 from skinsource_gui.qt.keys import shortcut_text
-from skinsource_gui.qt.layouts import in_row, tooltip
+from skinsource_gui.qt.layouts import in_row, named, tooltip
 from skinsource_gui.qt.theme import UNIT_PX, icon_of, tabular
 
 #: How many times slower it can be chosen to run.
@@ -71,8 +71,7 @@ class ScrubBar(QtWidgets.QWidget):
         )
         self.slider = QtWidgets.QSlider(Qt.Orientation.Horizontal, self)
         self.slider.setObjectName("skin_time")
-        self.slider.setAccessibleName("Time")
-        self.slider.setToolTip("Drag through time; arrow keys step by a millisecond")
+        named(self.slider, title="Time", hint="Drag through time; arrow keys step by a millisecond")
         self.slider.setSingleStep(_STEP)
         self.slider.setPageStep(_PAGE)
         self.slider.valueChanged.connect(lambda tenths: self.time_requested.emit(tenths / _PER_S))

@@ -424,6 +424,9 @@ def test_a_mixed_list_is_an_empty_line_and_what_is_typed_sets_all(qtbot):
     line = next(line for line in bench.panel.findChildren(LiveText) if line.isVisible())
     assert (line.text(), line.placeholderText()) == ("", "mixed")
     line.setFocus()
+    QTest.keyClicks(line, "abc")
+    QTest.keyClick(line, Qt.Key.Key_Escape)
+    assert (line.text(), bench.edits) == ("", [])
     QTest.keyClicks(line, "80, 90")
     assert {track.clips[0].waveform.frequencies_hz for track in bench.design.inputs} == {
         (80.0, 90.0)

@@ -220,12 +220,12 @@ def vary(part, qtbot, row, name, values):
     qtbot.waitUntil(lambda: part.planned is not None and not part._worker.busy, timeout=WAIT_MS)
 
 
-def type_in(part, editor, text):
+def type_in(part, editor, text, end=Qt.Key.Key_Tab):
     editor.line.setFocus()
     editor.line.selectAll()
     QTest.keyClick(editor.line, Qt.Key.Key_Delete)
     QTest.keyClicks(editor.line, text)
-    QTest.keyClick(editor.line, Qt.Key.Key_Tab)
+    QTest.keyClick(editor.line, end)
 
 
 def levels_of(part, qtbot):
@@ -291,7 +291,7 @@ def test_values_that_are_refused_are_marked_with_the_reason_and_not_exported(par
     part.variables[0].choose("2.frequency_hz")
     editor = part.values[part.variables[0]]
     type_in(part, editor, "50,120")
-    type_in(part, editor, text)
+    type_in(part, editor, text, Qt.Key.Key_Return)
     assert editor.line.problem in part._problem.text() != ""
     frame = editor.line.viewport().grab().toImage().pixelColor(20, 1)
     assert frame == QColor(current_theme().error)

@@ -24,8 +24,6 @@ Facts = Mapping[str, Any]
 Choices = Mapping[str, str]
 
 SAMPLES = "samples"
-#: A smaller difference of full scales is not reported.
-LEAST_MISSCALED_DB = 0.1
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -243,12 +241,13 @@ class StimulusFormat(ABC):
     def scale_text(self, full_scale_v: float) -> str:
         """Return what full scale is in a file and of the device, and what the difference does."""
         text = f"Full scale is {full_scale_v:.3g} V here, {self.device_v:g} V {self.device}"
-        level_db = float(decibels(self.device_v / full_scale_v))
-        if abs(level_db) < LEAST_MISSCALED_DB:
+        times = self.device_v / full_scale_v
+        level_db = round(float(decibels(times)), 1)
+        if not level_db:
             return text
-        times = float(f"{10.0 ** (abs(level_db) / 20.0):.3g}")
-        way = "strong" if level_db > 0.0 else "weak"
-        return f"{text}: the drive is {times:g} times ({abs(level_db):.1f} dB) too {way} there"
+        more, way = (times, "strong") if times > 1.0 else (1.0 / times, "weak")
+        there = f"{float(f'{more:.3g}'):g} times ({abs(level_db):.1f} dB) too {way}"
+        return f"{text}: the drive is {there} there"
 
     def rounds(self, choices: Choices) -> bool:
         """Return whether whole numbers are written, so that dither is possible."""

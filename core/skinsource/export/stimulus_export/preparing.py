@@ -39,12 +39,7 @@ from skinsource.engine.stimulus import (
     with_silence,
     with_sync,
 )
-from skinsource.export.formats.format import (
-    LEAST_MISSCALED_DB,
-    ChannelOverview,
-    StimulusFile,
-    StimulusFormat,
-)
+from skinsource.export.formats.format import ChannelOverview, StimulusFile, StimulusFormat
 from skinsource.export.stimulus_export.options import Nothing, StimulusOptions
 from skinsource.signals.resampling import half_transition, passed
 from skinsource.specs import models
@@ -221,8 +216,7 @@ class PreparedStimulus:
     def remedy_v(self) -> float:
         """Full scale of the device, where the files, in volts, have another one; else 0."""
         device_v = self.format.device_v if self.drives.unit == "V" else 0.0
-        fits = device_v and abs(decibels(device_v * self.gain)) < LEAST_MISSCALED_DB
-        return 0.0 if fits else device_v
+        return device_v if round(float(decibels(device_v * self.gain)), 1) else 0.0
 
     @property
     def misscaled(self) -> str:
