@@ -133,9 +133,8 @@ class MeasureLine(QtWidgets.QWidget):
             self,
         )
         self.rms_window = NumberField(RMS_WINDOW, self, widest_unit="ms")
-        self.rms_window.setObjectName("skin_rms_window")
-        self.rms_window.setAccessibleName(RMS_WINDOW.label)
-        self.rms_window.setToolTip(tooltip(RMS_WINDOW.label, RMS_WINDOW.hint))
+        hint = tooltip(RMS_WINDOW.label, RMS_WINDOW.hint)
+        named(self.rms_window, "skin_rms_window", RMS_WINDOW.label, hint)
         self.arm = tool_button(
             self,
             "map_arm",

@@ -96,9 +96,8 @@ class ColourStrip(QtWidgets.QWidget):
         self._held: tuple[LevelRange, float, Change] | None = None
         self._marks: tuple[tuple[float, int], ...] = ()
         self._picture = CachedPicture()
-        named(self, "colour_strip", "Range of the colours")
-        hint = "Drag an end, or between; double-click: automatic"
-        self.setToolTip(tooltip("Range of the colours", hint))
+        title, hint = "Range of the colours", "Drag an end, or between; double-click: automatic"
+        named(self, "colour_strip", title, tooltip(title, hint))
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         # It paints all of its area, so that nothing behind it has to be painted.
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)

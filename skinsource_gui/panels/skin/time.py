@@ -70,8 +70,9 @@ class ScrubBar(QtWidgets.QWidget):
             )
         )
         self.slider = QtWidgets.QSlider(Qt.Orientation.Horizontal, self)
-        self.slider.setObjectName("skin_time")
-        named(self.slider, title="Time", hint="Drag through time; arrow keys step by a millisecond")
+        named(
+            self.slider, "skin_time", "Time", "Drag through time; arrow keys step by a millisecond"
+        )
         self.slider.setSingleStep(_STEP)
         self.slider.setPageStep(_PAGE)
         self.slider.valueChanged.connect(lambda tenths: self.time_requested.emit(tenths / _PER_S))
@@ -82,15 +83,8 @@ class ScrubBar(QtWidgets.QWidget):
         self.pace = ChoiceField(replace(PACE, options=options), self)
         self.pace.setObjectName("skin_pace")
         self.pace.setMinimumContentsLength(5)
-        in_row(
-            self.play,
-            (self.slider, 1),
-            self.time,
-            self.pace,
-            of=self,
-            margins=0,
-            gap_px=UNIT_PX // 2,
-        )
+        row = self.play, (self.slider, 1), self.time, self.pace
+        in_row(*row, of=self, margins=0, gap_px=UNIT_PX // 2)
         self.play.setIcon(icon_of("play"))
 
     def show_time(self, view: View, end_s: float) -> None:

@@ -130,14 +130,8 @@ def test_keys_open_the_menu_of_a_word(window, key):
 
 
 def test_the_automatic_range_follows_the_loudest_output_alone(window):
-    for loudest, top in (
-        (-11.0, -10),
-        (-5.0, -5),
-        (-4.9, 0),
-        (-200.0, 0),
-        (-190.0, -150),
-        (333.0, 200),
-    ):
+    tops = {-11.0: -10, -5.0: -5, -4.9: 0, -200.0: 0, -190.0: -150, 333.0: 200}
+    for loudest, top in tops.items():
         assert map_range_db(np.array([-200.0, loudest])) == (top - 50.0, top)
     # The same levels have the same colours, whatever was shown before.
     for by, top in ((0.9, -10.0), (-6.0, -15.0), (1.1, -5.0), (-6.0, -15.0), (-15.0, -25.0)):
