@@ -184,11 +184,7 @@ class StimulusPart(ExportPart):
     edited = Signal(object, object)
 
     def __init__(
-        self,
-        design: Design,
-        view: View,
-        last_settings: str = "",
-        stem: str = "stimulus",
+        self, design: Design, view: View, last_settings: str = "", stem: str = "stimulus"
     ) -> None:
         super().__init__(self.name)
         self._design, self._view, self._stem = design, view, stem

@@ -60,15 +60,10 @@ class ScrubBar(QtWidgets.QWidget):
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
         self.play = QtWidgets.QToolButton(self)
-        self.play.setObjectName("skin_play")
+        hint = f"{shortcut_text('pause')} pauses at the playhead, and continues."
+        hint = tooltip(f"Play or stop ({shortcut_text('play')})", hint)
+        named(self.play, "skin_play", "Play or stop", hint)
         self.play.setIconSize(QSize(14, 14))
-        self.play.setAccessibleName("Play or stop")
-        self.play.setToolTip(
-            tooltip(
-                f"Play or stop ({shortcut_text('play')})",
-                f"{shortcut_text('pause')} pauses at the playhead, and continues.",
-            )
-        )
         self.slider = QtWidgets.QSlider(Qt.Orientation.Horizontal, self)
         named(
             self.slider, "skin_time", "Time", "Drag through time; arrow keys step by a millisecond"
