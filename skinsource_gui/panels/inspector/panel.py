@@ -1,6 +1,6 @@
 """The clip panel: fields of the selected inputs and clips, their picture and their effects."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from functools import lru_cache, partial
 from typing import Any
@@ -341,9 +341,9 @@ def _values(track: Input, clip: Clip | None) -> dict[str, object]:
     return {**own, DURATION_FIELD: length_s, "kind": kind, "location": str(track.location)}
 
 
-def _text_of_all(text_of: Callable[[Clip], str], clips: list[Clip]) -> str:
-    """Return the text of each of some clips, or that they differ; "" without any."""
-    texts = {text_of(clip) for clip in clips}
+def _text_of_all(text_of: Callable[[Any], str], things: Iterable[Any]) -> str:
+    """Return the text of each of some clips or inputs, or that they differ; "" without any."""
+    texts = {text_of(thing) for thing in things}
     return MIXED if len(texts) > 1 else "".join(texts)
 
 
@@ -570,7 +570,8 @@ class InspectorPanel(Panel):
         self._fields.meaning.show_scaling(self._design)
         amplitude, peak = amplitude_spec(self._design), ""
         if is_gain(self._design, track):
-            amplitude, peak = AMPLITUDE_GAIN, peak_text(self._design, track)
+            amplitude = AMPLITUDE_GAIN
+            peak = _text_of_all(partial(peak_text, self._design), batch)
         self._fields.show_limb(limb)
         self._fields.show_input(track, batch, amplitude, self._view, peak)
         self._chain.show_chain(self._design, self._view, clip, clips)

@@ -430,6 +430,21 @@ def test_a_mixed_list_is_an_empty_line_and_what_is_typed_sets_all(qtbot):
     }
 
 
+def test_mixed_names_and_peaks_say_so_and_a_typed_name_names_all(qtbot):
+    samples = Samples(values=np.hanning(780), sample_rate_hz=1300.0, unit="m/s²")
+    louder = replace(samples, values=2 * samples.values)
+    bench = Bench(qtbot, design_of(Recording(samples, name="a"), Recording(louder, name="b")))
+    bench.show(selected_inputs=(1, 2))
+    line = bench.panel.findChild(TextLine, "name_field")
+    assert (line.text(), line.placeholderText()) == ("", "mixed")
+    assert bench.label("peak").text() == "mixed"
+    line.setFocus()
+    QTest.keyClicks(line, "b")
+    QTest.keyClick(line, Qt.Key.Key_Return)
+    assert {clip.waveform.name for clip in bench.design.clips} == {"b"}
+    assert line.placeholderText() == ""
+
+
 def test_a_mixed_number_that_is_left_without_typing_stays_as_it_is(qtbot):
     bench = two(qtbot)
     bench.type("frequency_hz", "")
