@@ -173,7 +173,9 @@ class MoveEnd(_EndDrag):
         stretches = held & (Modifier.AltModifier | Modifier.ShiftModifier)
         act = edits.stretch_clip if stretches else edits.trim_clip
         self._context.edit(act, self._clip.id, start_s, end_s)
-        length = value_text(end_s - start_s, "s", digits=5)
+        # It is as long as it can be, and may be gone.
+        lasts_s = self._context.now.lengths.durations_s.get(self._clip.id, 0.0)
+        length = value_text(lasts_s, "s", digits=5)
         text = f"Stretched to {length}" if stretches else f"{length} · Shift: stretch"
         return GesturePreview(guide_s=rest.guide_s, label=text)
 
