@@ -748,7 +748,8 @@ class ImportPage(ToolPage):
     places
         Name and text of each place that the recording can go to, the likeliest one first.
     put_at
-        Makes the edit that puts recordings at one of them, which says where that is.
+        Makes the edit that puts recordings at one of them, and those of the files that follow at
+        the next, which says where that is.
     made
         Choices that were made for other files, as ``made`` of their forms has them.  A file of one
         of these shapes is imported with the same without asking, where that is possible; others
@@ -777,7 +778,8 @@ class ImportPage(ToolPage):
         super().__init__(parent, "import_page", f"Import {path_text(Path(path.name))}", (820, 520))
         self._band_hz, self._made = limb.band_hz, made or {}
         self.asks = not any(self._made)
-        self.same = named(QtWidgets.QCheckBox(), "import_same")
+        hint = "Each file is scaled to its own peak"
+        self.same = named(QtWidgets.QCheckBox(), "import_same", hint=hint)
         self.same.hide()
         self.form: ChoiceForm | None = None
         self._recordings: tuple[Recording, ...] = ()

@@ -261,7 +261,7 @@ def test_a_recording_replaces_what_stands_for_one_or_another(desk, page_at, soun
     document, track, clip = desk.document, *placeholder
     first = actions.options(document.design, document.view, None)[0]
     assert first[0] == f"clip {clip.id}"
-    assert first[1].startswith("In place of the recording on input 1, place ")
+    assert first[1].startswith("In place of the recording at ")
     page_at(sound).accept()
     (now,) = document.design.inputs[0].clips
     assert now.waveform.name == "tap.wav, channel 1"
@@ -360,6 +360,7 @@ def test_files_of_one_shape_are_asked_about_once(desk, qtbot, sound, tmp_path, a
     answers["several"] = [str(path) for path in (sound, sound, mono, sound)]
     imports.ask_and_import()
     choose(looked_at(imports.pages[0], qtbot), qtbot, "signal", "1")
+    assert where(imports.pages[0]).endswith(" on 7 (II pad), 8 (III pad), 9 (IV pad), 10 (V pad)")
     imports.pages[0].same.click()
     imports.pages[0].accept()
     # What has another shape is asked about.
