@@ -351,6 +351,20 @@ class LaneLayer(pyqtgraph.GraphicsObject):
         return changed
 
 
+def paint_silence_reason(painter: QtGui.QPainter, lane: Lane, strip: QRectF) -> float:
+    """Write why a lane is silent at the right end of its strip; return where what is free ends."""
+    if not lane.silent:
+        return strip.right()
+    theme, metrics = current_theme(), QtGui.QFontMetricsF(painter.font())
+    width, height = metrics.horizontalAdvance(lane.silent) + 6, metrics.height()
+    left, top = strip.right() - _SIDE_PX - width, strip.bottom() - MARGIN_PX - height
+    room = QRectF(left, top, width, height)
+    painter.fillRect(room, QtGui.QColor(theme.base))
+    painter.setPen(QtGui.QColor(theme.error if lane.problem else theme.dim))
+    painter.drawText(room, Qt.AlignmentFlag.AlignCenter, lane.silent)
+    return left
+
+
 class LanesItem(LaneLayer):
     """Paints lanes, clips and ruler.
 
@@ -412,9 +426,9 @@ class LanesItem(LaneLayer):
         painter.drawLines(grid_lines(content.scale, lanes))
         self._paint_after_end(painter, content, lanes)
         for lane in shown:
-            self._paint_silence_reason(painter, lane)
             self._paint_clips(painter, content, lane, lanes)
             self._paint_overlaps(painter, content, lane)
+            paint_silence_reason(painter, lane, self._strip(lane))
         self.painted_lanes += len(shown)
         painter.restore()
         ruler = QRectF(rect.left(), 0, rect.width(), content.ruler_px)
@@ -451,16 +465,6 @@ class LanesItem(LaneLayer):
         painter.drawLine(
             QLineF(strip.left(), strip.bottom() - 0.5, strip.right(), strip.bottom() - 0.5)
         )
-
-    def _paint_silence_reason(self, painter: QtGui.QPainter, lane: Lane) -> None:
-        """Write why a lane is silent."""
-        if not lane.silent:
-            return
-        flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
-        room = self._strip(lane).adjusted(0, 0, -_SIDE_PX, -3)
-        theme = current_theme()
-        painter.setPen(QtGui.QColor(theme.error if lane.problem else theme.dim))
-        painter.drawText(room, flags, lane.silent)
 
     def _paint_after_end(
         self, painter: QtGui.QPainter, content: TimelineContent, lanes: QRectF

@@ -48,6 +48,20 @@ def changed(lanes, index, **changes):
     lanes.show(lanes.design.with_clip(clip.id, **changes))
 
 
+def test_words_on_a_silent_lane_look_the_same_over_clips_and_gain_curves(lanes):
+    lanes.view = replace(lanes.view, time_range_s=(0.0, 0.1), selected_inputs=())
+    clips = (Clip(waveform=TONE),)
+    full = Input(location=1, clips=clips, muted=True, gain_curve=((0.0, 0.1), (0.1, 0.05)))
+    lanes.show(Design(limb="synthetic-1", inputs=(full, replace(full, clips=(), gain_curve=()))))
+    lanes.panel.show_results(results_of(lanes.design))
+    settled(lanes)
+    seen, right = picture(lanes), lanes.lanes.width() - 20
+    over, free = (
+        seen.copy(right - 20, round(lane.bottom_px) - 16, 20, 11) for lane in lanes.content.lanes
+    )
+    assert over == free
+
+
 def test_a_lane_that_cannot_be_played_is_framed_and_no_other(four_lanes):
     before = picture(four_lanes)
     (unplayable, *_) = four_lanes.design.inputs
