@@ -36,7 +36,7 @@ from skinsource_gui.fields.grid import EditedCell
 from skinsource_gui.fields.kinds import KindField
 from skinsource_gui.fields.number_field import NumberField, outside_band_text
 from skinsource_gui.fields.parts import PartsEditor
-from skinsource_gui.fields.text_field import LiveText
+from skinsource_gui.fields.text_field import UNDOING, LiveText
 from skinsource_gui.fields.units import (
     as_known,
     column_label,
@@ -316,7 +316,7 @@ class TextLine(Editor, QtWidgets.QLineEdit):
 
     def __init__(self, spec: TextSpec, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
-        self._value, self._mixed = "", False
+        self._value = ""
         self.setMaxLength(spec.longest)
         named(self, title=spec.label, hint=tooltip(spec.label, spec.hint))
         self.editingFinished.connect(self._tell)
@@ -329,9 +329,9 @@ class TextLine(Editor, QtWidgets.QLineEdit):
 
     def show_mixed(self, mixed: bool) -> None:
         """Say "mixed" in an empty line, or show the text."""
-        if mixed != self._mixed:
-            self._mixed = mixed
-            self.setPlaceholderText(MIXED if mixed else "")
+        said = MIXED if mixed else ""
+        if said != self.placeholderText():
+            self.setPlaceholderText(said)
             self.cancel()
 
     def cancel(self) -> None:
@@ -339,12 +339,10 @@ class TextLine(Editor, QtWidgets.QLineEdit):
         self.setText(self._shown)
 
     def event(self, event: QEvent) -> bool:
-        if isinstance(event, QtGui.QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride:
-            undoes = event.matches(QtGui.QKeySequence.StandardKey.Undo)
-            redoes = event.matches(QtGui.QKeySequence.StandardKey.Redo)
-            if (undoes or redoes) and self.text() == self._shown:
-                event.ignore()
-                return True
+        undoes = isinstance(event, QtGui.QKeyEvent) and any(map(event.matches, UNDOING))
+        if event.type() == QEvent.Type.ShortcutOverride and undoes and self.text() == self._shown:
+            event.ignore()
+            return True
         return super().event(event)
 
     def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
@@ -354,7 +352,7 @@ class TextLine(Editor, QtWidgets.QLineEdit):
 
     @property
     def _shown(self) -> str:
-        return "" if self._mixed else self._value
+        return "" if self.placeholderText() else self._value
 
     def _tell(self) -> None:
         if self.text() != self._shown:

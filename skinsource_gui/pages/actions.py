@@ -57,7 +57,11 @@ def options(design: Design, view: View, place: DropPlace | None) -> tuple[tuple[
     """Return name and text of each place that a recording can go to, the likeliest one first."""
     at, selected = place or DropPlace(), leading_input(design, view)
     ids = view.selected_inputs[-1:] if at.input_id is None else (at.input_id,)
-    tracks = [_track(design, track.id) for track in design.inputs if track.id in ids]
+    tracks = [
+        (f"track {track.id}", f"Track at {location_text(track.location, design.limb)}")
+        for track in design.inputs
+        if track.id in ids
+    ]
     first = at.location or (usual_location(design.limb) if selected is None else selected.location)
     locations = [first, *(k for k in range(1, facts_of(design.limb).n_inputs + 1) if k != first)]
     new = [(f"new {k}", f"New input at {location_text(k, design.limb)}") for k in locations]
@@ -78,10 +82,6 @@ def _instead(design: Design, view: View) -> tuple[tuple[str, str], bool] | None:
     where = location_text(design.track_of(clip.id).location, design.limb)
     # Samples without a name were taken over from another kind of waveform.
     return (f"clip {clip.id}", f"In place of the recording at {where}"), not clip.waveform.name
-
-
-def _track(design: Design, id: int) -> tuple[str, str]:
-    return f"track {id}", f"Track at {location_text(design.input(id).location, design.limb)}"
 
 
 @refusing

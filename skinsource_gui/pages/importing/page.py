@@ -53,7 +53,7 @@ from skinsource_gui.plots.preview import SpectrumPreview
 from skinsource_gui.plots.ranges import Range, XAxis, wave_of
 from skinsource_gui.qt.buttons import Answer, answers, page_label, progress_bar
 from skinsource_gui.qt.layouts import form_of, in_column, in_row, named
-from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular, translucent
 from skinsource_gui.state.worker import Worker, fault_text
 
 #: Sample rate of a file that states none, until one is typed.
@@ -344,8 +344,7 @@ class ChoiceForm(QtWidgets.QWidget):
         self._form.setRowVisible(self._time_unit, timestamps is not None and not timestamps.is_time)
 
     def _choice_in_fields(self) -> ImportChoice:
-        timing = self._timing.value
-        timestamps = self._contents.one(timing)
+        timestamps = self._contents.one(self._timing.value)
         unit_s = (
             timestamps.time_unit_s
             if timestamps and timestamps.is_time
@@ -524,8 +523,8 @@ class OverviewStrip(pyqtgraph.PlotWidget):
             self.hideAxis(axis)
         self.setDefaultPadding(0.0)
         self._curve = self.plot(connect="pairs", pen=current_theme().dim)
-        shade, edge = QtGui.QColor(current_theme().accent), QtGui.QColor(current_theme().accent)
-        shade.setAlpha(_SHADE_ALPHA)
+        edge = current_theme().accent
+        shade = translucent(edge, _SHADE_ALPHA)
         self._part = pyqtgraph.LinearRegionItem(brush=shade, hoverBrush=shade, pen=edge)
         self.addItem(self._part)
         self._part.sigRegionChanged.connect(self._tell)

@@ -73,12 +73,11 @@ from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.panel import Panel
 
 
-def _button_cell(
-    label: str, text: str, hint: str, *, name: str, clicked: SignalInstance
-) -> LabelledCell:
-    """Return a cell with a button that leads to where a value is changed."""
-    cell = LabelledCell(label)
-    button = named(QtWidgets.QPushButton(text, cell), name, hint=tooltip(hint))
+def _file_cell(clicked: SignalInstance) -> LabelledCell:
+    """Return a cell with a button that imports a file."""
+    cell = LabelledCell("File")
+    hint = tooltip("Import a recording, in place of these samples or beside them")
+    button = named(QtWidgets.QPushButton("Choose file…", cell), "recording_button", hint=hint)
     button.setMinimumHeight(LABEL_PX)
     button.clicked.connect(lambda: clicked.emit())
     cell.stack.addWidget(button, 0, Qt.AlignmentFlag.AlignLeft)
@@ -319,13 +318,7 @@ class InputFields(QObject):
         if waveform and fixed_length_text(waveform):
             self._duration = TextCell("Duration", fixed_length_text(waveform))
         if isinstance(waveform, Recording):
-            hint = "Import a recording, in place of these samples or beside them"
-            requested = self.file_requested
-            cells.append(
-                _button_cell(
-                    "File", "Choose file…", hint, name="recording_button", clicked=requested
-                )
-            )
+            cells.append(_file_cell(self.file_requested))
         self._own = tuple(cells)
         self._built_for = type(waveform) if waveform else None
         discard(old, self.kind.field)

@@ -84,8 +84,7 @@ class GainItem(LaneLayer):
         curve = QtGui.QPolygonF(places)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         if strip.shown:
-            halo = translucent(current_theme().base, _HALO_ALPHA)
-            painter.setPen(QtGui.QPen(halo, 4))
+            painter.setPen(QtGui.QPen(translucent(current_theme().base, _HALO_ALPHA), 4))
             painter.drawPolyline(curve)
             painter.setPen(QtGui.QPen(line, 1.5))
         else:
@@ -110,8 +109,7 @@ class GainItem(LaneLayer):
             text, top = HINT, room.bottom() - height - 2
         width = metrics.horizontalAdvance(text) + 8
         label = QRectF(room.right() - width - 4, top, width, height)
-        ground = translucent(theme.base, _HALO_ALPHA)
-        painter.fillRect(label, ground)
+        painter.fillRect(label, translucent(theme.base, _HALO_ALPHA))
         painter.setPen(QtGui.QColor(theme.text))
         painter.drawText(label, Qt.AlignmentFlag.AlignCenter, text)
 

@@ -48,17 +48,13 @@ def changed(lanes, index, **changes):
     lanes.show(lanes.design.with_clip(clip.id, **changes))
 
 
-def test_words_on_a_silent_lane_look_the_same_over_clips_and_gain_curves(lanes):
-    lanes.view = replace(lanes.view, time_range_s=(0.0, 0.1), selected_inputs=())
-    clips = (Clip(waveform=TONE),)
-    full = Input(location=1, clips=clips, muted=True, gain_curve=((0.0, 0.1), (0.1, 0.05)))
-    lanes.show(Design(limb="synthetic-1", inputs=(full, replace(full, clips=(), gain_curve=()))))
-    lanes.panel.show_results(results_of(lanes.design))
-    settled(lanes)
-    seen, right = picture(lanes), lanes.lanes.width() - 20
-    over, free = (
-        seen.copy(right - 20, round(lane.bottom_px) - 16, 20, 11) for lane in lanes.content.lanes
-    )
+def test_words_on_a_silent_lane_look_the_same_over_clips_and_gain_curves(four_lanes):
+    muted = four_lanes.design.with_input(0, muted=True, gain_curve=((0.0, 0.1), (0.3, 0.05)))
+    four_lanes.show(muted.with_input(1, muted=True, clips=()), time_range_s=(0.0, 0.25))
+    settled(four_lanes)
+    seen, left = picture(four_lanes), four_lanes.lanes.width() - 40
+    tops = [round(lane.bottom_px) - 16 for lane in four_lanes.content.lanes[:2]]
+    over, free = (seen.copy(left, top, 20, 11) for top in tops)
     assert over == free
 
 
