@@ -777,7 +777,7 @@ class ImportPage(ToolPage):
         super().__init__(parent, "import_page", f"Import {path_text(Path(path.name))}", (820, 520))
         self._band_hz, self._made = limb.band_hz, made or {}
         self.asks = not any(self._made)
-        hint = "Each file is scaled to its own peak"
+        hint = "Each file that is scaled gets a peak of 1"
         self.same = named(QtWidgets.QCheckBox(), "import_same", hint=hint)
         self.same.hide()
         self.form: ChoiceForm | None = None
