@@ -12,7 +12,7 @@ from itertools import pairwise
 from typing import Any
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, Qt
 
 from skinsource.base.errors import InvalidInputError, printable
 from skinsource.design.edits.edit import KindSpec
@@ -31,12 +31,12 @@ from skinsource.specs.numbers import (
 from skinsource.specs.spec import ChoiceSpec, Spec, SwitchSpec, TextSpec, made_for
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.curve_field import CurveField
-from skinsource_gui.fields.editor import Editor
+from skinsource_gui.fields.editor import MIXED, Editor
 from skinsource_gui.fields.grid import EditedCell
 from skinsource_gui.fields.kinds import KindField
 from skinsource_gui.fields.number_field import NumberField, outside_band_text
 from skinsource_gui.fields.parts import PartsEditor
-from skinsource_gui.fields.text_field import LiveText
+from skinsource_gui.fields.text_field import UNDOING, LiveText
 from skinsource_gui.fields.units import (
     as_known,
     column_label,
@@ -312,34 +312,54 @@ class SwitchField(Editor, QtWidgets.QCheckBox):
 
 
 class TextLine(Editor, QtWidgets.QLineEdit):
-    """Edits one line of text; the signal comes when typing ends."""
+    """Edits one line of text; the signal comes when typing ends, and undo is the design's then."""
 
     def __init__(self, spec: TextSpec, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
-        self._shown = ""
+        self._value = ""
         self.setMaxLength(spec.longest)
         named(self, title=spec.label, hint=tooltip(spec.label, spec.hint))
         self.editingFinished.connect(self._tell)
 
     def set_value(self, value: str) -> None:
         """Show another text without a signal; what is being typed stays."""
-        if value != self._shown:
-            self._shown = value
-            self.setText(value)
+        if value != self._value:
+            self._value = value
+            self.cancel()
+
+    def show_mixed(self, mixed: bool) -> None:
+        """Say "mixed" in an empty line, or show the text."""
+        said = MIXED if mixed else ""
+        if said != self.placeholderText():
+            self.setPlaceholderText(said)
+            self.cancel()
 
     def cancel(self) -> None:
-        """Restore the text."""
+        """Restore the text; nothing is left that was typed, also not to be undone."""
         self.setText(self._shown)
+
+    def event(self, event: QEvent) -> bool:
+        undoes = isinstance(event, QtGui.QKeyEvent) and any(map(event.matches, UNDOING))
+        if event.type() == QEvent.Type.ShortcutOverride and undoes and self.text() == self._shown:
+            event.ignore()
+            return True
+        return super().event(event)
 
     def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         super().keyPressEvent(event)
         if event.key() == Qt.Key.Key_Escape:
             self.cancel()
 
+    @property
+    def _shown(self) -> str:
+        return "" if self.placeholderText() else self._value
+
     def _tell(self) -> None:
         if self.text() != self._shown:
-            self._shown = self.text()
-            self.edited.emit(self._shown, None)
+            self._value = self.text()
+            self.show_mixed(False)
+            self.cancel()
+            self.edited.emit(self._value, None)
 
 
 class ValueLabel(Editor, QtWidgets.QLabel):

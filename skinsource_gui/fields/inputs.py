@@ -274,8 +274,4 @@ def fill_inputs_menu(
         action.setEnabled(bool(chosen))
         action.setCheckable(entry.on is not None)
         action.setChecked(bool(chosen) and entry.on is not None and all(map(entry.on, chosen)))
-        action.triggered.connect(partial(_act, act, entry.edit))
-
-
-def _act(act: Callable[[InputEdit], None], edit: InputEdit, _checked: bool = False) -> None:
-    act(edit)
+        action.triggered.connect(lambda _=False, edit=entry.edit: act(edit))

@@ -11,7 +11,8 @@ from skinsource_gui.qt.layouts import named, show_tip_below, tooltip
 
 _MOST_LINES = 6
 _EDGE_PX = 5
-_UNDOING = (QtGui.QKeySequence.StandardKey.Undo, QtGui.QKeySequence.StandardKey.Redo)
+#: Keys that undo or redo.
+UNDOING = (QtGui.QKeySequence.StandardKey.Undo, QtGui.QKeySequence.StandardKey.Redo)
 
 
 class LiveText(Editor, QtWidgets.QPlainTextEdit):
@@ -104,7 +105,7 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
 
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QtGui.QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride:
-            if any(event.matches(key) for key in _UNDOING):
+            if any(event.matches(key) for key in UNDOING):
                 event.ignore()
                 return False
             if event.key() == Qt.Key.Key_Escape and self.text() != self._value:

@@ -57,10 +57,14 @@ def options(design: Design, view: View, place: DropPlace | None) -> tuple[tuple[
     """Return name and text of each place that a recording can go to, the likeliest one first."""
     at, selected = place or DropPlace(), leading_input(design, view)
     ids = view.selected_inputs[-1:] if at.input_id is None else (at.input_id,)
-    tracks = [_track(design, track.id) for track in design.inputs if track.id in ids]
+    tracks = [
+        (f"track {track.id}", f"Track at {location_text(track.location, design.limb)}")
+        for track in design.inputs
+        if track.id in ids
+    ]
     first = at.location or (usual_location(design.limb) if selected is None else selected.location)
     locations = [first, *(k for k in range(1, facts_of(design.limb).n_inputs + 1) if k != first)]
-    new = [(f"new {k}", f"A new input at {location_text(k, design.limb)}") for k in locations]
+    new = [(f"new {k}", f"New input at {location_text(k, design.limb)}") for k in locations]
     if at.location is not None and at.input_id is None:
         return (*new, *tracks)
     instead = None if place is not None else _instead(design, view)
@@ -75,17 +79,9 @@ def _instead(design: Design, view: View) -> tuple[tuple[str, str], bool] | None:
     clip = leading_clip(design, view)
     if clip is None or not isinstance(clip.waveform, Recording):
         return None
-    track = design.track_of(clip.id)
-    where = (
-        f"input {design.index_of(track.id) + 1}, place {location_text(track.location, design.limb)}"
-    )
+    where = location_text(design.track_of(clip.id).location, design.limb)
     # Samples without a name were taken over from another kind of waveform.
-    return (f"clip {clip.id}", f"In place of the recording on {where}"), not clip.waveform.name
-
-
-def _track(design: Design, id: int) -> tuple[str, str]:
-    where = location_text(design.input(id).location, design.limb)
-    return f"track {id}", f"A clip on input {design.index_of(id) + 1}, place {where}"
+    return (f"clip {clip.id}", f"In place of the recording at {where}"), not clip.waveform.name
 
 
 @refusing
@@ -113,10 +109,13 @@ def placed(
         ids.append(after.clips[-1].id)
         shown = edits.select_clips(after, outcome.view, ids).view
         outcome = Edit(label=f"Import {len(recordings)} signals", design=after, view=shown)
-    tracks = map(outcome.design.input, outcome.view.selected_inputs)
-    where = ", ".join(location_text(track.location, design.limb) for track in tracks)
-    said = f"Starts at {value_text(clip.onset_s, 's', digits=5)} on {where}"
-    return replace(outcome, said=said)
+    starts = f"Starts at {value_text(clip.onset_s, 's', digits=5)}"
+    return replace(outcome, said=f"{starts} on {_where(outcome)}")
+
+
+def _where(edit: Edit) -> str:
+    tracks = map(edit.design.input, edit.view.selected_inputs)
+    return ", ".join(location_text(track.location, edit.design.limb) for track in tracks)
 
 
 def _placed_first(
@@ -239,6 +238,8 @@ class ImportActions(QObject):
         # What was chosen for files before, by their shapes where it is the same for others like
         # them; by None for the last one.
         self._made: dict[Any, Any] = {}
+        # Files and their places.
+        self._imported: list[str] = []
 
     @property
     def pages(self) -> tuple[Any, ...]:
@@ -274,7 +275,7 @@ class ImportActions(QObject):
             location = free_location(design, before.location if before else 0)
             place = replace(at, location=location, input_id=None)
         else:
-            self._made = {}
+            self._made, self._imported = {}, []
         places = options(design, view, place)
         limb = facts_of(design.limb)
         onset_s = view.playhead_s if at.onset_s is None else at.onset_s
@@ -282,7 +283,10 @@ class ImportActions(QObject):
         def put_at(recordings: tuple[Recording, ...], option: str) -> Edit | Refusal:
             return placed(self._document.design, self._document.view, option, onset_s, recordings)
 
-        page: Any = pages.ImportPage(path, limb, places, put_at, self._window, self._made)
+        def put_all(recordings: tuple[Recording, ...], option: str) -> Edit | Refusal:
+            return put_at(recordings * (count - number + 1), option)
+
+        page: Any = pages.ImportPage(path, limb, places, put_all, self._window, self._made)
         if count > 1:
             page.setWindowTitle(f"{page.windowTitle()}, file {number} of {count}")
             page.same.setText(f"Same for {counted(count - number, 'more file')}")
@@ -296,7 +300,8 @@ class ImportActions(QObject):
             self._document.apply(outcome, None)
             self._preferences.folder = path.absolute().parent
             if isinstance(outcome, Edit):
-                self.done.emit(f"Imported {path.name}")
+                self._imported.append(f"{path.name} on {_where(outcome)}")
+                self.done.emit(f"Imported {', '.join(self._imported)}")
 
         page.chosen.connect(put)
         page.finished.connect(lambda: self._pages.remove(page))

@@ -19,7 +19,7 @@ from skinsource_gui.plots.curves import (
     fitting,
 )
 from skinsource_gui.plots.ranges import Range, Tick, XWindow
-from skinsource_gui.qt.theme import UNIT_PX, current_theme
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, translucent
 from skinsource_gui.qt.wheel import NOTCH, PAN_PER_NOTCH, ZOOM_PER_NOTCH
 
 _GAP_PX = 4.0
@@ -387,10 +387,8 @@ class Stack:
             row.show_font(font)
         self.message.say(self.message.text, QtGui.QColor(theme.dim), message_font)
         self.hint.say(self.hint.text, QtGui.QColor(theme.dim), font)
-        accent = QtGui.QColor(theme.accent)
-        self.band.setPen(QtGui.QPen(accent, 0))
-        accent.setAlpha(_BAND_ALPHA)
-        self.band.setBrush(accent)
+        self.band.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 0))
+        self.band.setBrush(translucent(theme.accent, _BAND_ALPHA))
 
     def say(self, message: str) -> None:
         """Remove the curves and show ``message`` in the middle."""

@@ -482,6 +482,7 @@ def test_rounding_of_times_refuses_no_edit(points, one_s, other_s):
 
 def test_markers_loop_and_gain_curve_are_set_and_taken_away():
     added = edits.add_marker(DESIGN, VIEW, 0.7, "end")
+    assert isinstance(edits.add_marker(added.design, VIEW, 0.7), Refusal)
     moved = edits.move_marker(added.design, VIEW, 3, 0.8).design
     named = edits.rename_marker(moved, VIEW, 3, "very end").design
     assert named.markers == (*DESIGN.markers, Marker(time_s=0.8, name="very end"))

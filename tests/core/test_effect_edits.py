@@ -140,6 +140,12 @@ def test_a_chain_has_an_end_in_number_and_in_time():
     assert refused.sentence.startswith("Clip lasts 200000 s, expected at most 3600 s")
 
 
+def test_a_clip_that_becomes_layers_has_what_it_was_as_the_first_one():
+    before = edits.change_kind(DESIGN, VIEW, (2,), "Noise").design
+    layers = edits.change_kind(before, VIEW, (2,), "Layers").design.clip(3).waveform
+    assert [part.waveform for part in layers.parts] == [before.clip(3).waveform] == [Noise()]
+
+
 def test_a_stretched_clip_keeps_how_it_is_stretched():
     design = edits.add_effect(DESIGN, VIEW, (3,), "Stretch").design
     design = edits.change_effect_field(design, VIEW, 3, 0, "pitch", "stays").design

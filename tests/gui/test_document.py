@@ -10,6 +10,7 @@ from PySide6.QtTest import QTest
 from skinsource import Design, View, edits, track
 from skinsource.design.edits.edit import Edit
 from skinsource.design.waveforms.tones import Tone
+from skinsource_gui.fields.editors import TextLine
 from skinsource_gui.plots.plot import Plot
 from skinsource_gui.state.document import MOST_STEPS, Document, ReplaceDesign
 from skinsource_gui.state.preferences import start_design
@@ -163,6 +164,22 @@ def test_escape_twice_on_the_map_is_taken_back_by_ctrl_z_and_no_input_goes(windo
     QTest.keyClick(window.panel("skin").map, KEY.Key_Z, CONTROL)
     assert window.document.view.outputs == View().outputs
     assert len(window.document.design.inputs) == 2
+
+
+def test_ctrl_z_in_a_text_that_was_taken_over_undoes_the_edit_and_never_makes_one(window):
+    window.document.look(replace(window.document.view, selected_inputs=(), selected_clips=()))
+    before, (line, *_) = window.document.design, window.panel("inspector").findChildren(TextLine)
+    line.setFocus()
+    QTest.keyClicks(line, "Soft")
+    QTest.keyClick(line, KEY.Key_Return)
+    # What is typed since comes first.
+    QTest.keyClicks(line, "er")
+    QTest.keyClick(line, KEY.Key_Z, CONTROL)
+    assert window.document.design.title == line.text() != before.title
+    QTest.keyClick(line, KEY.Key_Z, CONTROL)
+    assert (window.document.design, line.text()) == (before, before.title)
+    window.panel("skin").map.setFocus()
+    assert window.document.undo_stack.canRedo()
 
 
 @pytest.mark.parametrize("panel", ["traces", "spectra"])

@@ -53,7 +53,7 @@ from skinsource_gui.plots.preview import SpectrumPreview
 from skinsource_gui.plots.ranges import Range, XAxis, wave_of
 from skinsource_gui.qt.buttons import Answer, answers, page_label, progress_bar
 from skinsource_gui.qt.layouts import form_of, in_column, in_row, named
-from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular, translucent
 from skinsource_gui.state.worker import Worker, fault_text
 
 #: Sample rate of a file that states none, until one is typed.
@@ -344,8 +344,7 @@ class ChoiceForm(QtWidgets.QWidget):
         self._form.setRowVisible(self._time_unit, timestamps is not None and not timestamps.is_time)
 
     def _choice_in_fields(self) -> ImportChoice:
-        timing = self._timing.value
-        timestamps = self._contents.one(timing)
+        timestamps = self._contents.one(self._timing.value)
         unit_s = (
             timestamps.time_unit_s
             if timestamps and timestamps.is_time
@@ -524,8 +523,8 @@ class OverviewStrip(pyqtgraph.PlotWidget):
             self.hideAxis(axis)
         self.setDefaultPadding(0.0)
         self._curve = self.plot(connect="pairs", pen=current_theme().dim)
-        shade, edge = QtGui.QColor(current_theme().accent), QtGui.QColor(current_theme().accent)
-        shade.setAlpha(_SHADE_ALPHA)
+        edge = current_theme().accent
+        shade = translucent(edge, _SHADE_ALPHA)
         self._part = pyqtgraph.LinearRegionItem(brush=shade, hoverBrush=shade, pen=edge)
         self.addItem(self._part)
         self._part.sigRegionChanged.connect(self._tell)
@@ -748,7 +747,8 @@ class ImportPage(ToolPage):
     places
         Name and text of each place that the recording can go to, the likeliest one first.
     put_at
-        Makes the edit that puts recordings at one of them, which says where that is.
+        Makes the edit that puts recordings at one of them, and those of the files that follow at
+        the next, which says where that is.
     made
         Choices that were made for other files, as ``made`` of their forms has them.  A file of one
         of these shapes is imported with the same without asking, where that is possible; others
@@ -777,7 +777,8 @@ class ImportPage(ToolPage):
         super().__init__(parent, "import_page", f"Import {path_text(Path(path.name))}", (820, 520))
         self._band_hz, self._made = limb.band_hz, made or {}
         self.asks = not any(self._made)
-        self.same = named(QtWidgets.QCheckBox(), "import_same")
+        hint = "Each file that is scaled gets a peak of 1"
+        self.same = named(QtWidgets.QCheckBox(), "import_same", hint=hint)
         self.same.hide()
         self.form: ChoiceForm | None = None
         self._recordings: tuple[Recording, ...] = ()

@@ -1,6 +1,6 @@
 """The clip panel: fields of the selected inputs and clips, their picture and their effects."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from functools import lru_cache, partial
 from typing import Any
@@ -73,12 +73,11 @@ from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.panel import Panel
 
 
-def _button_cell(
-    label: str, text: str, hint: str, *, name: str, clicked: SignalInstance
-) -> LabelledCell:
-    """Return a cell with a button that leads to where a value is changed."""
-    cell = LabelledCell(label)
-    button = named(QtWidgets.QPushButton(text, cell), name, hint=tooltip(hint))
+def _file_cell(clicked: SignalInstance) -> LabelledCell:
+    """Return a cell with a button that imports a file."""
+    cell = LabelledCell("File")
+    hint = tooltip("Import a recording, in place of these samples or beside them")
+    button = named(QtWidgets.QPushButton("Choose file…", cell), "recording_button", hint=hint)
     button.setMinimumHeight(LABEL_PX)
     button.clicked.connect(lambda: clicked.emit())
     cell.stack.addWidget(button, 0, Qt.AlignmentFlag.AlignLeft)
@@ -319,13 +318,7 @@ class InputFields(QObject):
         if waveform and fixed_length_text(waveform):
             self._duration = TextCell("Duration", fixed_length_text(waveform))
         if isinstance(waveform, Recording):
-            hint = "Import a recording, in place of these samples or beside them"
-            requested = self.file_requested
-            cells.append(
-                _button_cell(
-                    "File", "Choose file…", hint, name="recording_button", clicked=requested
-                )
-            )
+            cells.append(_file_cell(self.file_requested))
         self._own = tuple(cells)
         self._built_for = type(waveform) if waveform else None
         discard(old, self.kind.field)
@@ -341,9 +334,9 @@ def _values(track: Input, clip: Clip | None) -> dict[str, object]:
     return {**own, DURATION_FIELD: length_s, "kind": kind, "location": str(track.location)}
 
 
-def _text_of_all(text_of: Callable[[Clip], str], clips: list[Clip]) -> str:
-    """Return the text of each of some clips, or that they differ; "" without any."""
-    texts = {text_of(clip) for clip in clips}
+def _text_of_all(text_of: Callable[[Any], str], things: Iterable[Any]) -> str:
+    """Return the text of each of some clips or inputs, or that they differ; "" without any."""
+    texts = {text_of(thing) for thing in things}
     return MIXED if len(texts) > 1 else "".join(texts)
 
 
@@ -570,7 +563,8 @@ class InspectorPanel(Panel):
         self._fields.meaning.show_scaling(self._design)
         amplitude, peak = amplitude_spec(self._design), ""
         if is_gain(self._design, track):
-            amplitude, peak = AMPLITUDE_GAIN, peak_text(self._design, track)
+            amplitude = AMPLITUDE_GAIN
+            peak = _text_of_all(partial(peak_text, self._design), batch)
         self._fields.show_limb(limb)
         self._fields.show_input(track, batch, amplitude, self._view, peak)
         self._chain.show_chain(self._design, self._view, clip, clips)

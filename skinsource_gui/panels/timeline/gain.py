@@ -16,7 +16,7 @@ from skinsource_gui.panels.timeline.content import (
     show_gain_curves,
 )
 from skinsource_gui.panels.timeline.gestures import Gesture, GestureContext, Modifier, MoveGain
-from skinsource_gui.panels.timeline.painting import LaneLayer
+from skinsource_gui.panels.timeline.painting import LaneLayer, paint_silence_reason
 from skinsource_gui.qt.keys import arrow_steps, meaning_of
 from skinsource_gui.qt.theme import current_theme, translucent
 
@@ -59,6 +59,8 @@ class GainItem(LaneLayer):
             painter.save()
             painter.setClipRect(room.intersected(below))
             self._paint_curve(painter, strip, room)
+            # The line does not cross the words; no other words cover them.
+            room.setRight(paint_silence_reason(painter, lane, room))
             if strip.shown:
                 chosen = content.chosen_point
                 own = chosen is not None and chosen[0] == lane.track.id
@@ -82,8 +84,7 @@ class GainItem(LaneLayer):
         curve = QtGui.QPolygonF(places)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         if strip.shown:
-            halo = translucent(current_theme().base, _HALO_ALPHA)
-            painter.setPen(QtGui.QPen(halo, 4))
+            painter.setPen(QtGui.QPen(translucent(current_theme().base, _HALO_ALPHA), 4))
             painter.drawPolyline(curve)
             painter.setPen(QtGui.QPen(line, 1.5))
         else:
@@ -108,8 +109,7 @@ class GainItem(LaneLayer):
             text, top = HINT, room.bottom() - height - 2
         width = metrics.horizontalAdvance(text) + 8
         label = QRectF(room.right() - width - 4, top, width, height)
-        ground = translucent(theme.base, _HALO_ALPHA)
-        painter.fillRect(label, ground)
+        painter.fillRect(label, translucent(theme.base, _HALO_ALPHA))
         painter.setPen(QtGui.QColor(theme.text))
         painter.drawText(label, Qt.AlignmentFlag.AlignCenter, text)
 

@@ -173,7 +173,9 @@ class MoveEnd(_EndDrag):
         stretches = held & (Modifier.AltModifier | Modifier.ShiftModifier)
         act = edits.stretch_clip if stretches else edits.trim_clip
         self._context.edit(act, self._clip.id, start_s, end_s)
-        length = value_text(end_s - start_s, "s", digits=5)
+        # It is as long as it can be, and may be gone.
+        lasts_s = self._context.now.lengths.durations_s.get(self._clip.id, 0.0)
+        length = value_text(lasts_s, "s", digits=5)
         text = f"Stretched to {length}" if stretches else f"{length} · Shift: stretch"
         return GesturePreview(guide_s=rest.guide_s, label=text)
 
@@ -185,15 +187,11 @@ class FadeEnd(_EndDrag):
         in_s, out_s = (end.length_s if end else 0.0 for end in faded_ends(self._clip))
         length_s = self._end_s - self._start_s
         if self._part is Part.FADE_IN:
-            edge_s = self._start_s + in_s
-            rest = self._rest(at, edge_s)
-            inside_s = edge_s + rest.by_s - self._start_s
-            changed = in_s = round(min(max(inside_s, 0.0), length_s - out_s), 9)
+            rest = self._rest(at, self._start_s + in_s)
+            changed = in_s = round(min(max(in_s + rest.by_s, 0.0), length_s - out_s), 9)
         else:
-            edge_s = self._end_s - out_s
-            rest = self._rest(at, edge_s)
-            inside_s = self._end_s - edge_s - rest.by_s
-            changed = out_s = round(min(max(inside_s, 0.0), length_s - in_s), 9)
+            rest = self._rest(at, self._end_s - out_s)
+            changed = out_s = round(min(max(out_s - rest.by_s, 0.0), length_s - in_s), 9)
         self._context.edit(edits.fade_clip, self._clip.id, in_s, out_s)
         return GesturePreview(guide_s=rest.guide_s, label=value_text(changed, "s", digits=4))
 

@@ -87,10 +87,8 @@ def _paint_body(
     selected: bool,
     pale: bool,
 ) -> None:
-    body = QtGui.QColor(colour)
     alpha = _PALE_BODY_ALPHA if pale else _BODY_ALPHA
-    body.setAlpha(_SELECTED_ALPHA if selected else alpha)
-    painter.fillRect(shown, body)
+    painter.fillRect(shown, translucent(colour, _SELECTED_ALPHA if selected else alpha))
     # A mark at the start separates clips that follow each other.
     if rect.left() >= shown.left():
         painter.fillRect(QRectF(rect.left(), rect.top(), 2, rect.height()), colour)
@@ -152,16 +150,11 @@ def _paint_frame(
         # The clip panel shows it, but keys do not act on it.
         painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 1, Qt.PenStyle.DotLine))
     else:
-        edge = translucent(colour, 130)
-        painter.setPen(QtGui.QPen(edge, 1))
+        painter.setPen(QtGui.QPen(translucent(colour, 130), 1))
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    frame = _frame(rect, shown).adjusted(0.5, 0.5, -0.5, -0.5)
+    # It is cut a little outside of what is shown of the clip.
+    frame = rect.intersected(shown.adjusted(-2, 0, 2, 0)).adjusted(0.5, 0.5, -0.5, -0.5)
     painter.drawRoundedRect(frame, _ROUNDING_PX, _ROUNDING_PX)
-
-
-def _frame(rect: QRectF, shown: QRectF) -> QRectF:
-    """Return the frame of a clip, cut a little outside of what is shown of it."""
-    return rect.intersected(shown.adjusted(-2, 0, 2, 0))
 
 
 def _paint_fades(painter: QtGui.QPainter, box: Box, px_per_s: float, colour: QtGui.QColor) -> None:
@@ -286,8 +279,7 @@ def _paint_loop(
     start, end = (content.scale.x(time_s) for time_s in loop_s)
     half = QRectF(room.left(), room.top(), room.width(), room.height() / 2)
     band = QRectF(start, room.top(), end - start, room.height()).intersected(half)
-    tint = translucent(theme.accent, _LOOP_ALPHA)
-    painter.fillRect(band, tint)
+    painter.fillRect(band, translucent(theme.accent, _LOOP_ALPHA))
     painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 2))
     for x in (start, end):
         if room.left() <= x <= room.right():
@@ -351,6 +343,20 @@ class LaneLayer(pyqtgraph.GraphicsObject):
         return changed
 
 
+def paint_silence_reason(painter: QtGui.QPainter, lane: Lane, strip: QRectF) -> float:
+    """Write why a lane is silent at the right end of its strip; return where what is free ends."""
+    if not lane.silent:
+        return strip.right()
+    theme, metrics = current_theme(), QtGui.QFontMetricsF(painter.font())
+    width, height = metrics.horizontalAdvance(lane.silent) + 6, metrics.height()
+    left, top = strip.right() - _SIDE_PX - width, strip.bottom() - MARGIN_PX - height
+    room = QRectF(left, top, width, height)
+    painter.fillRect(room, QtGui.QColor(theme.base))
+    painter.setPen(QtGui.QColor(theme.error if lane.problem else theme.dim))
+    painter.drawText(room, Qt.AlignmentFlag.AlignCenter, lane.silent)
+    return left
+
+
 class LanesItem(LaneLayer):
     """Paints lanes, clips and ruler.
 
@@ -412,9 +418,9 @@ class LanesItem(LaneLayer):
         painter.drawLines(grid_lines(content.scale, lanes))
         self._paint_after_end(painter, content, lanes)
         for lane in shown:
-            self._paint_silence_reason(painter, lane)
             self._paint_clips(painter, content, lane, lanes)
             self._paint_overlaps(painter, content, lane)
+            paint_silence_reason(painter, lane, self._strip(lane))
         self.painted_lanes += len(shown)
         painter.restore()
         ruler = QRectF(rect.left(), 0, rect.width(), content.ruler_px)
@@ -445,22 +451,11 @@ class LanesItem(LaneLayer):
     def _paint_ground(self, painter: QtGui.QPainter, lane: Lane) -> None:
         strip = self._strip(lane)
         if lane.selected:
-            tint = translucent(current_theme().accent, _TINT_ALPHA)
-            painter.fillRect(strip, tint)
+            painter.fillRect(strip, translucent(current_theme().accent, _TINT_ALPHA))
         painter.setPen(QtGui.QPen(QtGui.QColor(current_theme().border), 1))
         painter.drawLine(
             QLineF(strip.left(), strip.bottom() - 0.5, strip.right(), strip.bottom() - 0.5)
         )
-
-    def _paint_silence_reason(self, painter: QtGui.QPainter, lane: Lane) -> None:
-        """Write why a lane is silent."""
-        if not lane.silent:
-            return
-        flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
-        room = self._strip(lane).adjusted(0, 0, -_SIDE_PX, -3)
-        theme = current_theme()
-        painter.setPen(QtGui.QColor(theme.error if lane.problem else theme.dim))
-        painter.drawText(room, flags, lane.silent)
 
     def _paint_after_end(
         self, painter: QtGui.QPainter, content: TimelineContent, lanes: QRectF

@@ -181,10 +181,9 @@ def test_time_stamps_say_how_long_a_table_is(page_at, qtbot, tmp_path):
     image = strip.grab().toImage()
 
     def tall(time_s):
-        x = round(strip.x_of(time_s))
+        x, gap = round(strip.x_of(time_s)), round(strip.x_of(2.5))
         return sum(
-            image.pixelColor(x, y) != image.pixelColor(round(strip.x_of(2.5)), y)
-            for y in range(image.height())
+            image.pixelColor(x, y) != image.pixelColor(gap, y) for y in range(image.height())
         )
 
     assert tall(4.5) > 20 > tall(0.5)
@@ -249,11 +248,9 @@ def placeholder(desk):
     """A track whose only clip stands for a recording, and that clip, which is selected."""
     document = desk.document
     track = document.design.inputs[0]
-    document.apply(
-        edits.change_kind(document.design, document.view, (track.id,), "Recording"), None
-    )
+    document.apply(edits.change_kind(document.design, document.view, (track.id,), "Recording"))
     clip = document.design.inputs[0].clips[0]
-    document.apply(edits.select_clips(document.design, document.view, (clip.id,)), None)
+    document.apply(edits.select_clips(document.design, document.view, (clip.id,)))
     return track, clip
 
 
@@ -261,7 +258,7 @@ def test_a_recording_replaces_what_stands_for_one_or_another(desk, page_at, soun
     document, track, clip = desk.document, *placeholder
     first = actions.options(document.design, document.view, None)[0]
     assert first[0] == f"clip {clip.id}"
-    assert first[1].startswith("In place of the recording on input 1, place ")
+    assert first[1].startswith("In place of the recording at ")
     page_at(sound).accept()
     (now,) = document.design.inputs[0].clips
     assert now.waveform.name == "tap.wav, channel 1"
@@ -312,13 +309,10 @@ def test_a_file_that_is_dropped_goes_where_it_was_dropped(window, qtbot, sound, 
     (page,) = window.imports.pages
     looked_at(page, qtbot).accept()
     inputs = window.document.design.inputs
-    if where == "site":
-        assert inputs[-1].location == 13
-        assert isinstance(inputs[-1].clips[0].waveform, Recording)
-    else:
-        # The start design's only input is the selected one.
-        assert [track.id for track in inputs] == [first.id]
-        assert isinstance(inputs[0].clips[-1].waveform, Recording)
+    assert isinstance(inputs[-1].clips[-1].waveform, Recording)
+    # The start design's only input is the selected one.
+    assert len(inputs) == 1 + (where == "site")
+    assert inputs[-1].location == (13 if where == "site" else first.location)
 
 
 def test_several_files_are_asked_about_in_turn_and_others_named(window, qtbot, sound, tmp_path):
@@ -360,6 +354,9 @@ def test_files_of_one_shape_are_asked_about_once(desk, qtbot, sound, tmp_path, a
     answers["several"] = [str(path) for path in (sound, sound, mono, sound)]
     imports.ask_and_import()
     choose(looked_at(imports.pages[0], qtbot), qtbot, "signal", "1")
+    assert where(imports.pages[0]).endswith(" on 7 (II pad), 8 (III pad), 9 (IV pad), 10 (V pad)")
+    said = []
+    imports.done.connect(said.append)
     imports.pages[0].same.click()
     imports.pages[0].accept()
     # What has another shape is asked about.
@@ -370,6 +367,8 @@ def test_files_of_one_shape_are_asked_about_once(desk, qtbot, sound, tmp_path, a
     qtbot.waitUntil(lambda: not desk.findChildren(QWidget, "import_page"))
     tracks = desk.document.design.inputs
     assert [track.location for track in tracks] == [7, 8, 9, 10]
+    places = "tap.wav on 7 (II pad), tap.wav on 8 (III pad), mono.wav on 9 (IV pad)"
+    assert said[-1] == f"Imported {places}, tap.wav on 10 (V pad)"
     names = [track.clips[-1].waveform.name for track in tracks]
     assert names == ["tap.wav, channel 2"] * 2 + ["mono.wav", "tap.wav, channel 2"]
 

@@ -7,6 +7,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QToolButton
 
 from skinsource import Marker, edits
+from skinsource_gui.fields.units import value_text
 from skinsource_gui.panels.timeline.content import show_gain_curves, timeline_tooltip
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.keys import MOUSE
@@ -384,6 +385,13 @@ def test_selected_clips_move_together_and_none_starts_before_zero(lanes):
     assert lanes.onset(4) == pytest.approx(0.0, abs=1e-12)
     assert lanes.onset(4) >= 0.0
     assert lanes.onset(2) == pytest.approx(0.2)
+
+
+def test_an_end_that_is_dragged_beyond_its_clip_says_the_length_that_the_clip_has(lanes):
+    end, whole_s = end_of(lanes, 2), lanes.design.clip(2).duration_s
+    lanes.drag(end, end + lanes.px(0.3), release=False)
+    assert lanes.design.clip(2).duration_s == whole_s
+    assert lanes.lanes.overlay.preview.label.startswith(value_text(whole_s, "s"))
 
 
 def test_the_pointer_shows_what_can_be_dragged_and_an_end_from_a_little_outside(lanes):

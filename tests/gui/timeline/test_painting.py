@@ -48,6 +48,16 @@ def changed(lanes, index, **changes):
     lanes.show(lanes.design.with_clip(clip.id, **changes))
 
 
+def test_words_on_a_silent_lane_look_the_same_over_clips_and_gain_curves(four_lanes):
+    muted = four_lanes.design.with_input(0, muted=True, gain_curve=((0.0, 0.1), (0.3, 0.05)))
+    four_lanes.show(muted.with_input(1, muted=True, clips=()), time_range_s=(0.0, 0.25))
+    settled(four_lanes)
+    seen, left = picture(four_lanes), four_lanes.lanes.width() - 40
+    tops = [round(lane.bottom_px) - 16 for lane in four_lanes.content.lanes[:2]]
+    over, free = (seen.copy(left, top, 20, 11) for top in tops)
+    assert over == free
+
+
 def test_a_lane_that_cannot_be_played_is_framed_and_no_other(four_lanes):
     before = picture(four_lanes)
     (unplayable, *_) = four_lanes.design.inputs

@@ -17,6 +17,7 @@ from skinsource.design.clips import Clip
 from skinsource.design.design import MAX_INPUTS, Design, Input, View
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms import kinds
+from skinsource.design.waveforms.samples import Layers
 from skinsource.design.waveforms.tones import Glide
 from skinsource.limbs.locations import input_name
 from skinsource.specs.models import specs_of
@@ -205,10 +206,13 @@ def as_kind(waveform: Waveform, kind: type[Waveform], rate_hz: float) -> Wavefor
     """Return a waveform of another kind that keeps the fields that both kinds have.
 
     A number that the other kind does not allow becomes the nearest allowed one.  A kind that holds
-    samples gets those that ``waveform`` plays at ``rate_hz``, the rate of the limb.
+    samples gets those that ``waveform`` plays at ``rate_hz``, the rate of the limb; layers have
+    ``waveform`` as the first one.
     """
     if kind is type(waveform):
         return waveform
+    if kind is Layers:
+        return Layers((Clip(waveform=waveform),))
     present = specs_of(waveform)
     result: Any = Glide.like(waveform) if kind is Glide else kind()
     for field, spec in specs_of(kind).items():

@@ -17,6 +17,7 @@ from skinsource.design.design import (
     louder,
     shown_snapshot,
 )
+from skinsource.design.edits.cutting import SAME_S
 from skinsource.design.edits.edit import Edit, Refusal, change_inputs, change_view, listed, refusing
 
 
@@ -54,6 +55,8 @@ def add_marker(design: Design, view: View, time_s: float, name: str = "") -> Edi
     """
     if len(design.markers) >= MAX_MARKERS:
         return Refusal(sentence=f"A design holds at most {MAX_MARKERS} markers; remove one first.")
+    if any(abs(marker.time_s - time_s) < SAME_S for marker in design.markers):
+        return Refusal(sentence="A marker is there already; move or rename that one.")
     new = Marker(time_s=time_s, name=name)
     after = replace(design, markers=(*design.markers, new))
     return Edit(label="Add marker", design=after, view=view)
