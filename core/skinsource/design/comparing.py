@@ -1,7 +1,7 @@
 """Compare designs and limbs: snapshots, matched levels, differences, and levels by region.
 
 A `Snapshot` is a design stored under a number; the view holds several, and the one that was shown
-last is the last of them.  Levels of two designs are matched by their loudest outputs.
+last is the last of them.  Levels of two designs are matched by the loudest output of each.
 """
 
 import math

@@ -36,7 +36,7 @@ from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.own_limbs import axes_on
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource_gui.fields.units import output_text
-from skinsource_gui.panels.compare.card import card_level_text, played_db, told_titles
+from skinsource_gui.panels.compare.card import played_db, told_titles
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.colour_maps import DIVERGING
 from skinsource_gui.plots.pictures import common_title
@@ -431,6 +431,7 @@ LEAST_COMPARED = 2
 #: Quantities of a map of levels.
 LEVELS = frozenset(
     {"limb_map", "limb_data", "output_levels_db", "above_noise_db", "surface", "surface_levels_db"}
+    | {"response_samples"}
 )
 
 
@@ -697,18 +698,30 @@ class OfSnapshots(Kind):
     def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
         # Each has its own gain.
         text = super().about(compared, None, view)
+        over = lengths_text(compared) if view.span == "record" else ""
         matched = matching_text(compared) if view.levels_matched else ""
-        return f"{text} · {matched}" if matched else text
+        return " · ".join(part for part in (text, over, matched) if part)
+
+
+def lengths_text(compared: Sequence[Compared]) -> str:
+    """Return over how long the levels of each are taken; "" where that is the same."""
+    known = [
+        (side.name, round(values["response_samples"] / values["limb_data"].sample_rate_hz, 2))
+        for side in compared
+        if (values := side.values) and "response_samples" in values
+    ]
+    differ = len({length_s for _, length_s in known}) > 1
+    return ", ".join(f"{name}: over {length_s:g} s" for name, length_s in known) if differ else ""
 
 
 def matching_text(compared: Sequence[Compared]) -> str:
-    """Return the text on the level that all designs share; "" where fewer than two have one."""
+    """Return the text on what is as loud in all designs; "" where fewer than two have levels."""
     known = [side for side in compared if played_db(side) is not None]
     if len(known) < LEAST_COMPARED:
         return ""
     reference = min(compared, key=lambda side: side.snapshot.number)
     if not (is_silent(reference) or reference.problem):
-        return f"{LEVELS_MATCHED}: {card_level_text(known[0])} at the loudest output"
+        return f"{LEVELS_MATCHED} in the {span_label('loudest')}"
     why = "cannot be predicted" if reference.problem else "is silent"
     return f"{snapshot_name(reference.snapshot.number)} {why}: levels cannot be matched to it"
 
