@@ -272,7 +272,7 @@ def takeover_text(design: Design, view: View, after: Design, view_after: View) -
         return ""
     return (
         f"Snapshot {shown.number} stays stored; its edited copy is now the working design. "
-        "Undo brings the former one back"
+        "Undo brings the former one back."
     )
 
 

@@ -13,6 +13,7 @@ import skinsource as ss
 from skinsource import Design, View, edits, open_design, save_design, track
 from skinsource.design.comparing import with_edited
 from skinsource.design.edits.view import rename_snapshot
+from skinsource.design.motions import Sweep
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.panels.compare.content import snapshot_names, tab_separated
 from skinsource_gui.state.compared import ELSEWHERE, SILENCE, Compared
@@ -80,6 +81,19 @@ def test_an_edit_of_a_shown_snapshot_says_what_it_replaces_and_nothing_is_lost(w
     document.go_to(document.undo_stack.index() - 2)
     window.do("toggle_snapshots")
     assert document.design.inputs[0].amplitude == 2.0
+
+
+def test_an_edit_that_dissolves_a_motion_too_says_both(window):
+    document, said = window.document, []
+    document.message.connect(said.append)
+    document.apply(edits.add_motion(document.design, document.view, Sweep(path=(16, 18))))
+    window.do("store_snapshot_1")
+    edit(window, 2.0)
+    window.do("toggle_snapshots")
+    last = document.design.ids[-1]
+    document.apply(edits.move_inputs(document.design, document.view, (last,), 5))
+    assert "Snapshot 1 stays" in said[-1]
+    assert "single clips" in said[-1]
 
 
 def test_without_a_snapshot_one_is_told_how_to_store_one(window, panel):
