@@ -36,7 +36,7 @@ from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.own_limbs import axes_on
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource_gui.fields.units import output_text
-from skinsource_gui.panels.compare.card import played_db, told_titles
+from skinsource_gui.panels.compare.card import told_titles
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.colour_maps import DIVERGING
 from skinsource_gui.plots.pictures import common_title
@@ -369,11 +369,9 @@ def _relative(small: SmallMap, maximum_db: float) -> SmallMap:
     levels, field = small.levels_db, small.field_levels_db
     if levels is not None:
         levels = np.where(levels > FLOOR_DB, levels - maximum_db, levels)
-    return replace(
-        small,
-        levels_db=levels,
-        field_levels_db=None if field is None else field - maximum_db,
-    )
+    if field is not None:
+        field = field - maximum_db
+    return replace(small, levels_db=levels, field_levels_db=field)
 
 
 def _of_all(called: Sequence[Names], n_compared: int) -> Names:
@@ -499,9 +497,7 @@ class Kind:
         text = f"RMS of {signal_label(view.axes, view.method)} · {span_label(view.span)}"
         without = "without inputs that cannot be played"
         left_out = without if any(side.left_out for side in compared) else ""
-        return " · ".join(
-            part for part in (text, display_gain_text(design, view), left_out) if part
-        )
+        return " · ".join(filter(None, (text, display_gain_text(design, view), left_out)))
 
     def shown(self, settings: CompareSettings) -> str:
         """Return what is shown of the sides: the levels where there is no choice."""
@@ -700,24 +696,24 @@ class OfSnapshots(Kind):
         text = super().about(compared, None, view)
         over = lengths_text(compared) if view.span == "record" else ""
         matched = matching_text(compared) if view.levels_matched else ""
-        return " · ".join(part for part in (text, over, matched) if part)
+        return " · ".join(filter(None, (text, over, matched)))
 
 
 def lengths_text(compared: Sequence[Compared]) -> str:
-    """Return over how long the levels of each are taken; "" where that is the same."""
-    known = [
-        (side.name, round(values["response_samples"] / values["limb_data"].sample_rate_hz, 2))
-        for side in compared
-        if (values := side.values) and "response_samples" in values
-    ]
-    differ = len({length_s for _, length_s in known}) > 1
-    return ", ".join(f"{name}: over {length_s:g} s" for name, length_s in known) if differ else ""
+    """Return over how long the levels are taken; "" where that is the same for all."""
+    lengths_s = sorted(
+        {
+            round(values["response_samples"] / values["limb_data"].sample_rate_hz, 2)
+            for values in (side.values for side in compared)
+            if values and "response_samples" in values
+        }
+    )
+    return f"over {lengths_s[0]:g} to {lengths_s[-1]:g} s" if lengths_s[1:] else ""
 
 
 def matching_text(compared: Sequence[Compared]) -> str:
     """Return the text on what is as loud in all designs; "" where fewer than two have levels."""
-    known = [side for side in compared if played_db(side) is not None]
-    if len(known) < LEAST_COMPARED:
+    if sum(side.values is not None for side in compared) < LEAST_COMPARED:
         return ""
     reference = min(compared, key=lambda side: side.snapshot.number)
     if not (is_silent(reference) or reference.problem):
