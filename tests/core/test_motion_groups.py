@@ -158,11 +158,9 @@ def test_a_motion_whose_clips_all_play_something_else_is_that_motion():
 
 def test_a_duration_that_ends_before_the_trim_of_a_clip_says_that_nothing_plays():
     design = with_motion()
-    last = design.track_of(design.motions[0].clips[-1])
-    for duration_s, empty in ((0.01, True), (SWEEP.waveform.duration_s * 0.99, False)):
-        edited = after_edit(design, edits.change_field, (last.id,), "duration_s", duration_s)
-        assert (edited.design.input(last.id).clips[0].duration_s == 0.0) == empty
-        assert ("nothing plays" in edited.said) == empty
+    for duration_s in (0.01, 0.7):
+        edited = after_edit(design, edits.change_field, design.ids[-1:], "duration_s", duration_s)
+        assert ("nothing plays" in edited.said) == (duration_s < 0.7)
         assert "single clips" in edited.said
 
 
