@@ -281,37 +281,26 @@ def of_spread(
     mean, spread = mean_and_spread_over([_levels_db(side) for side in known])
     called = [name for _, name in audible]
     what = _of_all(called, len(compared))
-    stale = any(side.is_stale for side in known)
     noisy = _noisy(*known)
-    common: dict[str, Any] = {
-        "limb": limb,
-        "stale": stale,
-        "synthetic": any(_synthetic(side) for side in known),
-    }
-    of_mean = scale_of_levels(mean, style)
+    plain = Cell(
+        headings=("Mean",),
+        limb=limb,
+        stale=any(side.is_stale for side in known),
+        synthetic=any(_synthetic(side) for side in known),
+    )
     spread_scale = ColourScale(
         range_db=(0.0, scale_end_db(spread)),
         text_below="dB",
         colours=style.colours,
         reached_db=_reached_db([spread]),
     )
+    mean_scale = scale_of_levels(mean, style)
+    of_mean = (*(f"Mean {phrase}" for phrase in what), "Mean")
+    words = "Standard deviation", "Spread"
+    of_both = (*(f"{word} {phrase}" for word in words for phrase in what), "Spread")
     return (
-        Cell(
-            headings=(*(f"Mean {phrase}" for phrase in what), "Mean"),
-            small=_map(base, mean, noisy),
-            scale=of_mean,
-            **common,
-        ),
-        Cell(
-            headings=(
-                *(f"Standard deviation {phrase}" for phrase in what),
-                *(f"Spread {phrase}" for phrase in what),
-                "Spread",
-            ),
-            small=_map(base, spread, noisy),
-            scale=spread_scale,
-            **common,
-        ),
+        replace(plain, headings=of_mean, small=_map(base, mean, noisy), scale=mean_scale),
+        replace(plain, headings=of_both, small=_map(base, spread, noisy), scale=spread_scale),
     )
 
 
@@ -405,13 +394,8 @@ def _levels_db(side: Compared) -> Floats:
 def _noisy(*compared: Compared) -> tuple[int, ...]:
     """Return the numbers of the outputs that are mostly noise in any of them."""
     known = [(side.values or {}).get("above_noise_db") for side in compared]
-    noisy = {
-        int(k) + 1
-        for levels in known
-        if levels is not None
-        for k in np.flatnonzero(levels < LEAST_ABOVE_NOISE_DB)
-    }
-    return tuple(sorted(noisy))
+    noisy = [levels < LEAST_ABOVE_NOISE_DB for levels in known if levels is not None]
+    return tuple(int(k) + 1 for k in np.flatnonzero(np.any(noisy, axis=0)))
 
 
 def _limb(side: Compared) -> str:
@@ -599,10 +583,8 @@ class OfLimbs(Kind):
         names: list[Names] = []
         for side in compared:
             limb = side.snapshot.design.limb
-            title = limb_label(limb).title
-            other = (
-                f" ({label_of(AXES, side.axes).title})" if side.axes not in ("", view.axes) else ""
-            )
+            title, axes = limb_label(limb).title, side.axes or view.axes
+            other = f" ({label_of(AXES, axes).title})" if axes != view.axes else ""
             number = title.split()[1] if limb in PUBLISHED else limb
             names.append((f"{title}{other}", short_limb_title(limb), number))
         return names
