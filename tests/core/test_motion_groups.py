@@ -160,7 +160,7 @@ def test_a_duration_that_ends_before_the_trim_of_a_clip_says_that_nothing_plays(
     design = with_motion()
     for duration_s in (0.01, 0.7):
         edited = after_edit(design, edits.change_field, design.ids[-1:], "duration_s", duration_s)
-        assert ("nothing plays" in edited.said) == (duration_s < 0.7)
+        assert ("Nothing plays" in edited.said) == (duration_s < 0.7)
         assert "single clips" in edited.said
 
 

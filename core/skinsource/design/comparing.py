@@ -271,8 +271,8 @@ def takeover_text(design: Design, view: View, after: Design, view_after: View) -
     if shown is None or shown.number == EDITED or shown_snapshot(view_after.snapshots, after):
         return ""
     return (
-        f"Snapshot {shown.number} stays stored; its edited copy is now the working design. "
-        "Undo brings the former one back."
+        f"Snapshot {shown.number} stays; its edited copy replaces the working design, "
+        "which Undo brings back."
     )
 
 

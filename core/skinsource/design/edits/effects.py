@@ -530,7 +530,7 @@ def _with_values(
     return outcome if all(played_s) else replace(outcome, said=_EMPTIED)
 
 
-_EMPTIED = "The trim begins behind the new end, so nothing plays. Start it earlier, or remove it."
+_EMPTIED = "Nothing plays: the trim begins behind the new end. Start it earlier."
 
 
 def _with_waveforms(
