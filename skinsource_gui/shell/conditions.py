@@ -12,6 +12,7 @@ from PySide6 import QtWidgets
 from PySide6.QtCore import QObject, QPoint, Qt, QTimer, Signal
 
 from skinsource.design import edits
+from skinsource.design.edits.edit import Edit
 from skinsource.perception.validity import Finding, Findings
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.overlays import Staleness
@@ -255,7 +256,13 @@ class Conditions(QObject):
         panel.show_caution(text if text.startswith(_CAUTION) else "")
 
     def _explain(self) -> None:
-        card = ConditionsCard(self.chip.findings, self.chip.worst, self.chip)
+        mend = partial(edits.mend, self._document.design, self._document.view)
+        # What would do nothing is not offered, as where no selected output is noisy.
+        offered = tuple(
+            each if isinstance(mend(each), Edit) else replace(each, repair="")
+            for each in self.chip.findings
+        )
+        card = ConditionsCard(offered, self.chip.worst, self.chip)
         card.repair_requested.connect(self._repair)
         card.open_above(self.chip.mapToGlobal(QPoint()))
 

@@ -193,6 +193,13 @@ class Comparison(QObject):
             for each in order
         ]
 
+    def _of_matching(self) -> list[_Side]:
+        """Return all snapshots, with levels that do not depend on how long they are silent."""
+        return [
+            replace(side, slot=Slot(f"match {side.slot}"), view=replace(side.view, span="loudest"))
+            for side in self._of_snapshots()
+        ]
+
     def _on_limb(self, limb: Beside) -> _Side:
         """Return the design on a limb, as loud as it is shown in the window."""
         document, slot = self._document, Slot(f"limb {limb}")
@@ -215,7 +222,8 @@ class Comparison(QObject):
         if not (self._needs or self._when_complete or self._requests):
             return  # removed snapshots are forgotten once a panel compares again
         wanted = {side.slot for side, _ in self._wanted()}
-        kept = {side.slot for side in self._of_snapshots()} | wanted | {FIRST_SLOT}
+        stored = self._of_snapshots() + self._of_matching()
+        kept = {side.slot for side in stored} | wanted | {FIRST_SLOT}
         for slot in self._known.keys() - kept:
             del self._known[slot]
         for slot in self._requests.keys() - wanted:
@@ -228,9 +236,12 @@ class Comparison(QObject):
     def _wanted(self) -> Iterator[tuple[_Side, frozenset[str]]]:
         """Yield what is to be predicted, and what of it."""
         of_snapshots = frozenset().union(*(needs for needs, _ in self._needs.values()))
-        if of_snapshots or self._when_complete:
+        if of_snapshots:
             for side in self._of_snapshots():
                 yield side, _LEVELS | of_snapshots
+        if self._when_complete or (of_snapshots and self._document.view.levels_matched):
+            for side in self._of_matching():
+                yield side, _LEVELS
         on_limbs: dict[Beside, frozenset[str]] = {}
         for _, needed in self._needs.values():
             for limb, needs in needed.items():
@@ -316,7 +327,7 @@ class Comparison(QObject):
         """Note all that the gains of snapshots follow from."""
         view = self._document.view
         designs = {snapshot.number: snapshot.design for snapshot in view.snapshots}
-        self._gains_follow = view.levels_matched, view.axes, view.method, view.span, designs
+        self._gains_follow = view.levels_matched, view.axes, view.method, designs
 
     def _stay_matched(self) -> None:
         """Show the snapshot in the window anew where its gain has changed."""
@@ -332,14 +343,15 @@ class Comparison(QObject):
 
     def _gain(self, number: int) -> float:
         """Return the factor with which a snapshot is as loud as that of the lowest number."""
-        sides = {side.compared.snapshot.number: side for side in self._of_snapshots()}
+        sides = {side.compared.snapshot.number: side for side in self._of_matching()}
         own_db = self._loudest_db(sides.get(number))
         other_db = self._loudest_db(sides.get(min(sides)))
         return 1.0 if own_db is None or other_db is None else matching_gain(own_db, other_db)
 
     def _loudest_db(self, side: _Side | None) -> float | None:
-        known = None if side is None else self._lookup(side, _LEVELS)
-        values = None if known is None else known.values
+        # During an edit the levels from before it count.
+        known = side and (self._lookup(side, _LEVELS) or self._known.get(side.slot))
+        values = known.values if known else None
         return None if values is None else loudest_db(values["output_levels_db"])
 
 

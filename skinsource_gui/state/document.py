@@ -177,7 +177,8 @@ class Document(QObject):
                 return
         view = kept_selection(outcome.view, self._design, outcome.design)
         before, after = HistoryState(self._design, self._view), HistoryState(outcome.design, view)
-        said = outcome.said or takeover_text(before.design, before.view, after.design, view)
+        taken_over = takeover_text(before.design, before.view, after.design, view)
+        said = " ".join(filter(None, (taken_over, outcome.said)))
         if before.is_same(after):
             self.look(view)
         else:

@@ -156,6 +156,14 @@ def test_a_motion_whose_clips_all_play_something_else_is_that_motion():
     assert [each.motion.waveform for each in outcome.design.motions] == [waveform]
 
 
+def test_a_duration_that_ends_before_the_trim_of_a_clip_says_that_nothing_plays():
+    design = with_motion()
+    for duration_s in (0.01, 0.7):
+        edited = after_edit(design, edits.change_field, design.ids[-1:], "duration_s", duration_s)
+        assert ("Nothing plays" in edited.said) == (duration_s < 0.7)
+        assert "single clips" in edited.said
+
+
 @pytest.mark.parametrize("kind", MOTIONS)
 def test_a_motion_that_is_moved_whole_begins_later_and_one_moved_to_other_places_is_none(kind):
     design = with_motion(kind())

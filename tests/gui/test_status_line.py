@@ -254,6 +254,13 @@ def test_conditions_are_explained_and_repaired_from_the_chip(new_window, qtbot, 
     qtbot.waitUntil(lambda: new_window.findChild(ConditionsCard) is None)
 
 
+def test_noisy_outputs_are_offered_to_be_deselected_only_where_one_is_selected(new_window):
+    noise = replace(FINDINGS[2], state="left", repair="deselect", outputs=(61,))
+    new_window.conditions.chip.show_findings((noise,))
+    new_window.conditions._explain()
+    assert new_window.findChild(ConditionsCard).findChild(QPushButton) is None
+
+
 def awaits(chip):
     """Whether it is pale, or will be: it waits for what replaces its findings."""
     return chip._staleness.is_stale or chip._staleness._timer.isActive()

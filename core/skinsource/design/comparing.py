@@ -1,7 +1,7 @@
 """Compare designs and limbs: snapshots, matched levels, differences, and levels by region.
 
 A `Snapshot` is a design stored under a number; the view holds several, and the one that was shown
-last is the last of them.  Levels of two designs are matched by their loudest outputs.
+last is the last of them.  Levels of two designs are matched by the loudest output of each.
 """
 
 import math
@@ -271,8 +271,8 @@ def takeover_text(design: Design, view: View, after: Design, view_after: View) -
     if shown is None or shown.number == EDITED or shown_snapshot(view_after.snapshots, after):
         return ""
     return (
-        f"Snapshot {shown.number} stays stored; its edited copy is now the working design. "
-        "Undo brings the former one back"
+        f"Snapshot {shown.number} stays; its edited copy replaces the working design, "
+        "which Undo brings back."
     )
 
 

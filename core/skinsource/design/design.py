@@ -484,7 +484,7 @@ SNAPSHOTS = ListSpec(
     most=1 + len(NUMBERS),
 )
 LEVELS_MATCHED = SwitchSpec(
-    label="Match levels", hint="Show snapshots with equal levels at their loudest outputs"
+    label="Match levels", hint="Show snapshots with equal levels in their loudest 100 ms"
 )
 
 

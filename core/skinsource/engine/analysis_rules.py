@@ -544,7 +544,8 @@ def validity(
     unplayable_inputs: tuple[UnplayableInput, ...],
 ) -> Findings:
     """Conditions of the measurement, and whether the prediction meets them."""
-    synthetic = limb_data.synthetic
+    synthetic, published = limb_data.synthetic, limb_data.name in PUBLISHED
+    note = limb_data.note if published else ""
     places = [location for location, _ in place_drives]
     return (
         *_left_out(unplayable_inputs),
@@ -556,10 +557,10 @@ def validity(
             unit_known=not limb_data.per_unit_drive,
             band_hz=limb_data.band_hz,
             # The limit holds for the output positions of the published limbs only.
-            spatial_limit_hz=SPATIAL_LIMIT_HZ if limb_data.name in PUBLISHED else None,
+            spatial_limit_hz=SPATIAL_LIMIT_HZ if published else None,
         ),
         noise_findings(above_noise_db, synthetic=synthetic, silent=not place_drives),
-        *setup_findings(synthetic=synthetic, scaling=scaling, places=places),
+        *setup_findings(synthetic=synthetic, scaling=scaling, places=places, note=note),
     )
 
 

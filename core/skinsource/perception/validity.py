@@ -307,7 +307,9 @@ def noise_findings(above_noise_db: Floats | None, *, synthetic: bool, silent: bo
     )
 
 
-def setup_findings(*, synthetic: bool, scaling: Scaling, places: Sequence[int]) -> Findings:
+def setup_findings(
+    *, synthetic: bool, scaling: Scaling, places: Sequence[int], note: str = ""
+) -> Findings:
     """Return what is found in the choice of limb and scaling.
 
     Parameters
@@ -318,8 +320,11 @@ def setup_findings(*, synthetic: bool, scaling: Scaling, places: Sequence[int]) 
         What an amplitude of 1 means.
     places
         Input places that play.
+    note
+        What is known of the files of the limb.
     """
-    limb = Finding(name="limb", state="kept", sentence="Responses of this limb were measured.")
+    measured = ", ".join(filter(None, ("Responses of this limb were measured", note)))
+    limb = Finding(name="limb", state="kept", sentence=f"{measured}.")
     if synthetic:
         limb = Finding(
             name="limb",

@@ -293,7 +293,8 @@ class ExportActions(QObject):
     def _edit(self, edit: Edit, gesture: int | None) -> None:
         """Edit the design, as the panel Output does, and show the same choices on it."""
         said = f"{edit.label}: done in the design. Close keeps it, Undo takes it back"
-        self._document.apply(replace(edit, said=said), gesture)
+        changes = edit.design != self._document.design
+        self._document.apply(replace(edit, said=said if changes else ""), gesture)
         self.page.show_design(self._document.design)
 
     def _forget_page(self) -> None:

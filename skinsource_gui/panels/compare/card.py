@@ -6,7 +6,6 @@ from functools import partial
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QPoint, QSize, Qt, Signal
 
-from skinsource.base.decibels import FLOOR_DB
 from skinsource.design.comparing import gain_text, loudest_db, snapshot_name
 from skinsource.design.design import TITLE
 from skinsource_gui.fields.editors import TextLine
@@ -15,23 +14,15 @@ from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of, shortcut_text
 from skinsource_gui.qt.layouts import named
 from skinsource_gui.qt.theme import UNIT_PX, tabular
-from skinsource_gui.state.compared import Compared, gain_db
-
-
-def played_db(compared: Compared) -> float | None:
-    """Return the level of the loudest output of a snapshot as it is shown, dB; None: not known."""
-    if compared.values is None:
-        return None
-    stored = loudest_db(compared.values["output_levels_db"])
-    return stored if stored <= FLOOR_DB else stored + gain_db(compared)
+from skinsource_gui.state.compared import Compared, gain_db, is_silent
 
 
 def card_level_text(compared: Compared) -> str:
-    """Return the level of the loudest output, "−12.3 dB"; "…" while it is not known."""
-    level = played_db(compared)
-    if level is None:
+    """Return the level of the loudest output as it is shown, "−12.3 dB"; "…": not known yet."""
+    if compared.values is None:
         return "–" if compared.problem else "…"
-    return "silent" if level <= FLOOR_DB else minus(f"{level:z.1f} dB")
+    stored = loudest_db(compared.values["output_levels_db"])
+    return "silent" if is_silent(compared) else minus(f"{stored + gain_db(compared):z.1f} dB")
 
 
 def card_text(compared: Compared, *, present: bool) -> str:

@@ -36,7 +36,7 @@ from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.own_limbs import axes_on
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource_gui.fields.units import output_text
-from skinsource_gui.panels.compare.card import card_level_text, played_db, told_titles
+from skinsource_gui.panels.compare.card import told_titles
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.colour_maps import DIVERGING
 from skinsource_gui.plots.pictures import common_title
@@ -281,37 +281,26 @@ def of_spread(
     mean, spread = mean_and_spread_over([_levels_db(side) for side in known])
     called = [name for _, name in audible]
     what = _of_all(called, len(compared))
-    stale = any(side.is_stale for side in known)
     noisy = _noisy(*known)
-    common: dict[str, Any] = {
-        "limb": limb,
-        "stale": stale,
-        "synthetic": any(_synthetic(side) for side in known),
-    }
-    of_mean = scale_of_levels(mean, style)
+    plain = Cell(
+        headings=("Mean",),
+        limb=limb,
+        stale=any(side.is_stale for side in known),
+        synthetic=any(_synthetic(side) for side in known),
+    )
     spread_scale = ColourScale(
         range_db=(0.0, scale_end_db(spread)),
         text_below="dB",
         colours=style.colours,
         reached_db=_reached_db([spread]),
     )
+    mean_scale = scale_of_levels(mean, style)
+    of_mean = (*(f"Mean {phrase}" for phrase in what), "Mean")
+    words = "Standard deviation", "Spread"
+    of_both = (*(f"{word} {phrase}" for word in words for phrase in what), "Spread")
     return (
-        Cell(
-            headings=(*(f"Mean {phrase}" for phrase in what), "Mean"),
-            small=_map(base, mean, noisy),
-            scale=of_mean,
-            **common,
-        ),
-        Cell(
-            headings=(
-                *(f"Standard deviation {phrase}" for phrase in what),
-                *(f"Spread {phrase}" for phrase in what),
-                "Spread",
-            ),
-            small=_map(base, spread, noisy),
-            scale=spread_scale,
-            **common,
-        ),
+        replace(plain, headings=of_mean, small=_map(base, mean, noisy), scale=mean_scale),
+        replace(plain, headings=of_both, small=_map(base, spread, noisy), scale=spread_scale),
     )
 
 
@@ -369,11 +358,9 @@ def _relative(small: SmallMap, maximum_db: float) -> SmallMap:
     levels, field = small.levels_db, small.field_levels_db
     if levels is not None:
         levels = np.where(levels > FLOOR_DB, levels - maximum_db, levels)
-    return replace(
-        small,
-        levels_db=levels,
-        field_levels_db=None if field is None else field - maximum_db,
-    )
+    if field is not None:
+        field = field - maximum_db
+    return replace(small, levels_db=levels, field_levels_db=field)
 
 
 def _of_all(called: Sequence[Names], n_compared: int) -> Names:
@@ -407,13 +394,8 @@ def _levels_db(side: Compared) -> Floats:
 def _noisy(*compared: Compared) -> tuple[int, ...]:
     """Return the numbers of the outputs that are mostly noise in any of them."""
     known = [(side.values or {}).get("above_noise_db") for side in compared]
-    noisy = {
-        int(k) + 1
-        for levels in known
-        if levels is not None
-        for k in np.flatnonzero(levels < LEAST_ABOVE_NOISE_DB)
-    }
-    return tuple(sorted(noisy))
+    noisy = [levels < LEAST_ABOVE_NOISE_DB for levels in known if levels is not None]
+    return tuple(int(k) + 1 for k in np.flatnonzero(np.any(noisy, axis=0)))
 
 
 def _limb(side: Compared) -> str:
@@ -431,6 +413,7 @@ LEAST_COMPARED = 2
 #: Quantities of a map of levels.
 LEVELS = frozenset(
     {"limb_map", "limb_data", "output_levels_db", "above_noise_db", "surface", "surface_levels_db"}
+    | {"response_samples"}
 )
 
 
@@ -498,9 +481,7 @@ class Kind:
         text = f"RMS of {signal_label(view.axes, view.method)} · {span_label(view.span)}"
         without = "without inputs that cannot be played"
         left_out = without if any(side.left_out for side in compared) else ""
-        return " · ".join(
-            part for part in (text, display_gain_text(design, view), left_out) if part
-        )
+        return " · ".join(filter(None, (text, display_gain_text(design, view), left_out)))
 
     def shown(self, settings: CompareSettings) -> str:
         """Return what is shown of the sides: the levels where there is no choice."""
@@ -602,10 +583,8 @@ class OfLimbs(Kind):
         names: list[Names] = []
         for side in compared:
             limb = side.snapshot.design.limb
-            title = limb_label(limb).title
-            other = (
-                f" ({label_of(AXES, side.axes).title})" if side.axes not in ("", view.axes) else ""
-            )
+            title, axes = limb_label(limb).title, side.axes or view.axes
+            other = f" ({label_of(AXES, axes).title})" if axes != view.axes else ""
             number = title.split()[1] if limb in PUBLISHED else limb
             names.append((f"{title}{other}", short_limb_title(limb), number))
         return names
@@ -697,18 +676,30 @@ class OfSnapshots(Kind):
     def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
         # Each has its own gain.
         text = super().about(compared, None, view)
+        over = lengths_text(compared) if view.span == "record" else ""
         matched = matching_text(compared) if view.levels_matched else ""
-        return f"{text} · {matched}" if matched else text
+        return " · ".join(filter(None, (text, over, matched)))
+
+
+def lengths_text(compared: Sequence[Compared]) -> str:
+    """Return over how long the levels are taken; "" where that is the same for all."""
+    lengths_s = sorted(
+        {
+            round(values["response_samples"] / values["limb_data"].sample_rate_hz, 2)
+            for values in (side.values for side in compared)
+            if values and "response_samples" in values
+        }
+    )
+    return f"over {lengths_s[0]:g} to {lengths_s[-1]:g} s" if lengths_s[1:] else ""
 
 
 def matching_text(compared: Sequence[Compared]) -> str:
-    """Return the text on the level that all designs share; "" where fewer than two have one."""
-    known = [side for side in compared if played_db(side) is not None]
-    if len(known) < LEAST_COMPARED:
+    """Return the text on what is as loud in all designs; "" where fewer than two have levels."""
+    if sum(side.values is not None for side in compared) < LEAST_COMPARED:
         return ""
     reference = min(compared, key=lambda side: side.snapshot.number)
     if not (is_silent(reference) or reference.problem):
-        return f"{LEVELS_MATCHED}: {card_level_text(known[0])} at the loudest output"
+        return f"{LEVELS_MATCHED} in the {span_label('loudest')}"
     why = "cannot be predicted" if reference.problem else "is silent"
     return f"{snapshot_name(reference.snapshot.number)} {why}: levels cannot be matched to it"
 

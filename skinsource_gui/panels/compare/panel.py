@@ -96,7 +96,7 @@ _LINES_WITH_ROOM = 14
 
 # Names, texts and hints of buttons, and what they do.
 _OF_SNAPSHOTS = (
-    ("match", "Match levels", "Give their loudest outputs the same level", "match_levels"),
+    ("match", "Match levels", "Give the loudest 100 ms of each the same level", "match_levels"),
     ("toggle", "A/B (X)", "Show the other one of the last two", "toggle_snapshots"),
     ("file", "From file…", "Keep the design of a file as a snapshot", "take_snapshot"),
 )

@@ -30,9 +30,7 @@ SHOWN = ChoiceSpec(
     ),
     hint="Levels of each, differences, mean and standard deviation, or motion",
 )
-OWN_MAXIMUM = SwitchSpec(
-    label="Own maximum", hint="Draw each map relative to its own loudest output"
-)
+OWN_MAXIMUM = SwitchSpec(label="Own maximum", hint="Draw each map relative to its loudest output")
 LIMBS = TextSpec(label="Limbs", longest=200, one_line=True)
 FREQUENCIES = ListSpec(
     label="Frequencies",

@@ -58,6 +58,9 @@ NO_OUTPUTS = Refusal(
 PICTURE_PX = (1200, 1800)
 
 
+_SOURCE_IN_SHORT = "Made from files that are not the published ones", "Not the published files"
+
+
 def _line(name: str, title: str, parent: QtWidgets.QWidget) -> FittingLabel:
     """Return a line of text that takes any width."""
     line = FittingLabel(parent)
@@ -254,7 +257,8 @@ class SkinPanel(Panel):
         self.measure.show_state(self._design, self._view, seen, content)
         self.colour_bar.show_content(shown)
         self.map.show_content(shown)
-        self.note.show_phrases((content.note, content.note.replace(LIMITS, LIMITS_IN_SHORT)))
+        in_short = content.note.replace(LIMITS, LIMITS_IN_SHORT).replace(*_SOURCE_IN_SHORT)
+        self.note.show_phrases((content.note, in_short))
         self.note.setToolTip(tooltip(content.note) if content.note else "")
         self.note.setVisible(bool(content.note))
         self._show_readout(self.map.readout())

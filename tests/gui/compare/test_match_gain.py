@@ -13,6 +13,7 @@ from skinsource.design.comparing import match_text
 from skinsource.design.design import louder
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource_gui.panels.analysis.settings import VIEWS
+from skinsource_gui.panels.compare.card import card_level_text
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.plots.pictures import ALL_VISIBLE, drawn_image
 from skinsource_gui.shell.status import MatchNote
@@ -47,7 +48,10 @@ def test_a_file_holds_the_amplitudes_that_were_stored(window, matched, tmp_path)
 
 def test_it_stays_as_loud_where_levels_are_taken_otherwise(window, settle, matched):
     document, gain = window.document, matched
-    for looked in ({"span": "loudest"}, {"axes": "xyz", "method": "mag"}, {"axes": "z"}):
+    document.look(replace(document.view, span="loudest"))
+    settle()
+    assert document.view.match_gain(document.design) == gain  # by these levels in any case
+    for looked in ({"axes": "xyz", "method": "mag"}, {"axes": "z"}):
         document.look(replace(document.view, **looked))
         settle()
         before, gain = gain, document.view.match_gain(document.design)
@@ -59,6 +63,18 @@ def test_it_stays_as_loud_where_levels_are_taken_otherwise(window, settle, match
     settle()
     assert document.view.match_gain(document.design) == gain
     assert shown_levels(window).max() == pytest.approx(loudest, abs=1e-6)
+
+
+def test_a_pause_makes_no_snapshot_softer_and_how_long_it_makes_the_record_is_said(window, settle):
+    design = window.document.design
+    window.do("store_snapshot_1")
+    window.document.edit("Onset", louder(design.with_clip(1, onset_s=2.0), 2.0))
+    window.do("match_levels")
+    panel = brought_forward(window, settle, "compare")
+    earlier, later = (card.compared for card in panel.cards if card.compared)
+    assert [earlier.gain, later.gain] == pytest.approx([2.0, 1.0], abs=1e-6)
+    assert card_level_text(earlier) != card_level_text(later)
+    assert " · over " in panel.text_label.whole
 
 
 def test_what_is_opened_is_shown_with_the_gain_that_it_was_left_with(window, settle, matched):

@@ -163,6 +163,10 @@ def test_a_limb_about_which_there_is_something_to_know_says_so_below_the_map(win
     QApplication.processEvents()
     assert window.panel.note.height() < 1.5 * window.panel.note.fontMetrics().height()
     assert window.panel.map.height() < without[0].height()
+    limb.note += " ones: impulseResponses.mat"
+    window.deliver(limb_data=limb)
+    window.panel.note.resize(window.panel.note.minimumSizeHint())
+    assert window.panel.note.text() == "Not the published files: impulseResponses.mat."
     # Below a picture the caption says it, which the window gives.
     assert window.panel.picture(400, 600) == without[1]
     window.panel.caption = lambda: "Made from files that are not the published."

@@ -523,7 +523,14 @@ def _with_values(
             clip_changes[clip.id] = {"waveform": replace(waveform, **{name: value})}
     (track, clip), value = values[0]
     verb = change_text(fields_of(track, clip)[name], value_of(track, name, clip), value)
-    return change_inputs(design, view, verb, changes, clip_changes)
+    outcome = change_inputs(design, view, verb, changes, clip_changes)
+    if name != "duration_s" or isinstance(outcome, Refusal):
+        return outcome
+    played_s = [outcome.design.clip(id).duration_s for id in clip_changes]
+    return outcome if all(played_s) else replace(outcome, said=_EMPTIED)
+
+
+_EMPTIED = "Nothing plays: the trim begins behind the new end. Start it earlier."
 
 
 def _with_waveforms(

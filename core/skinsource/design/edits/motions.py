@@ -121,7 +121,8 @@ def with_whole_motions(before: Design, edit: Edit) -> Edit:
     lost = [group for group in before.motions if group.clips in gone]
     said = edit.said
     if lost:
-        said = f"{lost[0].motion.title} is now single clips; Undo makes it a motion again."
+        apart = f"{lost[0].motion.title} is now single clips; Undo makes it a motion again."
+        said = " ".join(filter(None, (said, apart)))
     if gone:
         design = _without_labels(design, gone.values(), set().union(*kept))
     return replace(edit, design=replace(design, motions=whole), said=said)
