@@ -236,7 +236,7 @@ class NumberField(Editor, QtWidgets.QLineEdit):
             self.burst.end()
             if self._drag is not None:
                 self._drag.ladder = None
-            if not self.editing:
+            if not self.editing or self.window().focusWidget() is not self:
                 self._end_typing()
             self._show(float(value_si))
 

@@ -29,7 +29,7 @@ from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import ListSpec, ModelSpec
 from skinsource.specs.spec import Spec
 from skinsource_gui.fields.editor import Editor, NewEditor
-from skinsource_gui.fields.grid import EditedCell, FieldGrid, discard
+from skinsource_gui.fields.grid import EditedCell, FieldGrid, discard, forget_typing
 from skinsource_gui.fields.kinds import fill_kind_menu
 from skinsource_gui.qt.buttons import remove_button
 from skinsource_gui.qt.frames import drop_line
@@ -116,11 +116,6 @@ class PartFields(QObject):
             self._own[self._last_edited].show_reason(reason)
         elif self._kind is not None:
             self._kind.show_reason(reason)
-
-    def forget_typing(self) -> None:
-        """Close an open editor without committing."""
-        for cell in self.cells:
-            cell.forget_typing()
 
     def _build(self, model: Any) -> None:
         old = self._nested.values()
@@ -357,11 +352,6 @@ class FieldsRow(QtWidgets.QWidget):
         """Show or hide the fields."""
         self.title.set_open(open_)
 
-    def forget_typing(self) -> None:
-        """Close an open editor without committing."""
-        for cell in self.cells:
-            cell.forget_typing()
-
     def press(self, name: str) -> None:
         """Do what a key of the title means."""
         if name == "open":
@@ -488,7 +478,7 @@ class RowColumn(QtWidgets.QWidget, Generic[Row]):
             self._column.removeWidget(row)
         for row in removed:
             # Typing that has begun in a removed row must not reach another one.
-            row.forget_typing()
+            forget_typing(row)
             row.hide()
             row.deleteLater()
         self.rows = rows
@@ -627,8 +617,7 @@ class PartsEditor(Editor, QtWidgets.QWidget):
 
     def cancel(self) -> None:
         """Forget what is being typed."""
-        for row in self.rows:
-            row.forget_typing()
+        forget_typing(*self.rows)
 
     def _show(self) -> None:
         count, rows = len(self._value), self._column.rows_for(self._value, self._new_row)

@@ -259,6 +259,11 @@ def test_setting_the_value_tells_nobody_and_leaves_an_open_editor_alone(make_ben
     assert (bench.field.text(), bench.edits) == ("7", [])
     QTest.keyClick(bench.field, Qt.Key.Key_Escape)
     assert bench.field.text() == "300"
+    # Without the keyboard nothing is being typed.
+    bench.other.setFocus()
+    bench.field.begin_editing()
+    bench.field.set_value(0.4)
+    assert bench.field.text() == "400"
 
 
 @pytest.mark.parametrize("value", [2.45678, -2.45, 649.5, 0.0123])
