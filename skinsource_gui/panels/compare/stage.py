@@ -9,7 +9,17 @@ from typing import Any, ClassVar
 
 import numpy as np
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSignalBlocker, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import (
+    QEvent,
+    QLineF,
+    QPointF,
+    QRectF,
+    QSignalBlocker,
+    QSize,
+    Qt,
+    QTimer,
+    Signal,
+)
 
 from skinsource.base.conventions import Floats, axes_text
 from skinsource.base.errors import InvalidInputError
@@ -33,7 +43,7 @@ from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import NumberSpec
 from skinsource.studies import scenes
 from skinsource_gui.fields.editor import Burst
-from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.fields.number_field import DRAG_BEGINS_PX, NumberField
 from skinsource_gui.fields.units import axis_unit, output_text, parse_number, value_text
 from skinsource_gui.panels.compare.content import ALL_AXES, KINDS, Kind, Names, OfWindow
 from skinsource_gui.panels.compare.maps import MapsPanel
@@ -157,8 +167,36 @@ class Strip(Figure):
 
 # Steps of the whole turn, of an arrow key or a notch of the wheel.
 _STEPS, _STEP = 1000, 5
+# What a drag turns: steps for a pixel up; and the angle of the whole turn, as Qt draws it.
+_STEPS_PER_PX, _SWEEP_DEG = 4.0, 300.0
 # Ends of the turn, where those of the number are too far apart.
 _ENDS = {"amplitude": (0.01, 100.0), "onset_s": (0.0, 0.2)}
+
+
+class Dial(QtWidgets.QDial):
+    """Turned by how far the mouse moves: up and down, or round where the drag begins sideways."""
+
+    _at, _round, _reached = QPointF(), False, 0.0
+
+    def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
+        self.setSliderDown(event.button() == Qt.MouseButton.LeftButton)
+        self._at, self._round, self._reached = event.position(), False, -1.0
+
+    def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
+        at, middle = event.position(), QRectF(self.rect()).center()
+        by = at - self._at
+        if not self.isSliderDown() or (self._reached < 0 and by.manhattanLength() < DRAG_BEGINS_PX):
+            return
+        if self._reached < 0:
+            self._round, self._reached = abs(by.x()) > abs(by.y()), self.value()
+        clockwise = QLineF(middle, at).angleTo(QLineF(middle, self._at))
+        turned = (clockwise + 180.0) % 360.0 - 180.0
+        steps = turned / _SWEEP_DEG * _STEPS if self._round else -_STEPS_PER_PX * by.y()
+        self._at, self._reached = at, min(max(self._reached + steps, 0.0), _STEPS)
+        self.setValue(round(self._reached))
+
+    def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:
+        self.setSliderDown(False)
 
 
 class Knob(QtWidgets.QWidget):
@@ -170,7 +208,7 @@ class Knob(QtWidgets.QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.label = page_label("stage_number", tone="dim", centred=True)
-        self.dial = named(QtWidgets.QDial(), "stage_dial")
+        self.dial = named(Dial(), "stage_dial")
         self.field = NumberField(ONSET_SPEC)
         self._ends, self._logarithmic, self._burst = (0.0, 1.0), False, Burst(self)
         # The maps have the room first.
