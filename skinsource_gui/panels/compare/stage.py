@@ -52,6 +52,7 @@ from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.curves import output_names
 from skinsource_gui.plots.figure import Figure, shrunk
 from skinsource_gui.plots.pictures import common_title
+from skinsource_gui.plots.ranges import Tick, readable_ticks
 from skinsource_gui.plots.small_map import Range
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.frames import CachedPicture, Same
@@ -90,17 +91,22 @@ class Strip(Figure):
         self.curves: tuple[Curve, ...] = ()
         self.marked: float | None = None
         self.ends: tuple[Range, Range] = ((0.0, 1.0), (-1.0, 1.0))
-        self._words = ("", "", "")
+        self._words, self._ticks = ("", "", ""), tuple[Tick, ...]()
         self._picture = CachedPicture()
         self.setMinimumHeight(80)
         self.setMouseTracking(False)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
 
     def show_curves(
-        self, curves: tuple[Curve, ...], ends: tuple[Range, Range], words: tuple[str, str, str]
+        self,
+        curves: tuple[Curve, ...],
+        ends: tuple[Range, Range],
+        words: tuple[str, str, str],
+        ticks: tuple[Tick, ...] = (),
     ) -> None:
         """Draw curves between ends of x and y; words say where, and what the ends are."""
         self.curves, self.ends, self._words = curves, ends, words
+        self._ticks = ticks
         self.setVisible(bool(curves))
         called = ", ".join(curve.names[0] for curve in curves)
         self.setAccessibleName(f"{called}; {words[1]}" if curves else "")
@@ -125,7 +131,8 @@ class Strip(Figure):
 
     def _area(self) -> QRectF:
         line = 1.4 * self.fontMetrics().height()
-        return QRectF(self.rect()).adjusted(UNIT_PX, line, -UNIT_PX, -line)
+        below = 2.2 * self.fontMetrics().height() if self._ticks else line
+        return QRectF(self.rect()).adjusted(UNIT_PX, line, -UNIT_PX, -below)
 
     def _paint(self, painter: QtGui.QPainter) -> None:
         theme, area, line = current_theme(), self._area(), painter.fontMetrics().height()
@@ -133,6 +140,13 @@ class Strip(Figure):
         painter.setPen(QtGui.QPen(QtGui.QColor(theme.grid), 1))
         painter.drawLine(QPointF(area.left(), middle), QPointF(area.right(), middle))
         left, ((x_low, x_high), (y_low, y_high)) = area.left(), self.ends
+        for tick in self._ticks:
+            at = QPointF(area.left() + area.width() * (tick.value - x_low) / (x_high - x_low), 0.0)
+            painter.setPen(QtGui.QPen(QtGui.QColor(theme.grid), 1))
+            painter.drawLine(at + QPointF(0.0, area.top()), at + QPointF(0.0, area.bottom()))
+            painter.setPen(QtGui.QColor(theme.dim))
+            half = painter.fontMetrics().horizontalAdvance(tick.label) / 2.0
+            painter.drawText(at + QPointF(-half, area.bottom() + 0.95 * line), tick.label)
         for curve, label in zip(self.curves, self._labels(area.width()), strict=True):
             x = area.left() + area.width() * (curve.x - x_low) / (x_high - x_low)
             y = area.bottom() - area.height() * (curve.y - y_low) / (y_high - y_low)
@@ -145,7 +159,8 @@ class Strip(Figure):
             left += painter.fontMetrics().horizontalAdvance(f"{label}{_BETWEEN}")
         painter.setPen(QtGui.QColor(theme.dim))
         above = QRectF(area.left(), 0.0, area.width(), line)
-        below = QRectF(area.left(), area.bottom() + 0.2 * line, area.width(), 1.2 * line)
+        bottom = self.height() - 1.2 * line
+        below = QRectF(area.left(), bottom, area.width(), 1.2 * line)
         joined = "".join((self._words[1], _BETWEEN, self._words[2]))
         left_side, right_side = Qt.AlignmentFlag.AlignLeft, Qt.AlignmentFlag.AlignRight
         painter.drawText(above, right_side, self._words[0])
@@ -214,7 +229,6 @@ class Knob(QtWidgets.QWidget):
         # The maps have the room first.
         policy = QtWidgets.QSizePolicy.Policy
         self.dial.setSizePolicy(policy.Preferred, policy.Ignored)
-        self.dial.setMinimumHeight(7 * UNIT_PX)
         self.dial.setRange(0, _STEPS)
         self.dial.setSingleStep(_STEP)
         self.dial.setPageStep(10 * _STEP)
@@ -252,6 +266,8 @@ class Knob(QtWidgets.QWidget):
 
 # Heights of letters, in that of the panel: title, sentence, other words.
 _LETTERS = (0.05, 0.034, 0.022)
+# The least height of the dial, in that of the panel: with larger letters, too.
+_LEAST_DIAL = 0.105
 # Above several maps and beside one, words take the first share of the height at most, more of it
 # with larger letters, and never more than the second.  Letters are made smaller until they are half
 # as large as usual, those of a title sooner; then less is said, and no more letters than this.
@@ -484,6 +500,8 @@ class StagePanel(MapsPanel):
         self._grid.setContentsMargins(margin, top, margin, margin)
         self._set_letters(grown * words, self.knob.field)
         knob = self.knob
+        knob.field.setMinimumHeight(knob.field.sizeHint().height())
+        knob.dial.setMinimumHeight(max(7 * UNIT_PX, round(_LEAST_DIAL * self.height())))
         self._grid.setRowMinimumHeight(4, knob.column.minimumHeightForWidth(knob.width()))
         for label, whole, text in self._said:
             # Nothing moves where less is said than before.
@@ -615,14 +633,16 @@ class StagePanel(MapsPanel):
                 axes, matched = axes_text(facts_of(limb).axes), of.partition(",")[1:]
                 of = f"acceleration along {axes} together{''.join(matched)}"
             words = (where, f"{low_hz:g} Hz: {of}, {_SPECTRUM_DB:g} dB high", f"{high_hz:g} Hz")
+            ticks = readable_ticks(low_hz, 0.99 * high_hz, 7.0, 7.0)
         else:
+            ticks = ()
             unit, factor = axis_unit(end_s)
             ends = (0.0, end_s), self._held_ends[1] if self._held_ends else (-top, top)
             self._held_ends = self._held_ends and ends
             high = f"±{rounded(ends[1][1])} {self.moving.unit}"
             words = (where, high, f"{end_s * factor:.3g} {unit}")
         self._cut = top > ends[1][1] or (not spectra and shown_s > end_s)
-        self.strip.show_curves(tuple(curves), ends, words)
+        self.strip.show_curves(tuple(curves), ends, words, ticks)
         self._show_cursor()
 
     def _show_cursor(self) -> None:
