@@ -406,7 +406,7 @@ class Presenter(QObject):
 
     def _handlers(self, watched: QObject) -> dict[str, Callable[[], None]]:
         stage = cast("StagePanel", self._made[STAGE])
-        on_stage = {
+        on_stage: dict[str, Callable[[], None]] = {
             "next": partial(self.go, "1"),
             "previous": partial(self.go, "-1"),
             "cover": self.cover,

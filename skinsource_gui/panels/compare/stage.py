@@ -3,7 +3,7 @@
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from math import isclose, log, sqrt
+from math import isclose, sqrt
 from textwrap import shorten
 from typing import Any, ClassVar
 
@@ -50,7 +50,7 @@ from skinsource_gui.panels.compare.maps import MapsPanel
 from skinsource_gui.panels.compare.motion import rounded
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.curves import output_names
-from skinsource_gui.plots.figure import Figure, shrunk
+from skinsource_gui.plots.figure import Axis, Figure, shrunk
 from skinsource_gui.plots.pictures import common_title
 from skinsource_gui.plots.ranges import Tick, readable_ticks
 from skinsource_gui.plots.small_map import Range
@@ -84,29 +84,27 @@ class Strip(Figure):
     ----------
     curves, ends, marked
         What is drawn, the ends of x and y, and which x is marked; None: none is.
+    ticks
+        Of x, below the curves.
     """
 
     def __init__(self) -> None:
         super().__init__("stage_traces", "Traces")
         self.curves: tuple[Curve, ...] = ()
         self.marked: float | None = None
+        self.ticks: tuple[Tick, ...] = ()
         self.ends: tuple[Range, Range] = ((0.0, 1.0), (-1.0, 1.0))
-        self._words, self._ticks = ("", "", ""), tuple[Tick, ...]()
+        self._words = ("", "", "")
         self._picture = CachedPicture()
         self.setMinimumHeight(80)
         self.setMouseTracking(False)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
 
     def show_curves(
-        self,
-        curves: tuple[Curve, ...],
-        ends: tuple[Range, Range],
-        words: tuple[str, str, str],
-        ticks: tuple[Tick, ...] = (),
+        self, curves: tuple[Curve, ...], ends: tuple[Range, Range], words: tuple[str, str, str]
     ) -> None:
         """Draw curves between ends of x and y; words say where, and what the ends are."""
         self.curves, self.ends, self._words = curves, ends, words
-        self._ticks = ticks
         self.setVisible(bool(curves))
         called = ", ".join(curve.names[0] for curve in curves)
         self.setAccessibleName(f"{called}; {words[1]}" if curves else "")
@@ -131,7 +129,7 @@ class Strip(Figure):
 
     def _area(self) -> QRectF:
         line = 1.4 * self.fontMetrics().height()
-        below = 2.2 * self.fontMetrics().height() if self._ticks else line
+        below = line * (1.6 if self.ticks else 1.0)
         return QRectF(self.rect()).adjusted(UNIT_PX, line, -UNIT_PX, -below)
 
     def _paint(self, painter: QtGui.QPainter) -> None:
@@ -140,13 +138,6 @@ class Strip(Figure):
         painter.setPen(QtGui.QPen(QtGui.QColor(theme.grid), 1))
         painter.drawLine(QPointF(area.left(), middle), QPointF(area.right(), middle))
         left, ((x_low, x_high), (y_low, y_high)) = area.left(), self.ends
-        for tick in self._ticks:
-            at = QPointF(area.left() + area.width() * (tick.value - x_low) / (x_high - x_low), 0.0)
-            painter.setPen(QtGui.QPen(QtGui.QColor(theme.grid), 1))
-            painter.drawLine(at + QPointF(0.0, area.top()), at + QPointF(0.0, area.bottom()))
-            painter.setPen(QtGui.QColor(theme.dim))
-            half = painter.fontMetrics().horizontalAdvance(tick.label) / 2.0
-            painter.drawText(at + QPointF(-half, area.bottom() + 0.95 * line), tick.label)
         for curve, label in zip(self.curves, self._labels(area.width()), strict=True):
             x = area.left() + area.width() * (curve.x - x_low) / (x_high - x_low)
             y = area.bottom() - area.height() * (curve.y - y_low) / (y_high - y_low)
@@ -158,10 +149,14 @@ class Strip(Figure):
             painter.drawText(QPointF(left, 0.9 * line), label)
             left += painter.fontMetrics().horizontalAdvance(f"{label}{_BETWEEN}")
         painter.setPen(QtGui.QColor(theme.dim))
+        for tick in self.ticks:
+            at = area.left() + area.width() * (tick.value - x_low) / (x_high - x_low)
+            painter.drawLine(QLineF(at, area.bottom() - line / 4, at, area.bottom()))
+            place = QRectF(at - 2 * line, area.bottom(), 4 * line, line)
+            painter.drawText(place, Qt.AlignmentFlag.AlignHCenter, tick.label)
         above = QRectF(area.left(), 0.0, area.width(), line)
-        bottom = self.height() - 1.2 * line
-        below = QRectF(area.left(), bottom, area.width(), 1.2 * line)
-        joined = "".join((self._words[1], _BETWEEN, self._words[2]))
+        below = QRectF(area.left(), self.height() - 1.2 * line, area.width(), 1.2 * line)
+        joined = _BETWEEN.join(self._words[1:])
         left_side, right_side = Qt.AlignmentFlag.AlignLeft, Qt.AlignmentFlag.AlignRight
         painter.drawText(above, right_side, self._words[0])
         painter.setFont(shrunk(painter.font(), [joined], area.width()))
@@ -194,8 +189,8 @@ class Dial(QtWidgets.QDial):
     _at, _round, _reached = QPointF(), False, 0.0
 
     def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
+        self._at, self._reached = event.position(), -1.0
         self.setSliderDown(event.button() == Qt.MouseButton.LeftButton)
-        self._at, self._round, self._reached = event.position(), False, -1.0
 
     def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
         at, middle = event.position(), QRectF(self.rect()).center()
@@ -225,7 +220,7 @@ class Knob(QtWidgets.QWidget):
         self.label = page_label("stage_number", tone="dim", centred=True)
         self.dial = named(Dial(), "stage_dial")
         self.field = NumberField(ONSET_SPEC)
-        self._ends, self._logarithmic, self._burst = (0.0, 1.0), False, Burst(self)
+        self._axis, self._burst = Axis(shown=(0.0, 1.0), title=""), Burst(self)
         # The maps have the room first.
         policy = QtWidgets.QSizePolicy.Policy
         self.dial.setSizePolicy(policy.Preferred, policy.Ignored)
@@ -242,25 +237,18 @@ class Knob(QtWidgets.QWidget):
     def show_number(self, name: str, spec: NumberSpec, value: float, of: str = "") -> None:
         """Show a number of this name; ``of``: whose it is."""
         low, high = _ENDS.get(name) or spec.measured_band_hz or (spec.minimum, spec.maximum)
-        self._ends, self._logarithmic = (low, high), low > 0.0
+        self._axis = Axis(shown=(low, high), title="", log=low > 0.0)
+        share = self._axis.part(np.array(min(max(value, low), high)))
         self.label.setText(f"{spec.label}{of}")
         for part in (self.dial, self.field):
             part.setAccessibleName(self.label.text())
         self.field.set_spec(spec)
         self.field.set_value(float(f"{value:.4g}"))
         with QSignalBlocker(self.dial):
-            self.dial.setValue(round(_STEPS * self._share(value)))
-
-    def _share(self, value: float) -> float:
-        low, high = self._ends
-        if not self._logarithmic:
-            return min(max((value - low) / (high - low), 0.0), 1.0)
-        return log(min(max(value, low), high) / low) / log(high / low)
+            self.dial.setValue(round(_STEPS * float(share)))
 
     def _turn(self, step: int) -> None:
-        low, high = self._ends
-        share = step / _STEPS
-        value = low * (high / low) ** share if self._logarithmic else low + share * (high - low)
+        value = self._axis.value(step / _STEPS)
         self.edited.emit(float(f"{value:.3g}"), self._burst.gesture())
 
 
@@ -633,16 +621,16 @@ class StagePanel(MapsPanel):
                 axes, matched = axes_text(facts_of(limb).axes), of.partition(",")[1:]
                 of = f"acceleration along {axes} together{''.join(matched)}"
             words = (where, f"{low_hz:g} Hz: {of}, {_SPECTRUM_DB:g} dB high", f"{high_hz:g} Hz")
-            ticks = readable_ticks(low_hz, 0.99 * high_hz, 7.0, 7.0)
+            self.strip.ticks = readable_ticks(low_hz, 0.99 * high_hz, 7.0, 7.0)
         else:
-            ticks = ()
+            self.strip.ticks = ()
             unit, factor = axis_unit(end_s)
             ends = (0.0, end_s), self._held_ends[1] if self._held_ends else (-top, top)
             self._held_ends = self._held_ends and ends
             high = f"±{rounded(ends[1][1])} {self.moving.unit}"
             words = (where, high, f"{end_s * factor:.3g} {unit}")
         self._cut = top > ends[1][1] or (not spectra and shown_s > end_s)
-        self.strip.show_curves(tuple(curves), ends, words, ticks)
+        self.strip.show_curves(tuple(curves), ends, words)
         self._show_cursor()
 
     def _show_cursor(self) -> None:

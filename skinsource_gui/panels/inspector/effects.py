@@ -156,7 +156,7 @@ class EffectChain(QtWidgets.QWidget):
         for k, (row, effect) in enumerate(zip(rows, effects, strict=True)):
             if row not in before_rows:
                 new = row
-                row.set_open(same_clip)
+                row.title.set_open(same_clip)
             elif not same_clip:
                 forget_typing(row)
             row.show_effect(effect, [each.effects[k] for each in shown])

@@ -388,7 +388,7 @@ def test_a_burst_of_steps_shares_one_gesture_until_a_pause(make_bench, qtbot):
     bench.field.set_value(3.0)
     bench.turn(1)
     assert len(bench.gestures) == 2
-    qtbot.waitUntil(lambda: not bench.field.burst.active)
+    qtbot.waitUntil(lambda: not bench.field.burst._pause.isActive())
     QTest.keyClick(bench.field, Qt.Key.Key_Up)
     assert len(bench.gestures) == 3
 
