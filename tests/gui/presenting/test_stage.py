@@ -300,7 +300,9 @@ def test_time_windows_are_levels_whatever_moves(stage, qtbot):
 
 
 @pytest.mark.parametrize("screen", [(1280, 720), (1366, 768), (1920, 1080)])
-@pytest.mark.parametrize(("compared", "scale"), [(False, 1.0), (True, 1.0), (False, 1.8)])
+@pytest.mark.parametrize(
+    ("compared", "scale"), [(False, 1.0), (True, 1.0), (True, 1.4), (False, 1.8)]
+)
 def test_all_of_it_is_in_sight_with_large_words(stage, qtbot, screen, compared, scale):
     window = stage.window()
     window.appearance._scale_text(scale)
@@ -321,7 +323,12 @@ def test_all_of_it_is_in_sight_with_large_words(stage, qtbot, screen, compared, 
     for area in areas:
         assert window.rect().contains(area)
     assert not any(one.intersects(other) for one in areas for other in areas if one is not other)
-    assert min(place.map.height() for place in stage.maps.places.cells) > 0.35 * screen[1]
+    assert stage.knob.dial.height() > 0.1 * screen[1]
+    assert stage.knob.field.height() >= stage.knob.field.sizeHint().height()
+    assert (
+        min(place.map.height() for place in stage.maps.places.cells)
+        > (0.31 if scale > 1.0 else 0.35) * screen[1]
+    )
     assert not [part for part in (stage.heading, stage.sentence) if _cut(part)]
 
 
@@ -682,6 +689,7 @@ def test_spectra_of_all_axes_show_what_the_figure_of_their_scene_shows(stage, qt
     np.testing.assert_allclose(shown_power / shown_power.max(), power / power.max(), atol=1e-6)
     assert "acceleration along x, y and z together" in stage.strip._words[1]
     assert "acceleration" in stage.strip.accessibleName()
+    assert [tick.label for tick in stage.strip.ticks] == ["100", "200", "300", "400", "500"]
     # Another layout of spectra has the axis of the view, which is named as well.
     stage.window().document.look(replace(opened.view, panels=opened.view.panels[1:]))
     qtbot.waitUntil(lambda: "acceleration normal to the skin," in stage.strip._words[1])
