@@ -83,14 +83,9 @@ class Burst(QObject):
         self._gesture = 0
         self._pause = QTimer(self, singleShot=True, interval=PAUSE_MS)
 
-    @property
-    def active(self) -> bool:
-        """Whether the next step has the same number as the last one."""
-        return self._pause.isActive()
-
     def gesture(self) -> int:
         """Return the gesture number of a step that happens now."""
-        if not self.active:
+        if not self._pause.isActive():
             self._gesture = new_gesture()
         self._pause.start()
         return self._gesture

@@ -7,7 +7,7 @@ from PySide6 import QtWidgets
 from PySide6.QtCore import QEvent, QSize, Qt, Signal
 
 from skinsource.specs.spec import Spec
-from skinsource_gui.fields.editor import NewEditor
+from skinsource_gui.fields.editor import Editor, NewEditor
 from skinsource_gui.qt.buttons import page_label, show_or_hide
 from skinsource_gui.qt.layouts import named
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
@@ -62,6 +62,16 @@ def discard(cells: Sequence[LabelledCell], heir: QtWidgets.QWidget | None) -> No
         heir.setFocus(Qt.FocusReason.OtherFocusReason)
     for part in (widget for cell in cells for widget in (cell.label, cell)):
         part.deleteLater()
+
+
+def forget_typing(*parents: QtWidgets.QWidget) -> None:
+    """Close open editors in widgets without committing: what was typed belongs elsewhere."""
+    for parent in parents:
+        for part in parent.findChildren(QtWidgets.QWidget):
+            if isinstance(part, EditedCell):
+                part.forget_typing()
+            elif isinstance(part, Editor):
+                part.cancel()
 
 
 class TextCell(LabelledCell):

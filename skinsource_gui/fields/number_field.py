@@ -233,7 +233,7 @@ class NumberField(Editor, QtWidgets.QLineEdit):
             self.burst.end()
             if self._drag is not None:
                 self._drag.ladder = None
-            if not self.editing:
+            if not self.editing or self.window().focusWidget() is not self:
                 self._end_typing()
             self._show(float(value_si))
 
@@ -458,7 +458,7 @@ class NumberField(Editor, QtWidgets.QLineEdit):
     def _show(self, value_si: float) -> None:
         self.value_si = value_si
         if not self.editing:
-            room_px = self._number_px
+            room_px = self._inside().width() - self.textMargins().right() - 2 * _TEXT_EDGE_PX
             text = fitting_text(value_si, self.spec, self.fontMetrics(), room_px)
             self.setText("" if self._mixed else text)
             self.update()
@@ -474,11 +474,6 @@ class NumberField(Editor, QtWidgets.QLineEdit):
     def _long_text(self) -> str:
         """The number as it is edited."""
         return number_text(self.value_si, self.spec.unit, EDITED_DIGITS)
-
-    @property
-    def _number_px(self) -> int:
-        """Width for the number."""
-        return self._inside().width() - self.textMargins().right() - 2 * _TEXT_EDGE_PX
 
     def _inside(self) -> QRect:
         """Return the area of the number and its unit."""

@@ -29,7 +29,7 @@ from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import ListSpec, ModelSpec
 from skinsource.specs.spec import Spec
 from skinsource_gui.fields.editor import Editor, NewEditor
-from skinsource_gui.fields.grid import EditedCell, FieldGrid, discard
+from skinsource_gui.fields.grid import EditedCell, FieldGrid, discard, forget_typing
 from skinsource_gui.fields.kinds import fill_kind_menu
 from skinsource_gui.qt.buttons import remove_button
 from skinsource_gui.qt.frames import drop_line
@@ -83,9 +83,7 @@ class PartFields(QObject):
         """All cells, in reading order."""
         kind = () if self._kind is None else (self._kind,)
         nested = [cell for part_fields in self._nested.values() for cell in part_fields.cells]
-        plain = [cell for cell in self._own.values() if not cell.across]
-        lists = [cell for cell in self._own.values() if cell.across]
-        return (*kind, *nested, *plain, *lists)
+        return (*kind, *nested, *sorted(self._own.values(), key=lambda cell: cell.across))
 
     def show_model(self, model: Any) -> None:
         """Show the values of a model without a signal."""
@@ -103,24 +101,15 @@ class PartFields(QObject):
         """Use the rate of another limb."""
         self._spec = spec
         specs = specs_of(self._built_for) if self._built_for else {}
-        for name, cell in self._own.items():
-            cell.set_spec(self._at_rate(specs[name]))
-        for name, part_fields in self._nested.items():
-            part_fields.set_spec(self._at_rate(specs[name]))
+        parts: dict[str, EditedCell | PartFields] = {**self._own, **self._nested}
+        for name, part in parts.items():
+            part.set_spec(self._at_rate(specs[name]))
 
     def show_reason(self, reason: str) -> None:
         """Show at the field that was edited last why the edit was refused."""
-        if self._last_edited in self._nested:
-            self._nested[self._last_edited].show_reason(reason)
-        elif self._last_edited in self._own:
-            self._own[self._last_edited].show_reason(reason)
-        elif self._kind is not None:
-            self._kind.show_reason(reason)
-
-    def forget_typing(self) -> None:
-        """Close an open editor without committing."""
-        for cell in self.cells:
-            cell.forget_typing()
+        known: dict[str, EditedCell | PartFields] = {**self._own, **self._nested}
+        if (part := known.get(self._last_edited, self._kind)) is not None:
+            part.show_reason(reason)
 
     def _build(self, model: Any) -> None:
         old = self._nested.values()
@@ -348,24 +337,10 @@ class FieldsRow(QtWidgets.QWidget):
         """Widgets in the order of the Tab key."""
         return (self.title,)
 
-    @property
-    def open(self) -> bool:
-        """Whether its fields are shown."""
-        return self.title.open
-
-    def set_open(self, open_: bool) -> None:
-        """Show or hide the fields."""
-        self.title.set_open(open_)
-
-    def forget_typing(self) -> None:
-        """Close an open editor without committing."""
-        for cell in self.cells:
-            cell.forget_typing()
-
     def press(self, name: str) -> None:
         """Do what a key of the title means."""
         if name == "open":
-            self.set_open(not self.open)
+            self.title.set_open(not self.title.open)
         elif name == "remove":
             self.removed.emit()
 
@@ -488,7 +463,7 @@ class RowColumn(QtWidgets.QWidget, Generic[Row]):
             self._column.removeWidget(row)
         for row in removed:
             # Typing that has begun in a removed row must not reach another one.
-            row.forget_typing()
+            forget_typing(row)
             row.hide()
             row.deleteLater()
         self.rows = rows
@@ -627,8 +602,7 @@ class PartsEditor(Editor, QtWidgets.QWidget):
 
     def cancel(self) -> None:
         """Forget what is being typed."""
-        for row in self.rows:
-            row.forget_typing()
+        forget_typing(*self.rows)
 
     def _show(self) -> None:
         count, rows = len(self._value), self._column.rows_for(self._value, self._new_row)
@@ -661,7 +635,7 @@ class PartsEditor(Editor, QtWidgets.QWidget):
         self._apply((*self._value, part), None)
         # Unless the document has refused it.
         if self.rows and self.rows[-1].part is self._value[-1] is part:
-            self.rows[-1].set_open(True)
+            self.rows[-1].title.set_open(True)
             self.rows[-1].title.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def _remove(self, row: PartRow) -> None:

@@ -87,6 +87,7 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
 
     def cancel(self) -> None:
         """Restore the value."""
+        self._start = None
         if self.text() != self._value:
             self._restore()
 

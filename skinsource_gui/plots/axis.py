@@ -420,7 +420,8 @@ class Stack:
         if new_window:
             self.x_axis.refresh()
         self.hint.setGeometry(layout.area)
-        hint = "" if window.holds_data else _NOTHING_HERE
+        low, high = window.extent
+        hint = "" if window.shown[0] < high and low < window.shown[1] else _NOTHING_HERE
         self.hint.say(hint, QtGui.QColor(current_theme().dim), self._font)
 
     def place_message(self, room: QRectF) -> None:

@@ -424,11 +424,6 @@ class XWindow:
     shown: Range
 
     @property
-    def holds_data(self) -> bool:
-        """Whether some of the data is visible."""
-        return self.shown[0] < self.extent[1] and self.extent[0] < self.shown[1]
-
-    @property
     def band(self) -> Range | None:
         """Positions of the ends of the axis's band."""
         band = self.axis.band

@@ -114,11 +114,6 @@ class TimeScale:
         """Pixels per second."""
         return self.width_px / (self.shown_s[1] - self.shown_s[0])
 
-    @property
-    def right_px(self) -> float:
-        """Position of the last visible time, px."""
-        return self.left_px + self.width_px
-
     def x(self, time_s: float) -> float:
         """Return the position of a time, px."""
         return self.left_px + (time_s - self.shown_s[0]) * self.px_per_s

@@ -406,7 +406,9 @@ class Presenter(QObject):
 
     def _handlers(self, watched: QObject) -> dict[str, Callable[[], None]]:
         stage = cast("StagePanel", self._made[STAGE])
-        on_stage = {
+        on_stage: dict[str, Callable[[], None]] = {
+            "next": partial(self.go, "1"),
+            "previous": partial(self.go, "-1"),
             "cover": self.cover,
             "hold": stage.hold,
             "levels": stage.show_levels,
@@ -417,12 +419,7 @@ class Presenter(QObject):
         if not self.presenting:
             here = watched is self._window or stage.isAncestorOf(cast(QtWidgets.QWidget, watched))
             return on_stage if here and stage.isVisible() else {}
-        return {
-            "next": partial(self.go, "1"),
-            "previous": partial(self.go, "-1"),
-            "leave": self.end,
-            **on_stage,
-        }
+        return {"leave": self.end, **on_stage}
 
     def go(self, by: str) -> None:
         """Go to the next scene; "-1": to the one before."""

@@ -25,6 +25,7 @@ from skinsource.design.design import Snapshot, View, shown_snapshot
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.perception.validity import Judged
 from skinsource_gui.fields.editor import new_gesture
+from skinsource_gui.fields.grid import forget_typing
 from skinsource_gui.state.compared import Compared
 from skinsource_gui.state.conductor import UNPLAYABLE
 from skinsource_gui.state.document import Document
@@ -163,6 +164,7 @@ class Comparison(QObject):
         def show_known() -> None:
             if (document.design, document.view.snapshots) != before:
                 return
+            forget_typing(*self._panels)
             gain = self._gain(number) if matched else 1.0
             outcome = edits.show_snapshot(document.design, document.view, number, gain)
             document.apply(outcome, self._showing)

@@ -12,6 +12,7 @@ from skinsource.design import edits
 from skinsource.design.design import View
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.signal_path import UnplayableInput
+from skinsource_gui.fields.grid import forget_typing
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import (
     FIRST_SLOT,
@@ -106,6 +107,7 @@ class Conductor(QObject):
 
     def _note_jump(self) -> None:
         self._restarting.update(self._panels)
+        forget_typing(*self._panels)
         # Steps of the history jump too.
         if not self._document.undo_stack.count():
             for panel in self._panels:

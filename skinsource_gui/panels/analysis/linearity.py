@@ -98,11 +98,6 @@ class StrengthUnit:
     factor: float = 1.0
     si_factor: float = 1.0
 
-    @property
-    def divided_by(self) -> str:
-        """Unit of a response, in m/s², that is divided by a strength."""
-        return f"m/s² per {self.symbol}" if self.symbol else "m/s²"
-
 
 def of_amplitudes(unit: str) -> StrengthUnit:
     """Return the unit of amplitudes in ``unit``; ``"×"`` is that of a plain factor."""
@@ -216,7 +211,8 @@ def _overlay(
         for rank in range(len(rows))
         for k in range(n)
     )
-    axis = _symmetric_axis(y, f"Normalised ({unit.divided_by})")
+    per = f" per {unit.symbol}" if unit.symbol else ""
+    axis = _symmetric_axis(y, f"Normalised (m/s²{per})")
     return Diagram(x=_time_axis(x), y=axis, curves=over)
 
 

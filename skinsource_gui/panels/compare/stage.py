@@ -3,13 +3,23 @@
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from math import isclose, log, sqrt
+from math import isclose, sqrt
 from textwrap import shorten
 from typing import Any, ClassVar
 
 import numpy as np
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSignalBlocker, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import (
+    QEvent,
+    QLineF,
+    QPointF,
+    QRectF,
+    QSignalBlocker,
+    QSize,
+    Qt,
+    QTimer,
+    Signal,
+)
 
 from skinsource.base.conventions import Floats, axes_text
 from skinsource.base.errors import InvalidInputError
@@ -33,15 +43,16 @@ from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import NumberSpec
 from skinsource.studies import scenes
 from skinsource_gui.fields.editor import Burst
-from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.fields.number_field import DRAG_BEGINS_PX, NumberField
 from skinsource_gui.fields.units import axis_unit, output_text, parse_number, value_text
 from skinsource_gui.panels.compare.content import ALL_AXES, KINDS, Kind, Names, OfWindow
 from skinsource_gui.panels.compare.maps import MapsPanel
 from skinsource_gui.panels.compare.motion import rounded
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.curves import output_names
-from skinsource_gui.plots.figure import Figure, shrunk
+from skinsource_gui.plots.figure import Axis, Figure, shrunk
 from skinsource_gui.plots.pictures import common_title
+from skinsource_gui.plots.ranges import Tick, readable_ticks
 from skinsource_gui.plots.small_map import Range
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.frames import CachedPicture, Same
@@ -73,12 +84,15 @@ class Strip(Figure):
     ----------
     curves, ends, marked
         What is drawn, the ends of x and y, and which x is marked; None: none is.
+    ticks
+        Of x, below the curves.
     """
 
     def __init__(self) -> None:
         super().__init__("stage_traces", "Traces")
         self.curves: tuple[Curve, ...] = ()
         self.marked: float | None = None
+        self.ticks: tuple[Tick, ...] = ()
         self.ends: tuple[Range, Range] = ((0.0, 1.0), (-1.0, 1.0))
         self._words = ("", "", "")
         self._picture = CachedPicture()
@@ -115,7 +129,8 @@ class Strip(Figure):
 
     def _area(self) -> QRectF:
         line = 1.4 * self.fontMetrics().height()
-        return QRectF(self.rect()).adjusted(UNIT_PX, line, -UNIT_PX, -line)
+        below = line * (1.6 if self.ticks else 1.0)
+        return QRectF(self.rect()).adjusted(UNIT_PX, line, -UNIT_PX, -below)
 
     def _paint(self, painter: QtGui.QPainter) -> None:
         theme, area, line = current_theme(), self._area(), painter.fontMetrics().height()
@@ -134,9 +149,14 @@ class Strip(Figure):
             painter.drawText(QPointF(left, 0.9 * line), label)
             left += painter.fontMetrics().horizontalAdvance(f"{label}{_BETWEEN}")
         painter.setPen(QtGui.QColor(theme.dim))
+        for tick in self.ticks:
+            at = area.left() + area.width() * (tick.value - x_low) / (x_high - x_low)
+            painter.drawLine(QLineF(at, area.bottom() - line / 4, at, area.bottom()))
+            place = QRectF(at - 2 * line, area.bottom(), 4 * line, line)
+            painter.drawText(place, Qt.AlignmentFlag.AlignHCenter, tick.label)
         above = QRectF(area.left(), 0.0, area.width(), line)
-        below = QRectF(area.left(), area.bottom() + 0.2 * line, area.width(), 1.2 * line)
-        joined = "".join((self._words[1], _BETWEEN, self._words[2]))
+        below = QRectF(area.left(), self.height() - 1.2 * line, area.width(), 1.2 * line)
+        joined = _BETWEEN.join(self._words[1:])
         left_side, right_side = Qt.AlignmentFlag.AlignLeft, Qt.AlignmentFlag.AlignRight
         painter.drawText(above, right_side, self._words[0])
         painter.setFont(shrunk(painter.font(), [joined], area.width()))
@@ -157,8 +177,36 @@ class Strip(Figure):
 
 # Steps of the whole turn, of an arrow key or a notch of the wheel.
 _STEPS, _STEP = 1000, 5
+# What a drag turns: steps for a pixel up; and the angle of the whole turn, as Qt draws it.
+_STEPS_PER_PX, _SWEEP_DEG = 4.0, 300.0
 # Ends of the turn, where those of the number are too far apart.
 _ENDS = {"amplitude": (0.01, 100.0), "onset_s": (0.0, 0.2)}
+
+
+class Dial(QtWidgets.QDial):
+    """Turned by how far the mouse moves: up and down, or round where the drag begins sideways."""
+
+    _at, _round, _reached = QPointF(), False, 0.0
+
+    def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
+        self._at, self._reached = event.position(), -1.0
+        self.setSliderDown(event.button() == Qt.MouseButton.LeftButton)
+
+    def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
+        at, middle = event.position(), QRectF(self.rect()).center()
+        by = at - self._at
+        if not self.isSliderDown() or (self._reached < 0 and by.manhattanLength() < DRAG_BEGINS_PX):
+            return
+        if self._reached < 0:
+            self._round, self._reached = abs(by.x()) > abs(by.y()), self.value()
+        clockwise = QLineF(middle, at).angleTo(QLineF(middle, self._at))
+        turned = (clockwise + 180.0) % 360.0 - 180.0
+        steps = turned / _SWEEP_DEG * _STEPS if self._round else -_STEPS_PER_PX * by.y()
+        self._at, self._reached = at, min(max(self._reached + steps, 0.0), _STEPS)
+        self.setValue(round(self._reached))
+
+    def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:
+        self.setSliderDown(False)
 
 
 class Knob(QtWidgets.QWidget):
@@ -170,13 +218,12 @@ class Knob(QtWidgets.QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.label = page_label("stage_number", tone="dim", centred=True)
-        self.dial = named(QtWidgets.QDial(), "stage_dial")
+        self.dial = named(Dial(), "stage_dial")
         self.field = NumberField(ONSET_SPEC)
-        self._ends, self._logarithmic, self._burst = (0.0, 1.0), False, Burst(self)
+        self._axis, self._burst = Axis(shown=(0.0, 1.0), title=""), Burst(self)
         # The maps have the room first.
         policy = QtWidgets.QSizePolicy.Policy
         self.dial.setSizePolicy(policy.Preferred, policy.Ignored)
-        self.dial.setMinimumHeight(7 * UNIT_PX)
         self.dial.setRange(0, _STEPS)
         self.dial.setSingleStep(_STEP)
         self.dial.setPageStep(10 * _STEP)
@@ -190,30 +237,25 @@ class Knob(QtWidgets.QWidget):
     def show_number(self, name: str, spec: NumberSpec, value: float, of: str = "") -> None:
         """Show a number of this name; ``of``: whose it is."""
         low, high = _ENDS.get(name) or spec.measured_band_hz or (spec.minimum, spec.maximum)
-        self._ends, self._logarithmic = (low, high), low > 0.0
+        self._axis = Axis(shown=(low, high), title="", log=low > 0.0)
+        share = self._axis.part(np.array(min(max(value, low), high)))
         self.label.setText(f"{spec.label}{of}")
         for part in (self.dial, self.field):
             part.setAccessibleName(self.label.text())
         self.field.set_spec(spec)
         self.field.set_value(float(f"{value:.4g}"))
         with QSignalBlocker(self.dial):
-            self.dial.setValue(round(_STEPS * self._share(value)))
-
-    def _share(self, value: float) -> float:
-        low, high = self._ends
-        if not self._logarithmic:
-            return min(max((value - low) / (high - low), 0.0), 1.0)
-        return log(min(max(value, low), high) / low) / log(high / low)
+            self.dial.setValue(round(_STEPS * float(share)))
 
     def _turn(self, step: int) -> None:
-        low, high = self._ends
-        share = step / _STEPS
-        value = low * (high / low) ** share if self._logarithmic else low + share * (high - low)
+        value = self._axis.value(step / _STEPS)
         self.edited.emit(float(f"{value:.3g}"), self._burst.gesture())
 
 
 # Heights of letters, in that of the panel: title, sentence, other words.
 _LETTERS = (0.05, 0.034, 0.022)
+# The least height of the dial, in that of the panel: with larger letters, too.
+_LEAST_DIAL = 0.105
 # Above several maps and beside one, words take the first share of the height at most, more of it
 # with larger letters, and never more than the second.  Letters are made smaller until they are half
 # as large as usual, those of a title sooner; then less is said, and no more letters than this.
@@ -446,6 +488,8 @@ class StagePanel(MapsPanel):
         self._grid.setContentsMargins(margin, top, margin, margin)
         self._set_letters(grown * words, self.knob.field)
         knob = self.knob
+        knob.field.setMinimumHeight(knob.field.sizeHint().height())
+        knob.dial.setMinimumHeight(max(7 * UNIT_PX, round(_LEAST_DIAL * self.height())))
         self._grid.setRowMinimumHeight(4, knob.column.minimumHeightForWidth(knob.width()))
         for label, whole, text in self._said:
             # Nothing moves where less is said than before.
@@ -577,7 +621,9 @@ class StagePanel(MapsPanel):
                 axes, matched = axes_text(facts_of(limb).axes), of.partition(",")[1:]
                 of = f"acceleration along {axes} together{''.join(matched)}"
             words = (where, f"{low_hz:g} Hz: {of}, {_SPECTRUM_DB:g} dB high", f"{high_hz:g} Hz")
+            self.strip.ticks = readable_ticks(low_hz, 0.99 * high_hz, 7.0, 7.0)
         else:
+            self.strip.ticks = ()
             unit, factor = axis_unit(end_s)
             ends = (0.0, end_s), self._held_ends[1] if self._held_ends else (-top, top)
             self._held_ends = self._held_ends and ends

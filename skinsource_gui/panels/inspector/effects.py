@@ -17,6 +17,7 @@ from skinsource.specs.models import specs_of
 from skinsource_gui.fields.curve_field import CurveField
 from skinsource_gui.fields.editor import MIXED
 from skinsource_gui.fields.editors import FieldCell
+from skinsource_gui.fields.grid import forget_typing
 from skinsource_gui.fields.parts import AddButton, FieldsRow, RowColumn, RowTitle, lay_out_list
 from skinsource_gui.qt.buttons import Fold, page_label, passing_menu, show_or_hide
 from skinsource_gui.qt.layouts import in_column, named, tooltip
@@ -155,9 +156,9 @@ class EffectChain(QtWidgets.QWidget):
         for k, (row, effect) in enumerate(zip(rows, effects, strict=True)):
             if row not in before_rows:
                 new = row
-                row.set_open(same_clip)
+                row.title.set_open(same_clip)
             elif not same_clip:
-                row.forget_typing()
+                forget_typing(row)
             row.show_effect(effect, [each.effects[k] for each in shown])
             row.show_end(end_s)
         self._column.show_rows(rows)
@@ -171,11 +172,6 @@ class EffectChain(QtWidgets.QWidget):
             new.title.setFocus(Qt.FocusReason.OtherFocusReason)
             # Only the layout gives it a place to scroll to.
             QTimer.singleShot(0, new, partial(_show_whole, new))
-
-    def forget_typing(self) -> None:
-        """Close open editors without committing."""
-        for row in self.rows:
-            row.forget_typing()
 
     def _fill_menu(self, menu: QtWidgets.QMenu) -> None:
         menu.setToolTipsVisible(True)

@@ -45,7 +45,14 @@ from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.editor import MIXED
 from skinsource_gui.fields.editors import FieldCell
-from skinsource_gui.fields.grid import LABEL_PX, FieldGrid, LabelledCell, TextCell, discard
+from skinsource_gui.fields.grid import (
+    LABEL_PX,
+    FieldGrid,
+    LabelledCell,
+    TextCell,
+    discard,
+    forget_typing,
+)
 from skinsource_gui.fields.inputs import (
     DURATION_FIELD,
     FieldChanges,
@@ -264,11 +271,6 @@ class InputFields(QObject):
             if cell.name != name and isinstance(cell.field, NumberField):
                 cell.forget_problem()
 
-    def forget_typing(self) -> None:
-        """Close an open editor without committing."""
-        for cell in self._fields():
-            cell.forget_typing()
-
     def _groups(self) -> tuple[tuple[LabelledCell, ...], ...]:
         """Return the cells of each grid."""
         has_clip = self._built_for is not None
@@ -475,8 +477,7 @@ class InspectorPanel(Panel):
         self._design, self._view = design, view
         track = self._last = leading_input(design, view)
         if track is None:
-            self._fields.forget_typing()
-            self._chain.forget_typing()
+            forget_typing(self._editor)
             self._shown = ()
             self._empty.setText(HOW_TO_SELECT_INPUT if design.inputs else how_to_add())
             texts = design.title, design.notes.partition("\n")[0]
@@ -487,8 +488,7 @@ class InspectorPanel(Panel):
             return
         if self._shown != (view.selected_inputs, view.selected_clips):
             # What was being typed or dragged belongs to other inputs.
-            self._fields.forget_typing()
-            self._chain.forget_typing()
+            forget_typing(self._editor)
             self._shown = (view.selected_inputs, view.selected_clips)
             self._scroll.verticalScrollBar().setValue(0)
             self._show_waveform()

@@ -405,7 +405,7 @@ class TimelineContent:
         for clip in lane.track.clips:
             left = scale.x(clip.onset_s)
             width = max(self.lengths.durations_s[clip.id] * scale.px_per_s, NARROWEST_PX)
-            if left < scale.right_px and left + width > scale.left_px:
+            if scale.left_px - width < left < scale.left_px + scale.width_px:
                 rect = QRectF(left, top, width, height)
                 ends = faded_ends(clip)
                 in_px = ends[0].length_s * scale.px_per_s if ends[0] else 0.0

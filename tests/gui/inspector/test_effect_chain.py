@@ -53,7 +53,7 @@ def test_every_effect_can_be_added_and_stands_open(bench):
         bench.add(kind.title)
         assert type(bench.effects[-1]) is kind
         assert bench.titles[-1] == kind.title
-        assert bench.chain.rows[-1].open
+        assert bench.chain.rows[-1].title.open
     assert len(bench.effects) == len(CHAIN) + len(EFFECTS)
 
 
@@ -84,7 +84,7 @@ def test_what_was_added_is_in_sight_and_has_the_keyboard(bench, qtbot):
 def test_a_field_is_typed_and_steps_of_a_burst_share_a_gesture(bench):
     row = bench.chain.rows[1]
     QTest.mouseClick(row.title, Qt.MouseButton.LeftButton)
-    assert row.open
+    assert row.title.open
     field = bench.number("effect_in_s")
     assert field.isVisible()
     bench.type("effect_in_s", "30")
@@ -112,7 +112,7 @@ def test_keys_walk_open_switch_and_remove(bench):
     last = bench.chain.rows[2]
     assert last.title.hasFocus()
     QTest.keyClick(last.title, Qt.Key.Key_Return)
-    assert last.open
+    assert last.title.open
     QTest.keyClick(last.title, Qt.Key.Key_Up, Qt.KeyboardModifier.AltModifier)
     assert bench.effects == (CHAIN[0], CHAIN[2], CHAIN[1])
     QTest.keyClick(last.title, Qt.Key.Key_Down, Qt.KeyboardModifier.AltModifier)
@@ -189,7 +189,7 @@ def test_fields_of_effects_that_all_selected_clips_have_say_mixed_and_set_all(qt
     bench = two_clips(
         qtbot, (Stretch(factor=2.0), Fade(0.01, 0.02)), (Stretch(factor=2.0), Fade(0.01, 0.05))
     )
-    bench.chain.rows[1].set_open(True)
+    bench.chain.rows[1].title.set_open(True)
     field = bench.number("effect_out_s")
     assert bench.number("effect_in_s").text() == "10"
     assert (field.text(), field.placeholderText()) == ("", "mixed")
@@ -221,7 +221,7 @@ def test_where_kinds_of_effects_differ_it_says_so_and_that_the_last_clip_is_chan
     assert bench.panel.findChild(QToolButton, "effects_fold").text() == "Effects · mixed"
     note = bench.label("effects_note")
     assert note.isVisible()
-    bench.chain.rows[0].set_open(True)
+    bench.chain.rows[0].title.set_open(True)
     field = bench.chain.rows[0].cell("in_s").field
     assert field.text() == "20"
     field.setFocus()
@@ -255,7 +255,7 @@ def test_an_envelope_is_drawn_in_its_row(bench):
 def test_what_was_typed_for_an_effect_that_is_removed_goes_to_no_other(qtbot):
     bench = two_clips(qtbot, (Fade(0.01, 0.01), Fade(0.02, 0.02)), ())
     bench.show(selected_clips=(1,))
-    bench.chain.rows[0].set_open(True)
+    bench.chain.rows[0].title.set_open(True)
     field = bench.chain.rows[0].cell("in_s").field
     field.setFocus()
     QTest.keyClicks(field, "77")

@@ -231,7 +231,7 @@ class PartsBench(Bench):
         next(action for action in actions if action.text() == title).trigger()
 
     def opened(self, index):
-        self.rows[index].set_open(True)
+        self.rows[index].title.set_open(True)
         return {cell.name: cell for cell in self.rows[index].fields.cells}
 
 
@@ -249,7 +249,7 @@ def test_a_part_of_any_waveform_is_added_and_stands_open(bench):
     bench.add("Layers")
     assert bench.parts[:3] == (A, B, C)
     assert [type(part.waveform) for part in bench.parts[3:]] == [Formula, Layers]
-    assert [row.open for row in bench.rows] == [False] * 3 + [True] * 2
+    assert [row.title.open for row in bench.rows] == [False] * 3 + [True] * 2
     assert bench.labels == ["Add to parts of input at 7 (II pad)"] * 2
     # Layers in layers have a list of their own.
     inner = bench.opened(4)["parts"].field
@@ -258,14 +258,14 @@ def test_a_part_of_any_waveform_is_added_and_stands_open(bench):
 
 
 def test_keys_move_and_a_button_removes_parts_each_as_one_step(bench):
-    bench.rows[0].set_open(True)
+    bench.rows[0].title.set_open(True)
     bench.rows[0].title.setFocus()
     QTest.keyClick(bench.rows[0].title, _Key.Key_Down, _ALT)
     assert bench.parts == (B, A, C)
     assert bench.rows[1].title.hasFocus()
     QTest.keyClick(bench.rows[2].title, _Key.Key_Up, _ALT)
     assert bench.parts == (B, C, A)
-    assert [row.open for row in bench.rows] == [False, False, True]
+    assert [row.title.open for row in bench.rows] == [False, False, True]
     press(bench, 1, "remove_button")
     assert bench.parts == (B, A)
     assert bench.titles == ["1 · Noise", "2 · Tone"]

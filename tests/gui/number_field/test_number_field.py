@@ -259,6 +259,11 @@ def test_setting_the_value_tells_nobody_and_leaves_an_open_editor_alone(make_ben
     assert (bench.field.text(), bench.edits) == ("7", [])
     QTest.keyClick(bench.field, Qt.Key.Key_Escape)
     assert bench.field.text() == "300"
+    # Without the keyboard nothing is being typed.
+    bench.other.setFocus()
+    bench.field.begin_editing()
+    bench.field.set_value(0.4)
+    assert bench.field.text() == "400"
 
 
 @pytest.mark.parametrize("value", [2.45678, -2.45, 649.5, 0.0123])
@@ -383,7 +388,7 @@ def test_a_burst_of_steps_shares_one_gesture_until_a_pause(make_bench, qtbot):
     bench.field.set_value(3.0)
     bench.turn(1)
     assert len(bench.gestures) == 2
-    qtbot.waitUntil(lambda: not bench.field.burst.active)
+    qtbot.waitUntil(lambda: not bench.field.burst._pause.isActive())
     QTest.keyClick(bench.field, Qt.Key.Key_Up)
     assert len(bench.gestures) == 3
 

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QApplication, QMenu, QWidget
 from skinsource.base.lock import Lock
 from skinsource.design.design_file import open_design
 from skinsource.studies.scenes.scenes import all_scenes
+from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.qt.keys import KEYS, key_text
 from skinsource_gui.qt.overlays import COVERED, Cover
@@ -61,10 +62,11 @@ def test_keys_work_while_the_menus_are_away(studio, qtbot):
     assert not stage.moves
     QTest.keyClick(studio.focusWidget() or studio, Qt.Key.Key_F9)
     qtbot.waitUntil(lambda: studio.menuBar().isVisible())
-    # Out of presenting nothing stays covered, and the keys mean what they did.
+    # Out of presenting nothing stays covered, and clickers go on.
     assert not any(cover.isVisible() for cover in stage.findChildren(Cover))
+    studio.do("arrange_presentation")
     QTest.keyClick(dial, Qt.Key.Key_PageDown)
-    assert title(studio) == "2 tone"
+    assert title(studio) == "3 both"
 
 
 def test_what_is_turned_in_front_of_people_is_taken_back_and_can_be_redone(open_window, design):
@@ -178,6 +180,29 @@ def test_escape_gives_up_what_is_typed_and_then_leaves(studio):
     assert studio.presenter.presenting
     QTest.keyClick(number, Qt.Key.Key_Escape)
     assert not studio.presenter.presenting
+
+
+OTHERS = "next_scene", "undo", "show_snapshot_1", "open"
+
+
+@pytest.mark.parametrize("other", OTHERS)
+def test_what_is_typed_never_reaches_another_design(studio, folder, monkeypatch, other):
+    monkeypatch.setattr(FileActions, "may_lose_changes", lambda _: True)
+    studio.do("store_snapshot_1")
+    studio.document.edit("", studio.document.design.with_input(1, amplitude=2.0))
+    if other == "next_scene":
+        studio.do("present")
+    inspected = studio.panel("inspector").findChild(NumberField, "duration_s_field")
+    field = studio.panel("stage").knob.field if studio.presenter.presenting else inspected
+    studio.activateWindow()
+    field.setFocus()
+    QTest.keyClick(field, Qt.Key.Key_5)
+    assert field.editing
+    studio.files.open(folder / "1 tap.skinsource") if other == "open" else studio.do(other)
+    studio.panel("skin").setFocus()
+    assert not field.editing
+    tone = studio.document.design.clips[0].waveform
+    assert (tone.frequency_hz, tone.duration_s) == (100.0, 0.2)
 
 
 def test_files_of_a_folder_come_in_natural_order(tmp_path):
