@@ -1,7 +1,6 @@
 import ast
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 import skinsource
@@ -18,10 +17,7 @@ STRANGE = [
     "\x1b[2J" * 1000,
     b"\xff\x00" * 10**6,
     10**5000,
-    -(10**400),
     [["a" * 100] * 100] * 100,
-    {k: "b" * k for k in range(1000)},
-    np.zeros((100, 100)),
     Strange(),
     ("\u202e", "\ud800"),
 ]

@@ -2,12 +2,13 @@
 
 import gc
 import threading
+from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
 from time import thread_time
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, Qt
+from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtGui import QCursor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QWidget
@@ -34,9 +35,14 @@ def _makes_widgets(request):
     return "qtbot" in request.fixturenames
 
 
-def _threads():
-    """Return the threads that run, but for that of the engine, which stays until the end."""
-    return {t for t in threading.enumerate() if not t.name.startswith("skinsource-sums")}
+@contextmanager
+def _no_thread_left():
+    """See that what is closed leaves no thread but that of the engine, which stays."""
+    before = threading.enumerate()
+    yield
+    QApplication.processEvents()
+    late = [thread for thread in threading.enumerate() if thread not in before]
+    assert all(thread.name.startswith("skinsource-sums") for thread in late), late
 
 
 @pytest.fixture(autouse=True, scope="session")
@@ -75,13 +81,8 @@ def _every_test_finds_the_same_desk(qapp):
     No button is down either, whatever the test before left.
     """
     QCursor.setPos(0, 0)
-    for button in (
-        Qt.MouseButton.LeftButton,
-        Qt.MouseButton.MiddleButton,
-        Qt.MouseButton.RightButton,
-    ):
-        if QApplication.mouseButtons() & button:
-            QTest.mouseRelease(QWidget(), button)
+    for button in QApplication.mouseButtons():
+        QTest.mouseRelease(QWidget(), button)
     font = qapp.font()
     yield
     if current_theme() is not LIGHT:
@@ -132,7 +133,6 @@ def window(open_window):
 def make_window(qtbot, preferences):
     """Open studio windows of a test's own; close them, and see that no thread is left."""
     opened = []
-    before = _threads()
 
     def make(design=None, view=None):
         window = made_window(preferences, design, view)
@@ -140,13 +140,11 @@ def make_window(qtbot, preferences):
         opened.append(window)
         return window
 
-    yield make
-    for window in opened:
-        forget_changes(window)
-        window.close()
-    QApplication.processEvents()
-    left = [thread for thread in _threads() if thread not in before]
-    assert not left, f"threads outlive the window: {left}"
+    with _no_thread_left():
+        yield make
+        for window in opened:
+            forget_changes(window)
+            window.close()
 
 
 @pytest.fixture
@@ -159,7 +157,6 @@ def new_window(make_window):
 def make_desk(qtbot, preferences):
     """Make what pages stand in front of, without panels; see that no thread is left."""
     opened = []
-    before = _threads()
 
     def make(design=None, view=None):
         desk = Desk(preferences, design, view)
@@ -169,12 +166,10 @@ def make_desk(qtbot, preferences):
         qtbot.waitExposed(desk)
         return desk
 
-    yield make
-    for desk in opened:
-        desk.end()
-    QApplication.processEvents()
-    left = [thread for thread in _threads() if thread not in before]
-    assert not left, f"threads outlive the desk: {left}"
+    with _no_thread_left():
+        yield make
+        for desk in opened:
+            desk.end()
 
 
 @pytest.fixture
@@ -235,14 +230,11 @@ def requests(window, monkeypatch):
 @pytest.fixture(scope="module", autouse=True)
 def _nothing_outlives_the_tests_of_a_file(qapp):
     """See that no window, dialog or thread is left once the tests of a file are done."""
-    running = _threads()
-    yield
-    QApplication.processEvents()
+    with _no_thread_left():
+        yield
     left = [
         widget
         for widget in QApplication.topLevelWidgets()
         if widget.isVisible() and widget.parent() is None
     ]
     assert not left, f"windows outlive the tests of this file: {left}"
-    threads = [thread for thread in _threads() if thread not in running]
-    assert not threads, f"threads outlive the tests of this file: {threads}"

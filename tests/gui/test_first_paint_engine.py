@@ -8,24 +8,16 @@ from skinsource_gui.state.engine import FirstPaintEngine, Request
 
 
 @pytest.fixture
-def evaluated():
-    return []
+def engine(qtbot):
+    window, evaluated = QWidget(), []
+    qtbot.addWidget(window)
 
-
-@pytest.fixture
-def window(qtbot):
-    made = QWidget()
-    qtbot.addWidget(made)
-    return made
-
-
-@pytest.fixture
-def engine(window, evaluated):
     def answer(question):
         evaluated.append(question)
         return question
 
     made = FirstPaintEngine(lambda: Graph(answer), window)
+    made.evaluated = evaluated
     yield made
     made.close()
 
@@ -34,28 +26,28 @@ def ask(engine, question):
     engine.request(Request(frozenset({"answer"}), {"question": question}))
 
 
-def test_nothing_is_evaluated_before_the_window_is_painted(qtbot, engine, window, evaluated):
+def test_nothing_is_evaluated_before_the_window_is_painted(qtbot, engine):
     finished = []
     engine.finished.connect(finished.append)
     ask(engine, 1)
     ask(engine, 2)
     assert engine.busy
     assert not [t for t in threading.enumerate() if t.name.startswith("skinsource-engine")]
-    window.show()
+    engine.parent().show()
     qtbot.waitUntil(lambda: not engine.busy)
-    assert evaluated == [2]
+    assert engine.evaluated == [2]
     assert [outcome.values["answer"] for outcome in finished] == [2]
     ask(engine, 3)
     qtbot.waitUntil(lambda: not engine.busy)
-    assert evaluated == [2, 3]
+    assert engine.evaluated == [2, 3]
 
 
-def test_a_window_that_closes_unpainted_evaluates_nothing(qtbot, engine, window, evaluated):
+def test_a_window_that_closes_unpainted_evaluates_nothing(qtbot, engine):
     ask(engine, 1)
     engine.close()
     assert not engine.busy
-    window.show()
-    qtbot.waitExposed(window)
+    engine.parent().show()
+    qtbot.waitExposed(engine.parent())
     ask(engine, 2)
     assert not engine.busy
-    assert evaluated == []
+    assert engine.evaluated == []

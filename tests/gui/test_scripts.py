@@ -15,13 +15,13 @@ print("all", len(sys.argv) - 1)
 """
 
 
-def run(*arguments, paths=(), folder=ROOT):
+def run(*arguments, paths=()):
     python_path = os.pathsep.join(str(path) for path in (ROOT / "core", ROOT, *paths))
     return subprocess.run(
         [sys.executable, *map(str, arguments)],
         capture_output=True,
         text=True,
-        cwd=folder,
+        cwd=ROOT,
         env={**os.environ, "PYTHONPATH": python_path, "QT_QPA_PLATFORM": "offscreen"},
         timeout=300,
     )
