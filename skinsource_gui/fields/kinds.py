@@ -34,7 +34,7 @@ from skinsource_gui.qt.theme import Theme, current_theme
 PICTURE_PX = QSize(30, 18)
 #: Largest number of device pixels per px.
 SHARPEST = 3
-_RATE_HZ = 20_000.0
+_RATE_HZ = 3000.0
 _MARGIN_PX = 2.0
 _LINE_PX = 1.2
 _DOT_PX = 1.5
