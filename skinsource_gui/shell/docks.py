@@ -7,7 +7,7 @@ that Qt makes; a dock has a title of its own only while it floats.
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any, cast
 from weakref import ref
 
 from PySide6 import QtGui, QtWidgets
@@ -17,8 +17,11 @@ from shiboken6 import isValid
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.windows import WindowEvents
-from skinsource_gui.shell.focus import focus_into
+from skinsource_gui.shell.focus import focus_into, tab_stops
 from skinsource_gui.state.panel import Panel, PanelRegistry
+
+if TYPE_CHECKING:
+    from skinsource_gui.panels.clip_editor.panel import ClipEditorPanel
 
 
 class Dock(QtWidgets.QDockWidget):
@@ -460,3 +463,75 @@ class KeyboardKeeper(QObject):
                     self._last_widget, self._last_dock = focused, dock
                     self._arranged.start()
                 focused.clearFocus()
+
+
+class PanelFocus(QObject):
+    """Gives the keyboard to the next panel, or the one before.
+
+    Parameters
+    ----------
+    panels
+        In the order in which the keyboard reaches them.
+    docks
+        Those of the panels, by their names.
+    """
+
+    def __init__(self, panels: PanelRegistry, docks: Mapping[str, Dock], parent: QObject) -> None:
+        super().__init__(parent)
+        self._panels, self._docks = panels, docks
+        # The panel to go back to, the panels that the shown one has covered, and whether that
+        # one was closed before.
+        self._return_to: str | None = None
+        self._covered: frozenset[str] = frozenset()
+        self._closed = False
+
+    def go(self, by: str) -> None:
+        """Go to the next panel; "-1": to the one before."""
+        # A panel that only says what to do has nothing for the keyboard.
+        panels, step = [panel for panel in self._panels if tab_stops(panel, ())], int(by)
+        focused = QtWidgets.QApplication.focusWidget()
+        here = [k for k, panel in enumerate(panels) if focused and panel.isAncestorOf(focused)]
+        if panels:
+            start = here[0] if here else -min(step, 0) - 1
+            panel = panels[(start + step) % len(panels)]
+            panel.activateWindow()
+            focus_into(panel, Qt.FocusReason.ShortcutFocusReason)
+
+    def show(self, name: str) -> None:
+        """Bring a panel into sight and go there; if it has the keyboard, go back."""
+        here, dock = self._here(), self._docks[name]
+        if here == name and self._return_to is not None:
+            name, self._return_to = self._return_to, None
+            for covered in (*self._covered, name):
+                self._docks[covered].bring_forward()
+            if self._closed:
+                dock.hide()
+        else:
+            before, closed = self._in_sight(), dock.isHidden()
+            dock.bring_forward()
+            if here != name:
+                self._return_to, self._closed = here, closed
+                self._covered = before - self._in_sight()
+        self._panels[name].setFocus(Qt.FocusReason.ShortcutFocusReason)
+
+    def enter(self, name: str) -> None:
+        """Bring a panel into sight and go there, unless it has the keyboard."""
+        if self._here() != name:
+            self.show(name)
+
+    def draw(self, tool: str) -> None:
+        """Show the selected clip large and take a tool, such as the pen, for it."""
+        panel = cast("ClipEditorPanel", self._panels["clip_editor"])
+        self.enter(panel.name)
+        panel.use(tool)
+
+    def _in_sight(self) -> frozenset[str]:
+        # A dock that comes to the front moves the one behind it away a moment later.
+        QtWidgets.QApplication.sendPostedEvents()
+        return frozenset(panel.name for panel in self._panels if panel.isVisible())
+
+    def _here(self) -> str | None:
+        """Return the name of the panel with the keyboard."""
+        focused = QtWidgets.QApplication.focusWidget()
+        names = (panel.name for panel in self._panels if focused and panel.isAncestorOf(focused))
+        return next(names, None)

@@ -1,4 +1,4 @@
-"""The keyboard in a window: the order of Tab, the way between panels, and shortcuts in fields.
+"""The keyboard in a window: the order of Tab, and shortcuts in fields.
 
 Qt follows the order in which widgets were made, and a panel that hands its focus on to its picture
 makes it skip what stands between.
@@ -8,19 +8,13 @@ that a widget needs stay with it: letters and spaces where a text is typed, Spac
 with it, and on a drop-down list that was not clicked.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, cast
+from collections.abc import Iterable, Sequence
 
 import shiboken6
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QSize, Qt
 
 from skinsource_gui.qt.wheel import scroll_to
-from skinsource_gui.state.panel import PanelRegistry
-
-if TYPE_CHECKING:
-    from skinsource_gui.panels.clip_editor.panel import ClipEditorPanel
-    from skinsource_gui.shell.docks import Dock
 
 
 def tab_stops(
@@ -134,78 +128,6 @@ def _takes_tab(widget: QtWidgets.QWidget) -> bool:
         if group is not None and group.exclusive() and group.checkedButton() is not None:
             return False
     return widget.isVisible() and widget.isEnabled()
-
-
-class PanelFocus(QObject):
-    """Gives the keyboard to the next panel, or the one before.
-
-    Parameters
-    ----------
-    panels
-        In the order in which the keyboard reaches them.
-    docks
-        Those of the panels, by their names.
-    """
-
-    def __init__(self, panels: PanelRegistry, docks: Mapping[str, "Dock"], parent: QObject) -> None:
-        super().__init__(parent)
-        self._panels, self._docks = panels, docks
-        # The panel to go back to, the panels that the shown one has covered, and whether that
-        # one was closed before.
-        self._return_to: str | None = None
-        self._covered: frozenset[str] = frozenset()
-        self._closed = False
-
-    def go(self, by: str) -> None:
-        """Go to the next panel; "-1": to the one before."""
-        # A panel that only says what to do has nothing for the keyboard.
-        panels, step = [panel for panel in self._panels if tab_stops(panel, ())], int(by)
-        focused = QtWidgets.QApplication.focusWidget()
-        here = [k for k, panel in enumerate(panels) if focused and panel.isAncestorOf(focused)]
-        if panels:
-            start = here[0] if here else -min(step, 0) - 1
-            panel = panels[(start + step) % len(panels)]
-            panel.activateWindow()
-            focus_into(panel, Qt.FocusReason.ShortcutFocusReason)
-
-    def show(self, name: str) -> None:
-        """Bring a panel into sight and go there; if it has the keyboard, go back."""
-        here, dock = self._here(), self._docks[name]
-        if here == name and self._return_to is not None:
-            name, self._return_to = self._return_to, None
-            for covered in (*self._covered, name):
-                self._docks[covered].bring_forward()
-            if self._closed:
-                dock.hide()
-        else:
-            before, closed = self._in_sight(), dock.isHidden()
-            dock.bring_forward()
-            if here != name:
-                self._return_to, self._closed = here, closed
-                self._covered = before - self._in_sight()
-        self._panels[name].setFocus(Qt.FocusReason.ShortcutFocusReason)
-
-    def enter(self, name: str) -> None:
-        """Bring a panel into sight and go there, unless it has the keyboard."""
-        if self._here() != name:
-            self.show(name)
-
-    def draw(self, tool: str) -> None:
-        """Show the selected clip large and take a tool, such as the pen, for it."""
-        panel = cast("ClipEditorPanel", self._panels["clip_editor"])
-        self.enter(panel.name)
-        panel.use(tool)
-
-    def _in_sight(self) -> frozenset[str]:
-        # A dock that comes to the front moves the one behind it away a moment later.
-        QtWidgets.QApplication.sendPostedEvents()
-        return frozenset(panel.name for panel in self._panels if panel.isVisible())
-
-    def _here(self) -> str | None:
-        """Return the name of the panel with the keyboard."""
-        focused = QtWidgets.QApplication.focusWidget()
-        names = (panel.name for panel in self._panels if focused and panel.isAncestorOf(focused))
-        return next(names, None)
 
 
 class KeyboardFilter(QObject):

@@ -32,7 +32,7 @@ from skinsource_gui.shell.appearance import Appearance, WindowFrame
 from skinsource_gui.shell.bars import HeadLine, SetupBar, StepsMenu, choice_action
 from skinsource_gui.shell.carrying import PanelPictures
 from skinsource_gui.shell.conditions import Conditions
-from skinsource_gui.shell.focus import PanelFocus, ShortcutsInFields, move_focus
+from skinsource_gui.shell.focus import ShortcutsInFields, move_focus
 from skinsource_gui.shell.keeping import AutosaveAndRecovery
 from skinsource_gui.shell.menus import KEYWORDS, ActionSet, RecentMenu, fill_menu_bar
 from skinsource_gui.shell.notices import FirstHints, Installations, Notice, Reports, RunningJobs
@@ -287,7 +287,7 @@ class MainWindow(QtWidgets.QMainWindow):
 
     def _capabilities(self) -> dict[str, QObject]:
         # By the names that the table of actions has for them.
-        self._panel_focus = PanelFocus(self.panels, self.docks, self)
+        self._panel_focus = docks.PanelFocus(self.panels, self.docks, self)
         return {
             "files": self.files,
             "exports": self.exports,

@@ -166,7 +166,7 @@ def test_the_title_of_a_snapshot_is_typed_over_its_card_and_is_its_own(
     window.files._save_to(tmp_path / "a.skinsource")
     opened = open_design(tmp_path / "a.skinsource")
     assert [each.title for each in opened.view.snapshots] == ["Soft", ""]
-    outcome = rename_snapshot(document.design, document.view, 2, "x" * 40)
+    outcome = rename_snapshot(document.design, document.view, 2, "Long" * 10)
     document.apply(outcome)
     assert document.modified
     window.do("undo")
@@ -174,8 +174,8 @@ def test_the_title_of_a_snapshot_is_typed_over_its_card_and_is_its_own(
     first, second = outcome.view.snapshots
     several = first, second, replace(first, number=3)
     names = snapshot_names([Compared(snapshot=each) for each in several], "xyz")
-    assert [each[2] for each in names] == ["1 · Soft", f"2 · {'x' * 40}", "3 · Soft"]
-    assert names[1][-3:-1] == ("2 · xxxxxxxxxxxxx…", "Snapshot 2")
+    assert [each[2] for each in names] == ["1 · Soft", "2 · " + "Long" * 10, "3 · Soft"]
+    assert names[1][-3:-1] == ("2 · LongLongLongL…", "Snapshot 2")
 
 
 def test_maps_show_snapshots_as_loud_as_they_are_shown_and_how_they_differ(window, panel, settle):
