@@ -85,11 +85,15 @@ class Conductor(QObject):
 
     def _follow(self) -> None:
         since_s = perf_counter()
-        self._informed = {panel for panel in self._panels if panel.isVisibleTo(panel.window())}
+        informed = {panel for panel in self._panels if panel.isVisibleTo(panel.window())}
+        self._informed = informed
         design, view = self._document.design, self._document.shown_view
         for panel in self._panels:
-            if panel in self._informed:
+            if panel in informed:
                 panel.show_state(design, view)
+            if self._informed is not informed:
+                # What was being typed in this panel is a later state: all know that one.
+                return
         self._request_results(since_s)
 
     def _wait_for_results(self) -> None:

@@ -182,7 +182,12 @@ class Document(QObject):
         if before.is_same(after):
             self.look(view)
         else:
+            # A panel that is told may end what was being typed: that step comes after this one.
+            self._jumping = True
             self.undo_stack.push(ReplaceDesign(self, outcome.label, before, after, gesture))
+            self._jumping = False
+            self.changed.emit()
+            self._emit_title()
             self.settled.emit()
         if said:
             self.message.emit(said)

@@ -1,3 +1,4 @@
+from dataclasses import replace
 from threading import Event
 
 import numpy as np
@@ -143,6 +144,23 @@ def test_results_of_an_edit_that_is_not_the_last_are_marked_as_stale(qtbot, stag
     assert stage.loud.marks == [True, True, True, False]
     # They are newer than what was drawn before: those that are still to come are given time.
     assert stage.loud.newer == 1
+
+
+def test_what_a_panel_ends_while_it_is_told_is_a_later_step_and_all_panels_know_it(stage):
+    document, start = stage.document, stage.document.design
+
+    def end_typing(design, view):
+        if not design.title:
+            document.edit("title", replace(design, title="Soft"))
+
+    stage.loud.show_state = end_typing
+    document.edit("louder", start.with_input(0, amplitude=2.0))
+    assert stage.colourful.states[-1] == document.design
+    assert (document.design.title, document.design.inputs[0].amplitude) == ("Soft", 2.0)
+    assert [document.undo_stack.text(step) for step in range(2)] == ["louder", "title"]
+    stage.loud.show_state = lambda *_: None
+    document.go_to(0)
+    assert document.design == start
 
 
 def test_what_cannot_be_computed_is_not_stale_and_what_replaces_it_is_awaited(qtbot, stage):
