@@ -182,7 +182,6 @@ _OWN_AXES = "x and y are local to each sensor"
 class MainAxisView(FigureView):
     """The ellipse of motion of each selected output, and its main axis where it has one."""
 
-    title: ClassVar[str] = "Principal axis"
     name: ClassVar[str] = "main_axis"
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:

@@ -152,7 +152,6 @@ _MOST_NAME_PX, _MOST_AREA_PX = 120, 96
 class PerceptionView(OutputTableView):
     """A table of levels above threshold, the limits of such numbers, and the health weighting."""
 
-    title: ClassVar[str] = "Perception"
     name: ClassVar[str] = "perception"
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:

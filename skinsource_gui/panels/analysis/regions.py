@@ -236,7 +236,6 @@ _NEEDS = frozenset({"output_levels_db"})
 class RegionsView(AnalysisView):
     """A row for each region, a column for each design or person, mean and spread."""
 
-    title: ClassVar[str] = "Regions"
     name: ClassVar[str] = "regions"
     compares: ClassVar[bool] = True
 

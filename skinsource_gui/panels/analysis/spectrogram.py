@@ -215,7 +215,6 @@ _NARROWEST_HZ, _MOST_NUMBER_PX = 5.0, 84
 class SpectrogramView(FigureView):
     """How much of each frequency there is in an output, and when."""
 
-    title: ClassVar[str] = "Spectrogram"
     name: ClassVar[str] = "spectrogram"
     copies: ClassVar[bool] = False
 

@@ -101,7 +101,6 @@ def table_text(rows: tuple[StatisticsRow, ...]) -> str:
 class StatisticsView(OutputTableView):
     """RMS, peak, crest factor, main frequency and delay of each selected output."""
 
-    title: ClassVar[str] = "Statistics"
     name: ClassVar[str] = "statistics"
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:

@@ -162,7 +162,6 @@ _MOST_NUMBERS = 12
 class TransferView(FigureView):
     """Magnitude or coherence of each output over frequency, with what can be used of it."""
 
-    title: ClassVar[str] = "Transfer function"
     name: ClassVar[str] = "transfer"
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:

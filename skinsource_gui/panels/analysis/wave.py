@@ -105,7 +105,6 @@ _ABOUT = "Along {axis}: distance on the map, group delay"
 class WaveView(FigureView):
     """Delay and level over the distance, and speed and attenuation from them."""
 
-    title: ClassVar[str] = "Wave speed"
     name: ClassVar[str] = "wave"
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:

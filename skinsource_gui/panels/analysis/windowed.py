@@ -491,7 +491,6 @@ _TOO_SHORT = "No whole window fits into the response. Choose shorter ones."
 class WindowedView(AnalysisView):
     """A map of the RMS for each of consecutive windows, and how far each of them reaches."""
 
-    title: ClassVar[str] = "Time windows"
     name: ClassVar[str] = "windowed"
     copies: ClassVar[bool] = False
 
