@@ -106,6 +106,7 @@ class WaveView(FigureView):
     """Delay and level over the distance, and speed and attenuation from them."""
 
     name: ClassVar[str] = "wave"
+    needs = frozenset({"line_wave", "shown_outputs", "limb_data", "match_gain", "voices"})
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         self.picture = WavePicture()
@@ -117,10 +118,6 @@ class WaveView(FigureView):
         )
         self.choices.addWidget(self.about, 1)
         self.say_instead(self.no_outputs)
-
-    @property
-    def needs(self) -> frozenset[str]:
-        return frozenset({"line_wave", "shown_outputs", "limb_data", "match_gain", "voices"})
 
     def show_state(self, design: Design, view: View) -> None:
         self.show_selection(view, fewest=2)

@@ -38,7 +38,7 @@ def test_only_the_tool_that_is_taken_shows_and_changes_points(tone, monkeypatch)
     tools = []
 
     def ask(*_):
-        tools.append((tone.canvas.tool, tone.panel._toolbar._tools["look"].isChecked()))
+        tools.append((tone.canvas.tool, tone.panel._toolbar.tools["look"].isChecked()))
         return QMessageBox.StandardButton.Ok
 
     monkeypatch.setattr(QMessageBox, "question", ask)
