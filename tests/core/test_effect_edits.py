@@ -1,6 +1,5 @@
 """What is done to the chain of a clip, and to recipes in lists."""
 
-
 import pytest
 
 from skinsource import Design, Input, View, edits, track
