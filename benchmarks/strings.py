@@ -90,7 +90,7 @@ def _strings(node: ast.AST, kind: str, known: dict[str, list[str]]) -> Iterator[
 
 
 def strings_of_users() -> Iterator[Found]:
-    """Yield all strings of the library and the studio, and the headings of the pages."""
+    """Yield all strings of the library, the studio and its tables, and the headings of pages."""
     rooms = (ROOT / "core" / "skinsource", ROOT / "skinsource_gui")
     trees = {path: ast.parse(path.read_text("utf-8")) for r in rooms for path in r.rglob("*.py")}
     own = {path: _parameters(tree) for path, tree in trees.items()}
@@ -98,6 +98,10 @@ def strings_of_users() -> Iterator[Found]:
     for path, tree in sorted(trees.items()):
         for found in _strings(tree, "message", known | own[path]):
             yield found._replace(where=f"{path.relative_to(ROOT)}:{found.where}")
+    for table in sorted((ROOT / "resources").glob("*.toml")):
+        for key, text in re.findall(r'^(\w+) = "(.*)"', table.read_text("utf-8"), re.MULTILINE):
+            if KIND_OF.get(key):
+                yield Found(str(table.relative_to(ROOT)), KIND_OF[key], text)
     for page in [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]:
         for heading in re.findall(r"^#+ (.*)", page.read_text("utf-8"), re.MULTILINE):
             yield Found(str(page.relative_to(ROOT)), "heading", heading)

@@ -137,12 +137,6 @@ def synthetic_response(limb: int, place: int) -> np.ndarray:
 
 
 @pytest.fixture(scope="session")
-def make_response() -> Callable[[int, int], np.ndarray]:
-    """Give the made-up response of one limb to one place."""
-    return synthetic_response
-
-
-@pytest.fixture(scope="session")
 def write_table() -> Callable[..., None]:
     """Write ``impulseResponses.mat`` from rows of (data, model, location)."""
     matio = pytest.importorskip("matio", reason="mat-io is not installed")

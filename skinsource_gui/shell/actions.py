@@ -28,7 +28,6 @@ from skinsource_gui.panels.timeline.content import chosen_clips
 from skinsource_gui.plots.small_map import COLOURS
 from skinsource_gui.qt.keys import KEYS, SHORTCUTS, key_text
 from skinsource_gui.qt.resources import read_text
-from skinsource_gui.shell.workspaces import WORKSPACES
 from skinsource_gui.state.job_runner import selected_train
 
 #: Whether something can be done, or is on, now.
@@ -239,10 +238,6 @@ CHECKED: dict[str, Condition] = {
 _EACH: dict[str, list[dict[str, str]]] = {
     "": [{}],
     "snapshot": [{"number": str(number)} for number in NUMBERS],
-    "workspace": [
-        {"name": each.name, "text": each.text, "hint": each.hint, "shortcut": each.key}
-        for each in WORKSPACES
-    ],
     "colours": [
         {"name": word, "title": title, "hint": COLOURS.hint}
         for word, (_, title) in zip(_COLOURS, COLOURS.options, strict=True)
@@ -308,8 +303,8 @@ ACTIONS: tuple[ActionSpec, ...] = (
             name=f"export_{export.name}",
             text=export.text,
             hint=export.hint,
-            keys=export.keys,
-            keywords=f"save write {export.keywords}",
+            keys=tuple(export.keys.split()),
+            keywords=f"save write {export.words}",
             command="exports.show",
             argument=export.name,
         )

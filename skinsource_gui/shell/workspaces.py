@@ -51,8 +51,6 @@ class Workspace:
     ----------
     name
         As scenes have it.
-    text, hint, key
-        Those of the action that shows it.
     split
         The panels in sight.
     host
@@ -67,9 +65,6 @@ class Workspace:
     """
 
     name: str
-    text: str
-    hint: str
-    key: str
     split: Split
     host: str
     hosts: Mapping[str, str] = field(default_factory=dict)
@@ -88,9 +83,6 @@ _INPUTS_AND_PLOTS = Split(_ACROSS, (("hand", 25), ("inspector", 26), (_PLOTS, 49
 WORKSPACES: tuple[Workspace, ...] = (
     Workspace(
         name="design",
-        text="Compose",
-        hint="The skin, and all that a stimulus is composed with",
-        key="Alt+1",
         split=Split(
             _ACROSS,
             (("skin", 31), (Split(_DOWN, ((_INPUTS_AND_PLOTS, 59), ("timeline", 41))), 69)),
@@ -101,9 +93,6 @@ WORKSPACES: tuple[Workspace, ...] = (
     ),
     Workspace(
         name="analysis",
-        text="Analyse",
-        hint="The skin, traces and spectra, large",
-        key="Alt+2",
         split=Split(_ACROSS, (("skin", 32), (_PLOTS, 68))),
         # Not the skin: outputs are chosen there.
         host="spectra",
@@ -112,9 +101,6 @@ WORKSPACES: tuple[Workspace, ...] = (
     ),
     Workspace(
         name=PRESENTATION,
-        text="Present",
-        hint="The skin in motion, traces and one knob, in large letters",
-        key="Alt+3",
         split=Split(_ACROSS, ((STAGE, 1),)),
         host=STAGE,
     ),

@@ -9,6 +9,7 @@ from skinsource.base.errors import DatasetError, Stopped
 from skinsource.limbs.dataset.install import install
 from skinsource.limbs.dataset.published import ARRAYS, find_downloaded
 from skinsource.limbs.dataset.store import describe, is_installed, load_measured_limb
+from tests.conftest import synthetic_response
 
 
 def _everything(path):
@@ -17,11 +18,11 @@ def _everything(path):
         return {name: store[name] for name in store.files if name in ARRAYS}
 
 
-def test_installing_keeps_every_response_with_time_last(synthetic_installed, make_response):
+def test_installing_keeps_every_response_with_time_last(synthetic_installed):
     for limb in (1, 4):
         opened = load_measured_limb(limb)
         for place in (1, 13, 20):
-            expected = make_response(limb, place).transpose(1, 2, 0)
+            expected = synthetic_response(limb, place).transpose(1, 2, 0)
             np.testing.assert_array_equal(opened.response_to(place), expected)
     assert opened.response_to(20)[5, 1, 3] == 4.2 + 0.25
 

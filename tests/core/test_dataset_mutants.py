@@ -91,9 +91,8 @@ def places_of_nodes(content: bytes, length: int) -> list[int]:
     return places
 
 
-@pytest.fixture
-def packed(tmp_path) -> Path:
-    """Write a small file as MATLAB does: cells of packed arrays, in the oldest format of HDF5."""
+def test_flips_anywhere_but_in_values_are_refused_or_make_no_difference(tmp_path):
+    # Write a small file as MATLAB does: cells of packed arrays, in the oldest format of HDF5.
     path = tmp_path / "packed.mat"
     random = np.random.default_rng(SEED)
     with h5py.File(path, "w", libver="earliest", userblock_size=512) as file:
@@ -103,27 +102,23 @@ def packed(tmp_path) -> Path:
             group.create_dataset(f"c{k}", data=values, chunks=(1, 2, 8), compression="gzip")
         cells = np.array([dataset.ref for dataset in group.values()], dtype=h5py.ref_dtype)
         file.create_dataset("cells", data=cells, dtype=h5py.ref_dtype)
-    return path
-
-
-def test_flips_anywhere_but_in_values_are_refused_or_make_no_difference(packed):
-    with h5py.File(packed) as file:
+    with h5py.File(path) as file:
         ranges = [
             file["#refs#"][name].id.get_chunk_info(k)
             for name in file["#refs#"]
             for k in range(N_PIECES)
         ]
-    free = np.ones(packed.stat().st_size, bool)
+    free = np.ones(path.stat().st_size, bool)
     free[:512] = False
     for piece in ranges:
         free[512 + piece.byte_offset : 512 + piece.byte_offset + piece.size] = False
-    content = np.fromfile(packed, np.uint8)
+    content = np.fromfile(path, np.uint8)
     anywhere = np.flatnonzero(free & (content != 0))
     # Of a node: its head, then size, mask and four offsets of each piece, and where it lies.
-    in_index = places_of_nodes(packed.read_bytes(), 24 + N_PIECES // 2 * 48)
+    in_index = places_of_nodes(path.read_bytes(), 24 + N_PIECES // 2 * 48)
     random = np.random.default_rng(SEED)
     places = [*random.choice(anywhere, 200), *random.choice(in_index, 300)]
-    outcome = outcome_of(packed, [(int(place), int(random.integers(8))) for place in places])
+    outcome = outcome_of(path, [(int(place), int(random.integers(8))) for place in places])
     assert set(outcome) <= {"refused", "the same"}, outcome
     assert outcome["refused"] > 200
 

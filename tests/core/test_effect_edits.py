@@ -1,7 +1,5 @@
 """What is done to the chain of a clip, and to recipes in lists."""
 
-from dataclasses import replace
-
 import pytest
 
 from skinsource import Design, Input, View, edits, track
@@ -66,35 +64,29 @@ def test_an_effect_is_added_to_several_clips_at_once():
     assert [outcome.design.clip(id).effects for id in (2, 3)] == [(Reverse(),)] * 2
 
 
-def test_an_effect_is_removed():
-    outcome = edits.remove_effect(DESIGN, VIEW, 1, 1)
-    assert chain_of(outcome) == (CHAIN[0], CHAIN[2])
-    assert outcome.label == "Remove fade from clip at 7 (II pad)"
+REVERSE, FADE, REPEAT = CHAIN
 
 
 @pytest.mark.parametrize(
-    ("index", "to", "order"),
+    ("edit", "given", "chain", "label"),
     [
-        (0, 1, (1, 0, 2)),
-        (0, 2, (1, 2, 0)),
-        (2, 0, (2, 0, 1)),
-        (0, 99, (1, 2, 0)),
-        (1, -4, (1, 0, 2)),
+        ("remove_effect", (1,), (REVERSE, REPEAT), "Remove fade from"),
+        ("move_effect", (0, 1), (FADE, REVERSE, REPEAT), "Reorder effects of"),
+        ("move_effect", (0, 99), (FADE, REPEAT, REVERSE), "Reorder effects of"),
+        ("move_effect", (2, -4), (REPEAT, REVERSE, FADE), "Reorder effects of"),
+        ("switch_effect", (1, False), (REVERSE, Fade(on=False), REPEAT), "Switch fade off in"),
+        (
+            "change_effect_field",
+            (1, "in_s", 0.05),
+            (REVERSE, Fade(in_s=0.05), REPEAT),
+            "Change fade in of",
+        ),
     ],
 )
-def test_an_effect_is_moved_within_its_chain(index, to, order):
-    outcome = edits.move_effect(DESIGN, VIEW, 1, index, to)
-    assert chain_of(outcome) == tuple(CHAIN[k] for k in order)
-    assert outcome.label == "Reorder effects of clip at 7 (II pad)"
-
-
-def test_an_effect_is_switched_and_its_fields_are_set():
-    off = edits.switch_effect(DESIGN, VIEW, 1, 1, False)
-    assert chain_of(off)[1] == replace(CHAIN[1], on=False)
-    assert off.label == "Switch fade off in clip at 7 (II pad)"
-    longer = edits.change_effect_field(DESIGN, VIEW, 1, 1, "in_s", 0.05)
-    assert chain_of(longer)[1] == replace(CHAIN[1], in_s=0.05)
-    assert longer.label == "Change fade in of clip at 7 (II pad)"
+def test_an_effect_is_removed_moved_switched_and_changed(edit, given, chain, label):
+    outcome = getattr(edits, edit)(DESIGN, VIEW, 1, *given)
+    assert chain_of(outcome) == chain
+    assert outcome.label == f"{label} clip at 7 (II pad)"
 
 
 def test_an_envelope_is_that_of_the_last_one_or_a_new_one():

@@ -153,28 +153,23 @@ def test_until_the_end_nobody_else_can_read_what_replaces_a_file(target, mode):
         temporary.write_bytes(NEW)
 
 
-@pytest.fixture
-def link(target) -> Path:
+def test_a_link_stays_and_what_it_leads_to_is_replaced(target):
     place = target.parent / "links" / "link.skinsource"
     place.parent.mkdir()
     try:
         place.symlink_to(Path("..") / target.name)
     except OSError as error:
         pytest.skip(f"links cannot be made here: {error}")
-    return place
-
-
-def test_a_link_stays_and_what_it_leads_to_is_replaced(target, link):
-    second = link.with_name("link to the link")
-    second.symlink_to(link)
+    second = place.with_name("link to the link")
+    second.symlink_to(place)
     with replacing(second) as temporary:
         assert temporary.parent.samefile(target.parent)
         temporary.write_bytes(NEW)
         assert target.read_bytes() == OLD
     assert target.read_bytes() == NEW
-    assert link.is_symlink()
+    assert place.is_symlink()
     assert second.is_symlink()
-    assert {path.name for path in link.parent.iterdir()} == {link.name, second.name}
+    assert {path.name for path in place.parent.iterdir()} == {place.name, second.name}
     assert {path.name for path in target.parent.iterdir()} == {target.name, "links"}
 
 

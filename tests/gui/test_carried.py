@@ -121,42 +121,37 @@ def test_copied_numbers_are_followed_by_what_they_are_not_good_for(window, qtbot
     assert last in about
 
 
-@pytest.fixture
-def tones(open_window, settle):
-    """Four frequencies, as snapshots of a scene of the paper."""
-    window = open_window(DESIGN)
-    opened = ss.scenes.open_scene("2B", available=("synthetic-1",))
-    window.document.start_over(opened.design, opened.view, None, scene=opened.scene.title)
-    settle()
-    return window
-
-
 FOUR = ". ".join(
     f"Snapshot {1 + k}: Place 7, 1 m/s²: Tone {50 * 2**k} Hz, 200 ms" for k in range(4)
 )
 
 
-def test_a_scene_that_was_changed_is_not_called_what_it_was(tones, settle):
+def test_a_scene_that_was_changed_is_not_called_what_it_was(open_window, settle):
+    # Four frequencies, as snapshots of a scene of the paper.
+    window = open_window(DESIGN)
+    opened = ss.scenes.open_scene("2B", available=("synthetic-1",))
+    window.document.start_over(opened.design, opened.view, None, scene=opened.scene.title)
+    settle()
     title = "Fig. 2B: Low frequencies reach farther"
-    heading = tones.panel("stage").heading
-    tones.docks["stage"].bring_forward()
-    tones.document.look(replace(tones.document.view, selected_inputs=tones.document.design.ids))
+    heading = window.panel("stage").heading
+    window.docks["stage"].bring_forward()
+    window.document.look(replace(window.document.view, selected_inputs=window.document.design.ids))
     settle()
     tone = ss.waveforms.Tone(frequency_hz=300.0)
-    track = tones.document.design.inputs[0]
+    track = window.document.design.inputs[0]
     changed = replace(track, clips=(replace(track.clips[0], waveform=tone),))
-    tones.document.edit("Frequency", replace(tones.document.design, inputs=(changed,)))
+    window.document.edit("Frequency", replace(window.document.design, inputs=(changed,)))
     settle()
     assert heading.text() == title
-    assert tones.windowTitle().startswith(f"{title} · edited[*]")
-    assert tones.pictures.picture_of("skin").caption.startswith(f"{title} · edited. Place 7")
-    assert tones.pictures.picture_of("compare").caption.startswith(
+    assert window.windowTitle().startswith(f"{title} · edited[*]")
+    assert window.pictures.picture_of("skin").caption.startswith(f"{title} · edited. Place 7")
+    assert window.pictures.picture_of("compare").caption.startswith(
         f"{title}. Working design: Place 7, 1 m/s²: Tone 300 Hz, 200 ms. {FOUR}"
     )
-    tones.document.undo_stack.undo()
+    window.document.undo_stack.undo()
     settle()
     assert heading.text() == title
-    assert tones.windowTitle().startswith(f"{title} · 50 Hz[*]")
+    assert window.windowTitle().startswith(f"{title} · 50 Hz[*]")
 
 
 def test_numbers_that_are_copied_are_those_that_are_judged(qtbot):

@@ -20,21 +20,15 @@ def active(window, qtbot):
     return window
 
 
-@pytest.fixture
-def requested(window):
-    """What the window was last asked for."""
-    requests = []
-    window.conductor.delivered.connect(lambda outcome: requests.append(outcome.request.wanted))
-    return lambda: requests[-1]
-
-
 def with_keyboard(window):
     """The name of the panel that has the keyboard."""
     focused = QApplication.focusWidget()
     return next((panel.name for panel in window.panels if panel.isAncestorOf(focused)), None)
 
 
-def test_nothing_is_computed_for_a_panel_behind_another_one(window, settle, requested):
+def test_nothing_is_computed_for_a_panel_behind_another_one(window, settle):
+    requests = []
+    window.conductor.delivered.connect(lambda outcome: requests.append(outcome.request.wanted))
     window.tabifyDockWidget(window.docks["traces"], window.docks["spectra"])
     settle()
     click_tab(window, "Traces")
@@ -43,16 +37,16 @@ def test_nothing_is_computed_for_a_panel_behind_another_one(window, settle, requ
     assert own
     window.document.edit("a", window.document.design.with_input(0, amplitude=2.0))
     settle()
-    assert "selected_traces" in requested()
-    assert not requested() & own
+    assert "selected_traces" in requests[-1]
+    assert not requests[-1] & own
     drawn = []
     window.panel("traces").show_results = drawn.append
     click_tab(window, "Spectra")
     settle()
-    assert requested() >= own
+    assert requests[-1] >= own
     window.document.edit("b", window.document.design.with_input(0, amplitude=3.0))
     settle()
-    assert "selected_traces" not in requested()
+    assert "selected_traces" not in requests[-1]
     drawn.clear()
     click_tab(window, "Traces")
     settle()

@@ -15,13 +15,6 @@ from skinsource.export import packing
 from skinsource_gui.state.preferences import start_design
 
 
-@pytest.fixture
-def delivered(window):
-    outcomes = []
-    window.conductor.delivered.connect(outcomes.append)
-    return outcomes
-
-
 def test_the_first_window_plays_a_tone_on_the_pad_of_digit_ii():
     design = start_design("synthetic-3")
     (track,) = design.inputs
@@ -29,14 +22,16 @@ def test_the_first_window_plays_a_tone_on_the_pad_of_digit_ii():
     assert track.clips[0].waveform == Tone(frequency_hz=100.0)
 
 
-def test_the_first_window_shows_a_prediction_of_the_start_design(window, settle, delivered):
+def test_the_first_window_shows_a_prediction_of_the_start_design(window, settle):
+    outcomes = []
+    window.conductor.delivered.connect(outcomes.append)
     window.document.look(replace(window.document.view, axes="z"))
     settle()
     limb = load_limb("synthetic-1")
     drive = Tone(frequency_hz=100.0).samples(1300.0)
     expected = project_axes(predict(limb, [drive], [7], scaling="probe"), "z")[[28, 51]]
     np.testing.assert_allclose(
-        delivered[-1].values["selected_traces"], expected, atol=1e-12 * np.abs(expected).max()
+        outcomes[-1].values["selected_traces"], expected, atol=1e-12 * np.abs(expected).max()
     )
 
 

@@ -31,7 +31,8 @@ def test_every_shipped_data_file_is_installed_unchanged():
 
 
 def test_the_windows_resources_are_installed():
-    for name in ("theme.qss", "themes.toml", "keys.toml", "actions.toml", "icons/play.svg"):
+    tables = ("themes", "keys", "actions", "exports", "analysis")
+    for name in ("theme.qss", "icons/play.svg", *(f"{table}.toml" for table in tables)):
         assert (resource_folder() / name).is_file()
 
 

@@ -64,7 +64,7 @@ def add_to(subparsers: Any) -> None:
     bench.set_defaults(run=_bench)
 
 
-def _bench(arguments: argparse.Namespace) -> int:
+def _bench(arguments: argparse.Namespace) -> None:
     folder: Path = arguments.out
     limb = load_limb(arguments.limb) if arguments.limb else None
     make_folder(folder)
@@ -83,7 +83,6 @@ def _bench(arguments: argparse.Namespace) -> int:
     _write(folder, rows, arguments.limb)
     sys.stdout.write(f"{table_text(rows)}\n{MEANING}\n")
     write_plots(rows, folder / _NAME)
-    return 0
 
 
 def _write(folder: Path, rows: Sequence[Row], limb: str, *remarks: str) -> None:

@@ -19,7 +19,7 @@ from skinsource.limbs.dataset import commands as dataset_commands
 from skinsource.version import __version__
 
 # Modules that add the commands, by the groups of the help page.  Each command sets ``run``, a
-# function from the parsed arguments to the exit code.
+# function from the parsed arguments to the exit code, if that may be another one than 0.
 _COMMAND_MODULES = {
     "designs": (design_commands,),
     "stimuli for actuators": (stimulus_commands,),
@@ -46,7 +46,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     try:
         try:
             arguments = _parser().parse_args(argv)
-            return int(arguments.run(arguments))
+            return int(arguments.run(arguments) or 0)
         finally:
             sys.stdout.flush()
     except BrokenPipeError:

@@ -74,7 +74,7 @@ def add_to(subparsers: Any) -> None:
     _add_check(subparsers)
 
 
-def _show(arguments: argparse.Namespace) -> int:
+def _show(arguments: argparse.Namespace) -> None:
     content = open_design(arguments.design)
     design, view = content.design, content.view
     results = evaluate(design, "limb_data", "validity", "output_levels_db", view=view)
@@ -87,10 +87,9 @@ def _show(arguments: argparse.Namespace) -> int:
         *_level_lines(design, view, results["output_levels_db"]),
     ]
     sys.stdout.write("\n".join(lines) + "\n")
-    return 0
 
 
-def _render(arguments: argparse.Namespace) -> int:
+def _render(arguments: argparse.Namespace) -> None:
     content = open_design(arguments.design)
     folder: Path = arguments.out
     make_folder(folder)
@@ -102,10 +101,9 @@ def _render(arguments: argparse.Namespace) -> int:
     for name, write in writers.items():
         write(folder / name, exported)
         sys.stdout.write(f"{folder / name}\n")
-    return 0
 
 
-def _film(arguments: argparse.Namespace) -> int:
+def _film(arguments: argparse.Namespace) -> None:
     content = open_design(arguments.design)
     make_folder(arguments.out.parent)
     with ProgressBar(sys.stderr) as bar:
@@ -119,7 +117,6 @@ def _film(arguments: argparse.Namespace) -> int:
             progress=WithTimeLeft(bar),
         )
     sys.stdout.write(f"{arguments.out}\n")
-    return 0
 
 
 def _design_lines(design: Design) -> list[str]:
@@ -191,7 +188,7 @@ def _add_pack(subparsers: Any) -> None:
     parser.set_defaults(run=_pack)
 
 
-def _pack(arguments: argparse.Namespace) -> int:
+def _pack(arguments: argparse.Namespace) -> None:
     if arguments.out.suffix.lower() != ".zip":
         raise InvalidInputError(
             f"{printable(arguments.out.name)} is not the name of a zip file. Call it *.zip."
@@ -202,7 +199,6 @@ def _pack(arguments: argparse.Namespace) -> int:
     make_folder(arguments.out.parent)
     pack(arguments.out, content.design, view, rig=rig)
     sys.stdout.write(f"{arguments.out}\n")
-    return 0
 
 
 def _add_check(subparsers: Any) -> None:
@@ -241,7 +237,7 @@ def _add_check(subparsers: Any) -> None:
     parser.set_defaults(run=_check)
 
 
-def _check(arguments: argparse.Namespace) -> int:
+def _check(arguments: argparse.Namespace) -> None:
     measured = arguments.measured or [None] * len(arguments.designs)
     if len(measured) != len(arguments.designs):
         raise InvalidInputError(
@@ -265,4 +261,3 @@ def _check(arguments: argparse.Namespace) -> int:
         make_folder(arguments.out.parent)
         write_report(arguments.out, conditions, (design.limb for design in designs.values()))
         sys.stdout.write(f"{arguments.out}\n")
-    return 0

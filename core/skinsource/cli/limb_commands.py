@@ -127,7 +127,7 @@ def _add_numbers(add: Any, *numbers: tuple[str, str, str, str]) -> None:
         add(flag, dest=name, type=float, metavar=metavar, help=about)
 
 
-def _import(arguments: argparse.Namespace) -> int:
+def _import(arguments: argparse.Namespace) -> None:
     parts = given(arguments, LimbSource)
     # The outline is a part of both: here it is a file.
     values = {key: value for key, value in given(arguments, OwnLimb).items() if key not in parts}
@@ -135,42 +135,36 @@ def _import(arguments: argparse.Namespace) -> int:
     with ProgressBar(sys.stderr) as bar:
         facts = import_limb(source, replace=arguments.replace, progress=bar)
     sys.stdout.write(f"Imported {_limb_line(facts.name)}\n")
-    return 0
 
 
-def _limbs(_: argparse.Namespace) -> int:
+def _limbs(_: argparse.Namespace) -> None:
     for name in available_limbs():
         sys.stdout.write(f"{_limb_line(name)}\n")
-    return 0
 
 
-def _list(arguments: argparse.Namespace) -> int:
+def _list(arguments: argparse.Namespace) -> None:
     _limbs(arguments)
     if not own_limb_names():
         sys.stdout.write("No limb was imported. skinsource limb import FILE imports one.\n")
-    return 0
 
 
-def _mirror(arguments: argparse.Namespace) -> int:
+def _mirror(arguments: argparse.Namespace) -> None:
     mirror_limb(arguments.name, not arguments.off)
     sys.stdout.write(f"{_limb_line(arguments.name)}\n")
-    return 0
 
 
-def _export(arguments: argparse.Namespace) -> int:
+def _export(arguments: argparse.Namespace) -> None:
     path: Path = arguments.out or arguments.file
     make_folder(path.parent)
     with ProgressBar(sys.stderr) as bar:
         export_limb(arguments.name, path, progress=bar)
     sys.stdout.write(f"{path}\n")
-    return 0
 
 
-def _remove(arguments: argparse.Namespace) -> int:
+def _remove(arguments: argparse.Namespace) -> None:
     path = own_limb_path(arguments.name)
     remove_limb(arguments.name)
     sys.stdout.write(f"Deleted {path}\n")
-    return 0
 
 
 def _limb_line(name: str) -> str:

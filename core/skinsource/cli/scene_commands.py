@@ -42,7 +42,7 @@ def add_to(subparsers: Any) -> None:
     _add_figures(subparsers)
 
 
-def _scenes(arguments: argparse.Namespace) -> int:
+def _scenes(arguments: argparse.Namespace) -> None:
     if arguments.name is None:
         if arguments.out is not None:
             arguments.parser.error("--out needs the NAME of a scene")
@@ -53,7 +53,7 @@ def _scenes(arguments: argparse.Namespace) -> int:
                 sys.stdout.write(f"      Not on {arguments.limb}: {reason}\n")
         for name, reason in missing_panels():
             sys.stdout.write(f"{name:4}  – {reason}\n")
-        return 0
+        return
     opened = open_scene(arguments.name, limb=arguments.limb)
     sys.stdout.write(f"{opened.scene.heading}\n{opened.scene.notes}\n")
     if opened.note:
@@ -62,7 +62,6 @@ def _scenes(arguments: argparse.Namespace) -> int:
         make_folder(arguments.out.parent)
         save_design(arguments.out, opened.design, opened.view)
         sys.stdout.write(f"{arguments.out}\n")
-    return 0
 
 
 def _add_figures(subparsers: Any) -> None:
@@ -87,7 +86,7 @@ def _add_figures(subparsers: Any) -> None:
     parser.set_defaults(run=_figures)
 
 
-def _figures(arguments: argparse.Namespace) -> int:
+def _figures(arguments: argparse.Namespace) -> None:
     with ProgressBar(sys.stderr) as bar:
         written = write_figures(arguments.out, arguments.only, limb=arguments.limb, progress=bar)
     for name in names() if arguments.limb and not arguments.only else ():
@@ -98,4 +97,3 @@ def _figures(arguments: argparse.Namespace) -> int:
         sys.stderr.write(f"skinsource: {SYNTHETIC}; see skinsource dataset fetch\n")
     for path in written:
         sys.stdout.write(f"{path}\n")
-    return 0

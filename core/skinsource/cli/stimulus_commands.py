@@ -168,12 +168,11 @@ def _rig(arguments: argparse.Namespace) -> Rig | Nothing | None:
     return "none" if str(arguments.rig) == "none" else open_rig(arguments.rig)
 
 
-def _wiring(arguments: argparse.Namespace) -> int:
+def _wiring(arguments: argparse.Namespace) -> None:
     make_folder(arguments.out.parent)
     design = open_design(arguments.design).design
     export_wiring(design, arguments.out, options=_options(arguments), rig=_rig(arguments))
     sys.stdout.write(f"{arguments.out}\n")
-    return 0
 
 
 def _export(arguments: argparse.Namespace) -> int:
@@ -367,7 +366,7 @@ def _add_measure(actions: Any) -> None:
     parser.set_defaults(run=_measure)
 
 
-def _measure(arguments: argparse.Namespace) -> int:
+def _measure(arguments: argparse.Namespace) -> None:
     rig = open_rig(arguments.rig)
     lowest_hz, highest_hz = arguments.band
     options = given(arguments, MeasuringSetup)
@@ -378,10 +377,9 @@ def _measure(arguments: argparse.Namespace) -> int:
     path = arguments.out or arguments.rig
     save_rig(path, kept(rig, measurement))
     sys.stdout.write("\n".join((*measurement.lines, str(path))) + "\n")
-    return 0
 
 
-def _devices(_: argparse.Namespace) -> int:
+def _devices(_: argparse.Namespace) -> None:
     for title, listed in (("Outputs", devices()), ("Inputs", input_devices())):
         sys.stdout.write(f"{title}\n")
         for device in listed:
@@ -389,4 +387,3 @@ def _devices(_: argparse.Namespace) -> int:
             sys.stdout.write(f"  {device.title}{mark}\n")
         if not listed:
             sys.stdout.write("  none\n")
-    return 0

@@ -1,12 +1,14 @@
 """Exports: the table of what can be exported, and the dialog and jobs that write it.
 
-The dialog, and the entries of the palette that open it, are made from the table `EXPORTS`.
+The dialog, and the entries of the palette that open it, are made from the table `EXPORTS`, whose
+texts stand in ``resources/exports.toml``.
 """
 
 import importlib
 import logging
 import math
-from collections.abc import Callable, Iterable
+import tomllib
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import partial
 from itertools import count
@@ -31,10 +33,11 @@ from skinsource.export.tables import (
 )
 from skinsource_gui import pages
 from skinsource_gui.pages.files.file_actions import FileActions
-from skinsource_gui.pages.files.maps_film import MAPS_SIZE_PX, export_maps_film
-from skinsource_gui.panels.skin.film import SIZE_PX, export_animation
-from skinsource_gui.plots.pictures import ALL_VISIBLE, MOVING, PANEL_IN_USE, Picture
+from skinsource_gui.pages.files.maps_film import export_maps_film
+from skinsource_gui.panels.skin.film import export_animation
+from skinsource_gui.plots.pictures import Picture
 from skinsource_gui.qt.questions import ask_to_replace, ask_yes
+from skinsource_gui.qt.resources import read_text
 from skinsource_gui.state.services import Services
 
 #: The exports that need more than design and view, or a selection.
@@ -56,30 +59,22 @@ class ExportSpec:
     ----------
     name
         Name of its entry in the palette, after ``export_``.
-    group, title
-        Entry in the list of the dialog, and in the choice beside it; "" where there is no other.
-    file_name
-        Suggested name of the file, whose ending says its kind.
-    hint
-        What is written, as a sentence.
+    group, hint, size_px, title, file_name, panel, keys, words
+        As in the file of texts.
     write
         Computes and writes the file.
-    panel, size_px
-        Panel whose picture is saved, or one of its views as ``"panel/view"``; width and height.
-    keys, keywords
-        As those of an action.
     """
 
     name: str
     group: str
+    hint: str
+    size_px: tuple[int, int]
     title: str = ""
     file_name: str = ""
-    hint: str
     write: Write | None = None
     panel: str = ""
-    size_px: tuple[int, int] = (1200, 1800)
-    keys: tuple[str, ...] = ()
-    keywords: str = ""
+    keys: str = ""
+    words: str = ""
 
     @property
     def text(self) -> str:
@@ -100,140 +95,28 @@ def _wiring(path: Path, design: Design, view: View, **wired: Any) -> None:
     importlib.import_module("skinsource.export.wiring").export_wiring(design, path, **wired)
 
 
-EXPORTS: tuple[ExportSpec, ...] = (
-    ExportSpec(
-        name=STIMULUS,
-        group="Stimulus",
-        hint="Write what the actuators get: WAV, CSV, MATLAB and others",
-        keys=("Ctrl+Alt+E",),
-        keywords="drive wav flac csv npz mat hdf5 header bids sound play actuator equaliser",
-    ),
-    ExportSpec(
-        name=STIMULUS_SET,
-        group="Stimulus set",
-        hint="Write a stimulus for each combination of values, with matched levels",
-        keywords="conditions experiment batch vary frequencies amplitudes places sweep match",
-    ),
-    ExportSpec(
-        name="picture",
-        group="Picture",
-        title="Skin map",
-        file_name="skin-map.png",
-        hint="Save the skin map as PNG, SVG or PDF",
-        panel="skin",
-        keys=("Ctrl+Shift+E",),
-        keywords="image figure screenshot heatmap vector pdf svg png",
-    ),
-    ExportSpec(
-        name="panel_picture",
-        group="Picture",
-        title="Active panel",
-        file_name="panel.png",
-        hint="Save the panel with the keyboard focus: PNG, SVG or PDF",
-        panel=PANEL_IN_USE,
-        keywords="image figure screenshot vector pdf svg png plot paper",
-    ),
-    ExportSpec(
-        name="window_picture",
-        group="Picture",
-        title="All panels",
-        file_name="studio.png",
-        hint="Save all visible panels as arranged: PNG, SVG or PDF",
-        panel=ALL_VISIBLE,
-        keywords="image figure screenshot vector pdf svg png arrangement window slide",
-    ),
-    ExportSpec(
-        name="windows_picture",
-        group="Picture",
-        title="Time windows",
-        file_name="windows.png",
-        hint="Save the strip of windows with its scale: PNG, SVG, PDF",
-        panel="analysis/windowed",
-        size_px=(1600, 1100),
-        keywords="image figure screenshot vector pdf svg png windowed rms strip",
-    ),
-    ExportSpec(
-        name=FILM,
-        group="Film",
-        title="Skin map",
-        hint="Save the skin map in slow motion: MP4, WebM or GIF",
-        panel="skin",
-        write=export_animation,
-        size_px=SIZE_PX,
-        keywords="animation video movie wave gif mp4 webm slow motion time",
-    ),
-    ExportSpec(
-        name=MAPS_FILM,
-        group="Film",
-        title="Maps side by side",
-        hint="Save the comparison in motion: MP4, WebM or GIF",
-        write=export_maps_film,
-        panel=MOVING,
-        size_px=MAPS_SIZE_PX,
-        keywords="animation video movie compare snapshots limbs frequencies stage gif mp4 webm",
-    ),
-    ExportSpec(
-        name=TRACES,
-        group="Table",
-        title="Traces",
-        file_name="traces.csv",
-        hint="Save the traces of the selected outputs, with times and units",
-        write=export_traces,
-        keywords="excel matlab waveform acceleration csv",
-    ),
-    ExportSpec(
-        name="levels",
-        group="Table",
-        title="RMS levels",
-        file_name="rms-levels.csv",
-        hint="Save the RMS of all outputs, in m/s² and dB",
-        write=export_levels,
-        keywords="excel matlab decibels csv",
-    ),
-    ExportSpec(
-        name="map",
-        group="Table",
-        title="RMS map",
-        file_name="map.csv",
-        hint="Save the RMS map in dB: rows y, columns x",
-        write=export_map,
-        keywords="excel matlab decibels skin heatmap surface csv",
-    ),
-    ExportSpec(
-        name="windows",
-        group="Table",
-        title="Time windows",
-        file_name="windows.csv",
-        hint="Save the RMS of all outputs, and its extent, in consecutive windows",
-        write=export_windows,
-        keywords="excel matlab windowed rms extent distance strip contraction csv",
-    ),
-    ExportSpec(
-        name="field",
-        group="Data",
-        file_name="field.npz",
-        hint="Save the acceleration of all outputs on three axes, for NumPy",
-        write=export_field,
-        keywords="whole field npz python numpy matlab array",
-    ),
-    ExportSpec(
-        name=PACK,
-        group="Project",
-        file_name="design.zip",
-        hint="Save design, stimulus, rig, figure, tables and citation as one file",
-        write=_pack,
-        keywords="zip archive pack share publish supplement reproduce citation",
-    ),
-    ExportSpec(
-        name=WIRING,
-        group="Wiring page",
-        file_name="wiring.pdf",
-        hint="Draw which channel goes to which place, with polarity, gain and actuator",
-        write=_wiring,
-        keywords="connect cable channel map polarity gain print setup rig",
-    ),
-)
+# The others are pictures of a panel, and stimuli.
+_WRITES: dict[str, Write] = {
+    FILM: export_animation,
+    MAPS_FILM: export_maps_film,
+    TRACES: export_traces,
+    "levels": export_levels,
+    "map": export_map,
+    "windows": export_windows,
+    "field": export_field,
+    PACK: _pack,
+    WIRING: _wiring,
+}
 
+
+def _specs() -> Iterator[ExportSpec]:
+    for name, entry in tomllib.loads(read_text("exports.toml")).items():
+        width_px, height_px = entry.pop("size_px", (1200, 1800))
+        size_px = width_px, height_px
+        yield ExportSpec(name=name, size_px=size_px, write=_WRITES.get(name), **entry)
+
+
+EXPORTS = tuple(_specs())
 
 #: A visible error, relative to the largest sample.
 VISIBLE = 1e-3

@@ -21,8 +21,6 @@ from skinsource_gui.panels.skin.film import FilmOptions, frame_size, painted_fra
 from skinsource_gui.plots.pictures import PictureOptions, Remark
 from skinsource_gui.qt.theme import Theme, on_paper
 
-#: Usual width and height of a frame, px.
-MAPS_SIZE_PX = (1280, 720)
 # A loop is repeated until it has been seen for so long.
 _LEAST_S = 4.0
 _NOTHING = "No maps move side by side. Show a comparison in motion, on the stage or in Compare."

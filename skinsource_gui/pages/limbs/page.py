@@ -17,7 +17,7 @@ from skinsource.base.job import Job
 from skinsource.base.run_limited import LimitedProcess
 from skinsource.limbs.limb import LimbFacts
 from skinsource.limbs.limb_import import Points, import_limb, read_description, read_points
-from skinsource.limbs.limb_layout import export_limb
+from skinsource.limbs.limb_layout import POINT_FIELDS, export_limb
 from skinsource.limbs.own_limbs import facts_of, mirror_limb, own_limb_names, remove_limb
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
@@ -244,12 +244,7 @@ class LimbPage(ToolPage):
         if in_layout:
             shape = tuple(header["shape"])
             places: dict[str, Any] = {
-                what: _points_of(header[field])
-                for what, field in (
-                    ("outline", "outline"),
-                    ("inputs", "input_positions"),
-                    ("outputs", "output_positions"),
-                )
+                what: _points_of(header[field]) for what, field in POINT_FIELDS.items()
             }
             self.draft = replace(Draft(), responses=path, shape=shape, in_layout=True, **places)
             self.form.show_header(header)

@@ -642,7 +642,6 @@ _MOST_VALUES = 2_000_000
 class LinearityView(FigureView):
     """Whether outputs grow in step with the strength, and whether inputs add up."""
 
-    title: ClassVar[str] = "Linearity"
     name: ClassVar[str] = "linearity"
     compares: ClassVar[bool] = True
 

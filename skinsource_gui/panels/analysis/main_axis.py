@@ -182,8 +182,8 @@ _OWN_AXES = "x and y are local to each sensor"
 class MainAxisView(FigureView):
     """The ellipse of motion of each selected output, and its main axis where it has one."""
 
-    title: ClassVar[str] = "Principal axis"
     name: ClassVar[str] = "main_axis"
+    needs = frozenset({"output_main_axes", "shown_outputs", "axis_numbers", "limb_data"})
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         self.picture = MainAxisPicture()
@@ -193,10 +193,6 @@ class MainAxisView(FigureView):
         self.about.setToolTip(f"{_ABOUT}. {_OWN_AXES}.")
         self.choices.addWidget(self.about, 1)
         self.say_instead(self.no_outputs)
-
-    @property
-    def needs(self) -> frozenset[str]:
-        return frozenset({"output_main_axes", "shown_outputs", "axis_numbers", "limb_data"})
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         if not results["shown_outputs"]:

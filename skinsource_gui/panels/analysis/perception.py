@@ -152,8 +152,10 @@ _MOST_NAME_PX, _MOST_AREA_PX = 120, 96
 class PerceptionView(OutputTableView):
     """A table of levels above threshold, the limits of such numbers, and the health weighting."""
 
-    title: ClassVar[str] = "Perception"
     name: ClassVar[str] = "perception"
+    needs = frozenset(
+        {"sensation", "shown_outputs", "contact_weighted_rms", "limb_data", "match_gain"}
+    )
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__("Sensation levels", parent)
@@ -188,11 +190,6 @@ class PerceptionView(OutputTableView):
         message = "Thresholds are those of the model"
         self.model.clicked.connect(lambda: self._change(message, table=(), source=""))
         self.say_instead(self.no_outputs)
-
-    @property
-    def needs(self) -> frozenset[str]:
-        shown = {"sensation", "shown_outputs", "contact_weighted_rms"}
-        return frozenset(shown | {"limb_data", "match_gain"})
 
     def sizeHint(self) -> QSize:
         return QSize(380, 320)

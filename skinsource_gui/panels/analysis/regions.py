@@ -236,8 +236,8 @@ _NEEDS = frozenset({"output_levels_db"})
 class RegionsView(AnalysisView):
     """A row for each region, a column for each design or person, mean and spread."""
 
-    title: ClassVar[str] = "Regions"
     name: ClassVar[str] = "regions"
+    needs_of_snapshots = _NEEDS
     compares: ClassVar[bool] = True
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
@@ -255,10 +255,6 @@ class RegionsView(AnalysisView):
         in_column(bar, (self.table, 1), of=self, margins=0, gap_px=0)
         self.setFocusProxy(self.table)
         self.computed = (self.table,)
-
-    @property
-    def needs_of_snapshots(self) -> frozenset[str]:
-        return _NEEDS
 
     @property
     def needs_on_limbs(self) -> Mapping[str, frozenset[str]]:

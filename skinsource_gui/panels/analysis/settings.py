@@ -1,9 +1,14 @@
-"""The views of Analysis, and the settings of the panel and its views, saved with a design."""
+"""The views of Analysis, and the settings of the panel and its views, saved with a design.
 
+Titles of views and what they answer stand in ``resources/analysis.toml``.
+"""
+
+import tomllib
 from dataclasses import dataclass
 
 from skinsource.specs import fields
 from skinsource.specs.spec import ChoiceSpec, SwitchSpec
+from skinsource_gui.qt.resources import read_text
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -26,52 +31,9 @@ class ViewSpec:
 
 
 #: In the order of the chooser.
-VIEWS: tuple[ViewSpec, ...] = (
-    ViewSpec(
-        name="statistics",
-        title="Statistics",
-        answer="How strong is each selected output, at which frequency, and when does it begin?",
-    ),
-    ViewSpec(
-        name="regions",
-        title="Regions",
-        answer="How strong are fingers, hand, wrist and forearm, and how do people differ?",
-    ),
-    ViewSpec(
-        name="wave",
-        title="Wave speed",
-        answer="How fast does the wave travel along the selected outputs, and how does it decay?",
-    ),
-    ViewSpec(
-        name="main_axis",
-        title="Principal axis",
-        answer="In which direction does the skin move most at each selected output?",
-    ),
-    ViewSpec(
-        name="transfer",
-        title="Transfer function",
-        answer="How does each selected output respond to the selected input at each frequency?",
-    ),
-    ViewSpec(
-        name="perception",
-        title="Perception",
-        answer="At what sensation level, above the detection threshold, is each selected output?",
-    ),
-    ViewSpec(
-        name="spectrogram",
-        title="Spectrogram",
-        answer="Which frequencies does an output have, and when?",
-    ),
-    ViewSpec(
-        name="linearity",
-        title="Linearity",
-        answer="Do responses scale linearly with inputs, and do they superpose?",
-    ),
-    ViewSpec(
-        name="windowed",
-        title="Time windows",
-        answer="How strong is the skin in each time window, and how far does it reach?",
-    ),
+VIEWS = tuple(
+    ViewSpec(name=name, **texts)
+    for name, texts in tomllib.loads(read_text("analysis.toml")).items()
 )
 
 SHOWN = ChoiceSpec(

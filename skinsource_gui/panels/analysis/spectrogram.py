@@ -215,8 +215,11 @@ _NARROWEST_HZ, _MOST_NUMBER_PX = 5.0, 84
 class SpectrogramView(FigureView):
     """How much of each frequency there is in an output, and when."""
 
-    title: ClassVar[str] = "Spectrogram"
     name: ClassVar[str] = "spectrogram"
+    needs = frozenset(
+        {"output_spectrogram", "spectrogram_output", "response_time_s", "sample_rate_hz"}
+        | {"axes", "match_gain", "method", "limb_data"}
+    )
     copies: ClassVar[bool] = False
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
@@ -255,12 +258,6 @@ class SpectrogramView(FigureView):
     @property
     def picture_text(self) -> str:
         return f"Window {self.window_length.currentText()}"
-
-    @property
-    def needs(self) -> frozenset[str]:
-        drawn = {"output_spectrogram", "spectrogram_output", "response_time_s"}
-        drawn |= {"sample_rate_hz", "axes", "match_gain", "method", "limb_data"}
-        return frozenset(drawn)
 
     def show_state(self, design: Design, view: View) -> None:
         settings = settings_of(view, self.name, SpectrogramSettings)

@@ -101,8 +101,11 @@ def table_text(rows: tuple[StatisticsRow, ...]) -> str:
 class StatisticsView(OutputTableView):
     """RMS, peak, crest factor, main frequency and delay of each selected output."""
 
-    title: ClassVar[str] = "Statistics"
     name: ClassVar[str] = "statistics"
+    needs = frozenset(
+        {"output_statistics", "shown_outputs", "above_noise_db", "limb_data"}
+        | {"axes", "match_gain", "method", "span"}
+    )
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__("Figures of the selected outputs", parent)
@@ -112,11 +115,6 @@ class StatisticsView(OutputTableView):
         bar = in_row((self.about, 1), margins=(UNIT_PX, 1, UNIT_PX // 2, 1))
         in_column(bar, (self.stack, 1), of=self, margins=0, gap_px=0)
         self.say_instead(self.no_outputs)
-
-    @property
-    def needs(self) -> frozenset[str]:
-        drawn = {"output_statistics", "shown_outputs", "above_noise_db", "limb_data"}
-        return frozenset(drawn | {"axes", "match_gain", "method", "span"})
 
     def sizeHint(self) -> QSize:
         return QSize(460, 260)

@@ -162,8 +162,8 @@ _MOST_NUMBERS = 12
 class TransferView(FigureView):
     """Magnitude or coherence of each output over frequency, with what can be used of it."""
 
-    title: ClassVar[str] = "Transfer function"
     name: ClassVar[str] = "transfer"
+    needs = frozenset({"transfer", "transfer_place", "shown_outputs", *OF_UNIT, "limb_data"})
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         self.picture = TransferPicture()
@@ -179,10 +179,6 @@ class TransferView(FigureView):
         self.choices.addStretch(1)
         self.heads.addWidget(self.place)
         self.figure.say(self.no_outputs)
-
-    @property
-    def needs(self) -> frozenset[str]:
-        return frozenset({"transfer", "transfer_place", "shown_outputs", *OF_UNIT, "limb_data"})
 
     def show_state(self, design: Design, view: View) -> None:
         settings = settings_of(view, self.name, TransferSettings)

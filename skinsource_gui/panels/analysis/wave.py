@@ -105,8 +105,8 @@ _ABOUT = "Along {axis}: distance on the map, group delay"
 class WaveView(FigureView):
     """Delay and level over the distance, and speed and attenuation from them."""
 
-    title: ClassVar[str] = "Wave speed"
     name: ClassVar[str] = "wave"
+    needs = frozenset({"line_wave", "shown_outputs", "limb_data", "match_gain", "voices"})
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         self.picture = WavePicture()
@@ -118,10 +118,6 @@ class WaveView(FigureView):
         )
         self.choices.addWidget(self.about, 1)
         self.say_instead(self.no_outputs)
-
-    @property
-    def needs(self) -> frozenset[str]:
-        return frozenset({"line_wave", "shown_outputs", "limb_data", "match_gain", "voices"})
 
     def show_state(self, design: Design, view: View) -> None:
         self.show_selection(view, fewest=2)

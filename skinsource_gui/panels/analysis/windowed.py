@@ -491,8 +491,12 @@ _TOO_SHORT = "No whole window fits into the response. Choose shorter ones."
 class WindowedView(AnalysisView):
     """A map of the RMS for each of consecutive windows, and how far each of them reaches."""
 
-    title: ClassVar[str] = "Time windows"
     name: ClassVar[str] = "windowed"
+    needs = frozenset(
+        {"limb_map", "limb_data", "surface", "sample_rate_hz", "windows", "levels_of_windows_db"}
+        | {"surface_of_windows_db", "extents_of_windows", "noisy_outputs_of_windows"}
+        | {"windows_in_noise", "match_gain"}
+    )
     copies: ClassVar[bool] = False
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
@@ -519,24 +523,6 @@ class WindowedView(AnalysisView):
         self.guessed = self.computed = (self.strip,)
         self.strip.time_chosen.connect(self.playhead_requested)
         self._show_view()
-
-    @property
-    def needs(self) -> frozenset[str]:
-        return frozenset(
-            {
-                "limb_map",
-                "limb_data",
-                "surface",
-                "sample_rate_hz",
-                "windows",
-                "levels_of_windows_db",
-                "surface_of_windows_db",
-                "extents_of_windows",
-                "noisy_outputs_of_windows",
-                "windows_in_noise",
-                "match_gain",
-            }
-        )
 
     @property
     def message(self) -> str:

@@ -169,16 +169,16 @@ class EditorToolbar(QtWidgets.QWidget):
         self.setStyleSheet("QToolButton { padding: 2px 8px; }")
         row = in_row(of=self, margins=(4, 2, 4, 2), gap_px=2)
         self._group = QtWidgets.QButtonGroup(self)
-        self._tools: dict[str, QtWidgets.QToolButton] = {}
+        self.tools: dict[str, QtWidgets.QToolButton] = {}
         for name, text, hint in _TOOLS:
             hint = f"{hint} ({key_text(_PLACE, name)})"
             label = f"clip_{text.lower()}"
             button = tool_button(self, label, text, hint, checkable=True, takes_keyboard=False)
             self._group.addButton(button)
-            self._tools[name] = button
+            self.tools[name] = button
             button.clicked.connect(lambda _=False, name=name: self.tool_requested.emit(name))
             row.addWidget(button)
-        self._tools["look"].setChecked(True)
+        self.tools["look"].setChecked(True)
         row.addSpacing(8)
         hint = f"Show the whole clip ({key_text(_PLACE, 'whole')})"
         self.fit = tool_button(self, "clip_fit", "Fit", hint, takes_keyboard=False)
@@ -191,21 +191,13 @@ class EditorToolbar(QtWidgets.QWidget):
         )
         row.addWidget(self._description, 1)
 
-    def show_tool(self, name: str) -> None:
-        """Show which tool is used."""
-        self._tools[name].setChecked(True)
-
     def show_text(self, text: str, *, enabled: bool, hint: str = "") -> None:
         """Show a text about the clip, and how to begin; ``enabled``: there is a clip to edit."""
         whole = f"{text} · {hint}" if hint else text
         self._description.show_phrases((whole, hint or text, text))
         show_tooltip(self._description, whole)
-        for button in (*self._tools.values(), self.fit):
+        for button in (*self.tools.values(), self.fit):
             button.setEnabled(enabled)
-
-    def offer_glide(self, offered: bool) -> None:
-        """Show the tool for glides only where the clip plays one."""
-        self._tools["glide"].setVisible(offered)
 
 
 #: One step of an arrow key to the side.
@@ -344,6 +336,8 @@ class ClipEditorPanel(Panel):
 
     title = "Clip editor"
     name = "clip_editor"
+    #: What each clip plays.
+    needs = frozenset({"clip_waveforms", "inputs", "sample_rate_hz"})
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
@@ -376,11 +370,6 @@ class ClipEditorPanel(Panel):
         self._toolbar.fit.clicked.connect(self._canvas.show_everything)
         self._canvas.key_pressed.connect(self._press)
         self._view_tool.pan_requested.connect(self._canvas.pan)
-
-    @property
-    def needs(self) -> frozenset[str]:
-        """What each clip plays."""
-        return frozenset({"clip_waveforms", "inputs", "sample_rate_hz"})
 
     @property
     def clip(self) -> Clip | None:
@@ -429,7 +418,7 @@ class ClipEditorPanel(Panel):
 
     def _switch_to(self, tool: str) -> None:
         self._canvas.use(self._tools[tool])
-        self._toolbar.show_tool(tool)
+        self._toolbar.tools[tool].setChecked(True)
         if self.clip is not None:
             self._show_text(self.clip)
 
@@ -447,7 +436,7 @@ class ClipEditorPanel(Panel):
             return
         if self._canvas.tool is self._glide.tool and not self._glide.can_edit(clip):
             self.use("look")
-        self._toolbar.offer_glide(self._glide.can_edit(clip))
+        self._toolbar.tools["glide"].setVisible(self._glide.can_edit(clip))
         raw = self._sampled(clip)
         played = self._waveforms.get(clip.id)
         if not clip.effects and raw is not None:

@@ -550,6 +550,7 @@ class HandPanel(Panel):
 
     title: ClassVar[str] = "Hand"
     name: ClassVar[str] = HAND
+    needs = frozenset({"limb_data"})
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
@@ -606,10 +607,6 @@ class HandPanel(Panel):
         tracks = self._design.inputs
         site = next((track.location for track in tracks if track.id == input_id), None)
         self.diagram.stage.change(target=site)
-
-    @property
-    def needs(self) -> frozenset[str]:
-        return frozenset({"limb_data"})
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._limb = results["limb_data"]

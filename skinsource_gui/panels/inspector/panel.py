@@ -409,6 +409,8 @@ class InspectorPanel(Panel):
 
     title = "Clip"
     name = "inspector"
+    #: What each clip plays, and its rate.
+    needs = frozenset({"clip_waveforms", "inputs", "sample_rate_hz"})
     reads_down = True
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
@@ -456,11 +458,6 @@ class InspectorPanel(Panel):
         bar = self.style().pixelMetric(QtWidgets.QStyle.PixelMetric.PM_ScrollBarExtent)
         width = self._scrolled.minimumSizeHint().width() + bar
         return super().minimumSizeHint().expandedTo(QSize(width, 0)).expandedTo(_LEAST)
-
-    @property
-    def needs(self) -> frozenset[str]:
-        """What each clip plays, and its rate."""
-        return frozenset({"clip_waveforms", "inputs", "sample_rate_hz"})
 
     @property
     def fields(self) -> list[FieldCell]:

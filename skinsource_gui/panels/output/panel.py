@@ -531,6 +531,8 @@ class OutputPanel(Panel):
 
     title: ClassVar[str] = "Output"
     name: ClassVar[str] = "output"
+    #: What is asked of the actuator, and of which: before any response.
+    needs = frozenset({"actuator_demand", "actuator_looked_at"})
     reads_down = True
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
@@ -573,11 +575,6 @@ class OutputPanel(Panel):
         self.setFocusProxy(self.choices.cell("actuator"))
         self._show_settings()
         self.show_played(self._played)
-
-    @property
-    def needs(self) -> frozenset[str]:
-        """What is asked of the actuator, and of which: before any response."""
-        return frozenset({"actuator_demand", "actuator_looked_at"})
 
     def sizeHint(self) -> QSize:
         return QSize(440, 480)

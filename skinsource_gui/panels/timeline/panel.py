@@ -175,6 +175,8 @@ class TimelinePanel(Panel):
 
     title = "Timeline"
     name = "timeline"
+    #: What each clip plays, and each track.
+    needs = frozenset({"clip_waveforms", "input_waveforms", "inputs", "sample_rate_hz"})
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
@@ -220,11 +222,6 @@ class TimelinePanel(Panel):
         above = self._toolbar.sizeHint().height() + round(self.lanes.ruler_px)
         least = QSize(self._heads_px + _LEAST_LANES_PX, above + row + _BARS_PX)
         return super().minimumSizeHint().expandedTo(least)
-
-    @property
-    def needs(self) -> frozenset[str]:
-        """What each clip plays, and each track."""
-        return frozenset({"clip_waveforms", "input_waveforms", "inputs", "sample_rate_hz"})
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view

@@ -110,8 +110,12 @@ def test_a_transfer_function_predicts_what_a_tone_does():
     ("scaling", "actuation"),
     [("probe", None), ("relative", None), ("upstream", None), ("probe", COIL), ("probe", PIEZO)],
 )
-def test_noise_of_a_prediction_is_that_of_a_limb_that_is_noise(scaling, actuation, noisy_limb):
-    # Of a tone there would be too few independent samples.
+def test_noise_of_a_prediction_is_that_of_a_limb_that_is_noise(scaling, actuation, limb_of):
+    # Give a limb whose responses are white noise from the first sample to the last.
+    def noise(place):
+        return np.random.default_rng(place).normal(0.0, 0.0062, (72, 3, 522))
+
+    noisy_limb = limb_of(noise, synthetic=False)
     rough = ss.waveforms.Noise(duration_s=0.4)
     inputs = (ss.track(8, rough), ss.track(8, rough, onset_s=0.1), ss.track(13, rough))
     design = replace(DESIGN, scaling=scaling, inputs=inputs, actuation=actuation)
@@ -134,16 +138,6 @@ def test_noise_of_a_prediction_is_that_of_a_limb_that_is_noise(scaling, actuatio
         np.mean(magnitude**2, axis=0) for magnitude in (transfer.noise, transfer.magnitude)
     )
     assert computed.sum() == pytest.approx(is_there.sum(), rel=0.03)
-
-
-@pytest.fixture
-def noisy_limb(limb_of):
-    """Give a limb whose responses are white noise from the first sample to the last."""
-
-    def noise(place):
-        return np.random.default_rng(place).normal(0.0, 0.0062, (72, 3, 522))
-
-    return limb_of(noise, synthetic=False)
 
 
 def test_outputs_near_the_elbow_are_noise_on_the_measured_limbs(measured):

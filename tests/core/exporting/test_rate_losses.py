@@ -25,12 +25,6 @@ def two():
     return design_of(ss.track(7, tone(500.0)), ss.track(8, tone(100.0)))
 
 
-@pytest.fixture
-def mild():
-    """A hundredth of the energy lies above any rate below 1000 Hz."""
-    return design_of(ss.track(7, tone(100.0)), ss.track(7, tone(550.0), amplitude=0.1))
-
-
 def test_the_words_name_the_channel_what_is_lost_and_what_to_do(two, tmp_path):
     words = r"462 Hz .*channel 1 \(Digit II, pad\) loses 5\.8 dB .*choose 1300 Hz.*--accept-loss"
     with pytest.raises(NotConfirmedError, match=words):
@@ -48,7 +42,9 @@ def test_what_is_accepted_is_written_and_told(two, tmp_path):
     assert np.abs(samples[1]).max() == pytest.approx(1.0)
 
 
-def test_what_is_less_than_a_decibel_is_only_told(mild, tmp_path):
+def test_what_is_less_than_a_decibel_is_only_told(tmp_path):
+    # A hundredth of the energy lies above any rate below 1000 Hz.
+    mild = design_of(ss.track(7, tone(100.0)), ss.track(7, tone(550.0), amplitude=0.1))
     path = tmp_path / "a.wav"
     done = ss.export_stimulus(mild, path, rate_hz=1000)
     # A hundredth: 10 log10(1.01).

@@ -38,7 +38,7 @@ def test_only_the_tool_that_is_taken_shows_and_changes_points(tone, monkeypatch)
     tools = []
 
     def ask(*_):
-        tools.append((tone.canvas.tool, tone.panel._toolbar._tools["look"].isChecked()))
+        tools.append((tone.canvas.tool, tone.panel._toolbar.tools["look"].isChecked()))
         return QMessageBox.StandardButton.Ok
 
     monkeypatch.setattr(QMessageBox, "question", ask)
@@ -47,15 +47,6 @@ def test_only_the_tool_that_is_taken_shows_and_changes_points(tone, monkeypatch)
     # While it was asked, no point could be seen.
     assert tools == [(tone.panel._view_tool, True)]
     assert tone.canvas.tool is tone.panel._pen.tool
-
-
-@pytest.fixture
-def near(tone):
-    """The tone of 0.2 s, of which the middle is seen."""
-    tone.panel.use("look")
-    tone.key(Qt.Key.Key_Plus)
-    tone.key(Qt.Key.Key_Plus)
-    return tone
 
 
 def shown_s(bench):
@@ -71,25 +62,29 @@ def turn(bench, notches, held=NONE):
     turn_wheel(viewport, viewport.rect().center(), (0, NOTCH * notches), held)
 
 
-def test_a_drag_moves_what_is_seen_as_far_as_the_pointer_goes(near):
-    first_s, last_s = shown_s(near)
-    px_per_s = near.canvas.content.scale.px_per_s
-    start = near.at((first_s + last_s) / 2, 0.0)
-    near.press(start)
+def test_a_drag_moves_what_is_seen_as_far_as_the_pointer_goes(tone):
+    # The tone of 0.2 s, of which the middle is seen.
+    tone.panel.use("look")
+    tone.key(Qt.Key.Key_Plus)
+    tone.key(Qt.Key.Key_Plus)
+    first_s, last_s = shown_s(tone)
+    px_per_s = tone.canvas.content.scale.px_per_s
+    start = tone.at((first_s + last_s) / 2, 0.0)
+    tone.press(start)
     for k in range(1, 6):
         at = whole(start) - QPoint(4 * k, 0)
-        near.canvas.tool.move(near.canvas.content, QPointF(at), NONE)
-        assert shown_s(near)[0] == pytest.approx(first_s + 4 * k / px_per_s, abs=0.6 / px_per_s)
-    QTest.mouseRelease(near.canvas.viewport(), LEFT, NONE, at)
-    assert shown_s(near)[0] == pytest.approx(first_s + 20 / px_per_s, abs=0.6 / px_per_s)
-    assert length_of(shown_s(near)) == pytest.approx(last_s - first_s)
-    before = shown_s(near)
-    turn(near, 1)
-    assert length_of(shown_s(near)) < length_of(before)
-    closer = shown_s(near)
-    turn(near, -1, SHIFT)
-    assert shown_s(near)[0] > closer[0]
-    assert length_of(shown_s(near)) == pytest.approx(length_of(closer))
+        tone.canvas.tool.move(tone.canvas.content, QPointF(at), NONE)
+        assert shown_s(tone)[0] == pytest.approx(first_s + 4 * k / px_per_s, abs=0.6 / px_per_s)
+    QTest.mouseRelease(tone.canvas.viewport(), LEFT, NONE, at)
+    assert shown_s(tone)[0] == pytest.approx(first_s + 20 / px_per_s, abs=0.6 / px_per_s)
+    assert length_of(shown_s(tone)) == pytest.approx(last_s - first_s)
+    before = shown_s(tone)
+    turn(tone, 1)
+    assert length_of(shown_s(tone)) < length_of(before)
+    closer = shown_s(tone)
+    turn(tone, -1, SHIFT)
+    assert shown_s(tone)[0] > closer[0]
+    assert length_of(shown_s(tone)) == pytest.approx(length_of(closer))
 
 
 POINTS = ((0.0, 100.0, 0.5), (0.2, 300.0, 0.5), (0.4, 300.0, 0.9))
@@ -264,20 +259,12 @@ def test_a_pen_draws_as_far_as_a_loud_recording_goes(qtbot, questions):
     assert bench.drawn[round(0.07 * RATE_HZ)] == pytest.approx(5.0, abs=0.1)
 
 
-@pytest.fixture
-def studio(open_window):
-    def make(waveform):
-        return open_window(Design(limb="synthetic-1", inputs=(track(7, waveform),)))
-
-    return make
-
-
 def pen_is_taken(window):
     return isinstance(window.panel("clip_editor")._canvas.tool, Pen)
 
 
-def test_the_clip_panel_leads_to_the_pen_and_so_does_the_action(studio, qtbot):
-    window = studio(Drawn())
+def test_the_clip_panel_leads_to_the_pen_and_so_does_the_action(open_window, qtbot):
+    window = open_window(Design(limb="synthetic-1", inputs=(track(7, Drawn()),)))
     window.activateWindow()
     qtbot.waitUntil(window.isActiveWindow)
     button = window.panel("inspector").findChild(QToolButton, "draw_button")

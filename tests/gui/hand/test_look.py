@@ -102,25 +102,6 @@ def with_places(user_data, qtbot):
     return make
 
 
-@pytest.fixture
-def numbered(monkeypatch):
-    """Sites whose number was painted, while a panel is grabbed."""
-    numbers = []
-    paint = site_marker._paint_number
-
-    def note(painter, place, colour, *, bold):
-        numbers.append(place.site)
-        paint(painter, place, colour, bold=bold)
-
-    def of(studio):
-        numbers.clear()
-        studio.diagram.grab()
-        return set(numbers)
-
-    monkeypatch.setattr(site_marker, "_paint_number", note)
-    return of
-
-
 def crowd(n):
     return np.random.default_rng(2).uniform((-35, -50), (35, 50), (n, 2))
 
@@ -137,7 +118,21 @@ def test_no_marker_covers_another_however_many_there_are(with_places, n):
     assert hand.radii_px.max() > 2.0 * hand.radii_px.min()
 
 
-def test_what_is_pointed_at_or_in_use_has_its_number_and_lies_above(with_places, numbered):
+def test_what_is_pointed_at_or_in_use_has_its_number_and_lies_above(with_places, monkeypatch):
+    numbers = []
+    paint = site_marker._paint_number
+
+    def note(painter, place, colour, *, bold):
+        numbers.append(place.site)
+        paint(painter, place, colour, bold=bold)
+
+    def numbered(studio):
+        """Sites whose number is painted while a panel is grabbed."""
+        numbers.clear()
+        studio.diagram.grab()
+        return set(numbers)
+
+    monkeypatch.setattr(site_marker, "_paint_number", note)
     studio = with_places(crowd(256))
     stage = studio.diagram.stage
     small = int(np.argmin(stage.layout.radii_px)) + 1

@@ -230,29 +230,24 @@ def test_an_input_at_a_place_that_the_limb_lacks_is_said_with_what_to_do(lab, wi
 GONE = Design(limb="lab-9", limb_digest="0" * 64, inputs=(track(6),))
 
 
-@pytest.fixture
-def gone(user_data, window, qtbot):
-    """A window that showed a limb, and now a design of one that is missing."""
+def test_nothing_of_another_limb_is_shown_and_the_window_says_what_is_missing(window, qtbot):
+    # A window that showed a limb, and now a design of one that is missing.
     rested(window, qtbot)
     assert window.panel("skin").map.content.limb_map is not None
     window.document.start_over(GONE, View(outputs=(3,)), None)
     rested(window, qtbot)
-    return window
-
-
-def test_nothing_of_another_limb_is_shown_and_the_window_says_what_is_missing(gone):
-    hand = gone.panel("hand")
+    hand = window.panel("hand")
     assert not hand.diagram.isVisibleTo(hand)
     assert hand.findChild(QLabel, "hand_missing").text() == "The limb 'lab-9' is missing"
     assert hand.drop_place(QPoint(50, 50)) is None
-    assert "Place 6" in gone.panel("inspector").findChild(QLabel, "inspector_heading").toolTip()
-    content = gone.panel("skin").map.content
+    assert "Place 6" in window.panel("inspector").findChild(QLabel, "inspector_heading").toolTip()
+    content = window.panel("skin").map.content
     assert (content.limb_map, content.limb) == (None, "lab-9")
     missing = "The limb 'lab-9' of this design is not here. Import it (File > Own limbs…)"
     assert content.message.startswith(missing)
-    assert gone.notice.text.startswith(missing)
-    assert not gone.panel("skin").grab().isNull()
-    limb = gone.setup_bar.findChild(ChoiceField, "limb")
+    assert window.notice.text.startswith(missing)
+    assert not window.panel("skin").grab().isNull()
+    limb = window.setup_bar.findChild(ChoiceField, "limb")
     assert limb.shown_text == "lab-9 (not available)"
     assert "not here" in limb.toolTip()
 

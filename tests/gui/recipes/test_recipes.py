@@ -6,8 +6,6 @@ import subprocess
 import sys
 from pathlib import Path
 
-import pytest
-
 from skinsource import Design, View, save_design, track
 
 PROJECT = Path(__file__).parents[3]
@@ -209,16 +207,12 @@ def insert(path: Path, before: str, new: str) -> None:
     path.write_text(text.replace(before, new + before), encoding="utf-8")
 
 
-@pytest.fixture
-def copy(tmp_path) -> Path:
-    """A copy of library and studio that may be changed."""
+def test_each_recipe_leads_to_what_it_says(tmp_path):
+    # A copy of library and studio that may be changed.
     for name in ("core", "skinsource_gui", "data", "resources"):
         skipped = shutil.ignore_patterns("__pycache__")
         shutil.copytree(PROJECT / name, tmp_path / "copy" / name, ignore=skipped)
-    return tmp_path / "copy"
-
-
-def test_each_recipe_leads_to_what_it_says(copy, tmp_path):
+    copy = tmp_path / "copy"
     save_design(
         tmp_path / "older.skinsource",
         Design(limb="synthetic-1", inputs=(track(location=7),)),

@@ -135,15 +135,6 @@ def test_a_drag_never_changes_the_zoom_and_fit_shows_the_clips_alone(lanes):
 LONG, SHORT = Tone(100.0, 0.0, 0.6), Tone(100.0, 0.0, 0.1)
 
 
-@pytest.fixture
-def over(lanes):
-    """Of the clips of a track, the second lies below the first; the third over its end."""
-    onsets = ((0.0, LONG), (0.2, SHORT), (0.55, SHORT), (0.65, SHORT))
-    clips = tuple(Clip(onset_s=onset_s, waveform=waveform) for onset_s, waveform in onsets)
-    lanes.show(lanes.design.with_input(0, clips=clips))
-    return lanes
-
-
 def test_overlaps_are_where_two_clips_or_more_play():
     spans = [(0.0, 0.6), (0.2, 0.3), (0.55, 0.65), (0.65, 0.75)]
     assert overlaps_of(spans) == [(0.2, 0.3), (0.55, 0.6)]
@@ -153,22 +144,26 @@ def test_overlaps_are_where_two_clips_or_more_play():
     assert overlaps_of([]) == []
 
 
-def test_a_key_and_the_menu_reach_clips_that_overlap(over):
-    ids = [clip.id for clip in over.design.inputs[0].clips]
-    over.click(over.at(0.05))
+def test_a_key_and_the_menu_reach_clips_that_overlap(lanes):
+    # Of the clips of a track, the second lies below the first; the third over its end.
+    onsets = ((0.0, LONG), (0.2, SHORT), (0.55, SHORT), (0.65, SHORT))
+    clips = tuple(Clip(onset_s=onset_s, waveform=waveform) for onset_s, waveform in onsets)
+    lanes.show(lanes.design.with_input(0, clips=clips))
+    ids = [clip.id for clip in lanes.design.inputs[0].clips]
+    lanes.click(lanes.at(0.05))
     selected = []
     for _ in range(3):
-        over.key(_Key.Key_O)
-        selected.append(over.view.selected_clips[0])
+        lanes.key(_Key.Key_O)
+        selected.append(lanes.view.selected_clips[0])
     assert selected == [ids[1], ids[0], ids[1]]
-    track = over.design.inputs[0]
+    track = lanes.design.inputs[0]
     assert overlapping(track, track.clips[0]) == tuple(ids[:3])
     assert overlapping(track, track.clips[3]) == (ids[3],)
-    over.menu_at(over.at(0.25))
-    lines = over.panel.findChild(QMenu, "clips_here").actions()
+    lanes.menu_at(lanes.at(0.25))
+    lines = lanes.panel.findChild(QMenu, "clips_here").actions()
     assert [line.text() for line in lines] == ["Tone · 0 ms", "Tone · 200 ms"]
     lines[0].trigger()
-    assert over.view.selected_clips == (ids[0],)
+    assert lanes.view.selected_clips == (ids[0],)
 
 
 def test_what_the_clip_panel_edits_is_outlined_on_every_selected_track(lanes):

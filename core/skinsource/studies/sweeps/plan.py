@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import asdict, dataclass, field, replace
 from difflib import get_close_matches
 from hashlib import sha256
 from itertools import groupby
@@ -506,7 +506,7 @@ class Plan:
             "method": self.method,
             "level": self.level,
             "level_db": self.level_db,
-            "strengths": None if self.strengths is None else _tree_of(self.strengths),
+            "strengths": None if self.strengths is None else asdict(self.strengths),
             "limits": models.encode(self.limits),
         }
         return to_text(tree, _FORMAT)
@@ -527,10 +527,3 @@ def chunks(numbers: Iterable[int]) -> Iterator[tuple[int, ...]]:
     """Yield numbers of stimuli in their order, a batch at a time."""
     for _, chunk in groupby(numbers, lambda number: (number - 1) // BATCH_SIZE):
         yield tuple(chunk)
-
-
-def _tree_of(strengths: Strengths) -> Tree:
-    return {
-        "points": [list(point) for point in strengths.points],
-        "reference": list(strengths.reference),
-    }

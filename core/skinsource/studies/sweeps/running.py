@@ -191,11 +191,7 @@ def _measuring(n_left: int, processes: int | None) -> Measuring:
     count = integer("processes", processes, 1, _MOST_PROCESSES)
     if count == 1:
         return measured_here
-
-    def in_processes(plan: Plan, numbers: Iterable[int], stop: Stop) -> Iterator[Row]:
-        return measured(plan, numbers, count, stop)
-
-    return in_processes
+    return lambda plan, numbers, stop: measured(plan, numbers, count, stop)
 
 
 def named_designs(
