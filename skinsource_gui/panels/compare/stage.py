@@ -574,7 +574,7 @@ class StagePanel(MapsPanel):
         n_turned, of = len(view.selected_inputs), ""
         if len(design.inputs) > 1:
             place = f"place\N{NO-BREAK SPACE}{track.location}"
-            of = f" of {n_turned} inputs" if n_turned > 1 else f" of {place}"
+            of = f", {n_turned} inputs" if n_turned > 1 else f", {place}"
         self.knob.show_number(self._turned, spec, value, of)
 
     def _show_traces(self) -> None:
@@ -680,6 +680,8 @@ def _number(design: Design, view: View) -> tuple[Input, str, NumberSpec, float] 
         for name, spec in specs_of(clip.waveform).items():
             if isinstance(spec, NumberSpec) and spec.measured_band_hz is not None:
                 spec = spec.at_rate(facts.sample_rate_hz, facts.band_hz)
-                return track, name, spec, getattr(clip.waveform, name)
+                # Alone, "From" is no name.
+                label = f"{clip.waveform.title} {spec.label.lower()}"
+                return track, name, replace(spec, label=label), getattr(clip.waveform, name)
     amplitude = AMPLITUDE_GAIN if is_gain(design, track) else amplitude_spec(design)
     return track, "amplitude", amplitude, track.amplitude

@@ -21,7 +21,7 @@ from skinsource.design.panel_settings import StageSettings, with_settings
 from skinsource_gui.pages.files import maps_film
 from skinsource_gui.panels.compare.motion import MOST_S
 from skinsource_gui.panels.compare.settings import CompareSettings
-from skinsource_gui.panels.compare.stage import Dial
+from skinsource_gui.panels.compare.stage import Dial, _number
 from skinsource_gui.qt.theme import current_theme
 from tests.gui.exporting import shown
 
@@ -333,13 +333,20 @@ def _cut(label):
     return label.heightForWidth(label.width()) > label.height()
 
 
+@pytest.mark.parametrize("kind", ss.waveforms.KINDS)
+def test_the_knob_says_what_it_turns_in_words_that_stand_alone(kind):
+    design = ss.Design(limb="synthetic-1", inputs=(ss.track(3, kind()),))
+    _, name, spec, _ = _number(design, ss.View())
+    assert spec.label == "Amplitude" if name == "amplitude" else kind.title in spec.label
+
+
 def test_the_time_axis_shows_all_of_a_motion_that_no_longer_loops(stage, qtbot):
     window = stage.window()
     tone = ss.waveforms.Tone(frequency_hz=100.0)
-    assert stage.knob.label.text() == "Frequency"
+    assert stage.knob.label.text() == "Tone frequency"
     two = replace(window.document.design, inputs=(ss.track(7, tone), ss.track(12, tone)))
     window.document.edit("Two", two)
-    assert stage.knob.label.text() == "Frequency of place\N{NO-BREAK SPACE}7"
+    assert stage.knob.label.text() == "Tone frequency, place\N{NO-BREAK SPACE}7"
     complete(stage, qtbot, 1)
     assert stage.strip.ends[0][1] == pytest.approx(0.03)
     stage.knob.dial.setValue(900)
