@@ -1,7 +1,9 @@
 """Buttons, labels and scroll areas of pages, buttons of panels, and the swatch of an input."""
 
+from typing import cast
+
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QRectF, QSize, Qt
+from PySide6.QtCore import QEvent, QObject, QRectF, QSize, Qt, QTimer
 
 from skinsource_gui.qt.keys import key_text
 from skinsource_gui.qt.layouts import named
@@ -124,6 +126,45 @@ def passing_menu(parent: QtWidgets.QWidget, name: str = "") -> QtWidgets.QMenu:
     menu = named(QtWidgets.QMenu(parent), name)
     menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     return menu
+
+
+class FirstLetters(QObject):
+    """Lets typed letters find the entry of a menu, or of a menu in it, that begins with them.
+
+    A letter that is typed again goes to the next entry that begins with it, as in any list.
+    """
+
+    def __init__(self, menu: QtWidgets.QMenu, *within: QtWidgets.QMenu) -> None:
+        super().__init__(menu)
+        self._menus, self._typed = (menu, *within), ""
+        pause_ms = QtWidgets.QApplication.keyboardInputInterval()
+        self._pause = QTimer(self, singleShot=True, interval=pause_ms)
+        for each in self._menus:
+            each.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if not isinstance(event, QtGui.QKeyEvent) or event.type() != QEvent.Type.KeyPress:
+            return False
+        letter = event.text().casefold()
+        before = self._typed if self._pause.isActive() else ""
+        if not (letter.isalnum() or (letter == " " and before)):
+            return False
+        self._typed = before + letter
+        self._pause.start()
+        self._find(cast(QtWidgets.QMenu, watched).activeAction())
+        return True
+
+    def _find(self, active: QtGui.QAction | None) -> None:
+        entries = [(menu, entry) for menu in self._menus for entry in menu.actions()]
+        again = len(set(self._typed)) == 1
+        start = next((k for k, (_, entry) in enumerate(entries) if entry is active), -1) + again
+        letters = self._typed[0] if again else self._typed
+        for menu, entry in (*entries[max(start, 0) :], *entries[: max(start, 0)]):
+            if entry.text().casefold().startswith(letters):
+                if menu is not self._menus[0]:
+                    self._menus[0].setActiveAction(menu.menuAction())
+                menu.setActiveAction(entry)
+                return
 
 
 SWATCH_PX = 24
