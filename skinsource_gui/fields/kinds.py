@@ -151,8 +151,6 @@ def fill_kind_menu(
     for kind in common:
         _add(menu, kind, choose, current)
     others = [kind for kind in kinds() if kind not in COMMON]
-    if not others:
-        return
     more = named(menu.addMenu(MORE), "more_kinds")
     _show_pictures(more)
     for kind in others:

@@ -1,7 +1,5 @@
 """Buttons, labels and scroll areas of pages, buttons of panels, and the swatch of an input."""
 
-from typing import cast
-
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QRectF, QSize, Qt, QTimer
 
@@ -136,9 +134,9 @@ class FirstLetters(QObject):
 
     def __init__(self, menu: QtWidgets.QMenu, *within: QtWidgets.QMenu) -> None:
         super().__init__(menu)
-        self._menus, self._typed = (menu, *within), ""
-        pause_ms = QtWidgets.QApplication.keyboardInputInterval()
-        self._pause = QTimer(self, singleShot=True, interval=pause_ms)
+        self._menus, self._typed, self._at = (menu, *within), "", -1
+        self._pause = QTimer(self, singleShot=True)
+        self._pause.setInterval(QtWidgets.QApplication.keyboardInputInterval())
         for each in self._menus:
             each.installEventFilter(self)
 
@@ -146,25 +144,21 @@ class FirstLetters(QObject):
         if not isinstance(event, QtGui.QKeyEvent) or event.type() != QEvent.Type.KeyPress:
             return False
         letter = event.text().casefold()
-        before = self._typed if self._pause.isActive() else ""
-        if not (letter.isalnum() or (letter == " " and before)):
+        self._typed = typed = (self._typed if self._pause.isActive() else "") + letter
+        if not (letter and typed.isprintable() and typed.strip()):
             return False
-        self._typed = before + letter
         self._pause.start()
-        self._find(cast(QtWidgets.QMenu, watched).activeAction())
-        return True
-
-    def _find(self, active: QtGui.QAction | None) -> None:
+        again = len(set(typed)) == 1
         entries = [(menu, entry) for menu in self._menus for entry in menu.actions()]
-        again = len(set(self._typed)) == 1
-        start = next((k for k, (_, entry) in enumerate(entries) if entry is active), -1) + again
-        letters = self._typed[0] if again else self._typed
-        for menu, entry in (*entries[max(start, 0) :], *entries[: max(start, 0)]):
-            if entry.text().casefold().startswith(letters):
-                if menu is not self._menus[0]:
-                    self._menus[0].setActiveAction(menu.menuAction())
-                menu.setActiveAction(entry)
-                return
+        begin = typed[0] if again else typed
+        found = [k for k, (_, at) in enumerate(entries) if at.text().casefold().startswith(begin)]
+        if found:
+            self._at = next((k for k in found if again and k > self._at), found[0])
+            menu, entry = entries[self._at]
+            if menu is not self._menus[0]:
+                self._menus[0].setActiveAction(menu.menuAction())
+            menu.setActiveAction(entry)
+        return True
 
 
 SWATCH_PX = 24

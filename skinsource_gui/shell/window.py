@@ -8,10 +8,8 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QEventLoop, QKeyCombination, QObject, QPoint, Qt
 
 from skinsource.design import edits
-from skinsource.design.design import NUMBERS, Design, View
-from skinsource.design.design import TITLE as OF_DESIGN
+from skinsource.design.design import Design, View
 from skinsource.design.edits.edit import leading_clip
-from skinsource.design.edits.view import rename_snapshot
 from skinsource.design.labels import scalings_on
 from skinsource.design.panel_settings import with_settings
 from skinsource.design.waveforms import kinds
@@ -28,7 +26,6 @@ from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.keys import KEYS, MOUSE
 from skinsource_gui.qt.layouts import tooltip
-from skinsource_gui.qt.questions import ask_name
 from skinsource_gui.shell import docks
 from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.appearance import Appearance, WindowFrame
@@ -150,21 +147,6 @@ def gesture_choices(
                 act = partial(press, panels[place], gesture.keys[0])
             text = f"{gesture.effect[:1].upper()}{gesture.effect[1:]}\t{gesture.shown}{where}"
             yield choice_action(text, group.heading, act)
-
-
-def snapshot_choices(document: Document, window: QtWidgets.QWidget) -> Iterator[QtGui.QAction]:
-    """Yield a new action for each snapshot, which asks for its title."""
-    titles = {snapshot.number: snapshot.title for snapshot in document.view.snapshots}
-
-    def rename(number: int) -> None:
-        title = ask_name(window, f"Rename snapshot {number}", titles[number], OF_DESIGN.longest)
-        if title is not None:
-            document.apply(rename_snapshot(document.design, document.view, number, title))
-
-    for number in NUMBERS:
-        missing = "" if number in titles else f"Store snapshot {number}"
-        text, hint = f"Rename snapshot {number}…", "Give the snapshot a title of its own"
-        yield choice_action(text, hint, partial(rename, number), missing)
 
 
 def scene_choices(show: Callable[[str], None]) -> Iterator[QtGui.QAction]:
@@ -416,10 +398,9 @@ class MainWindow(QtWidgets.QMainWindow):
         fields = field_choices(self.panels, self.workspaces.bring)
         views = analysis_choices(self.document, self.workspaces.bring)
         choices = *self.setup_bar.choices(), *design_choices(self.document)
-        snapshots = snapshot_choices(self.document, self)
         figures = scene_choices(self.scenes.open)
         gestures = gesture_choices(self.panels, self._panel_focus.enter, self.reports.report)
-        return [*fields, *others, *panels, *views, *choices, *snapshots, *figures, *gestures]
+        return [*fields, *others, *panels, *views, *choices, *figures, *gestures]
 
     def _show_state(self) -> None:
         design, view = self.document.design, self.document.view

@@ -484,7 +484,7 @@ class StripView(Figure):
 
 
 # Width and height of a picture in those of letters: on a slide they are read from far away.
-_WIDTH_IN_LETTERS, _HEIGHT_IN_LINES = 46, 24
+_LETTERS, _LINES = 46, 24
 _TOO_SHORT = "No whole window fits into the response. Choose shorter ones."
 
 
@@ -591,8 +591,7 @@ class WindowedView(AnalysisView):
         """Draw the strip for a page or a slide, with all that is needed to read it; size in px."""
         font = painter.font()
         font.setFamily(self.font().family())
-        letter_px = min(width / _WIDTH_IN_LETTERS, height / _HEIGHT_IN_LINES)
-        font.setPixelSize(max(round(letter_px), 8))
+        font.setPixelSize(max(round(min(width / _LETTERS, height / _LINES)), 8))
         painter.setFont(font)
         painter.fillRect(QRectF(0, 0, width, height), QtGui.QColor(theme.base))
         content, line = self.strip.content, float(painter.fontMetrics().height())
