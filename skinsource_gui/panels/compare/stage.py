@@ -66,8 +66,8 @@ from skinsource_gui.qt.theme import UNIT_PX, current_theme, letter_scale, tabula
 from skinsource_gui.state.compared import Compared
 
 _ALONE = OfWindow()
-# Between the names of curves; from where to where those in rows reach, from their middle.
-_BETWEEN, _REACH = "   ", np.array([-0.45, 0.45])
+# Between the names of curves; from where to where those in rows reach, and how many have room.
+_BETWEEN, _REACH, _ROWS = "   ", np.array([-0.45, 0.45]), 10
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -401,8 +401,8 @@ class StagePanel(MapsPanel):
             # It is seen which output is louder.
             self._held_ends = self._held_ends or self.strip.ends
             self._rest.start()
-        stacked = _settings(view, "traces").get("layout") == "stacked"
-        self.moving.passes = stacked and kind is _ALONE and stage.plot == "traces"
+        rows = kind is _ALONE and stage.plot == "traces" and len(view.outputs) <= _ROWS
+        self.moving.passes = rows and _settings(view, "traces").get("layout") == "stacked"
         self.take_state(design, view, kind, compare, moves=stage.moves)
 
     def start_over(self) -> None:
