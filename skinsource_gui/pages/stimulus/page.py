@@ -334,7 +334,7 @@ class StimulusPart(ExportPart):
                 return None
         return replace(found, design=kept)
 
-    def _offer_mend(self, error: Exception, edit: Edit | None, _: Exception | None) -> None:
+    def _offer_mend(self, error: Exception | None, edit: Edit | None, _: object) -> None:
         if edit and error is self._error:
             self._offer(edit.label, partial(self.edited.emit, edit, None))
 

@@ -368,7 +368,7 @@ def test_it_writes_the_file_and_its_sidecar_and_says_where_and_that_it_is_uncali
     assert path == str(out)
     assert summary.startswith("  2 channels, 44.1 kHz, ")
     assert summary.endswith(", not equalised (raw accelerations).")
-    assert calibration.startswith("  Uncalibrated: no rig says how many volts")
+    assert calibration.startswith("  Uncalibrated: no rig says whether")
     assert printed.err == ""
     about = soundfile.info(out)
     assert (about.samplerate, about.channels, about.subtype) == (44_100, 2, "FLOAT")

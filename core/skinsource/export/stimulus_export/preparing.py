@@ -293,6 +293,8 @@ class PreparedStimulus:
     @property
     def calibration(self) -> str:
         """A sentence on whether m/s² follow from the samples."""
+        if self.rig is None:
+            return "uncalibrated: no rig says whether the device gives this full scale"
         return self.files[0].calibration
 
     @property
