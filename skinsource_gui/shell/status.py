@@ -260,7 +260,7 @@ class StatusLine(FittingLabel):
             self._pause.start()
 
     def _show_text(self) -> None:
-        tone = "dim"
+        tone = "" if self._stored else "dim"
         stale = self._has_results and self._staleness.is_stale
         phrases: tuple[str, ...] = (self._shown, self._stored or self._shown)
         if self._message:

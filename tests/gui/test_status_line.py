@@ -68,16 +68,14 @@ def test_a_message_is_shown_in_the_middle_and_goes_while_the_chip_stays(window, 
 
 
 def test_a_long_message_stays_longer_and_is_shown_whole(window, monkeypatch):
-    stays = []
-    show = window.statusBar().showMessage
-    spied = lambda text, ms: (stays.append(ms), show(text, ms))  # noqa: E731
-    monkeypatch.setattr(window.statusBar(), "showMessage", spied)
+    stays, bar, show = [], window.statusBar(), window.statusBar().showMessage
+    monkeypatch.setattr(bar, "showMessage", lambda text, ms: stays.append(ms) or show(text, ms))
     texts = "Stored", "Stored snapshot 2 in place of another, which Undo brings back", "Word " * 80
     for text in texts:
         window.reports.report(text)
         assert text in (window.status_line.text(), window.notice.text)
     assert 4000 < stays[0] < 5000 < stays[1] < stays[2]
-    assert window.statusBar().currentMessage() == ""
+    assert bar.currentMessage() == ""
 
 
 def test_times_are_summed_up_by_median_95_percent_and_slowest():

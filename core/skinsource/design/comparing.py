@@ -271,7 +271,7 @@ def snapshot_name(number: int) -> str:
 
 def stored_name(snapshots: Sequence[Snapshot], design: Design) -> str:
     """Return the name of the stored snapshot that holds ``design``; "" where none does."""
-    shown = shown_snapshot(snapshots, design)
+    shown = shown_snapshot(snapshots, design) if snapshots else None
     return snapshot_name(shown.number) if shown and shown.number != EDITED else ""
 
 

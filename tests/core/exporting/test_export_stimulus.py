@@ -91,8 +91,7 @@ def test_a_channel_whose_clips_lie_outside_the_part_is_silent_behind_an_equalise
         assert ready.edges == ""
     # What is merely soft is written.
     quiet = replace(design, inputs=(tracks[0], ss.track(12, gabor, onset_s=0.5, amplitude=1e-4)))
-    options = ss.StimulusOptions(from_s=0.5, to_s=0.7)
-    ready = prepare_stimulus(quiet, format_named("wav"), 48_000, options)
+    ready = prepare_stimulus(quiet, ready.format, 48_000, replace(options, inputs=None))
     assert 1e-5 < ready.channels[1].peak < 1e-3
 
 
