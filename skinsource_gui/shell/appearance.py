@@ -6,7 +6,7 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QMargins, QObject, QRect, Qt, QTimer, Signal
 
 from skinsource.base.errors import printable
-from skinsource.design.design import Design
+from skinsource.design.comparing import stored_name
 from skinsource.limbs.own_limbs import missing_limb
 from skinsource.studies import scenes
 from skinsource_gui.qt.theme import THEMES, apply_theme
@@ -150,7 +150,7 @@ class WindowFrame(QObject):
         WindowsInSight(window)
         document.title_changed.connect(self._show_title)
         document.changed.connect(self._follow_title)
-        self._shown_title = ""
+        self._shown_title = ("", "")
         self._show_title()
 
     def close(self) -> None:
@@ -163,12 +163,19 @@ class WindowFrame(QObject):
         self._window.setWindowState(self._window.windowState() ^ Qt.WindowState.WindowFullScreen)
 
     def _follow_title(self) -> None:
-        if _title_of(self._document.design) != self._shown_title:
+        if self._title() != self._shown_title:
             self._show_title()
+
+    def _title(self) -> tuple[str, str]:
+        """Return the title of the design, and which snapshot it is."""
+        design = self._document.design
+        # The list of scenes is not read before a scene is open.
+        title = scenes.title_of(design) if design.title else ""
+        return title, stored_name(self._document.view.snapshots, design)
 
     def _show_title(self) -> None:
         path, design = self._document.path, self._document.design
-        self._shown_title = title = _title_of(design)
+        self._shown_title = title, snapshot = self._title()
         # A scene has a title, or a name among others, and no file.
         name = printable(title or self._document.scene).strip() or "Untitled"
         recovered = self._document.recovered_from
@@ -180,11 +187,8 @@ class WindowFrame(QObject):
         name = name.replace("[*]", "[*][*]")
         missing = missing_limb(design.limb, design.limb_digest)
         read_only = self._document.read_only or missing
-        locked = " (read-only)" if read_only else ""
-        self._window.setWindowTitle(f"{name}[*]{locked} – SkinSource studio")
+        about = "".join(
+            f" ({each})" for each in (snapshot, "read-only" if read_only else "") if each
+        )
+        self._window.setWindowTitle(f"{name}[*]{about} – SkinSource studio")
         self._window.setWindowModified(self._document.modified)
-
-
-def _title_of(design: Design) -> str:
-    # The list of scenes is not read before a scene is open.
-    return scenes.title_of(design) if design.title else ""

@@ -28,9 +28,7 @@ from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.preferences import INSTALLATIONS, InstalledLimbs, Preferences
 from skinsource_gui.state.worker import fault_text
 
-#: How long a message stays in the status bar.
-PASSING_MS = 5000
-#: How long a passing notice stays at least, and in addition for each letter.
+#: How long a passing text stays at least, and in addition for each letter.
 _LEAST_MS, _LETTER_MS = 4000, 60
 #: A click so soon is not meant for the notice, and does not hide it.
 _FRESH_MS = 700
@@ -347,15 +345,17 @@ class Reports(QObject):
         self._show(reason, "error", passes=True)
 
     def report(self, text: str) -> None:
-        """Show a message for some seconds."""
+        """Show a message for as long as it takes to read."""
         self._notice.be_quiet()
-        if self._status_bar.isHidden():  # while presenting
-            self.explain(text)
-        else:
-            self._status_bar.showMessage(text, PASSING_MS)
+        if not self._status_bar.isHidden():  # as it is while presenting
+            self._status_bar.showMessage(text, _LEAST_MS + _LETTER_MS * len(text))
+            if self._status_line.text() == text:
+                return
+            self._status_bar.clearMessage()
+        self.explain(text)
 
     def explain(self, text: str) -> None:
-        """Show a text that is no error and may be too long for the status bar."""
+        """Show a text that is no error and is too long for the status bar."""
         self._show(text, "info", passes=True)
 
     def show_impossible(self, reason: str) -> None:

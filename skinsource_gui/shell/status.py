@@ -11,7 +11,7 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 
 from skinsource.base.job import time_left_text
-from skinsource.design.comparing import match_text
+from skinsource.design.comparing import match_text, stored_name
 from skinsource.design.design import Design, View, audible_inputs
 from skinsource.design.panel_settings import settings_of
 from skinsource.engine.gains import TraceError
@@ -207,7 +207,7 @@ class StatusLine(FittingLabel):
         set_tone(self, "dim")
         self.clock = EditClock(window)
         self.error: TraceError | None = None
-        self._shown, self._has_results, self._message = "", False, ""
+        self._stored, self._shown, self._has_results, self._message = "", "", False, ""
         self._staleness = Staleness(self)
         self._staleness.changed.connect(self._show_text)
         self._pause = QTimer(self, singleShot=True, interval=PAUSE_MS)
@@ -216,8 +216,10 @@ class StatusLine(FittingLabel):
         window.statusBar().messageChanged.connect(self._show_message)
 
     def show_state(self, design: Design, view: View) -> None:
-        """Take over what is shown."""
-        self._shown = shown_text(design, view)
+        """Take over what is shown, and of which snapshot."""
+        stored = stored_name(view.snapshots, design)
+        self._stored = f"{stored.capitalize()} is shown" if stored else ""
+        self._shown = " · ".join(filter(None, (self._stored, shown_text(design, view))))
         self._show_text_soon()
 
     def show_outcome(self, outcome: Outcome) -> None:
@@ -258,9 +260,9 @@ class StatusLine(FittingLabel):
             self._pause.start()
 
     def _show_text(self) -> None:
-        tone = "dim"
+        tone = "" if self._stored else "dim"
         stale = self._has_results and self._staleness.is_stale
-        phrases: tuple[str, ...] = (self._shown,)
+        phrases: tuple[str, ...] = (self._shown, self._stored or self._shown)
         if self._message:
             phrases, tone = (self._message,), ""
         elif stale:

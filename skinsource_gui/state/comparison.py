@@ -105,7 +105,8 @@ class Comparison(QObject):
         self._panels = panels
         # What visible panels need of each snapshot, and of each limb, as of the last change.
         self._needs: dict[Panel, tuple[frozenset[str], Mapping[Beside, frozenset[str]]]] = {}
-        self._requests: dict[Slot, Request] = {}
+        # Of each slot the request that is under way or answered; None: its answer is held no more.
+        self._requests: dict[Slot, Request | None] = {}
         self._known: dict[Slot, _Known] = {}
         self._when_complete: Callable[[], None] | None = None
         # Showing snapshots in turn is one step of the history, or none where all is as before.
@@ -278,6 +279,8 @@ class Comparison(QObject):
                 continue
             if known.holds(needs):
                 self._known[side.slot] = known
+                if slot != side.slot and side.slot in self._requests:
+                    self._requests[side.slot] = None
                 return known
         return None
 

@@ -10,10 +10,11 @@ from typing import Any
 from PySide6 import QtGui
 from PySide6.QtCore import QObject, Signal
 
-from skinsource.design.comparing import restored_snapshots, takeover_text
+from skinsource.design.comparing import restored_snapshots
 from skinsource.design.design import Design, View
 from skinsource.design.edits.edit import Edit, Refusal, kept_selection
 from skinsource.design.edits.motions import with_whole_motions
+from skinsource.design.edits.view import with_working_kept
 from skinsource.limbs.own_limbs import axes_on, missing_limb, outputs_on
 
 #: So many can be taken back; the oldest ones are forgotten first.
@@ -166,10 +167,12 @@ class Document(QObject):
         Edits of the same ``gesture`` (one drag of one handle) undo as one step; another selection
         ends the gesture.
         """
+        if isinstance(outcome, Edit):
+            outcome = with_whole_motions(self._design, outcome)
+            outcome = with_working_kept(self._design, self._view, outcome)
         if isinstance(outcome, Refusal):
             self.refused.emit(outcome.sentence)
             return
-        outcome = with_whole_motions(self._design, outcome)
         if outcome.design != self._design and _same_limb(outcome.design, self._design):
             missing = missing_limb(self._design.limb, self._design.limb_digest)
             if missing:
@@ -177,8 +180,6 @@ class Document(QObject):
                 return
         view = kept_selection(outcome.view, self._design, outcome.design)
         before, after = HistoryState(self._design, self._view), HistoryState(outcome.design, view)
-        taken_over = takeover_text(before.design, before.view, after.design, view)
-        said = " ".join(filter(None, (taken_over, outcome.said)))
         if before.is_same(after):
             self.look(view)
         else:
@@ -189,8 +190,8 @@ class Document(QObject):
             self.changed.emit()
             self._emit_title()
             self.settled.emit()
-        if said:
-            self.message.emit(said)
+        if outcome.said:
+            self.message.emit(outcome.said)
 
     def edit(self, label: str, design: Design, gesture: int | None = None) -> None:
         """Replace the design, as `apply` does."""

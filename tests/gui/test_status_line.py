@@ -67,6 +67,17 @@ def test_a_message_is_shown_in_the_middle_and_goes_while_the_chip_stays(window, 
     wait_for(SHOWN)
 
 
+def test_a_long_message_stays_longer_and_is_shown_whole(window, monkeypatch):
+    stays, bar, show = [], window.statusBar(), window.statusBar().showMessage
+    monkeypatch.setattr(bar, "showMessage", lambda text, ms: stays.append(ms) or show(text, ms))
+    texts = "Stored", "Stored snapshot 2 in place of another, which Undo brings back", "Word " * 80
+    for text in texts:
+        window.reports.report(text)
+        assert text in (window.status_line.text(), window.notice.text)
+    assert 4000 < stays[0] < 5000 < stays[1] < stays[2]
+    assert bar.currentMessage() == ""
+
+
 def test_times_are_summed_up_by_median_95_percent_and_slowest():
     seconds = (0.004, 0.008, 0.3)
     assert summary(seconds) == "Last 3 edits: median 8.0 ms, 95 % within 300 ms, slowest 300 ms."

@@ -17,7 +17,7 @@ from skinsource.base.conventions import N_OUTPUTS, Floats
 from skinsource.base.decibels import FLOOR_DB, decibels
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.clips import Clip
-from skinsource.design.design import EDITED, Design, Snapshot, View, shown_snapshot
+from skinsource.design.design import EDITED, Design, Snapshot, shown_snapshot
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.locations import DIGITS, OUTPUTS
 from skinsource.limbs.own_limbs import facts_of, own_limb_names
@@ -264,21 +264,15 @@ def other_snapshot(snapshots: Sequence[Snapshot], design: Design) -> Snapshot | 
     return next(differing, None) or next(equal, None)
 
 
-def takeover_text(design: Design, view: View, after: Design, view_after: View) -> str:
-    """Return what to say where an edit of a shown snapshot replaces the working design, or ""."""
-    working = any(snapshot.number == EDITED for snapshot in view.snapshots)
-    shown = shown_snapshot(view.snapshots, design) if working else None
-    if shown is None or shown.number == EDITED or shown_snapshot(view_after.snapshots, after):
-        return ""
-    return (
-        f"Snapshot {shown.number} stays; its edited copy replaces the working design, "
-        "which Undo brings back."
-    )
-
-
 def snapshot_name(number: int) -> str:
     """Return the name, within a sentence, of the design under a number."""
     return "the working design" if number == EDITED else f"snapshot {number}"
+
+
+def stored_name(snapshots: Sequence[Snapshot], design: Design) -> str:
+    """Return the name of the stored snapshot that holds ``design``; "" where none does."""
+    shown = shown_snapshot(snapshots, design) if snapshots else None
+    return snapshot_name(shown.number) if shown and shown.number != EDITED else ""
 
 
 def why_no_comparison(snapshots: Sequence[Snapshot]) -> str:

@@ -18,7 +18,7 @@ from PySide6.QtCore import QLineF, QRectF, QSize, Qt, Signal
 
 from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.base.conventions import Floats
-from skinsource.base.errors import Stopped, counted, sentence
+from skinsource.base.errors import SkinSourceError, Stopped, counted, sentence
 from skinsource.design.amplitudes import amplitude_unit
 from skinsource.design.design import Design, View, audible_inputs
 from skinsource.design.edits.edit import Edit
@@ -192,6 +192,8 @@ class StimulusPart(ExportPart):
         self._ordered: Order | None = None
         #: What is shown, and would be written; None while it is prepared.
         self.prepared: PreparedStimulus | None = None
+        # The error that is shown, to which a remedy belongs.
+        self._error: Exception | None = None
         self.form = StimulusForm(design, view)
         self.channels = ChannelsView()
         self._notes = page_label("stimulus_loses", tone="dim")
@@ -283,11 +285,12 @@ class StimulusPart(ExportPart):
         self._confirm.setChecked(False)
         self._show_computing(True)
         self._show_readiness()
-        self._worker.run_newest(_ORDER, self._work(order), partial(self._receive, order))
+        work = self._work(order, self._design)
+        self._worker.run_newest(_ORDER, work, partial(self._receive, order))
 
-    def _work(self, order: Order) -> Callable[[], Any]:
+    def _work(self, order: Order, design: Design) -> Callable[[], Any]:
         """Return what computes what will be written, in the thread of the worker."""
-        ordered = self._design, order.format, order.rate_hz, order.options
+        ordered = design, order.format, order.rate_hz, order.options
         return partial(prepare_stimulus, *ordered, **self._job(order))
 
     def _job(self, order: Order) -> dict[str, Any]:
@@ -303,15 +306,17 @@ class StimulusPart(ExportPart):
             return
         if computed is None:
             self._show_refused(fault_text(error) if error else "")
-            self._worker.run_newest(_MEND, self._find_mend, self._offer_mend)
+            self._error = error
+            find, offer = partial(self._find_mend, order), partial(self._offer_mend, error)
+            self._worker.run_newest(_MEND, partial(find, str(error)), offer)
             return
         self._show_computing(False)
         self._show_computed(computed)
 
-    def _find_mend(self) -> Edit | None:
+    def _find_mend(self, order: Order, error: str) -> Edit | None:
         """Return an edit that mends what the actuators cannot follow, in the thread of the worker.
 
-        It is named after its last part, where several inputs need one.
+        It is named after its last part, where several inputs need one; None: ``error`` stays.
         """
         chosen, found = self._design.actuation, None
         through = None if chosen is None else replace(chosen, equaliser=RegularisedInverse())
@@ -319,11 +324,19 @@ class StimulusPart(ExportPart):
         for track in audible_inputs(design.inputs):
             found = repair_for_actuators(design, self._view, track.id) or found
             design = found.design if found else design
+        if found is None:
+            return None
         kept = replace(design, actuation=self._design.actuation)
-        return None if found is None else replace(found, design=kept)
+        try:
+            self._work(order, kept)()
+        except SkinSourceError as left:
+            if str(left) == error:
+                return None
+        return replace(found, design=kept)
 
-    def _offer_mend(self, edit: Edit | None, _error: Exception | None) -> None:
-        self._offer(edit.label if edit else "", partial(self.edited.emit, edit, None))
+    def _offer_mend(self, error: Exception | None, edit: Edit | None, _: object) -> None:
+        if edit and error is self._error:
+            self._offer(edit.label, partial(self.edited.emit, edit, None))
 
     def _offer(self, remedy: str, mend: Callable[[], object]) -> None:
         """Offer a remedy as a button; "": none."""
@@ -355,7 +368,8 @@ class StimulusPart(ExportPart):
     def _show_computing(self, computing: bool) -> None:
         """Show pale what is out of date; soon also how much is computed of what comes instead."""
         self._bar.setValue(0)
-        self._offer_mend(None, None)
+        self._error = None
+        self._offer("", lambda: None)
         self._staleness.set_stale(computing)
         for part in (self.channels, self._summary, self._notes, self._problem):
             effect = QtWidgets.QGraphicsOpacityEffect(part, opacity=PALE)
@@ -565,10 +579,10 @@ class SetPart(StimulusPart):
         else:
             super()._order(order)
 
-    def _work(self, order: Order) -> Callable[[], Any]:
+    def _work(self, order: Order, design: Design) -> Callable[[], Any]:
         return partial(
             export_set,
-            self._design,
+            design,
             {each.value: self.values[each].value for each in self.variables if each.value},
             None,
             order.format.name,

@@ -75,6 +75,26 @@ def test_the_ending_tells_the_format(design, tmp_path):
         ss.export_stimulus(design, tmp_path / "a.xyz")
 
 
+def test_a_channel_whose_clips_lie_outside_the_part_is_silent_behind_an_equaliser_too():
+    model = ss.actuators.load("kastor-2023-air")
+    through = ss.Actuation(
+        actuators=(ss.ActuatorAt(actuator="a", model=model),),
+        equaliser=ss.equalising.RegularisedInverse(),
+    )
+    gabor = ss.waveforms.Gabor(200.0)
+    tracks = ss.track(7, gabor, onset_s=0.5), ss.track(12, gabor, onset_s=1.0)
+    design = ss.Design(limb="synthetic-1", inputs=tracks, actuation=through)
+    for inputs, peaks in ((None, [1.0, 0.0]), ((2,), [0.0])):
+        options = ss.StimulusOptions(from_s=0.5, to_s=0.7, inputs=inputs)
+        ready = prepare_stimulus(design, format_named("wav"), 48_000, options)
+        assert [channel.peak for channel in ready.channels] == peaks
+        assert ready.edges == ""
+    # What is merely soft is written.
+    quiet = replace(design, inputs=(tracks[0], ss.track(12, gabor, onset_s=0.5, amplitude=1e-4)))
+    ready = prepare_stimulus(quiet, ready.format, 48_000, replace(options, inputs=None))
+    assert 1e-5 < ready.channels[1].peak < 1e-3
+
+
 def test_options_come_in_the_order_of_time(design, tmp_path):
     path = tmp_path / "a.wav"
     exported(
@@ -347,7 +367,7 @@ def test_it_writes_the_file_and_its_sidecar_and_says_where_and_that_it_is_uncali
     assert path == str(out)
     assert summary.startswith("  2 channels, 44.1 kHz, ")
     assert summary.endswith(", not equalised (raw accelerations).")
-    assert calibration.startswith("  Uncalibrated: no rig says how many volts")
+    assert calibration.startswith("  Uncalibrated: no rig says whether")
     assert printed.err == ""
     about = soundfile.info(out)
     assert (about.samplerate, about.channels, about.subtype) == (44_100, 2, "FLOAT")

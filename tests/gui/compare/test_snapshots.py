@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog
 
 import skinsource as ss
 from skinsource import Design, View, edits, open_design, save_design, track
-from skinsource.design.comparing import with_edited
+from skinsource.design.comparing import other_snapshot, with_edited
 from skinsource.design.edits.view import rename_snapshot
 from skinsource.design.motions import Sweep
 from skinsource.design.waveforms.tones import Tone
@@ -66,23 +66,71 @@ def test_keys_store_show_and_toggle_and_arrangements_have_moved(window, qtbot, s
     assert not window.docks["hand"].isVisible()
 
 
-def test_an_edit_of_a_shown_snapshot_says_what_it_replaces_and_nothing_is_lost(window, settle):
-    document, said = window.document, []
+def test_an_edit_of_a_shown_snapshot_keeps_the_working_design_as_a_snapshot(window):
+    document, said, refused = window.document, [], []
     document.message.connect(said.append)
+    document.refused.connect(refused.append)
     bare = replace(document.design, inputs=())
     document.edit("Sweep", edits.add_motion(bare, View(), Sweep(path=(16, 18))).design)
     window.do("store_snapshot_1")
     edit(window, 2.0)
     window.do("toggle_snapshots")
     document.apply(rename_snapshot(document.design, document.view, 1, "Soft"))
-    document.apply(edits.move_inputs(document.design, document.view, document.design.ids[:1], 5))
+    gesture = document.undo_stack.index()
+    moved = edits.move_inputs(document.design, document.view, document.design.ids[:1], 5)
+    document.apply(moved, gesture)
     edit(window, 6.0)
-    settle()
-    assert document.design.inputs[0].amplitude == 6.0
-    assert [(text[:16], "single clips" in text) for text in said] == [("Snapshot 1 stays", True)]
-    document.go_to(document.undo_stack.index() - 2)
+    held = {each.number: each.design.inputs[0].amplitude for each in document.view.snapshots}
+    assert (document.design.inputs[0].amplitude, held) == (6.0, {1: 1.0, 2: 2.0})
+    assert [("snapshot 2" in text, "single clips" in text) for text in said] == [(True, True)]
+    # X leads to the one that was edited, and undo to where both were.
+    assert other_snapshot(document.view.snapshots, document.design).number == 1
+    document.go_to(gesture)
+    assert {each.number for each in document.view.snapshots} == {0, 1}
     window.do("toggle_snapshots")
     assert document.design.inputs[0].amplitude == 2.0
+    # Where another snapshot holds it, or no number is free, no further one is stored.
+    for number in (2, 3, 4):
+        window.do(f"store_snapshot_{number}")
+    window.do("show_snapshot_1")
+    edit(window, 6.0)
+    assert {each.number for each in document.view.snapshots} == {1, 2, 3, 4}
+    window.do("show_snapshot_1")
+    shown, count = document.design, document.undo_stack.count()
+    edit(window, 7.0)
+    assert (document.design, document.undo_stack.count(), len(refused)) == (shown, count, 1)
+    # Without the shown one, the working design is back.
+    document.apply(edits.forget_snapshot(document.design, document.view, 1))
+    assert document.design.inputs[0].amplitude == 6.0
+    window.do("undo")
+    assert document.design == shown
+
+
+def test_a_shown_snapshot_is_named_in_title_and_status_bar_as_long_as_it_is_shown(
+    window, settle, tmp_path
+):
+    window.do("store_snapshot_1")
+    edit(window, 2.0)
+    window.files._save_to(tmp_path / "a.skinsource")
+
+    def signs():
+        settle()
+        window.statusBar().clearMessage()
+        window.status_line._pause.timeout.emit()
+        return window.windowTitle().count("(snapshot 1)"), window.status_line.text()[:19]
+
+    assert signs() == (0, "Predicted accelerat")
+    window.do("show_snapshot_1")
+    assert signs() == (1, "Snapshot 1 is shown")
+    window.files.save()
+    window.files.open(tmp_path / "a.skinsource")
+    assert signs() == (1, "Snapshot 1 is shown")
+    edit(window, 3.0)
+    window.files.save()
+    window.files.open(tmp_path / "a.skinsource")
+    assert signs() == (0, "Predicted accelerat")
+    kept = {each.number: each.design.inputs[0].amplitude for each in window.document.view.snapshots}
+    assert kept == {1: 1.0, 2: 2.0}
 
 
 def test_without_a_snapshot_one_is_told_how_to_store_one(window, panel):
@@ -385,6 +433,23 @@ def test_a_snapshot_of_what_was_saved_is_nothing_that_could_be_lost(window, tmp_
     window.files.save()
     window.document.apply(edits.forget_snapshot(document.design, document.view, 1))
     assert document.modified
+
+
+def test_a_replaced_snapshot_that_undo_brings_back_is_predicted_again(window, settle, qtbot):
+    panel = window.panel("compare")
+    window.do("store_snapshot_1")
+    two_places(window)
+    window.do("store_snapshot_2")
+    edit(window, 2.0)
+    settle()
+    window.docks["compare"].bring_forward()
+    shown(panel, qtbot, 3)
+    window.do("store_snapshot_2")
+    shown(panel, qtbot, 2)
+    window.do("undo")
+    shown(panel, qtbot, 3)
+    assert "…" not in cards(panel)[2].text()
+    assert panel.copy.isEnabled()
 
 
 def test_undo_takes_no_snapshot_away_and_brings_back_those_that_were_replaced(window):

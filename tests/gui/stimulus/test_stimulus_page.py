@@ -188,6 +188,15 @@ def test_what_the_actuators_cannot_follow_names_its_place_and_is_mended_here(des
     mend = page.findChild(QPushButton, "stimulus_mend")
     qtbot.waitUntil(mend.isVisible, timeout=WAIT_MS)
     assert label(page, "problem").startswith("Place 7: the drive leaves a velocity")
+    # Another error has no remedy of this one, although its edit would still be possible.
+    choose(page, qtbot, "format", "drv2605l")
+    offered = []
+    page._worker.run(lambda: None, lambda *_: offered.append(mend.isVisible()))
+    qtbot.waitUntil(lambda: bool(offered), timeout=WAIT_MS)
+    assert (offered, "equaliser" in label(page, "problem")) == ([False], True)
+    page.form.field("format").choose("wav")
+    choose(page, qtbot, "rate", "8000")
+    qtbot.waitUntil(mend.isVisible, timeout=WAIT_MS)
     before = desk.document.design
     mend.click()
     qtbot.waitUntil(lambda: page.prepared is not None, timeout=WAIT_MS)

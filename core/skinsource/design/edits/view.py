@@ -6,7 +6,7 @@ from typing import Any
 
 from skinsource.base.errors import quoted
 from skinsource.design.clips import Marker
-from skinsource.design.comparing import gain_text, snapshot_name
+from skinsource.design.comparing import gain_text, snapshot_name, stored_name
 from skinsource.design.design import (
     EDITED,
     MAX_MARKERS,
@@ -160,6 +160,8 @@ _NO_SNAPSHOT = Refusal(
     sentence="Nothing is stored to compare with; store a snapshot with Ctrl+Shift+1 to 4."
 )
 
+_REMOVE_ONE = "Remove one first: press Delete on its card in the Compare panel."
+
 
 @refusing
 def store_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
@@ -197,13 +199,8 @@ def take_snapshot(design: Design, view: View, other: Design) -> Edit | Refusal:
     >>> print([snapshot.number for snapshot in edit.view.snapshots])
     [1]
     """
-    used = {snapshot.number for snapshot in view.snapshots}
-    free = next((number for number in NUMBERS if number not in used), None)
-    if free is None:
-        return Refusal(
-            sentence=f"All {len(NUMBERS)} snapshots are in use. Remove one first: press Delete on "
-            "its card in the Compare panel."
-        )
+    if (free := _free_number(view)) is None:
+        return Refusal(sentence=f"All {len(NUMBERS)} snapshots are in use. {_REMOVE_ONE}")
     snapshots = (*view.snapshots, Snapshot(number=free, design=other))
     return change_view(design, view, f"Store snapshot {free}", snapshots=snapshots)
 
@@ -299,7 +296,7 @@ def rename_snapshot(design: Design, view: View, number: int, title: str) -> Edit
 
 @refusing
 def forget_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
-    """Remove the snapshot with a number.
+    """Remove the snapshot with a number; if it is shown, the working design is shown again.
 
     Examples
     --------
@@ -313,7 +310,31 @@ def forget_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
     remaining = _without(view, number)
     if len(remaining) == len(view.snapshots):
         return _NO_SNAPSHOT
+    if shown_snapshot(view.snapshots, design) and not shown_snapshot(remaining, design):
+        design = next((each.design for each in remaining if each.number == EDITED), design)
     return change_view(design, view, f"Remove {snapshot_name(number)}", snapshots=remaining)
+
+
+def with_working_kept(design: Design, view: View, edit: Edit) -> Edit | Refusal:
+    """Return an edit of a shown snapshot that keeps the working design, which it would replace.
+
+    That becomes the snapshot of the lowest free number, unless another one holds it.
+    """
+    working = next((each for each in view.snapshots if each.number == EDITED), None)
+    if working is None or shown_snapshot(edit.view.snapshots, edit.design):
+        return edit
+    others = _without(edit.view, EDITED)
+    if shown_snapshot(others, working.design) or not stored_name(view.snapshots, design):
+        return replace(edit, view=replace(edit.view, snapshots=others))
+    if (free := _free_number(edit.view)) is None:
+        return Refusal(
+            sentence="An edit of this snapshot would replace the working design, and all "
+            f"{len(NUMBERS)} snapshots are in use. {_REMOVE_ONE}"
+        )
+    # Shown before all others: the one that was shown last stays the last.
+    snapshots = (replace(working, number=free), *others)
+    said = f"The working design is kept as snapshot {free}. {edit.said}".strip()
+    return replace(edit, view=replace(edit.view, snapshots=snapshots), said=said)
 
 
 @refusing
@@ -330,6 +351,11 @@ def match_levels(design: Design, view: View, on: bool) -> Edit | Refusal:
     True
     """
     return change_view(design, view, "Match levels", levels_matched=on)
+
+
+def _free_number(view: View) -> int | None:
+    used = {snapshot.number for snapshot in view.snapshots}
+    return next((number for number in NUMBERS if number not in used), None)
 
 
 def _without(view: View, number: int) -> tuple[Snapshot, ...]:

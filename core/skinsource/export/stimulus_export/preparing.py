@@ -33,6 +33,7 @@ from skinsource.engine.stimulus import (
     full_scale_factor,
     in_order,
     part_of_time,
+    peaks,
     scaled,
     stimuli_of,
     through_actuators,
@@ -53,6 +54,9 @@ Limit = Callable[[Stimulus], Sequence[str]]
 
 #: A larger first or last sample, in parts of the peak of its channel, is reported.
 LARGEST_EDGE = 0.01
+#: A channel of less, in parts of the largest drive, is silent in a part of the time: 120 dB, more
+#: than any converter has between its full scale and its noise.
+LEAST_PART = 1e-6
 #: Ringing before and after a sound where the rate is changed lasts so long; see `resample`.
 RINGING_S = 0.1
 #: Energy that a channel may lose to the rate without confirmation, in dB: about the smallest
@@ -289,6 +293,8 @@ class PreparedStimulus:
     @property
     def calibration(self) -> str:
         """A sentence on whether m/s² follow from the samples."""
+        if self.rig is None:
+            return "uncalibrated: no rig says whether the device gives this full scale"
         return self.files[0].calibration
 
     @property
@@ -391,7 +397,12 @@ def prepare_stimulus(
     drives = _for_rig(drives, rig, equaliser, options, at_places)
     if options.from_s is not None or options.to_s is not None:
         to_s = drives.duration_s if options.to_s is None else options.to_s
+        least = LEAST_PART * peaks(drives.samples).max(initial=0.0)
         drives = part_of_time(drives, options.from_s or 0.0, to_s)
+        # What the equaliser leaves of clips outside the part is no stimulus.
+        drives = drives.with_samples(
+            np.where(peaks(drives.samples)[:, np.newaxis] < least, 0.0, drives.samples)
+        )
     drives = faded(drives, options.fade_in_s, options.fade_out_s)
     drives = with_silence(
         drives, 0.0 if rings_before else lead_in_s, 0.0 if rings_after else tail_s
