@@ -229,7 +229,7 @@ def test_the_right_button_and_keys_float_and_close_a_panel(active, qtbot):
 
 
 def test_the_library_folds_out_of_the_lower_edge(window, settle):
-    window.resize(1366, 768)
+    window.resize(1366, 968)
     settle()
     before = in_sight(window)
     window.docks["library"].bring_forward()
@@ -238,6 +238,17 @@ def test_the_library_folds_out_of_the_lower_edge(window, settle):
     assert in_sight(window) == before | {"library"}
     assert library.width() == window.width()
     assert 0.2 * window.height() <= library.height() <= library.panel.sizeHint().height()
+
+
+def test_in_a_low_window_the_library_is_a_tab_that_takes_no_room_from_others(window, settle):
+    window.resize(1366, 736)
+    settle()
+    skin, before = window.docks["skin"], in_sight(window)
+    room = skin.size()
+    window.docks["library"].bring_forward()
+    settle()
+    assert in_sight(window) == before - {"timeline"} | {"library"}
+    assert skin.size() == room
 
 
 @pytest.mark.parametrize("workspace", [workspace.name for workspace in WORKSPACES[1:]])

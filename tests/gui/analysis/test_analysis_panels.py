@@ -247,24 +247,36 @@ def test_the_wave_cautions_where_inputs_at_several_places_sound(show, window, se
         assert ("waves of several inputs overlap" in panel.note_label.whole) is overlap
 
 
-def numbers_below(width, scale, x):
-    """Numbers below an axis, each with where it begins and ends, from left to right."""
+def written_at(width, height, scale, x):
+    """What is written at axes and where: that beside the axis of y begins at the edge."""
     written = []
 
     class Noting(QPainter):
         def drawText(self, *what):
-            # Those beside the axis of y begin at the edge.
-            if what[0].left() > 0:
-                written.append((what[0].left(), what[0].right(), what[2]))
+            written.append((what[0], what[2]))
 
-    image = QImage(width, 200, QImage.Format.Format_Grayscale8)
+    image = QImage(width, height, QImage.Format.Format_Grayscale8)
     painter = Noting(image)
     painter.setFont(scaled(QFont("Sans", 10), scale))
-    axes = fitted_axes(QRectF(0, 0, width, 200), x, LEVEL, QFontMetricsF(painter.font()))
+    axes = fitted_axes(QRectF(0, 0, width, height), x, LEVEL, QFontMetricsF(painter.font()))
     axes.paint(painter, LIGHT)
     painter.end()
     assert axes.frame.width() > 0.3 * width
-    return [number for number in written if number[2] not in ("", x.title, LEVEL.title)]
+    return [place for place in written if place[1] not in ("", x.title, LEVEL.title)]
+
+
+def numbers_below(width, scale, x):
+    """Numbers below an axis, each with where it begins and ends, from left to right."""
+    written = written_at(width, 200, scale, x)
+    return [(room.left(), room.right(), text) for room, text in written if room.left() > 0]
+
+
+@pytest.mark.parametrize("height", [50, 56, 62, 80, 200])
+def test_numbers_beside_a_low_axis_do_not_lie_on_each_other(qapp, height):
+    beside = [room for room, _ in written_at(400, height, 1.0, WIDE[1]) if room.left() == 0]
+    assert beside
+    # Digits are lower than a line.
+    assert all(low.top() - high.top() > 0.75 * low.height() for low, high in pairwise(beside))
 
 
 LEVEL = Axis(shown=(-60.0, 20.0), title="dB")
