@@ -493,7 +493,7 @@ class Workspaces(QObject):
     def _unfold(self, panel: str) -> None:
         """Give a panel its first room, at the lower edge or beside another one."""
         dock, neighbour = self._docks[panel], self._present.beside.get(panel)
-        if panel in self._below:
+        if panel in self._below and not self._window.tabifiedDockWidgets(dock):
             height = dock.panel.sizeHint().height()
             above = self._docks[_edge(self._present.split)]
             rest = above.height() + dock.height() - height

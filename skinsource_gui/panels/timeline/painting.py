@@ -72,9 +72,9 @@ def paint_clip(
     if shown.width() >= _LABEL_FROM_PX:
         text = f"{clip_name(clip)}{' · updating…' if clip.id in content.awaited else ''}"
         # As far as the next clip, which has a name of its own.
-        starts = ((each.onset_s, each.id) for each in box.lane.track.clips)
-        after = (start for start in starts if start > (clip.onset_s, clip.id))
-        end = content.scale.x(min(after, default=(inf, 0))[0])
+        own, clips = (clip.onset_s, clip.id), box.lane.track.clips
+        after = [each.onset_s for each in clips if (each.onset_s, each.id) > own]
+        end = content.scale.x(min(after, default=inf))
         free = shown.adjusted(0, 0, min(end - shown.right(), 0), 0)
         if free.width() >= _LABEL_FROM_PX:
             _write(painter, text, box.rect, free, theme, pale=pale)

@@ -247,13 +247,16 @@ def test_the_wave_cautions_where_inputs_at_several_places_sound(show, window, se
         assert ("waves of several inputs overlap" in panel.note_label.whole) is overlap
 
 
-def written_at(width, height, scale, x):
-    """What is written at axes and where: that beside the axis of y begins at the edge."""
+def numbers_at(width, scale, x, height=200, *, beside=False):
+    """Numbers below axes, or beside them, each with where it begins and ends along its axis."""
     written = []
 
     class Noting(QPainter):
-        def drawText(self, *what):
-            written.append((what[0], what[2]))
+        def drawText(self, room, flags, text):
+            # Those beside the axis of y begin at the edge.
+            if (room.left() == 0) is beside and text not in ("", x.title, LEVEL.title):
+                ends = (room.top(), room.bottom()) if beside else (room.left(), room.right())
+                written.append((*ends, text))
 
     image = QImage(width, height, QImage.Format.Format_Grayscale8)
     painter = Noting(image)
@@ -262,21 +265,16 @@ def written_at(width, height, scale, x):
     axes.paint(painter, LIGHT)
     painter.end()
     assert axes.frame.width() > 0.3 * width
-    return [place for place in written if place[1] not in ("", x.title, LEVEL.title)]
-
-
-def numbers_below(width, scale, x):
-    """Numbers below an axis, each with where it begins and ends, from left to right."""
-    written = written_at(width, 200, scale, x)
-    return [(room.left(), room.right(), text) for room, text in written if room.left() > 0]
+    return written
 
 
 @pytest.mark.parametrize("height", [50, 56, 62, 80, 200])
 def test_numbers_beside_a_low_axis_do_not_lie_on_each_other(qapp, height):
-    beside = [room for room, _ in written_at(400, height, 1.0, WIDE[1]) if room.left() == 0]
+    beside = numbers_at(400, 1.0, WIDE[1], height, beside=True)
     assert beside
     # Digits are lower than a line.
-    assert all(low.top() - high.top() > 0.75 * low.height() for low, high in pairwise(beside))
+    for (low, end, _), (high, _, _) in pairwise(beside):
+        assert low - high > 0.75 * (end - low)
 
 
 LEVEL = Axis(shown=(-60.0, 20.0), title="dB")
@@ -293,7 +291,7 @@ WIDE = (
     ("width", "scale"), [(200, 1.0), (200, 1.75), (240, 2.0), (303, 1.75), (600, 3.0), (900, 1.0)]
 )
 def test_no_number_of_an_axis_is_cut_or_lies_on_another(qapp, width, scale, x):
-    numbers = numbers_below(width, scale, x)
+    numbers = numbers_at(width, scale, x)
     assert numbers
     metrics = QFontMetricsF(scaled(QFont("Sans", 10), scale))
     for (_, end, _), (begin, _, _) in pairwise(numbers):

@@ -132,11 +132,10 @@ def test_a_preset_goes_where_it_is_dropped_and_elsewhere_to_the_selected_track(
     assert (new.location, len(new.clips)) == (13, 6)
     settle()
     timeline, (bar,) = window.panel("timeline"), window.findChildren(QTabBar)
-    tab = next(k for k in range(bar.count()) if bar.tabText(k) == "Timeline")
-    middle = bar.tabRect(tab).center()
-    copy, data = Qt.DropAction.CopyAction, QMimeData()
-    QApplication.sendEvent(bar, QDragEnterEvent(middle, copy, data, LEFT, NONE))
-    QApplication.sendEvent(bar, QDragMoveEvent(middle, copy, data, LEFT, NONE))
+    # The Timeline is the first tab.
+    for move in (QDragEnterEvent, QDragMoveEvent):
+        event = move(bar.tabRect(0).center(), Qt.DropAction.CopyAction, QMimeData(), LEFT, NONE)
+        QApplication.sendEvent(bar, event)
     qtbot.waitUntil(timeline.isVisible)
     y, place = next(
         (y, place)
