@@ -27,7 +27,7 @@ from skinsource_gui.panels.skin.settings import (
 )
 from skinsource_gui.plots.small_map import COLOURS, offer_arm
 from skinsource_gui.qt.buttons import tool_button
-from skinsource_gui.qt.fitting import FoldingRow
+from skinsource_gui.qt.fitting import FoldingRow, fit_to_letters
 from skinsource_gui.qt.keys import key_text
 from skinsource_gui.qt.layouts import in_row, named, show_tooltip, tooltip
 
@@ -136,6 +136,7 @@ class MeasureLine(QtWidgets.QWidget):
             self,
         )
         self.rms_window = NumberField(RMS_WINDOW, self, widest_unit="ms")
+        fit_to_letters(self.rms_window, 84)
         hint = tooltip(RMS_WINDOW.label, RMS_WINDOW.hint)
         named(self.rms_window, "skin_rms_window", RMS_WINDOW.label, hint)
         self.arm = tool_button(self, "map_arm", "Whole arm", _ARM_HINT, checkable=True)
@@ -208,7 +209,8 @@ class MeasureLine(QtWidgets.QWidget):
         )
         others = (part for part in (self.rms_window, self.arm) if not part.isHidden())
         advance = self.arm.fontMetrics().horizontalAdvance
-        room = self.width() - sum(part.sizeHint().width() for part in others)
+        widths = (min(part.sizeHint().width(), part.maximumWidth()) for part in others)
+        room = self.width() - sum(widths)
         room += advance(self.arm.text())
         fitting = (row for row in shortened if advance(row[0]) + self._width_of(row[1:]) <= room)
         arm, *words = next(fitting, shortened[-1])
