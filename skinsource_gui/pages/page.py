@@ -114,9 +114,9 @@ class ToolPage(QtWidgets.QDialog):
 
     def add_arm(self, name: str, follow: Callable[[bool], object]) -> QtWidgets.QPushButton:
         """Return the button before which nothing is sent to actuators, as in the panel Output."""
-        arm = page_button(name, "Arm", "Allow to play on the actuators")
+        arm = page_button(name, "Arm actuators", "Allow to play on the actuators")
         arm.setCheckable(True)
-        arm.toggled.connect(lambda on: arm.setText("Armed" if on else "Arm"))
+        arm.toggled.connect(lambda on: arm.setText("Actuators armed" if on else "Arm actuators"))
         arm.toggled.connect(follow)
         return arm
 

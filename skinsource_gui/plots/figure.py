@@ -103,6 +103,8 @@ class NoteLabel(QtWidgets.QLabel):
 
 _GAP_PX = 4.0
 _TICK_X_PX, _TICK_Y_PX = 60.0, 34.0
+# Height of digits, in lines of text.
+_DIGITS = 0.8
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -203,14 +205,17 @@ class Axes:
                 place = QRectF(x - width / 2, frame.bottom() + 2, width, line)
                 painter.drawText(place, centre | Qt.TextFlag.TextDontClip, tick.label)
                 written = x + width / 2 + _GAP_PX
+        written = np.inf
         for tick in self.y.ticks(frame.height(), _TICK_Y_PX):
             y = float(self.to_screen(np.array([self.x.shown[0]]), np.array([tick.value]))[0, 1])
             if grid:
                 painter.setPen(QtGui.QPen(QtGui.QColor(theme.grid), 1))
                 painter.drawLine(QLineF(frame.left(), y, frame.right(), y))
             painter.setPen(QtGui.QColor(theme.dim))
-            place = QRectF(0.0, y - line / 2, frame.left() - _GAP_PX, line)
-            painter.drawText(place, right, tick.label)
+            if tick.label and y + _DIGITS * line < written:
+                place = QRectF(0.0, y - line / 2, frame.left() - _GAP_PX, line)
+                painter.drawText(place, right, tick.label)
+                written = y
         painter.setPen(QtGui.QPen(QtGui.QColor(theme.border), 1))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawRect(frame)

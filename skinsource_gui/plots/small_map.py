@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6 import QtGui
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 
 from skinsource.base.conventions import Floats
@@ -27,6 +27,7 @@ from skinsource_gui.plots.colour_maps import VIRIDIS, colour_indices, colour_tab
 from skinsource_gui.plots.curves import fitting
 from skinsource_gui.plots.outputs import is_placed
 from skinsource_gui.qt.frames import Frame, fitted
+from skinsource_gui.qt.layouts import show_tooltip
 from skinsource_gui.qt.theme import Theme, is_on_paper, scaled, translucent
 
 Range = tuple[float, float]
@@ -411,6 +412,16 @@ def hand_bounds(limb_map: LimbMap, lengths: float = 1.01) -> QRectF:
     return box
 
 
+def offer_arm(button: QtWidgets.QAbstractButton, limb_maps: Sequence[LimbMap], hint: str) -> None:
+    """Enable what shows the arm where some of a limb lies below its hand; else say why not."""
+    has_arm = not limb_maps or any(
+        hand_bounds(limb_map).height() < bounds_of(limb_map.outline).height()
+        for limb_map in limb_maps
+    )
+    button.setEnabled(has_arm)
+    show_tooltip(button, hint if has_arm else "This limb has no arm")
+
+
 #: Shown where the user has fixed the range of colours.
 FIXED_MARK = "range fixed"
 MAP_RANGE = RangeSpec(label="Range", unit="dB")
@@ -573,7 +584,7 @@ def tick_text(
 SILENT = "silent"
 _LEVELS = "dB re 1 m/s²"
 _OF_OWN = (-MAP_RANGE_DB, 0.0)
-_RAMP_PX, _ABOVE_PX = 9.0, 2.0
+_RAMP_PX, _ABOVE_PX, _GAP_PX = 9.0, 2.0, 3.0
 _CENTRE = Qt.AlignmentFlag.AlignCenter
 # Numbers of ticks: of levels, of differences with zero in the middle, and of narrow scales.
 _TICKS, _SIGNED_TICKS, _FEW_TICKS = 6, 5, 3
@@ -686,6 +697,12 @@ def paint_ramp(painter: QtGui.QPainter, ramp: QRectF, scale: ColourScale, theme:
     n_ticks = _SIGNED_TICKS if scale.signed else _TICKS
     if ramp.width() < 3.0 * line * n_ticks:
         n_ticks = _FEW_TICKS
+    ends = (
+        tick_text(end, (low, high), scale.reached_db, signed=scale.signed) for end in (low, high)
+    )
+    widest = max(map(painter.fontMetrics().horizontalAdvance, ends))
+    # Fewer where they would run into each other: both ends, or none.
+    n_ticks = next((n for n in (n_ticks, 2) if (n - 1) * (widest + _GAP_PX) <= ramp.width()), 0)
     for value in np.linspace(low, high, n_ticks):
         x = ramp.left() + (value - low) / (high - low) * ramp.width()
         text_area = QRectF(x - 3.0 * line, ramp.bottom(), 6.0 * line, line)

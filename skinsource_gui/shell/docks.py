@@ -253,6 +253,9 @@ def _prepare(bar: QtWidgets.QTabBar) -> None:
     bar.setFocusPolicy(Qt.FocusPolicy.NoFocus)
     bar.setDrawBase(False)
     bar.setExpanding(False)
+    # A preset is dragged over a tab, and then into its panel.
+    bar.setAcceptDrops(True)
+    bar.setChangeCurrentOnDrag(True)
     # Names are not cut; where there is no room, arrows lead to the others.
     bar.setElideMode(Qt.TextElideMode.ElideNone)
     bar.setUsesScrollButtons(True)

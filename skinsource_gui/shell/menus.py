@@ -56,7 +56,9 @@ def fill_menu_bar(
         if spec.name in submenus:
             menu.addMenu(submenus[spec.name])
     # It stands where snapshots are stored, too.
-    menus["Edit"].insertAction(actions["take_snapshot"], actions["compare_side_by_side"])
+    within["Edit", "Snapshots"].insertAction(
+        actions["take_snapshot"], actions["compare_side_by_side"]
+    )
     shown = menus["View"].addMenu("Panels")
     for action in panels:
         shown.addAction(action)
@@ -303,7 +305,9 @@ class ActionSet(QObject):
             action.setIconText(spec.short)
         action.setShortcuts([QtGui.QKeySequence(key) for key in spec.keys])
         _explain(action, spec)
-        action.setStatusTip(spec.hint)
+        if spec.group != "workspace":
+            # Their buttons stay below the mouse, and what happened is told meanwhile.
+            action.setStatusTip(spec.hint)
         action.setProperty(KEYWORDS, spec.keywords)
         action.setCheckable(spec.checked is not None or bool(spec.group))
         if spec.edit is not None:

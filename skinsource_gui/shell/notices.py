@@ -440,7 +440,7 @@ class Installations(QObject):
         sentences = []
         if installed:
             sentences.append(
-                f"{', '.join(installed)}: installed, choose it under Limb above the panels"
+                f"{', '.join(installed)}: installed, choose it beside Search, above the panels"
             )
         if removed:
             sentences.append(f"{', '.join(removed)}: no longer installed")

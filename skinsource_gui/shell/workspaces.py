@@ -11,6 +11,7 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QByteArray, QEvent, QObject, QPointF, QSize, Qt, QTimer, Signal
 
 from skinsource.design.panel_settings import STAGE
+from skinsource_gui.qt.theme import letter_scale
 from skinsource_gui.qt.windows import WindowEvents
 from skinsource_gui.shell.appearance import Appearance
 from skinsource_gui.shell.docks import Dock, KeyboardKeeper
@@ -72,8 +73,9 @@ class Workspace:
     folds: tuple[Split, ...] = ()
 
 
-#: Panels that fold out of the lower edge of the window.
-_BELOW = ("library",)
+#: Panels that fold out of the lower edge of a window that leaves its docks this height, in letters
+#: of the usual size; in a lower one they come up as tabs.
+_BELOW, _HIGH_PX = ("library",), 800
 #: The workspace for an audience.
 PRESENTATION = "presentation"
 
@@ -174,6 +176,8 @@ class Workspaces(QObject):
         self._moved = self._is_arranging = False
         # Parts of the workspace that are tabs, since the window is too small.
         self._folded: tuple[Split, ...] = ()
+        # Those that fold out of the lower edge.
+        self._below: tuple[str, ...] = ()
         self._arranged: _State = {}
         self._at_press = b""
         # The workspace before a scene took up its own.
@@ -318,7 +322,7 @@ class Workspaces(QObject):
         # Letters of another size share no room before the docks stand.
         self._moved = True
         self._preferences.arrangement = workspace.name
-        self._folded = self._folds()
+        self._folded, self._below = self._folds(), self._fold_out()
         in_sight = tuple(workspace.split.panels())
         with self._arranging():
             for dock in self._docks.values():
@@ -327,14 +331,14 @@ class Workspaces(QObject):
             self._window.addDockWidget(
                 Qt.DockWidgetArea.TopDockWidgetArea, self._docks[in_sight[0]]
             )
-            for panel in _BELOW:
+            for panel in self._below:
                 self._window.splitDockWidget(self._docks[in_sight[0]], self._docks[panel], _DOWN)
             self._place(workspace.split)
             for panel, neighbour in workspace.beside.items():
                 # A dock that is a tab takes no other one beside it.
                 self._window.splitDockWidget(self._docks[neighbour], self._docks[panel], _ACROSS)
             for panel, dock in self._docks.items():
-                if panel not in (*in_sight, *workspace.beside, *_BELOW):
+                if panel not in (*in_sight, *workspace.beside, *self._below):
                     host = workspace.hosts.get(panel, workspace.host)
                     self._window.tabifyDockWidget(self._docks[host], dock)
                 dock.setVisible(panel in in_sight)
@@ -381,6 +385,10 @@ class Workspaces(QObject):
             if least.width() <= room.width() and least.height() <= room.height():
                 break
         return self._folded
+
+    def _fold_out(self) -> tuple[str, ...]:
+        high = self._room().height() >= _HIGH_PX * letter_scale(self._window.font())
+        return _BELOW if high else ()
 
     def _share(self, split: Split, room: QSize) -> None:
         gap_px = self._window.style().pixelMetric(_GAP)
@@ -453,8 +461,8 @@ class Workspaces(QObject):
         """Share the room anew among docks that were not moved."""
         if not self._untouched:
             return
-        folded = self._folded
-        if self._folds() != folded:
+        before = self._folded, self._below
+        if (self._folds(), self._fold_out()) != before:
             self._show(self._present.name)
         else:
             self._settling.start()
@@ -471,7 +479,7 @@ class Workspaces(QObject):
     def _unfold(self, panel: str) -> None:
         """Give a panel its first room, at the lower edge or beside another one."""
         dock, neighbour = self._docks[panel], self._present.beside.get(panel)
-        if panel in _BELOW:
+        if panel in self._below and not self._window.tabifiedDockWidgets(dock):
             height = dock.panel.sizeHint().height()
             above = self._docks[_edge(self._present.split)]
             rest = above.height() + dock.height() - height

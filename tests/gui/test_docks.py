@@ -222,16 +222,21 @@ def test_the_right_button_and_keys_float_and_close_a_panel(active, qtbot):
     assert active.docks["inspector"].isHidden()
 
 
-def test_the_library_folds_out_of_the_lower_edge(window, settle):
-    window.resize(1366, 768)
+@pytest.mark.parametrize(("height", "behind"), [(968, set()), (736, {"timeline"})])
+def test_the_library_folds_out_of_the_lower_edge_and_is_a_tab_in_a_low_window(
+    window, settle, height, behind
+):
+    window.resize(1366, height)
     settle()
-    before = in_sight(window)
-    window.docks["library"].bring_forward()
+    before, library, skin = in_sight(window), window.docks["library"], window.docks["skin"]
+    room = skin.size()
+    library.bring_forward()
     settle()
-    library = window.docks["library"]
-    assert in_sight(window) == before | {"library"}
-    assert library.width() == window.width()
-    assert 0.2 * window.height() <= library.height() <= library.panel.sizeHint().height()
+    assert in_sight(window) == before - behind | {"library"}
+    assert (library.width() < window.width()) is bool(behind)
+    assert 0.2 * window.height() <= library.height() <= 0.4 * window.height()
+    # As a tab it takes no room from others.
+    assert (skin.size() == room) is bool(behind)
 
 
 @pytest.mark.parametrize("workspace", [workspace.name for workspace in WORKSPACES[1:]])

@@ -11,6 +11,7 @@ from skinsource.base.errors import InvalidInputError, sentence
 from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, View
+from skinsource.design.edits.cutting import faded_ends
 from skinsource.design.edits.edit import Edit, Refusal, leading_clip
 from skinsource.design.edits.effects import bake_clip, time_effects_end
 from skinsource.design.effects.breakpoints import Points, with_point_after
@@ -319,6 +320,7 @@ class EnvelopeEdits(PointEdits):
         return envelopes[-1].points if envelopes else UNCHANGED
 
 
+_FADES = "Dashed: fades, changed in the timeline or under Effects"
 _NO_GLIDE = Refusal(sentence="The clip does not play a glide; choose that waveform first.")
 _ZOOM = 1.5
 
@@ -450,7 +452,9 @@ class ClipEditorPanel(Panel):
         text = _description(clip, self.design)
         if self.view.selected_input in self._unplayable and not clip.muted:
             text = f"{text} · cannot be played"
-        self._toolbar.show_text(text, enabled=True, hint=self._canvas.tool.hint)
+        tool = self._canvas.tool
+        fades = tool is self._envelope.tool and any(faded_ends(clip))
+        self._toolbar.show_text(text, enabled=True, hint=_FADES if fades else tool.hint)
 
     def _sampled(self, clip: Clip) -> Floats | None:
         """Return what the clip plays before its effects; it is sampled once for each waveform."""

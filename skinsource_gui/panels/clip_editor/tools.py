@@ -13,6 +13,7 @@ from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
 
 from skinsource.base.conventions import Floats
 from skinsource.base.errors import InvalidInputError
+from skinsource.design.edits.cutting import faded_ends
 from skinsource.design.effects import breakpoints as algebra
 from skinsource.design.effects.breakpoints import Points
 from skinsource.signals.synthesis import Column, Stroke, drawn_over, zeroed
@@ -548,6 +549,8 @@ class EnvelopeTool(Tool):
         # Qt paints four thin lines in a sixth of the time of one line of 2 px.
         for right, down in product((-0.5, 0.5), repeat=2):
             painter.drawPath(curve.translated(right, down))
+        if self._style is _ENVELOPE:
+            _paint_fades(painter, content, colour)
         if self._style.mirrored:
             painter.setPen(QtGui.QPen(colour, 1, Qt.PenStyle.DotLine))
             painter.drawPath(arrayToQPath(x, content.curve(times, -values)[1], finiteCheck=False))
@@ -570,6 +573,17 @@ class EnvelopeTool(Tool):
 
     def _bend(self, index: int, segment: Segment) -> None:
         self.changed.emit(algebra.with_segment(self._points(), index, segment), None)
+
+
+def _paint_fades(painter: QtGui.QPainter, content: EditorContent, colour: QtGui.QColor) -> None:
+    """Paint what fades the ends, dashed as in the timeline, where it is changed."""
+    ends = faded_ends(content.clip)
+    painter.setPen(QtGui.QPen(colour, 1.5, Qt.PenStyle.DashLine))
+    for start_s, way, end in zip((0.0, content.clip.duration_s), (1, -1), ends, strict=True):
+        if end is not None:
+            inside_s, levels = end.course(fades_out=way < 0)
+            x, y = content.curve(start_s + way * inside_s, levels)
+            painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
 
 
 def _envelope_places(content: EditorContent, points: Points) -> tuple[Floats, Floats]:

@@ -56,7 +56,7 @@ from skinsource_gui.plots.curves import output_names
 from skinsource_gui.plots.figure import Axis, Figure, shrunk
 from skinsource_gui.plots.pictures import common_title
 from skinsource_gui.plots.ranges import Tick, readable_ticks
-from skinsource_gui.plots.small_map import Range
+from skinsource_gui.plots.small_map import Range, offer_arm
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.frames import CachedPicture, Same
 from skinsource_gui.qt.keys import KEYS
@@ -347,7 +347,7 @@ class StagePanel(MapsPanel):
         named(self.arm, "stage_arm", hint=keys["arm"].hint)
         self.knob.dial.setToolTip(keys["fit"].hint)
         self.arm.clicked.connect(self.show_arm)
-        self.maps.arm_shown.connect(self.arm.setChecked)
+        self.maps.arm_shown.connect(self._follow_arm)
         self._switches = in_column(self.arm, self.switch, margins=0)
         self._line = in_row((self.caution, 1), self._switches)
         self.named: Callable[[], str] = str
@@ -468,6 +468,13 @@ class StagePanel(MapsPanel):
         if self.maps.content.cells:
             self.maps.arm = self.maps.places.low
             self.maps.show_content(self.maps.content)
+
+    def _follow_arm(self, shown: bool) -> None:
+        self.arm.setChecked(shown)
+        smalls = [cell.small for cell in self.maps.content.cells if cell.small is not None]
+        offer_arm(
+            self.arm, [small.limb_map for small in smalls], KEYS["presenting"].gestures["arm"].hint
+        )
 
     def _change(self, **changes: Any) -> None:
         stage = replace(settings_of(self.view, STAGE, StageSettings), **changes)

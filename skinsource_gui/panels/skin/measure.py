@@ -25,12 +25,13 @@ from skinsource_gui.panels.skin.settings import (
     SkinSettings,
     with_range,
 )
-from skinsource_gui.plots.small_map import COLOURS
+from skinsource_gui.plots.small_map import COLOURS, offer_arm
 from skinsource_gui.qt.buttons import tool_button
+from skinsource_gui.qt.fitting import FoldingRow, fit_to_letters
 from skinsource_gui.qt.keys import key_text
 from skinsource_gui.qt.layouts import in_row, named, show_tooltip, tooltip
 
-_ARROW = " ▾"
+_ARROW, _ARM_HINT = " ▾", f"Show hand and arm ({key_text('skin', 'arm')})"
 
 
 def offer(
@@ -86,10 +87,12 @@ class MeasureWord(QtWidgets.QToolButton):
             super().keyPressEvent(event)
 
     def width_of(self, word: str) -> int:
-        """Return how wide it is with a word; without one it is hidden."""
-        metrics, shown = self.fontMetrics(), self.text()
-        more = metrics.horizontalAdvance(word + _ARROW) - metrics.horizontalAdvance(shown)
-        return self.sizeHint().width() + more if word else 0
+        """Return how wide it is with a word, whatever it shows; without one it is hidden."""
+        shown, words = (
+            self.fontMetrics().size(Qt.TextFlag.TextShowMnemonic, text).width()
+            for text in (self.text(), word + _ARROW)
+        )
+        return self.sizeHint().width() - shown + words if word else 0
 
     def show_word(self, word: str) -> None:
         """Show the present choice, perhaps in short."""
@@ -133,18 +136,15 @@ class MeasureLine(QtWidgets.QWidget):
             self,
         )
         self.rms_window = NumberField(RMS_WINDOW, self, widest_unit="ms")
+        fit_to_letters(self.rms_window, 84)
         hint = tooltip(RMS_WINDOW.label, RMS_WINDOW.hint)
         named(self.rms_window, "skin_rms_window", RMS_WINDOW.label, hint)
-        self.arm = tool_button(
-            self,
-            "map_arm",
-            "Whole arm",
-            f"Show hand and arm ({key_text('skin', 'arm')})",
-            checkable=True,
-        )
+        self.arm = tool_button(self, "map_arm", "Whole arm", _ARM_HINT, checkable=True)
         self._words = (self.quantity, self.axes, self.span, self.unit)
         row = (self.quantity, self.axes, self.span, self.rms_window, self.unit)
-        in_row(*row, None, self.arm, of=self, margins=0, gap_px=0)
+        words = FoldingRow(row, 0, left=True)
+        line = in_row((words, 1), self.arm, of=self, margins=0, gap_px=0)
+        line.setAlignment(self.arm, Qt.AlignmentFlag.AlignTop)
         self.rms_window.edited.connect(lambda window_s, _: self._choose("rms_window_s", window_s))
 
     def show_state(
@@ -152,6 +152,8 @@ class MeasureLine(QtWidgets.QWidget):
     ) -> None:
         """Show what the map shows, and how it is looked at."""
         before = self._content.quantity, self._settings, self._view.axes
+        if content.limb_map not in (None, self._content.limb_map):
+            offer_arm(self.arm, (content.limb_map,), _ARM_HINT)
         self._design, self._view, self._settings = design, view, settings
         self._content = content
         if before == (content.quantity, settings, view.axes):
@@ -164,7 +166,7 @@ class MeasureLine(QtWidgets.QWidget):
         self._fit()
 
     def minimumSizeHint(self) -> QSize:
-        # With less room, words are hidden; the actions that Ctrl+K finds stay.
+        # With less room, the words stand in several rows.
         metrics = self.arm.fontMetrics()
         narrower = metrics.horizontalAdvance(self.arm.text()) - metrics.horizontalAdvance("Arm")
         least = self.quantity.sizeHint().width() + self.arm.sizeHint().width() - narrower
@@ -195,7 +197,7 @@ class MeasureLine(QtWidgets.QWidget):
         *axes, how = signal.split(", ")
         method = f"{''.join(axes)} {how.split(' ')[0]}".lstrip()
         shorter = method if combined else signal.split(" t")[0]
-        brief, least = what.replace("Sensation level", "Sensation"), shorter.split(" ")[0]
+        brief = what.replace("Sensation level", "Sensation")
         length = over.split(", ")[-1].removeprefix("loudest ")
         shortened = (
             ("Whole arm", what, signal, over, unit),
@@ -204,12 +206,11 @@ class MeasureLine(QtWidgets.QWidget):
             ("Whole arm", brief, shorter, over.split(" ", 1)[-1], short_unit),
             ("Whole arm", brief, shorter, length, short_unit),
             ("Arm", brief, shorter, length, short_unit),
-            ("Arm", brief, least, length, short_unit),
-            ("Arm", brief, least, "", self._content.quantity.matched),
         )
         others = (part for part in (self.rms_window, self.arm) if not part.isHidden())
         advance = self.arm.fontMetrics().horizontalAdvance
-        room = self.width() - sum(part.sizeHint().width() for part in others)
+        widths = (min(part.sizeHint().width(), part.maximumWidth()) for part in others)
+        room = self.width() - sum(widths)
         room += advance(self.arm.text())
         fitting = (row for row in shortened if advance(row[0]) + self._width_of(row[1:]) <= room)
         arm, *words = next(fitting, shortened[-1])

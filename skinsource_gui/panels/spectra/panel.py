@@ -85,7 +85,7 @@ _SCALINGS = {
         f"{1 / HOLD_WINDOW_S:.0f} Hz apart; levels: loudest {_LOUDEST}",
         f"amplitude in the loudest {_HOLD} of each frequency; levels: {_LOUDEST}",
         f"loudest {_HOLD}; levels: {_LOUDEST}",
-        "loudest",
+        f"loudest {_HOLD}",
     ),
 }
 _QUANTITIES = {"record": "selected_spectra", "loudest": "selected_peak_spectra"}

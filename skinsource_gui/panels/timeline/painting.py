@@ -4,10 +4,9 @@ Lanes are kept as a picture, into which only lanes that look different are paint
 """
 
 from collections.abc import Hashable, Sequence
-from dataclasses import replace
+from math import inf
 from typing import Any
 
-import numpy as np
 import pyqtgraph
 from PySide6 import QtGui
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
@@ -26,7 +25,7 @@ from skinsource_gui.qt.theme import Theme, current_theme, dots_in_px, translucen
 _ROUNDING_PX = 3.0
 _LABEL_FROM_PX = 40.0
 _BODY_ALPHA, _PALE_BODY_ALPHA, _SELECTED_ALPHA = 46, 18, 84
-_PALE, _FADE_POINTS = 0.45, 17
+_PALE = 0.45
 _HANDLE_PX = 5.0
 
 
@@ -72,7 +71,13 @@ def paint_clip(
     # Over the lines of fades: the name is read first.
     if shown.width() >= _LABEL_FROM_PX:
         text = f"{clip_name(clip)}{' · updating…' if clip.id in content.awaited else ''}"
-        _write(painter, text, box.rect, shown, theme, pale=pale)
+        # As far as the next clip, which has a name of its own.
+        own, clips = (clip.onset_s, clip.id), box.lane.track.clips
+        after = [each.onset_s for each in clips if (each.onset_s, each.id) > own]
+        end = content.scale.x(min(after, default=inf))
+        free = shown.adjusted(0, 0, min(end - shown.right(), 0), 0)
+        if free.width() >= _LABEL_FROM_PX:
+            _write(painter, text, box.rect, free, theme, pale=pale)
     _paint_frame(painter, box.rect, shown, theme, colour, selected=selected, edited=edited)
     if handles:
         _paint_handles(painter, box, QtGui.QColor(theme.text))
@@ -163,11 +168,8 @@ def _paint_fades(painter: QtGui.QPainter, box: Box, px_per_s: float, colour: QtG
     painter.setPen(QtGui.QPen(colour, 1, Qt.PenStyle.DashLine))
     for start, way, end in zip((rect.left(), rect.right()), (1, -1), box.ends, strict=True):
         if end is not None:
-            inside_s = np.linspace(0.0, end.length_s, _FADE_POINTS)
-            whole_s = end.fade.in_s if way > 0 else end.fade.out_s
-            fade = replace(end.fade, in_s=whole_s, out_s=0.0)
-            heights = fade.values_at(end.cut_s + inside_s, 2 * whole_s)
-            x, y = start + way * px_per_s * inside_s, rect.bottom() - heights * rect.height()
+            inside_s, levels = end.course(fades_out=way < 0)
+            x, y = start + way * px_per_s * inside_s, rect.bottom() - levels * rect.height()
             painter.drawPolyline(QtGui.QPolygonF(list(map(QPointF, x, y))))
 
 

@@ -247,24 +247,34 @@ def test_the_wave_cautions_where_inputs_at_several_places_sound(show, window, se
         assert ("waves of several inputs overlap" in panel.note_label.whole) is overlap
 
 
-def numbers_below(width, scale, x):
-    """Numbers below an axis, each with where it begins and ends, from left to right."""
+def numbers_at(width, scale, x, height=200, *, beside=False):
+    """Numbers below axes, or beside them, each with where it begins and ends along its axis."""
     written = []
 
     class Noting(QPainter):
-        def drawText(self, *what):
+        def drawText(self, room, flags, text):
             # Those beside the axis of y begin at the edge.
-            if what[0].left() > 0:
-                written.append((what[0].left(), what[0].right(), what[2]))
+            if (room.left() == 0) is beside and text not in ("", x.title, LEVEL.title):
+                ends = (room.top(), room.bottom()) if beside else (room.left(), room.right())
+                written.append((*ends, text))
 
-    image = QImage(width, 200, QImage.Format.Format_Grayscale8)
+    image = QImage(width, height, QImage.Format.Format_Grayscale8)
     painter = Noting(image)
     painter.setFont(scaled(QFont("Sans", 10), scale))
-    axes = fitted_axes(QRectF(0, 0, width, 200), x, LEVEL, QFontMetricsF(painter.font()))
+    axes = fitted_axes(QRectF(0, 0, width, height), x, LEVEL, QFontMetricsF(painter.font()))
     axes.paint(painter, LIGHT)
     painter.end()
     assert axes.frame.width() > 0.3 * width
-    return [number for number in written if number[2] not in ("", x.title, LEVEL.title)]
+    return written
+
+
+@pytest.mark.parametrize("height", [50, 56, 62, 80, 200])
+def test_numbers_beside_a_low_axis_do_not_lie_on_each_other(qapp, height):
+    beside = numbers_at(400, 1.0, WIDE[1], height, beside=True)
+    assert beside
+    # Digits are lower than a line.
+    for (low, end, _), (high, _, _) in pairwise(beside):
+        assert low - high > 0.75 * (end - low)
 
 
 LEVEL = Axis(shown=(-60.0, 20.0), title="dB")
@@ -281,7 +291,7 @@ WIDE = (
     ("width", "scale"), [(200, 1.0), (200, 1.75), (240, 2.0), (303, 1.75), (600, 3.0), (900, 1.0)]
 )
 def test_no_number_of_an_axis_is_cut_or_lies_on_another(qapp, width, scale, x):
-    numbers = numbers_below(width, scale, x)
+    numbers = numbers_at(width, scale, x)
     assert numbers
     metrics = QFontMetricsF(scaled(QFont("Sans", 10), scale))
     for (_, end, _), (begin, _, _) in pairwise(numbers):

@@ -3,10 +3,12 @@
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QPainter, QPixmap
 from PySide6.QtTest import QTest
 
-from skinsource.design.effects.level import Envelope
+from skinsource.design.effects.level import UNCHANGED, Envelope, Fade
 from skinsource_gui.panels.clip_editor import tools
+from skinsource_gui.qt.theme import LIGHT
 from tests.gui.clip_editor.bench import ALT, LEFT, NONE, RIGHT, SHIFT, whole
 from tests.gui.menus import lines_at
 
@@ -35,6 +37,30 @@ def test_a_click_on_the_curve_adds_a_point_that_is_dragged_alone(tone):
     # A double click puts a point anywhere.
     QTest.mouseDClick(tone.canvas.viewport(), LEFT, NONE, whole(tone.at(0.05, 0.2)))
     assert points(tone)[1][:2] == pytest.approx((0.05, 0.2), abs=0.02)
+
+
+def test_fades_are_seen_around_the_envelope_and_change_elsewhere(tone):
+    def dashed(*effects):
+        paths, picture = [], QPixmap(10, 10)
+
+        class Painter(QPainter):
+            def drawPath(self, path):
+                if self.pen().style() == Qt.PenStyle.DashLine:
+                    paths.append(path.boundingRect().getCoords())
+
+        tone.show(tone.design.with_clip(1, effects=effects))
+        painter = Painter(picture)
+        tone.canvas.tool.paint(painter, tone.canvas.content, LIGHT)
+        painter.end()
+        return paths
+
+    def box(start_s, end_s):
+        first, last = tone.at(start_s, 1), tone.at(end_s, 0)
+        return pytest.approx((first.x(), first.y(), last.x(), last.y()), abs=1)
+
+    assert dashed(Envelope(UNCHANGED)) == []
+    assert dashed(Fade(0.08, 0.05), Envelope(UNCHANGED)) == [box(0, 0.08), box(0.15, 0.2)]
+    assert "Effects" in tone.panel._toolbar._description.toolTip()
 
 
 def test_a_segment_goes_up_and_down_as_a_whole(tone):

@@ -3,10 +3,10 @@
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QDragEnterEvent, QDropEvent, QGuiApplication
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt
+from PySide6.QtGui import QDragEnterEvent, QDragMoveEvent, QDropEvent, QGuiApplication
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDialogButtonBox, QMessageBox
+from PySide6.QtWidgets import QApplication, QDialogButtonBox, QMessageBox, QTabBar
 
 from skinsource import Design, View, track
 from skinsource.design.clips import Clip, Fragment, Lane
@@ -124,14 +124,19 @@ def drop(window, qtbot):
 
 
 def test_a_preset_goes_where_it_is_dropped_and_elsewhere_to_the_selected_track(
-    window, drop, settle
+    window, drop, settle, qtbot
 ):
     document, diagram = window.document, window.panel("hand").diagram
     drop("Heartbeat", diagram.mapTo(window, diagram.site_centre(13)))
     new = document.design.inputs[-1]
     assert (new.location, len(new.clips)) == (13, 6)
     settle()
-    timeline = window.panel("timeline")
+    timeline, (bar,) = window.panel("timeline"), window.findChildren(QTabBar)
+    # The Timeline is the first tab.
+    for move in (QDragEnterEvent, QDragMoveEvent):
+        event = move(bar.tabRect(0).center(), Qt.DropAction.CopyAction, QMimeData(), LEFT, NONE)
+        QApplication.sendEvent(bar, event)
+    qtbot.waitUntil(timeline.isVisible)
     y, place = next(
         (y, place)
         for y in range(timeline.height())

@@ -1,8 +1,11 @@
 """The measure line and the colour range: what the numbers on the map are, and their colours."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt, QTimer
+from PySide6.QtCore import QPoint, QRectF, Qt, QTimer
+from PySide6.QtGui import QFont, QPainter, QPixmap
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
@@ -10,7 +13,8 @@ from skinsource.design.design import Snapshot
 from skinsource.design.labels import AXES, METHODS, SPANS
 from skinsource.signals.map_range import map_range_db
 from skinsource_gui.panels.skin.settings import LEVELS, MAGNITUDE, SENSATION, Z
-from skinsource_gui.plots.small_map import COLOURS
+from skinsource_gui.plots.small_map import COLOURS, ColourScale, paint_ramp
+from skinsource_gui.qt.theme import LIGHT
 from skinsource_gui.state.compared import Compared
 from tests.gui.skin.bench import CONTROL, LEFT, PLAIN, choose, drag, entries
 
@@ -49,7 +53,7 @@ def test_every_choice_is_explained_in_the_words_of_the_page(window):
             assert " ".join(hint.split()) == each.sentence
 
 
-@pytest.mark.parametrize("width", [700, 414])
+@pytest.mark.parametrize("width", [700, 414, 240])
 def test_how_axes_are_combined_is_told_in_any_width(window, width):
     window.panel.resize(width, 640)
     said = set()
@@ -103,8 +107,21 @@ def test_where_there_is_little_room_words_are_short_and_nothing_is_cut(window, q
         shown = [part for part in line.findChildren(type(line.axes)) if part.isVisible()]
         for part in (*shown, line.arm):
             assert part.width() >= part.sizeHint().width()
-            assert part.geometry().right() < line.width()
-        assert len(shown) == 4 or width < 420
+            assert part.visibleRegion().boundingRect() == part.rect()
+        assert len(shown) == 4
+
+
+def test_a_word_needs_the_same_room_whatever_it_shows_in_letters_of_broken_widths(window):
+    word = window.panel.measure.span
+    font = word.font()
+    font.setLetterSpacing(QFont.SpacingType.AbsoluteSpacing, 0.3)
+    word.setFont(font)
+    widths = set()
+    for shown in ("record, 1.32 s", "1.32 s", "100 ms", "whole record, 1.32 s"):
+        word.show_word(shown)
+        assert word.width_of(shown) == word.sizeHint().width()
+        widths.add(word.width_of("record, 1.32 s"))
+    assert len(widths) == 1
 
 
 @pytest.mark.parametrize("gain", [1.0, 0.5])
@@ -155,6 +172,22 @@ def test_the_automatic_range_spans_snapshots_too_as_loud_as_they_are_shown(windo
     assert window.panel.needs_of_snapshots == frozenset()
     window.deliver()
     assert window.panel.colour_bar.value_range == (-60.0, -10.0)
+
+
+@pytest.mark.parametrize("width", [20, 40, 60, 120])
+def test_numbers_of_a_colour_bar_stand_beside_each_other(qapp, width):
+    written = []
+
+    class Painter(QPainter):
+        def drawText(self, room, flags, text):
+            written.append(self.boundingRect(room, flags, text))
+
+    picture, scale = QPixmap(200, 60), ColourScale(range_db=(-60.0, -10.0), text_below="")
+    painter = Painter(picture)
+    paint_ramp(painter, QRectF(40, 5, width, 10), scale, LIGHT)
+    painter.end()
+    assert len(written) >= 2 or width == 20
+    assert all(one.right() < other.left() for one, other in pairwise(written))
 
 
 def ends(strip):

@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, QRect, QRectF, Qt
@@ -47,6 +49,14 @@ def test_a_drag_with_the_middle_button_pans(window):
     drag(view, QPoint(100, 100), QPoint(130, 160), button=MIDDLE)
     assert place(window, 25) - before == QPoint(30, 60)
     assert window.views == []
+
+
+def test_where_there_is_no_arm_its_button_says_so(window, results):
+    arm, whole = window.panel.measure.arm, results["limb_map"]
+    window.deliver(limb_map=replace(whole, hand_length_px=2.0 * np.ptp(whole.outline[:, 1])))
+    assert (arm.isEnabled(), "no arm" in arm.toolTip()) == (False, True)
+    window.deliver()
+    assert (arm.isEnabled(), "no arm" in arm.toolTip()) == (True, False)
 
 
 @pytest.mark.parametrize("way", ["Z", "Z on a word", "button", "double click"])

@@ -12,6 +12,7 @@ from skinsource import Clip, Design, Input, View, edits
 from skinsource.design.effects.level import Fade
 from skinsource.design.signal_path import UnplayableInput
 from skinsource.design.waveforms.pulses import Tap
+from skinsource_gui.panels.timeline import painting
 from skinsource_gui.plots.preview import ClipPictures, ClipStyle
 from skinsource_gui.qt.theme import DARK, apply_theme, current_theme
 from tests.gui.timeline.bench import ALT, TONE, LanesBench, results_of
@@ -218,3 +219,15 @@ def test_crests_between_samples_are_as_high_as_they_are(reach, part):
     crests = tops[10:-10].reshape(-1, 50).min(axis=1)
     assert np.abs(crests - 201 / 4).max() <= 3
     assert pictures.waves == pictures.painted == 1
+
+
+def test_names_of_clips_that_overlap_do_not_lie_on_each_other(four_lanes, monkeypatch):
+    rooms = set()
+    monkeypatch.setattr(
+        painting, "_write", lambda _, text, rect, free, *look, **pale: rooms.add(free.getCoords())
+    )
+    clips = tuple(Clip(onset_s=0.1 * k, waveform=TONE) for k in range(2))
+    four_lanes.show(Design(limb="synthetic-1", inputs=(Input(location=1, clips=clips),)))
+    settled(four_lanes)
+    (_, _, end, _), (begin, _, _, _) = sorted(rooms)
+    assert end <= begin

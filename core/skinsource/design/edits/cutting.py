@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from skinsource.base.conventions import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.clips import LATEST_S, MAX_EFFECTS, ONSET, Clip, numbered
 from skinsource.design.design import Design, Input, View
@@ -33,6 +34,8 @@ from skinsource.specs.models import specs_of
 
 #: Times that differ by less are the same.
 SAME_S = 1e-9
+# Of its course.
+_FADE_POINTS = 17
 #: Shortest clip that dragging an end can make.
 SHORTEST_S = 0.001
 _TOO_MANY_EFFECTS = (
@@ -244,6 +247,13 @@ class FadedEnd:
     length_s: float
     cut_s: float
     behind_trim: bool
+
+    def course(self, *, fades_out: bool) -> tuple[Floats, Floats]:
+        """Return times since its end of the clip, s, and the levels there, some of each."""
+        inside_s = np.linspace(0.0, self.length_s, _FADE_POINTS)
+        whole_s = self.fade.out_s if fades_out else self.fade.in_s
+        fade = replace(self.fade, in_s=whole_s, out_s=0.0)
+        return inside_s, fade.values_at(self.cut_s + inside_s, 2 * whole_s)
 
 
 def faded_ends(clip: Clip) -> tuple[FadedEnd | None, FadedEnd | None]:
