@@ -4,6 +4,7 @@ Each class of actions opens one page, and carries out what is chosen there.
 """
 
 import importlib
+from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -57,16 +58,17 @@ def options(design: Design, view: View, place: DropPlace | None) -> tuple[tuple[
     """Return name and text of each place that a recording can go to, the likeliest one first."""
     at, selected = place or DropPlace(), leading_input(design, view)
     ids = view.selected_inputs[-1:] if at.input_id is None else (at.input_id,)
-    tracks = [
-        (f"track {track.id}", f"Track at {location_text(track.location, design.limb)}")
-        for track in design.inputs
-        if track.id in ids
-    ]
+    at_place, tracks = Counter(track.location for track in design.inputs), []
+    # The selected one comes first.
+    for track in sorted(design.inputs, key=lambda track: track.id not in ids):
+        text = f"Track at {location_text(track.location, design.limb)}"
+        row = f", row {design.index_of(track.id) + 1}" if at_place[track.location] > 1 else ""
+        tracks.append((f"track {track.id}", text + row))
     first = at.location or (usual_location(design.limb) if selected is None else selected.location)
     locations = [first, *(k for k in range(1, facts_of(design.limb).n_inputs + 1) if k != first)]
     new = [(f"new {k}", f"New input at {location_text(k, design.limb)}") for k in locations]
-    if at.location is not None and at.input_id is None:
-        return (*new, *tracks)
+    if not ids or (at.location is not None and at.input_id is None):
+        return (new[0], *tracks, *new[1:])
     instead = None if place is not None else _instead(design, view)
     if instead is None:
         return (*tracks, *new)

@@ -10,8 +10,9 @@ from hypothesis import strategies as st
 
 from skinsource import View, edits
 from skinsource.base.errors import FileFormatError, InvalidInputError
-from skinsource.design.clips import MAX_CLIPS, MAX_EFFECTS, Clip, Marker
+from skinsource.design.clips import MAX_CLIPS, MAX_EFFECTS, ONSET, Clip, Marker
 from skinsource.design.design import MAX_INPUTS, Design, Input, track
+from skinsource.design.edits.clips import copy_behind
 from skinsource.design.edits.cutting import faded_ends
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.effects import Envelope, Fade, Rectify, Repeat, Reverse, Stretch, Trim
@@ -170,6 +171,34 @@ def test_duplicates_come_right_after_and_repetitions_in_a_row():
     thrice = edits.repeat_clips(DESIGN, VIEW, (5,), 4)
     assert [clip.onset_s for clip in thrice.design.inputs[2].clips] == [0.3, 0.7, 1.1, 1.5]
     assert thrice.view.selected_clips == (6, 7, 8)
+
+
+@few
+@given(some_ids)
+def test_copies_behind_lie_on_no_other_clip_and_as_near_as_they_can(ids):
+    # The first track has a hole of 0.1 s at 0.5 s, and others are free from 0.7 s on.
+    outcome = copy_behind(edits.copy_clips(DESIGN, VIEW, (1, 2), 0.5).design, VIEW, ids, "Copy")
+    new = set(outcome.view.selected_clips)
+    originals = sorted(DESIGN.clip(clip).onset_s for clip in ids)
+    copies = sorted(outcome.design.clip(clip).onset_s for clip in new)
+    assert np.ptp(np.subtract(copies, originals)) == pytest.approx(0.0, abs=1e-9)
+    for track in outcome.design.inputs:
+        for copy in (clip for clip in track.clips if clip.id in new):
+            others = [clip for clip in track.clips if clip.id not in new]
+            assert not any(
+                min(copy.end_s, o.end_s) - max(copy.onset_s, o.onset_s) > 1e-9 for o in others
+            )
+    assert bool(outcome.said) == (set(ids) & {1, 2} != set())
+
+
+def test_a_copy_fills_the_first_hole_and_none_begins_too_late():
+    def start_s(*onsets_s):
+        clips = tuple(Clip(waveform=TONE, onset_s=onset_s) for onset_s in onsets_s)
+        return copy_behind(design_of(*clips), VIEW, (1,), "Copy")
+
+    assert start_s(0.0, 0.3, 0.7).design.clips[-1].onset_s == 0.5
+    assert start_s(0.0, 0.2, 0.41).design.clips[-1].onset_s == 0.61
+    assert isinstance(start_s(ONSET.maximum), Refusal)
 
 
 def test_a_fragment_lies_elsewhere_as_it_lay_here():
@@ -484,6 +513,7 @@ def test_markers_loop_and_gain_curve_are_set_and_taken_away():
     added = edits.add_marker(DESIGN, VIEW, 0.7, "end")
     assert isinstance(edits.add_marker(added.design, VIEW, 0.7), Refusal)
     moved = edits.move_marker(added.design, VIEW, 3, 0.8).design
+    assert isinstance(edits.move_marker(moved, VIEW, 3, 0.4), Refusal)
     named = edits.rename_marker(moved, VIEW, 3, "very end").design
     assert named.markers == (*DESIGN.markers, Marker(time_s=0.8, name="very end"))
     assert edits.remove_marker(named, VIEW, 3).design == DESIGN

@@ -430,10 +430,10 @@ class InspectorPanel(Panel):
         self._fields.file_requested.connect(partial(self.action_requested.emit, "import_recording"))
         self._chain = EffectChain()
         self._chain.edited.connect(self.edited)
-        self._chain.action_requested.connect(self.action_requested)
+        self._chain.action_requested.connect(self._act)
         self._heading = ClipHeading()
         self._draw = tool_button(None, "draw_button", "Draw", "Draw this clip with the pen")
-        self._draw.clicked.connect(partial(self.action_requested.emit, "draw_clip"))
+        self._draw.clicked.connect(partial(self._act, "draw_clip"))
         self._mute, self._solo = mute_button(), solo_button()
         self._mute.clicked.connect(lambda: self._change(edits.toggle_mute))
         self._solo.clicked.connect(lambda: self._change(edits.toggle_solo))
@@ -573,6 +573,16 @@ class InspectorPanel(Panel):
     def _show_style(self, track: Input) -> None:
         problem = self._problems.get(track.id, "")
         self._preview.set_look(track.colour, flipped=track.amplitude < 0, problem=problem)
+
+    def _act(self, name: str, _checked: bool = False) -> None:
+        """Do an action with the clips that are edited here: they are selected first."""
+        design, view = self._design, self._view
+        tracks = (track for track in design.inputs if track.id in view.selected_inputs)
+        shown = None if self._last is None else clip_of(self._last, view)
+        clips = [clip for track in tracks for clip in clips_of(track, view) if clip != shown]
+        ids = [clip.id for clip in (*clips, shown) if clip is not None]
+        self.view_changed.emit(edits.select_clips(design, view, ids).view)
+        self.action_requested.emit(name)
 
     def _change_kind(self, _: str, kind: str, gesture: int | None) -> None:
         self._change(edits.change_kind, kind, gesture=gesture)

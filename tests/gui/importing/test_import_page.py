@@ -209,6 +209,13 @@ def test_places_begin_with_the_likeliest(desk):
     assert names[0] == "new 4"
     assert len(names) == len(set(names)) == 21
     assert actions.options(design, view, DropPlace(input_id=track.id))[0][0] == f"track {track.id}"
+    more = edits.duplicate_inputs(edits.place_input(design, view, 4).design, view, (1,)).design
+    tracks = dict(actions.options(more, view, DropPlace(location=4)))
+    assert [text for name, text in tracks.items() if name.startswith("track")] == [
+        "Track at 7 (II pad), row 1",
+        "Track at 4 (IV tip)",
+        "Track at 7 (II pad), row 3",
+    ]
     nothing = actions.options(design.without_input(0), view, None)
     assert [name for name, _ in nothing][:2] == ["new 7", "new 1"]
 

@@ -1,10 +1,11 @@
 """The Clip menu does with clips what keys do; clips come from the head and go to places."""
 
 from dataclasses import replace
+from functools import partial
 
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QGuiApplication, QMouseEvent
+from PySide6.QtGui import QGuiApplication, QKeySequence, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QApplication, QInputDialog, QToolButton
 
@@ -13,7 +14,8 @@ from skinsource.design.effects import BandLimit, Fade, Repeat, Trim
 from skinsource.design.waveforms import Drawn, Tap, Tone, WaveletTrain
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.clip_editor.tools import Pen
-from skinsource_gui.qt.keys import key_text
+from skinsource_gui.qt.keys import KEYS, key_text
+from skinsource_gui.shell.actions import ACTIONS
 from tests.gui.timeline.bench import CONTROL, LEFT, NONE, SHIFT, TWO_TRACKS
 
 
@@ -120,13 +122,8 @@ def test_each_entry_acts_on_all_selected_clips_in_one_step(two_clips):
     window.do("limit_to_band")
     assert effects(window) == [[BandLimit], [BandLimit]]
     assert [clip.waveform for clip in document.design.clips] == [TONE, TONE]
-    chosen = document.view
-    document.look(replace(chosen, selected_clips=()))
-    assert not any(
-        window.actions_by_name[f"{name}_clips"].isEnabled() for name in ("remove", "cut")
-    )
     # What is cut is what is copied: not the clip of the other track, which is dotted.
-    document.look(replace(chosen, selected_clips=(1,)))
+    document.look(replace(document.view, selected_clips=(1,)))
     window.do("cut_clips")
     window.do("paste_clips")
     assert len(document.design.clips) == 2
@@ -135,16 +132,57 @@ def test_each_entry_acts_on_all_selected_clips_in_one_step(two_clips):
     assert document.design.clips == ()
 
 
-def test_fades_come_and_go_and_leave_the_other_end(two_clips):
-    window, document = two_clips, two_clips.document
+# What stands among them in the menu, or has a key there, and changes no clip that is selected.
+OTHERS = {"show_clip_editor", "match_tracks", "make_motion", "equalise_on_skin"}
+OTHER_KEYS = {
+    *("open", "add", "marker", "gain_curve", "gain_point", "gain_add", "gain_far", "go", "below"),
+    *("select_all", "playhead", "give_up", "zoom_in", "zoom_out", "whole"),
+}
+
+
+def test_what_acts_on_clips_acts_on_selected_ones_else_refuses_in_one_sentence(two_clips):
+    window, document, refused = two_clips, two_clips.document, []
+    lanes, before = window.panel("timeline").lanes, document.design
+    on_clips = {spec.name for spec in ACTIONS if spec.menu == "Clip"} - OTHERS
+    assert all(window.actions_by_name[name].isEnabled() for name in on_clips)
+    document.look(replace(document.view, selected_clips=()))
+    document.refused.connect(refused.append)
+    assert not any(window.actions_by_name[name].isEnabled() for name in {*on_clips, "cut_clips"})
+    keys = KEYS["timeline"].gestures
+    presses = [keys[name].keys[0] for name in keys.keys() - OTHER_KEYS]
+    for key in presses:
+        pressed = QKeySequence(key)[0]
+        QTest.keyClick(lanes, pressed.key(), pressed.keyboardModifiers())
+    window.do("copy_clips")
+    assert refused == ["No clip is selected; click one in the timeline."] * (len(presses) + 1)
+    assert document.design is before
+    # A new one is what is meant next.
+    for adds in (partial(window.do, "add_input"), partial(QTest.keyClick, lanes, Qt.Key.Key_N)):
+        adds()
+        QTest.keyClick(lanes, Qt.Key.Key_F)
+        assert document.design.inputs[-1].clips[-1].effects == (Fade(0.02, 0.0),)
+
+
+def test_fades_are_added_and_never_taken_away_by_a_key(two_clips):
+    window, document, refused = two_clips, two_clips.document, []
     lanes = window.panel("timeline").lanes
+    document.refused.connect(refused.append)
     QTest.keyClick(lanes, Qt.Key.Key_F)
     QTest.keyClick(lanes, Qt.Key.Key_F, SHIFT)
     assert {clip.effects for clip in document.design.clips} == {(Fade(0.02, 0.02),)}
-    assert document.undo_stack.count() == 2
+    document.edit("By hand", document.design.with_clip(1, effects=(Fade(0.0, 0.15),)))
     window.do("fade_in")
-    assert {clip.effects for clip in document.design.clips} == {(Fade(0.0, 0.02),)}
-    assert not window.actions_by_name["fade_in"].isChecked()
+    assert [clip.effects for clip in document.design.clips] == [
+        (Fade(0.02, 0.15),),
+        (Fade(0.02, 0.02),),
+    ]
+    window.do("fade_in")
+    QTest.keyClick(lanes, Qt.Key.Key_F, SHIFT)
+    assert [sum(word in text for text in refused) for word in ("in already", "out already")] == [
+        1,
+        1,
+    ]
+    assert document.undo_stack.count() == 4
 
 
 def test_effects_but_not_what_cuts_a_part_are_copied_to_others_in_one_step(two_clips):
