@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from functools import lru_cache, partial
-from typing import Any
+from typing import Any, TypeVar
 
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QSize, Qt, Signal, SignalInstance
@@ -93,6 +93,9 @@ def _file_cell(clicked: SignalInstance) -> LabelledCell:
     return cell
 
 
+TrackSpec = TypeVar("TrackSpec", NumberSpec, ChoiceSpec)
+
+
 def _places_of(limb: str) -> ChoiceSpec:
     return _places(limb, facts_of(limb))
 
@@ -105,6 +108,12 @@ def _places(limb: str, facts: LimbFacts) -> ChoiceSpec:
         options=tuple((str(k), f"{k} · {input_name(k, limb).short_name}") for k in numbers),
         hint="Where the actuator touches the skin",
     )
+
+
+@lru_cache(maxsize=8)
+def _of_track(spec: TrackSpec) -> TrackSpec:
+    """Return the specification of what belongs to a whole track, not to the clip that is shown."""
+    return replace(spec, label=f"Track {spec.label.removeprefix('Input ').lower()}")
 
 
 _TITLE = replace(TITLE, hint="Of the window, pictures and exported files")
@@ -192,8 +201,10 @@ class InputFields(QObject):
         self._gain = FieldCell("gain", _CLIP_GAIN, edited=self.edited)
         self._curve = FieldCell("gain_curve", GAIN_CURVE, edited=self.edited)
         self._peak = TextCell("Peak", "", "peak", "Peak of the whole input, with its gain")
-        self._played_length = TextCell("Played", "", "played_length", "Duration after effects")
-        self._played_hz = TextCell("Played", "", "played_hz", "Frequency after effects")
+        self._played_length = TextCell(
+            "Played length", "", "played_length", "Duration after effects"
+        )
+        self._played_hz = TextCell("Played frequency", "", "played_hz", "Frequency after effects")
 
     def show_input(
         self,
@@ -228,7 +239,9 @@ class InputFields(QObject):
         if isinstance(self._duration, TextCell) and clip is not None:
             differ = len({each.waveform.duration_s for each in clips}) > 1
             self._duration.text_label.setText(MIXED if differ else fixed_length_text(clip.waveform))
-        self._amplitude.set_spec(amplitude)
+        several = len(track.clips) > 1
+        self._amplitude.set_spec(_of_track(amplitude) if several else amplitude)
+        self.place.set_spec(_of_track(self._places) if several else self._places)
         own = _values(track, clip)
         rest = [
             _values(other, each) for other, each in pairs if other is not track or each is not clip
@@ -242,9 +255,7 @@ class InputFields(QObject):
     def show_limb(self, limb: str) -> None:
         """Take over the places of a limb and the band in which it was measured."""
         places = _places_of(limb)
-        if places != self._places:
-            self._places = places
-            self.place.set_spec(places)
+        self._places = places
         self._update_specs(self._played_at[0], facts_of(limb).band_hz)
 
     def show_rate(self, sample_rate_hz: float) -> None:
@@ -281,8 +292,8 @@ class InputFields(QObject):
             (self._onset, has_clip),
             (self._duration, has_clip),
             (self._played_length, self._played_length.text_label.text()),
+            (self._gain, self._gain_of is not None),
         )
-        gain = () if self._gain_of is None else (self._gain,)
         played = (self._played_hz,) if self._played_hz.text_label.text() else ()
         own = self._own
         if len(self._kinds) > 1:
@@ -292,7 +303,7 @@ class InputFields(QObject):
         n_hz = sum("hz" in getattr(cell, "name", "") for cell in own)
         return (
             tuple(cell for cell, shown in head if shown and cell is not None),
-            (self.kind, *own[:n_hz], *played, *own[n_hz:], *gain),
+            (self.kind, *own[:n_hz], *played, *own[n_hz:]),
             () if self._curve_of is None else (self._curve,),
         )
 

@@ -118,16 +118,20 @@ def test_how_long_a_clip_lasts_with_its_effects_is_said_where_it_differs(bench):
 
 
 def test_the_gain_of_a_clip_is_shown_beside_others_and_wherever_it_is_not_1(bench):
-    def label():
-        cells = [cell for cell in bench.panel.fields if cell.name == "gain"]
+    def label(name="gain"):
+        cells = [cell for cell in bench.panel.fields if cell.name == name]
         return cells[0].label.text() if cells else ""
 
-    assert label() == ""
+    def of_track():
+        return label("location"), label("amplitude")
+
+    assert (label(), of_track()) == ("", ("Place", "Amplitude"))
     louder, other = Clip(id=9, waveform=Tone(), gain=0.5), Clip(id=10, waveform=Tone())
     bench.show(bench.design.with_input(0, clips=(louder, other)))
-    assert label() == "Clip gain"
+    assert (label(), of_track()) == ("Clip gain", ("Track place", "Track amplitude"))
+    assert "Track amplitude" in bench.number("amplitude").toolTip()
     bench.show(bench.design.with_input(0, clips=(louder,)))
-    assert label() == "Clip gain"
+    assert (label(), of_track()) == ("Clip gain", ("Place", "Amplitude"))
     # One that becomes 1 can be typed again, until another clip is shown.
     bench.type("gain", "1")
     assert bench.track.clips[0].gain == 1.0
