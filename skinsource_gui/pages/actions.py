@@ -33,6 +33,7 @@ from skinsource.design.waveforms.samples import Recording
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.studies import scenes
 from skinsource_gui import pages
+from skinsource_gui.fields.editor import new_gesture
 from skinsource_gui.fields.units import value_text
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.plots.small_map import with_colours_of
@@ -242,6 +243,8 @@ class ImportActions(QObject):
         self._made: dict[Any, Any] = {}
         # Files and their places.
         self._imported: list[str] = []
+        # All files that come together are one step of the history.
+        self._gesture = 0
 
     @property
     def pages(self) -> tuple[Any, ...]:
@@ -277,7 +280,7 @@ class ImportActions(QObject):
             location = free_location(design, before.location if before else 0)
             place = replace(at, location=location, input_id=None)
         else:
-            self._made, self._imported = {}, []
+            self._made, self._imported, self._gesture = {}, [], new_gesture()
         places = options(design, view, place)
         limb = facts_of(design.limb)
         onset_s = view.playhead_s if at.onset_s is None else at.onset_s
@@ -299,10 +302,14 @@ class ImportActions(QObject):
             if page.same.isChecked():
                 self._made[page.form.shape] = page.form.made
             outcome = put_at(recordings, option)
-            self._document.apply(outcome, None)
             self._preferences.folder = path.absolute().parent
             if isinstance(outcome, Edit):
                 self._imported.append(f"{path.name} on {_where(outcome)}")
+                several = len(self._imported) > 1
+                what = f"{len(self._imported)} files" if several else path.name
+                outcome = replace(outcome, label=f"Import {what}")
+            self._document.apply(outcome, self._gesture)
+            if isinstance(outcome, Edit):
                 self.done.emit(f"Imported {', '.join(self._imported)}")
 
         page.chosen.connect(put)

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from functools import lru_cache, partial
-from typing import Any, TypeVar
+from typing import Any
 
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QSize, Qt, Signal, SignalInstance
@@ -93,9 +93,6 @@ def _file_cell(clicked: SignalInstance) -> LabelledCell:
     return cell
 
 
-TrackSpec = TypeVar("TrackSpec", NumberSpec, ChoiceSpec)
-
-
 def _places_of(limb: str) -> ChoiceSpec:
     return _places(limb, facts_of(limb))
 
@@ -108,12 +105,6 @@ def _places(limb: str, facts: LimbFacts) -> ChoiceSpec:
         options=tuple((str(k), f"{k} · {input_name(k, limb).short_name}") for k in numbers),
         hint="Where the actuator touches the skin",
     )
-
-
-@lru_cache(maxsize=8)
-def _of_track(spec: TrackSpec) -> TrackSpec:
-    """Return the specification of what belongs to a whole track, not to the clip that is shown."""
-    return replace(spec, label=f"Track {spec.label.removeprefix('Input ').lower()}")
 
 
 _TITLE = replace(TITLE, hint="Of the window, pictures and exported files")
@@ -194,6 +185,8 @@ class InputFields(QObject):
         self.head, self.grid, self.track = FieldGrid(), FieldGrid(), FieldGrid()
         self.kind = FieldCell("kind", kind_spec())
         self.place = FieldCell("location", self._places)
+        hint = "Place and amplitude belong to all clips of the track"
+        self._whole = TextCell("Whole track", "", "whole_track", hint)
         self._amplitude = FieldCell("amplitude", AMPLITUDE, edited=self.edited)
         self.meaning = Meaning()
         self._amplitude.stack.insertWidget(1, self.meaning, 0, Qt.AlignmentFlag.AlignRight)
@@ -201,10 +194,8 @@ class InputFields(QObject):
         self._gain = FieldCell("gain", _CLIP_GAIN, edited=self.edited)
         self._curve = FieldCell("gain_curve", GAIN_CURVE, edited=self.edited)
         self._peak = TextCell("Peak", "", "peak", "Peak of the whole input, with its gain")
-        self._played_length = TextCell(
-            "Played length", "", "played_length", "Duration after effects"
-        )
-        self._played_hz = TextCell("Played frequency", "", "played_hz", "Frequency after effects")
+        self._played_length = TextCell("Played time", "", "played_length", "Duration after effects")
+        self._played_hz = TextCell("Played tone", "", "played_hz", "Frequency after effects")
 
     def show_input(
         self,
@@ -232,6 +223,8 @@ class InputFields(QObject):
         self._played_length.text_label.setText(_text_of_all(played_length_text, clips))
         self._played_hz.text_label.setText(_text_of_all(played_hz_text, clips))
         self._peak.text_label.setText(peak)
+        n_clips = len(track.clips)
+        self._whole.text_label.setText(f"{n_clips} clips" if n_clips > 1 else "")
         self.meaning.setHidden(bool(peak))
         if kind is not self._built_for:
             self._build_own(None if clip is None else clip.waveform)
@@ -239,9 +232,7 @@ class InputFields(QObject):
         if isinstance(self._duration, TextCell) and clip is not None:
             differ = len({each.waveform.duration_s for each in clips}) > 1
             self._duration.text_label.setText(MIXED if differ else fixed_length_text(clip.waveform))
-        several = len(track.clips) > 1
-        self._amplitude.set_spec(_of_track(amplitude) if several else amplitude)
-        self.place.set_spec(_of_track(self._places) if several else self._places)
+        self._amplitude.set_spec(amplitude)
         own = _values(track, clip)
         rest = [
             _values(other, each) for other, each in pairs if other is not track or each is not clip
@@ -255,7 +246,9 @@ class InputFields(QObject):
     def show_limb(self, limb: str) -> None:
         """Take over the places of a limb and the band in which it was measured."""
         places = _places_of(limb)
-        self._places = places
+        if places != self._places:
+            self._places = places
+            self.place.set_spec(places)
         self._update_specs(self._played_at[0], facts_of(limb).band_hz)
 
     def show_rate(self, sample_rate_hz: float) -> None:
@@ -286,6 +279,7 @@ class InputFields(QObject):
         """Return the cells of each grid."""
         has_clip = self._built_for is not None
         head: tuple[tuple[LabelledCell | None, object], ...] = (
+            (self._whole, self._whole.text_label.text()),
             (self.place, True),
             (self._amplitude, True),
             (self._peak, self._peak.text_label.text()),

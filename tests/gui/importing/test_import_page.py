@@ -351,6 +351,8 @@ def test_each_file_begins_with_the_choices_of_the_last(desk, qtbot, sound, tmp_p
         assert looked_at(page, qtbot).form.choice == expected
         page.accept()
         QApplication.processEvents()
+    steps = desk.document.undo_stack
+    assert (steps.count(), steps.undoText()) == (1, "Import 3 files")
     desk.imports.ask_and_import()
     assert looked_at(desk.imports.pages[0], qtbot).form.made == {}
 

@@ -118,20 +118,26 @@ def test_how_long_a_clip_lasts_with_its_effects_is_said_where_it_differs(bench):
 
 
 def test_the_gain_of_a_clip_is_shown_beside_others_and_wherever_it_is_not_1(bench):
-    def label(name="gain"):
-        cells = [cell for cell in bench.panel.fields if cell.name == name]
+    def label():
+        cells = [cell for cell in bench.panel.fields if cell.name == "gain"]
         return cells[0].label.text() if cells else ""
 
     def of_track():
-        return label("location"), label("amplitude")
+        text = bench.label("whole_track")
+        return text.text() if text is not None and text.isVisible() else ""
 
-    assert (label(), of_track()) == ("", ("Place", "Amplitude"))
+    assert (label(), of_track()) == ("", "")
     louder, other = Clip(id=9, waveform=Tone(), gain=0.5), Clip(id=10, waveform=Tone())
     bench.show(bench.design.with_input(0, clips=(louder, other)))
-    assert (label(), of_track()) == ("Clip gain", ("Track place", "Track amplitude"))
-    assert "Track amplitude" in bench.number("amplitude").toolTip()
+    assert (label(), of_track()) == ("Clip gain", "2 clips")
+    # Above the amplitude of the track, which is no clip's, and those fields that are.
+    fields = [bench.number(name) for name in ("amplitude", "onset_s", "gain")]
+    ranks = [
+        part.mapTo(bench.panel, QPoint()).y() for part in (bench.label("whole_track"), *fields)
+    ]
+    assert ranks == sorted(ranks)
     bench.show(bench.design.with_input(0, clips=(louder,)))
-    assert (label(), of_track()) == ("Clip gain", ("Place", "Amplitude"))
+    assert (label(), of_track()) == ("Clip gain", "")
     # One that becomes 1 can be typed again, until another clip is shown.
     bench.type("gain", "1")
     assert bench.track.clips[0].gain == 1.0

@@ -87,6 +87,9 @@ def test_they_work_with_the_timeline_hidden_and_say_what_was_pasted_where(active
     active.do("paste_clips")
     message = active.statusBar().currentMessage()
     assert message == "1 clip pasted at 0 ms, over the copied clips"
+    active.do("undo")
+    assert active.statusBar().currentMessage() == ""
+    active.do("redo")
     assert waveforms(active) == [waveform, waveform]
     active.do("cut_clips")
     assert waveforms(active) == [waveform]

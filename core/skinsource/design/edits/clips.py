@@ -569,6 +569,8 @@ def paste_fragment(design: Design, view: View, fragment: Fragment, at_s: float) 
     if isinstance(outcome, Refusal):
         return outcome
     over = ", over the copied clips" if _has_clip_on_its_equal(outcome.design, design) else ""
+    n_new = len(outcome.design.inputs) - len(design.inputs)
+    over += f", {counted(n_new, 'track')} added" if n_new else ""
     return replace(outcome, said=f"{counted(count, 'clip')} pasted at {at_s * 1e3:.6g} ms{over}")
 
 
