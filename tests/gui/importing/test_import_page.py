@@ -210,12 +210,8 @@ def test_places_begin_with_the_likeliest(desk):
     assert len(names) == len(set(names)) == 21
     assert actions.options(design, view, DropPlace(input_id=track.id))[0][0] == f"track {track.id}"
     more = edits.duplicate_inputs(edits.place_input(design, view, 4).design, view, (1,)).design
-    tracks = dict(actions.options(more, view, DropPlace(location=4)))
-    assert [text for name, text in tracks.items() if name.startswith("track")] == [
-        "Track at 7 (II pad), row 1",
-        "Track at 4 (IV tip)",
-        "Track at 7 (II pad), row 3",
-    ]
+    texts = [text for name, text in actions.options(more, view, None) if name.startswith("track")]
+    assert [text[-5:] for text in texts] == ["row 1", " tip)", "row 3"]
     nothing = actions.options(design.without_input(0), view, None)
     assert [name for name, _ in nothing][:2] == ["new 7", "new 1"]
 

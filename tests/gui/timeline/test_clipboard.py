@@ -135,12 +135,9 @@ def test_each_entry_acts_on_all_selected_clips_in_one_step(two_clips):
     assert document.design.clips == ()
 
 
-# What stands among them in the menu, or has a key there, and changes no clip that is selected.
+# What stands among them in the menu; and the keys of the others.
 OTHERS = {"show_clip_editor", "match_tracks", "make_motion", "equalise_on_skin"}
-OTHER_KEYS = {
-    *("open", "add", "marker", "gain_curve", "gain_point", "gain_add", "gain_far", "go", "below"),
-    *("select_all", "playhead", "give_up", "zoom_in", "zoom_out", "whole"),
-}
+ON_CLIPS = "nudge change_track split repeat mute duplicate fade_in fade_out stretch_clip remove"
 
 
 def test_what_acts_on_clips_acts_on_selected_ones_else_refuses_in_one_sentence(two_clips):
@@ -152,12 +149,12 @@ def test_what_acts_on_clips_acts_on_selected_ones_else_refuses_in_one_sentence(t
     document.refused.connect(refused.append)
     assert not any(window.actions_by_name[name].isEnabled() for name in {*on_clips, "cut_clips"})
     keys = KEYS["timeline"].gestures
-    presses = [keys[name].keys[0] for name in keys.keys() - OTHER_KEYS]
-    for key in presses:
-        pressed = QKeySequence(key)[0]
+    names = ON_CLIPS.split()
+    for name in names:
+        pressed = QKeySequence(keys[name].keys[0])[0]
         QTest.keyClick(lanes, pressed.key(), pressed.keyboardModifiers())
     window.do("copy_clips")
-    assert refused == ["No clip is selected; click one in the timeline."] * (len(presses) + 1)
+    assert refused == ["No clip is selected; click one in the timeline."] * (len(names) + 1)
     assert document.design is before
     # A new one is what is meant next.
     for adds in (partial(window.do, "add_input"), partial(QTest.keyClick, lanes, Qt.Key.Key_N)):
@@ -175,16 +172,10 @@ def test_fades_are_added_and_never_taken_away_by_a_key(two_clips):
     assert {clip.effects for clip in document.design.clips} == {(Fade(0.02, 0.02),)}
     document.edit("By hand", document.design.with_clip(1, effects=(Fade(0.0, 0.15),)))
     window.do("fade_in")
-    assert [clip.effects for clip in document.design.clips] == [
-        (Fade(0.02, 0.15),),
-        (Fade(0.02, 0.02),),
-    ]
+    assert document.design.clips[0].effects == (Fade(0.02, 0.15),)
     window.do("fade_in")
     QTest.keyClick(lanes, Qt.Key.Key_F, SHIFT)
-    assert [sum(word in text for text in refused) for word in ("in already", "out already")] == [
-        1,
-        1,
-    ]
+    assert [text.split()[2] for text in refused] == ["in", "out"]
     assert document.undo_stack.count() == 4
 
 
