@@ -4,6 +4,7 @@ Each class of actions opens one page, and carries out what is chosen there.
 """
 
 import importlib
+from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -32,6 +33,7 @@ from skinsource.design.waveforms.samples import Recording
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.studies import scenes
 from skinsource_gui import pages
+from skinsource_gui.fields.editor import new_gesture
 from skinsource_gui.fields.units import value_text
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.plots.small_map import with_colours_of
@@ -57,16 +59,17 @@ def options(design: Design, view: View, place: DropPlace | None) -> tuple[tuple[
     """Return name and text of each place that a recording can go to, the likeliest one first."""
     at, selected = place or DropPlace(), leading_input(design, view)
     ids = view.selected_inputs[-1:] if at.input_id is None else (at.input_id,)
-    tracks = [
-        (f"track {track.id}", f"Track at {location_text(track.location, design.limb)}")
-        for track in design.inputs
-        if track.id in ids
-    ]
+    at_place, tracks = Counter(track.location for track in design.inputs), []
+    # The selected one comes first.
+    for track in sorted(design.inputs, key=lambda track: track.id not in ids):
+        text = f"Track at {location_text(track.location, design.limb)}"
+        row = f", row {design.index_of(track.id) + 1}" if at_place[track.location] > 1 else ""
+        tracks.append((f"track {track.id}", text + row))
     first = at.location or (usual_location(design.limb) if selected is None else selected.location)
     locations = [first, *(k for k in range(1, facts_of(design.limb).n_inputs + 1) if k != first)]
     new = [(f"new {k}", f"New input at {location_text(k, design.limb)}") for k in locations]
-    if at.location is not None and at.input_id is None:
-        return (*new, *tracks)
+    if not ids or (at.location is not None and at.input_id is None):
+        return (new[0], *tracks, *new[1:])
     instead = None if place is not None else _instead(design, view)
     if instead is None:
         return (*tracks, *new)
@@ -240,6 +243,8 @@ class ImportActions(QObject):
         self._made: dict[Any, Any] = {}
         # Files and their places.
         self._imported: list[str] = []
+        # All files that come together are one step of the history.
+        self._gesture = 0
 
     @property
     def pages(self) -> tuple[Any, ...]:
@@ -275,7 +280,7 @@ class ImportActions(QObject):
             location = free_location(design, before.location if before else 0)
             place = replace(at, location=location, input_id=None)
         else:
-            self._made, self._imported = {}, []
+            self._made, self._imported, self._gesture = {}, [], new_gesture()
         places = options(design, view, place)
         limb = facts_of(design.limb)
         onset_s = view.playhead_s if at.onset_s is None else at.onset_s
@@ -297,10 +302,14 @@ class ImportActions(QObject):
             if page.same.isChecked():
                 self._made[page.form.shape] = page.form.made
             outcome = put_at(recordings, option)
-            self._document.apply(outcome, None)
             self._preferences.folder = path.absolute().parent
             if isinstance(outcome, Edit):
                 self._imported.append(f"{path.name} on {_where(outcome)}")
+                several = len(self._imported) > 1
+                what = f"{len(self._imported)} files" if several else path.name
+                outcome = replace(outcome, label=f"Import {what}")
+            self._document.apply(outcome, self._gesture)
+            if isinstance(outcome, Edit):
                 self.done.emit(f"Imported {', '.join(self._imported)}")
 
         page.chosen.connect(put)

@@ -12,9 +12,9 @@ from typing import Any
 from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import NUMBERS, Design, Input, View
-from skinsource.design.edits.clips import of_each
+from skinsource.design.edits.clips import copy_behind, of_each
 from skinsource.design.edits.cutting import faded_ends
-from skinsource.design.edits.edit import Edit, Refusal, leading_clip
+from skinsource.design.edits.edit import Edit, Refusal
 from skinsource_gui.pages.files.exports import EXPORTS
 from skinsource_gui.panels.skin.settings import has_colours, use_colours
 from skinsource_gui.panels.timeline.clipboard import (
@@ -24,7 +24,6 @@ from skinsource_gui.panels.timeline.clipboard import (
     paste_clips,
     paste_effects,
 )
-from skinsource_gui.panels.timeline.content import chosen_clips
 from skinsource_gui.plots.small_map import COLOURS
 from skinsource_gui.qt.keys import KEYS, SHORTCUTS, key_text
 from skinsource_gui.qt.resources import read_text
@@ -100,7 +99,7 @@ class ActionSpec:
 
 
 def _clips(design: Design, view: View) -> list[Clip]:
-    return [design.clip(id) for id in chosen_clips(design, view)]
+    return [design.clip(id) for id in view.selected_clips]
 
 
 def _inputs(design: Design, view: View) -> list[Input]:
@@ -126,7 +125,7 @@ def _on(
     return lambda design, view: edit(design, view, chosen(design, view), *more)
 
 
-_of_clips = partial(_on, chosen_clips)
+_of_clips = partial(_on, lambda _, view: view.selected_clips)
 _of_inputs = partial(_on, lambda _, view: view.selected_inputs)
 # Length of a fade that a menu adds, s.
 _FADE_S = 0.02
@@ -136,20 +135,19 @@ def _fades(clip: Clip) -> list[float]:
     return [end.length_s if end else 0.0 for end in faded_ends(clip)]
 
 
-def _faded(end: int) -> Condition:
-    return _are(_clips, lambda clip: _fades(clip)[end])
-
-
 def _fade(end: int, design: Design, view: View) -> Edit | Refusal:
-    """Fade the beginning (0) or the end (1) of all chosen clips, or none of them."""
-    to_s = 0.0 if _faded(end)(design, view) else _FADE_S
+    """Fade the beginning (0) or the end (1) of those selected clips that do not fade there."""
 
     def fade(design: Design, view: View, id: int) -> Edit | Refusal:
         lengths_s = _fades(design.clip(id))
-        lengths_s[end] = min(to_s, design.clip(id).duration_s / 2)
+        lengths_s[end] = min(_FADE_S, design.clip(id).duration_s / 2)
         return edits.fade_clip(design, view, id, *lengths_s)
 
-    return of_each(fade, design, view, chosen_clips(design, view))
+    ids = [clip.id for clip in _clips(design, view) if not _fades(clip)[end]]
+    if view.selected_clips and not ids:
+        way = ("in", "out")[end]
+        return Refusal(sentence=f"It fades {way} already; drag the upper corner to change that.")
+    return of_each(fade, design, view, ids)
 
 
 # Names of colours, by what they are called in names of actions.
@@ -175,14 +173,14 @@ EDITS: dict[str, MakeEdit] = {
     "match_levels": lambda design, view: edits.match_levels(design, view, not view.levels_matched),
     "keep_match_gain": edits.keep_match_gain,
     "split_clips": lambda design, view: edits.split_clips(
-        design, view, chosen_clips(design, view), view.playhead_s
+        design, view, view.selected_clips, view.playhead_s
     ),
     "fade_in": partial(_fade, 0),
     "fade_out": partial(_fade, 1),
-    "repeat_clips": _of_clips(edits.repeat_clips, 2),
-    "duplicate_clips": _of_clips(edits.duplicate_clips),
+    "repeat_clips": _of_clips(copy_behind, "Repeat"),
+    "duplicate_clips": _of_clips(copy_behind, "Duplicate"),
     "mute_clips": _of_clips(edits.toggle_mute_clips),
-    "remove_clips": _on(lambda _, view: view.selected_clips, edits.remove_clips),
+    "remove_clips": _of_clips(edits.remove_clips),
     "limit_to_band": _of_clips(edits.limit_to_band),
     "remove_delay": lambda design, view: edits.remove_delay(design, view, not view.delay_removed),
     "play_automatic": partial(edits.play_slower, slow_motion=0.0),
@@ -199,7 +197,12 @@ def _has_snapshot(number: int) -> Condition:
 
 
 _OF_INPUTS = "duplicate_input", "remove_input", "mute_input", "solo_input", "select_no_inputs"
-_OF_CLIPS = "split_clips", "fade_in", "fade_out", "repeat_clips", "duplicate_clips", "mute_clips"
+#: Actions on clips: each acts on those that are selected.
+OF_CLIPS = (
+    *("split_clips", "fade_in", "fade_out", "repeat_clips", "duplicate_clips", "mute_clips"),
+    *("remove_clips", "cut_clips", "copy_effects", "paste_effects", "limit_to_band"),
+    *("draw_clip", "shape_envelope", "stretch_clip"),
+)
 #: By name of an action, whether it can be done now; others always can.
 ENABLED: dict[str, Condition] = {
     **_when(lambda design, _: bool(design.clips), "copy_clips", "save_to_library"),
@@ -211,15 +214,7 @@ ENABLED: dict[str, Condition] = {
     **{f"rename_snapshot_{number}": _has_snapshot(number) for number in NUMBERS},
     "toggle_snapshots": lambda _, view: bool(view.snapshots),
     "keep_match_gain": lambda design, view: view.match_gain(design) != 1.0,
-    **_when(
-        lambda design, view: leading_clip(design, view) is not None,
-        *("draw_clip", "shape_envelope", "stretch_clip", "copy_effects"),
-    ),
-    **_when(
-        lambda design, view: bool(chosen_clips(design, view)),
-        *(*_OF_CLIPS, "limit_to_band", "paste_effects"),
-    ),
-    **_when(lambda _, view: bool(view.selected_clips), "remove_clips", "cut_clips"),
+    **_when(lambda _, view: bool(view.selected_clips), *OF_CLIPS),
     "equalise_on_skin": lambda design, view: selected_train(design, view) is not None,
     "match_tracks": lambda design, view: len(set(view.selected_inputs) & set(design.ids)) > 1,
 }
@@ -228,8 +223,6 @@ CHECKED: dict[str, Condition] = {
     "mute_input": _are(_inputs, lambda track: track.muted),
     "solo_input": _are(_inputs, lambda track: track.solo),
     "match_levels": lambda _, view: view.levels_matched,
-    "fade_in": _faded(0),
-    "fade_out": _faded(1),
     "mute_clips": _are(_clips, lambda clip: clip.muted),
     "remove_delay": lambda _, view: view.delay_removed,
     "play_automatic": lambda _, view: not view.slow_motion,

@@ -334,7 +334,9 @@ class Reports(QObject):
         self._reported_design: Design = document.design
         document.changed.connect(self._forget_outdated)
         document.message.connect(self.report)
-        document.title_changed.connect(status_bar.clearMessage)
+        # What was said of a step is no longer true once it is undone.
+        for outdates in (document.title_changed, document.jumped):
+            outdates.connect(status_bar.clearMessage)
 
     def complain(self, reason: str) -> None:
         """Show an error until it is dealt with."""

@@ -9,7 +9,6 @@ from PySide6.QtCore import QEvent, QEventLoop, QKeyCombination, QObject, QPoint,
 
 from skinsource.design import edits
 from skinsource.design.design import Design, View
-from skinsource.design.edits.edit import leading_clip
 from skinsource.design.labels import scalings_on
 from skinsource.design.panel_settings import with_settings
 from skinsource.design.waveforms import kinds
@@ -90,9 +89,9 @@ class ClipStretching(QObject):
     def ask(self) -> None:
         """Ask for the new length of the clip that was selected last."""
         design, view = self._document.design, self._document.view
-        clip = leading_clip(design, view)
-        if clip is None:
+        if view.selected_clip is None:
             return
+        clip = design.clip(view.selected_clip)
         length_ms, sure = QtWidgets.QInputDialog.getDouble(
             self._window, "Stretch clip", "Length, ms", 1e3 * clip.duration_s, 1.0, 600e3, 1
         )

@@ -19,7 +19,7 @@ from skinsource.base.job import Job, Progress, Stop, seconds_left
 from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, View
-from skinsource.design.edits.edit import Edit, Refusal, leading_clip
+from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.engine.levelling import MEASURE, track_levels_db, wavelet_levels_db
 from skinsource_gui.state.document import Document
@@ -324,7 +324,7 @@ class Levelling(QObject):
 
 def selected_train(design: Design, view: View) -> Clip | None:
     """Return the selected clip, if it plays a wavelet train."""
-    clip = leading_clip(design, view)
+    clip = None if view.selected_clip is None else design.clip(view.selected_clip)
     return clip if clip is not None and isinstance(clip.waveform, WaveletTrain) else None
 
 

@@ -10,8 +10,9 @@ from hypothesis import strategies as st
 
 from skinsource import View, edits
 from skinsource.base.errors import FileFormatError, InvalidInputError
-from skinsource.design.clips import MAX_CLIPS, MAX_EFFECTS, Clip, Marker
+from skinsource.design.clips import MAX_CLIPS, MAX_EFFECTS, ONSET, Clip, Marker
 from skinsource.design.design import MAX_INPUTS, Design, Input, track
+from skinsource.design.edits.clips import copy_behind
 from skinsource.design.edits.cutting import faded_ends
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.effects import Envelope, Fade, Rectify, Repeat, Reverse, Stretch, Trim
@@ -172,6 +173,36 @@ def test_duplicates_come_right_after_and_repetitions_in_a_row():
     assert thrice.view.selected_clips == (6, 7, 8)
 
 
+@few
+@given(some_ids)
+def test_copies_behind_stay_as_they_lay_and_lie_on_no_other_clip(ids):
+    # There are copies of the first track's clips behind them already.
+    outcome = copy_behind(edits.copy_clips(DESIGN, VIEW, (1, 2), 0.5).design, VIEW, ids, "Copy")
+    new = outcome.view.selected_clips
+    later_s = [
+        outcome.design.clip(copy).onset_s - clip.onset_s
+        for copy, clip in zip(new, (clip for clip in DESIGN.clips if clip.id in ids), strict=True)
+    ]
+    assert later_s == pytest.approx(later_s[:1] * len(ids))
+    for copy in map(outcome.design.clip, new):
+        others = (clip for clip in outcome.design.track_of(copy.id).clips if clip.id not in new)
+        assert all(
+            clip.end_s < copy.onset_s + 1e-9 or copy.end_s < clip.onset_s + 1e-9 for clip in others
+        )
+
+
+def test_a_copy_fills_the_first_hole_and_none_begins_too_late():
+    def start_s(*onsets_s):
+        clips = tuple(Clip(waveform=TONE, onset_s=onset_s) for onset_s in onsets_s)
+        return copy_behind(design_of(*clips), VIEW, (1,), "Copy")
+
+    assert start_s(0.0, 0.3, 0.7).design.clips[-1].onset_s == 0.5
+    behind = start_s(0.0, 0.2, 0.41)
+    assert (behind.design.clips[-1].onset_s, "610 ms" in behind.said) == (0.61, True)
+    assert start_s(0.0).said == ""
+    assert isinstance(start_s(ONSET.maximum), Refusal)
+
+
 def test_a_fragment_lies_elsewhere_as_it_lay_here():
     fragment = edits.fragment_of(DESIGN, (2, 3, 5))
     assert fragment.duration_s == pytest.approx(0.7)
@@ -196,6 +227,9 @@ def test_what_was_copied_from_selected_tracks_is_pasted_onto_them(order):
     assert tracks(pasted.design) == [[1, 2, 6, 7], [3, 4, 8], [5, 9], []]
     again = edits.paste_fragment(pasted.design, pasted.view, fragment, 2.0)
     assert len(again.design.inputs) == len(DESIGN.inputs)
+    assert "added" not in again.said
+    below = edits.paste_fragment(DESIGN, View(selected_inputs=(4,)), fragment, 1.0)
+    assert below.said.endswith("2 tracks added")
 
 
 def test_a_fragment_travels_as_text():
@@ -484,6 +518,7 @@ def test_markers_loop_and_gain_curve_are_set_and_taken_away():
     added = edits.add_marker(DESIGN, VIEW, 0.7, "end")
     assert isinstance(edits.add_marker(added.design, VIEW, 0.7), Refusal)
     moved = edits.move_marker(added.design, VIEW, 3, 0.8).design
+    assert isinstance(edits.move_marker(moved, VIEW, 3, 0.4), Refusal)
     named = edits.rename_marker(moved, VIEW, 3, "very end").design
     assert named.markers == (*DESIGN.markers, Marker(time_s=0.8, name="very end"))
     assert edits.remove_marker(named, VIEW, 3).design == DESIGN

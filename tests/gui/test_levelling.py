@@ -13,7 +13,7 @@ TRAIN = WaveletTrain((60.0, 400.0), slot_s=0.08)
 def trained(window):
     inputs = (track(7, TRAIN), track(3, Tone()))
     design = Design(limb="synthetic-1", inputs=inputs)
-    window.document.start_over(design, View(selected_inputs=(1,)), None)
+    window.document.start_over(design, View(selected_inputs=(1,), selected_clips=(1,)), None)
     return window
 
 

@@ -130,6 +130,7 @@ def test_other_words_for_an_action_find_it(window, qtbot):
         "noise": "Waveform: Noise",
         "wave speed": "Analysis: Wave speed",
         "sensation level": "Analysis: Perception",
+        "equal level": "Match input levels",
         "difference": "Compare side by side",
         "people": "Compare side by side",
         "trim": "Trim a clip, to play less or more",

@@ -403,15 +403,18 @@ def _write(prepared: Any, path: Path, confirmed: bool, *, largest_error: float, 
 
 
 def left_out(design: Design, options: StimulusOptions) -> str:
-    """Return a sentence on tracks, chosen ones or all, that are silent, and why; "": none is."""
+    """Return a sentence on tracks and clips, chosen ones or all, that are silent; "": none is."""
     every = options.inputs is options.clips is None
-    ids, clips = options.inputs or (), options.clips or ()
-    silent = [
-        f"track at {track.location} ({'muted' if track.muted else 'not solo'})"
-        for track in design.inputs
-        if track not in audible_inputs(design.inputs)
-        and (every or track.id in ids or any(clip.id in clips for clip in track.clips))
-    ]
+    ids, clips, silent = options.inputs or (), options.clips or (), []
+    for track in design.inputs:
+        chosen = [clip for clip in track.clips if every or track.id in ids or clip.id in clips]
+        n_muted = sum(clip.muted for clip in chosen)
+        if track not in audible_inputs(design.inputs):
+            if every or track.id in ids or chosen:
+                why = "muted" if track.muted else "not solo"
+                silent.append(f"track at {track.location} ({why})")
+        elif n_muted:
+            silent.append(f"{counted(n_muted, 'muted clip')} at {track.location}")
     return f"Left out: {', '.join(silent)}." if silent else ""
 
 

@@ -185,6 +185,8 @@ class InputFields(QObject):
         self.head, self.grid, self.track = FieldGrid(), FieldGrid(), FieldGrid()
         self.kind = FieldCell("kind", kind_spec())
         self.place = FieldCell("location", self._places)
+        hint = "Place and amplitude belong to all clips of the track"
+        self._whole = TextCell("Whole track", "", "whole_track", hint)
         self._amplitude = FieldCell("amplitude", AMPLITUDE, edited=self.edited)
         self.meaning = Meaning()
         self._amplitude.stack.insertWidget(1, self.meaning, 0, Qt.AlignmentFlag.AlignRight)
@@ -192,8 +194,8 @@ class InputFields(QObject):
         self._gain = FieldCell("gain", _CLIP_GAIN, edited=self.edited)
         self._curve = FieldCell("gain_curve", GAIN_CURVE, edited=self.edited)
         self._peak = TextCell("Peak", "", "peak", "Peak of the whole input, with its gain")
-        self._played_length = TextCell("Played", "", "played_length", "Duration after effects")
-        self._played_hz = TextCell("Played", "", "played_hz", "Frequency after effects")
+        self._played_length = TextCell("Played time", "", "played_length", "Duration after effects")
+        self._played_hz = TextCell("Played tone", "", "played_hz", "Frequency after effects")
 
     def show_input(
         self,
@@ -221,6 +223,8 @@ class InputFields(QObject):
         self._played_length.text_label.setText(_text_of_all(played_length_text, clips))
         self._played_hz.text_label.setText(_text_of_all(played_hz_text, clips))
         self._peak.text_label.setText(peak)
+        n_clips = len(track.clips)
+        self._whole.text_label.setText(f"{n_clips} clips" if n_clips > 1 else "")
         self.meaning.setHidden(bool(peak))
         if kind is not self._built_for:
             self._build_own(None if clip is None else clip.waveform)
@@ -275,14 +279,15 @@ class InputFields(QObject):
         """Return the cells of each grid."""
         has_clip = self._built_for is not None
         head: tuple[tuple[LabelledCell | None, object], ...] = (
+            (self._whole, self._whole.text_label.text()),
             (self.place, True),
             (self._amplitude, True),
             (self._peak, self._peak.text_label.text()),
             (self._onset, has_clip),
             (self._duration, has_clip),
             (self._played_length, self._played_length.text_label.text()),
+            (self._gain, self._gain_of is not None),
         )
-        gain = () if self._gain_of is None else (self._gain,)
         played = (self._played_hz,) if self._played_hz.text_label.text() else ()
         own = self._own
         if len(self._kinds) > 1:
@@ -292,7 +297,7 @@ class InputFields(QObject):
         n_hz = sum("hz" in getattr(cell, "name", "") for cell in own)
         return (
             tuple(cell for cell, shown in head if shown and cell is not None),
-            (self.kind, *own[:n_hz], *played, *own[n_hz:], *gain),
+            (self.kind, *own[:n_hz], *played, *own[n_hz:]),
             () if self._curve_of is None else (self._curve,),
         )
 
@@ -432,10 +437,10 @@ class InspectorPanel(Panel):
         self._fields.file_requested.connect(partial(self.action_requested.emit, "import_recording"))
         self._chain = EffectChain()
         self._chain.edited.connect(self.edited)
-        self._chain.action_requested.connect(self.action_requested)
+        self._chain.action_requested.connect(self._act)
         self._heading = ClipHeading()
         self._draw = tool_button(None, "draw_button", "Draw", "Draw this clip with the pen")
-        self._draw.clicked.connect(partial(self.action_requested.emit, "draw_clip"))
+        self._draw.clicked.connect(partial(self._act, "draw_clip"))
         self._mute, self._solo = mute_button(), solo_button()
         self._mute.clicked.connect(lambda: self._change(edits.toggle_mute))
         self._solo.clicked.connect(lambda: self._change(edits.toggle_solo))
@@ -570,6 +575,16 @@ class InspectorPanel(Panel):
     def _show_style(self, track: Input) -> None:
         problem = self._problems.get(track.id, "")
         self._preview.set_look(track.colour, flipped=track.amplitude < 0, problem=problem)
+
+    def _act(self, name: str, _checked: bool = False) -> None:
+        """Do an action with the clips that are edited here: they are selected first."""
+        design, view = self._design, self._view
+        tracks = (track for track in design.inputs if track.id in view.selected_inputs)
+        shown = None if self._last is None else clip_of(self._last, view)
+        clips = [clip for track in tracks for clip in clips_of(track, view) if clip != shown]
+        ids = [clip.id for clip in (*clips, shown) if clip is not None]
+        self.view_changed.emit(edits.select_clips(design, view, ids).view)
+        self.action_requested.emit(name)
 
     def _change_kind(self, _: str, kind: str, gesture: int | None) -> None:
         self._change(edits.change_kind, kind, gesture=gesture)

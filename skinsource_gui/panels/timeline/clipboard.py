@@ -1,7 +1,5 @@
 """Selected clips on the clipboard: copied, cut and pasted."""
 
-from dataclasses import replace
-
 from PySide6 import QtWidgets
 from PySide6.QtCore import QMimeData
 
@@ -9,26 +7,26 @@ from skinsource.base.errors import SkinSourceError, counted, sentence
 from skinsource.design import edits
 from skinsource.design.clips import Clip, Fragment, Lane
 from skinsource.design.design import Design, View
-from skinsource.design.edits.clips import clips_text, present_clips
-from skinsource.design.edits.edit import Edit, Refusal, change_clips, leading_clip, refusing
+from skinsource.design.edits.clips import chosen_clips, clips_text
+from skinsource.design.edits.edit import Edit, Refusal, change_clips, refusing
 from skinsource.design.effects.effect import Effect, KeepsTime
 from skinsource.design.effects.time import Trim
 from skinsource.design.waveforms.pulses import Impulse
-from skinsource_gui.panels.timeline.content import chosen_clips
 
 _MIME = "application/x-skinsource-{}"
 # A text with clips has this sign within so many characters.
 _SIGN, _BEGINNING = "skinsource clips", 2000
-_NO_CLIPS = Refusal(sentence="No clip is selected; click one in the timeline.")
+#: What keys and menus that act on clips say where none is selected.
+NO_CLIPS = Refusal(sentence="No clip is selected; click one in the timeline.")
 _NOTHING = "The clipboard holds no {}; copy some first."
 
 
 @refusing
 def copy_clips(design: Design, view: View) -> Edit | Refusal:
     """Put the selected clips on the clipboard; the design stays."""
-    fragment = edits.fragment_of(design, chosen_clips(design, view))
+    fragment = edits.fragment_of(design, view.selected_clips)
     if fragment is None:
-        return _NO_CLIPS
+        return NO_CLIPS
     text, data = edits.fragment_text(fragment), QMimeData()
     data.setData(_MIME.format("clips"), text.encode())
     data.setText(text)
@@ -39,8 +37,7 @@ def copy_clips(design: Design, view: View) -> Edit | Refusal:
 
 def cut_clips(design: Design, view: View) -> Edit | Refusal:
     """Move the selected clips to the clipboard; what cannot be there stays."""
-    # Of the clip panel's clips those alone that are selected.
-    copied = copy_clips(design, replace(view, selected_inputs=()))
+    copied = copy_clips(design, view)
     if isinstance(copied, Refusal):
         return copied
     return edits.cut_clips(design, view, view.selected_clips)
@@ -59,9 +56,9 @@ def copy_effects(design: Design, view: View) -> Edit | Refusal:
 
     What cuts its part belongs to that clip, as after a split.
     """
-    clip = leading_clip(design, view)
-    if clip is None:
-        return _NO_CLIPS
+    if view.selected_clip is None:
+        return NO_CLIPS
+    clip = design.clip(view.selected_clip)
     kept = _cutting(clip)
     effects = tuple(effect for effect in clip.effects if effect not in kept)
     # The shortest waveform: with any, effects that repeat must not become too long.
@@ -79,7 +76,7 @@ def paste_effects(design: Design, view: View) -> Edit | Refusal:
     fragment = _pasted("effects")
     if isinstance(fragment, Refusal):
         return fragment
-    chosen = present_clips(design, chosen_clips(design, view))
+    chosen = chosen_clips(design, view.selected_clips)
     new = fragment.lanes[0].clips[0].effects
     changes = {clip.id: {"effects": (*_cutting(clip), *new)} for clip in chosen}
     after = change_clips(design, changes)

@@ -428,7 +428,15 @@ class TimelineContent:
 
         The last is the one that it shows.
         """
-        return chosen_clips(self.design, self.view)
+        design, view = self.design, self.view
+        tracks = (track for track in design.inputs if track.id in view.selected_inputs)
+        clips = (clip.id for track in tracks for clip in clips_of(track, view))
+        chosen = list(dict.fromkeys((*view.selected_clips, *clips)))
+        last = leading_clip(design, view) if len(chosen) > 1 else None
+        if last is not None and last.id in chosen:
+            chosen.remove(last.id)
+            chosen.append(last.id)
+        return tuple(chosen)
 
     @property
     def keyboard_place(self) -> QPointF:
@@ -498,18 +506,6 @@ class TimelineContent:
                 if clip.id not in without:
                     times_s.update((clip.onset_s, self._end_s(clip)))
         return sorted(times_s)
-
-
-def chosen_clips(design: Design, view: View) -> tuple[int, ...]:
-    """Return the clips that the clip panel edits, see `TimelineContent.chosen`."""
-    tracks = (track for track in design.inputs if track.id in view.selected_inputs)
-    clips = (clip.id for track in tracks for clip in clips_of(track, view))
-    chosen = list(dict.fromkeys((*view.selected_clips, *clips)))
-    last = leading_clip(design, view) if len(chosen) > 1 else None
-    if last is not None and last.id in chosen:
-        chosen.remove(last.id)
-        chosen.append(last.id)
-    return tuple(chosen)
 
 
 def ruler_px(line_px: float) -> float:

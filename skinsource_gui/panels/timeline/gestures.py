@@ -9,6 +9,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from skinsource.design import edits
 from skinsource.design.clips import Marker
 from skinsource.design.design import Design, View
+from skinsource.design.edits.clips import SAME_S
 from skinsource.design.edits.cutting import faded_ends
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.effects.breakpoints import Points, moved
@@ -177,7 +178,10 @@ class MoveEnd(_EndDrag):
         lasts_s = self._context.now.lengths.durations_s.get(self._clip.id, 0.0)
         length = value_text(lasts_s, "s", digits=5)
         text = f"Stretched to {length}" if stretches else f"{length} · Shift: stretch"
-        return GesturePreview(guide_s=rest.guide_s, label=text)
+        edge_s = end_s - lasts_s if self._part is Part.START else start_s + lasts_s
+        # A clip that plays no more than that does not follow to where the pointer snaps.
+        reached = rest.guide_s is not None and abs(edge_s - rest.guide_s) < SAME_S
+        return GesturePreview(guide_s=rest.guide_s if reached else None, label=text)
 
 
 class FadeEnd(_EndDrag):

@@ -11,6 +11,7 @@ from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt, Signal
 from skinsource.design import edits
 from skinsource.design.clips import NAME, Clip
 from skinsource.design.design import Design, View
+from skinsource.design.edits.clips import copy_behind
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.edits.motions import motion_of
 from skinsource.design.waveform import Waveform
@@ -20,6 +21,7 @@ from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.fields.editor import Burst
 from skinsource_gui.fields.units import value_text
 from skinsource_gui.panels.timeline import gestures
+from skinsource_gui.panels.timeline.clipboard import NO_CLIPS
 from skinsource_gui.panels.timeline.content import (
     CURSORS,
     Box,
@@ -109,8 +111,8 @@ class LanesMenu:
             self._act(menu, "Group into one clip", "", edits.group_clips)
         elif isinstance(self._lanes.content.design.clip(clip).waveform, Layers):
             self._act(menu, "Ungroup layers", "", edits.ungroup_clips)
-        self._act(menu, f"Repeat {what}", "repeat", edits.repeat_clips, 2)
-        self._act(menu, f"Duplicate {what}", "duplicate", edits.duplicate_clips)
+        self._act(menu, f"Repeat {what}", "repeat", copy_behind, "Repeat")
+        self._act(menu, f"Duplicate {what}", "duplicate", copy_behind, "Duplicate")
         self._act(menu, f"Mute {what}", "mute", edits.toggle_mute_clips)
         menu.addSeparator()
         self._fill_places(menu, f"Move {what} to")
@@ -258,10 +260,10 @@ class LaneKeys:
         return bool(command)
 
     def _act(self, command: str) -> None:
-        """Do what a command does to the clips that the clip panel edits, or to what is shown."""
+        """Do what a command does to the selected clips, or to what is shown."""
         lanes, content = self._lanes, self._lanes.content
         view = content.view
-        chosen, at_s = content.chosen, view.playhead_s
+        chosen, at_s = view.selected_clips, view.playhead_s
         acts: dict[str, Callable[[], object]] = {
             "zoom_in": lambda: lanes.zoom(ZOOM),
             "zoom_out": lambda: lanes.zoom(1 / ZOOM),
@@ -271,14 +273,15 @@ class LaneKeys:
             "marker": lambda: lanes.add_marker(at_s),
             "add": lambda: lanes.edit(edits.add_waveform, lanes.last),
             "split": lambda: lanes.edit(edits.split_clips, chosen, at_s),
-            "repeat": lambda: lanes.edit(edits.repeat_clips, chosen, 2),
+            "repeat": lambda: lanes.edit(copy_behind, chosen, "Repeat"),
             "mute": lambda: lanes.edit(edits.toggle_mute_clips, chosen),
-            "duplicate": lambda: lanes.edit(edits.duplicate_clips, chosen),
+            "duplicate": lambda: lanes.edit(copy_behind, chosen, "Duplicate"),
             **{name: partial(lanes.action_requested.emit, name) for name in _ACTIONS},
-            # What is not selected, but edited by the clip panel, is not removed.
-            "remove": lambda: lanes.edit(edits.remove_clips, view.selected_clips),
+            "remove": lambda: lanes.edit(edits.remove_clips, chosen),
         }
-        if command in acts:
+        if command in _ACTIONS and not chosen:
+            lanes.edited.emit(NO_CLIPS, None)
+        elif command in acts:
             acts[command]()
 
     def _put_playhead(self, time_s: float) -> None:

@@ -12,7 +12,6 @@ from skinsource.base.conventions import SAMPLE_RATE_HZ, Floats
 from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, View, audible_inputs
-from skinsource.design.edits.edit import leading_clip
 from skinsource.design.edits.inputs import add_track
 from skinsource.design.signal_path import UnplayableInput
 from skinsource.design.waveform import Waveform
@@ -332,7 +331,7 @@ class TimelinePanel(Panel):
 
     def _draw(self, new: bool) -> None:
         """Take the pen to the selected clip, or to a new one, which is silent yet."""
-        if new or leading_clip(self._design, self._view) is None:
+        if new or self._view.selected_clip is None:
             values = np.zeros(round(_DRAWN_S * self._rate_hz))
             drawn = Drawn(Samples(values=values, sample_rate_hz=self._rate_hz))
             if (track := self._view.selected_input) is None:

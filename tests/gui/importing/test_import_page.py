@@ -209,6 +209,9 @@ def test_places_begin_with_the_likeliest(desk):
     assert names[0] == "new 4"
     assert len(names) == len(set(names)) == 21
     assert actions.options(design, view, DropPlace(input_id=track.id))[0][0] == f"track {track.id}"
+    more = edits.duplicate_inputs(edits.place_input(design, view, 4).design, view, (1,)).design
+    texts = [text for name, text in actions.options(more, view, None) if name.startswith("track")]
+    assert [text[-5:] for text in texts] == ["row 1", " tip)", "row 3"]
     nothing = actions.options(design.without_input(0), view, None)
     assert [name for name, _ in nothing][:2] == ["new 7", "new 1"]
 
@@ -344,6 +347,8 @@ def test_each_file_begins_with_the_choices_of_the_last(desk, qtbot, sound, tmp_p
         assert looked_at(page, qtbot).form.choice == expected
         page.accept()
         QApplication.processEvents()
+    steps = desk.document.undo_stack
+    assert (steps.count(), steps.undoText()) == (1, "Import 3 files")
     desk.imports.ask_and_import()
     assert looked_at(desk.imports.pages[0], qtbot).form.made == {}
 

@@ -237,7 +237,8 @@ def test_the_menu_of_an_effect_copies_and_removes(bench):
     bench.panel.action_requested.connect(asked.append)
     for name in ("Copy effects", "Replace effects", "Remove fade"):
         lines_at(bench.panel, "effect_menu", row.title, QPoint(5, 5))[name].trigger()
-    assert asked == ["copy_effects", "paste_effects"]
+    # The clip that is shown is what they act on.
+    assert (asked, bench.view.selected_clips) == (["copy_effects", "paste_effects"], (1,))
     assert bench.titles == ["Reverse", "Repeat"]
 
 

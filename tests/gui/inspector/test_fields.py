@@ -122,12 +122,18 @@ def test_the_gain_of_a_clip_is_shown_beside_others_and_wherever_it_is_not_1(benc
         cells = [cell for cell in bench.panel.fields if cell.name == "gain"]
         return cells[0].label.text() if cells else ""
 
-    assert label() == ""
+    def of_track():
+        text = bench.label("whole_track")
+        return text.text() if text is not None and text.isVisible() else ""
+
+    assert (label(), of_track()) == ("", "")
     louder, other = Clip(id=9, waveform=Tone(), gain=0.5), Clip(id=10, waveform=Tone())
     bench.show(bench.design.with_input(0, clips=(louder, other)))
-    assert label() == "Clip gain"
+    assert (label(), of_track()) == ("Clip gain", "2 clips")
+    gain, onset = (bench.number(name).parent() for name in ("gain", "onset_s"))
+    assert gain.parent() is onset.parent()
     bench.show(bench.design.with_input(0, clips=(louder,)))
-    assert label() == "Clip gain"
+    assert (label(), of_track()) == ("Clip gain", "")
     # One that becomes 1 can be typed again, until another clip is shown.
     bench.type("gain", "1")
     assert bench.track.clips[0].gain == 1.0

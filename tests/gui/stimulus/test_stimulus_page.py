@@ -79,9 +79,10 @@ def test_options_reach_what_is_shown(page, qtbot):
 
 def test_tracks_that_are_silent_are_said_to_be_left_out(make_desk, design, qtbot):
     design = design.with_input(0, muted=True).with_input(1, solo=True)
+    design = design.with_clip(design.inputs[1].clips[0].id, muted=True)
     clips = tuple(clip.id for clip in design.clips)
     page = opened(make_desk(design, View(selected_inputs=design.ids, selected_clips=clips)), qtbot)
-    silent = "Left out: track at 7 (muted), track at 7 (not solo)."
+    silent = "Left out: track at 7 (muted), 1 muted clip at 12, track at 7 (not solo)."
     for plays in ("all", "tracks", "clips"):
         choose(page, qtbot, "plays", plays)
         assert label(page, "loses").startswith(silent)

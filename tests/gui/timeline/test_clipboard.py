@@ -1,10 +1,11 @@
 """The Clip menu does with clips what keys do; clips come from the head and go to places."""
 
 from dataclasses import replace
+from functools import partial
 
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QGuiApplication, QMouseEvent
+from PySide6.QtGui import QGuiApplication, QKeySequence, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QApplication, QInputDialog, QToolButton
 
@@ -13,7 +14,8 @@ from skinsource.design.effects import BandLimit, Fade, Repeat, Trim
 from skinsource.design.waveforms import Drawn, Tap, Tone, WaveletTrain
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.clip_editor.tools import Pen
-from skinsource_gui.qt.keys import key_text
+from skinsource_gui.qt.keys import KEYS, key_text
+from skinsource_gui.shell.actions import ACTIONS
 from tests.gui.timeline.bench import CONTROL, LEFT, NONE, SHIFT, TWO_TRACKS
 
 
@@ -85,6 +87,9 @@ def test_they_work_with_the_timeline_hidden_and_say_what_was_pasted_where(active
     active.do("paste_clips")
     message = active.statusBar().currentMessage()
     assert message == "1 clip pasted at 0 ms, over the copied clips"
+    active.do("undo")
+    assert active.statusBar().currentMessage() == ""
+    active.do("redo")
     assert waveforms(active) == [waveform, waveform]
     active.do("cut_clips")
     assert waveforms(active) == [waveform]
@@ -120,13 +125,8 @@ def test_each_entry_acts_on_all_selected_clips_in_one_step(two_clips):
     window.do("limit_to_band")
     assert effects(window) == [[BandLimit], [BandLimit]]
     assert [clip.waveform for clip in document.design.clips] == [TONE, TONE]
-    chosen = document.view
-    document.look(replace(chosen, selected_clips=()))
-    assert not any(
-        window.actions_by_name[f"{name}_clips"].isEnabled() for name in ("remove", "cut")
-    )
     # What is cut is what is copied: not the clip of the other track, which is dotted.
-    document.look(replace(chosen, selected_clips=(1,)))
+    document.look(replace(document.view, selected_clips=(1,)))
     window.do("cut_clips")
     window.do("paste_clips")
     assert len(document.design.clips) == 2
@@ -135,16 +135,48 @@ def test_each_entry_acts_on_all_selected_clips_in_one_step(two_clips):
     assert document.design.clips == ()
 
 
-def test_fades_come_and_go_and_leave_the_other_end(two_clips):
-    window, document = two_clips, two_clips.document
+# What stands among them in the menu; and the keys of the others.
+OTHERS = {"show_clip_editor", "match_tracks", "make_motion", "equalise_on_skin"}
+ON_CLIPS = "nudge change_track split repeat mute duplicate fade_in fade_out stretch_clip remove"
+
+
+def test_what_acts_on_clips_acts_on_selected_ones_else_refuses_in_one_sentence(two_clips):
+    window, document, refused = two_clips, two_clips.document, []
+    lanes, before = window.panel("timeline").lanes, document.design
+    on_clips = {spec.name for spec in ACTIONS if spec.menu == "Clip"} - OTHERS
+    assert all(window.actions_by_name[name].isEnabled() for name in on_clips)
+    document.look(replace(document.view, selected_clips=()))
+    document.refused.connect(refused.append)
+    assert not any(window.actions_by_name[name].isEnabled() for name in {*on_clips, "cut_clips"})
+    keys = KEYS["timeline"].gestures
+    names = ON_CLIPS.split()
+    for name in names:
+        pressed = QKeySequence(keys[name].keys[0])[0]
+        QTest.keyClick(lanes, pressed.key(), pressed.keyboardModifiers())
+    window.do("copy_clips")
+    assert refused == ["No clip is selected; click one in the timeline."] * (len(names) + 1)
+    assert document.design is before
+    # A new one is what is meant next.
+    for adds in (partial(window.do, "add_input"), partial(QTest.keyClick, lanes, Qt.Key.Key_N)):
+        adds()
+        QTest.keyClick(lanes, Qt.Key.Key_F)
+        assert document.design.inputs[-1].clips[-1].effects == (Fade(0.02, 0.0),)
+
+
+def test_fades_are_added_and_never_taken_away_by_a_key(two_clips):
+    window, document, refused = two_clips, two_clips.document, []
     lanes = window.panel("timeline").lanes
+    document.refused.connect(refused.append)
     QTest.keyClick(lanes, Qt.Key.Key_F)
     QTest.keyClick(lanes, Qt.Key.Key_F, SHIFT)
     assert {clip.effects for clip in document.design.clips} == {(Fade(0.02, 0.02),)}
-    assert document.undo_stack.count() == 2
+    document.edit("By hand", document.design.with_clip(1, effects=(Fade(0.0, 0.15),)))
     window.do("fade_in")
-    assert {clip.effects for clip in document.design.clips} == {(Fade(0.0, 0.02),)}
-    assert not window.actions_by_name["fade_in"].isChecked()
+    assert document.design.clips[0].effects == (Fade(0.02, 0.15),)
+    window.do("fade_in")
+    QTest.keyClick(lanes, Qt.Key.Key_F, SHIFT)
+    assert [text.split()[2] for text in refused] == ["in", "out"]
+    assert document.undo_stack.count() == 4
 
 
 def test_effects_but_not_what_cuts_a_part_are_copied_to_others_in_one_step(two_clips):

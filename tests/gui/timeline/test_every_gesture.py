@@ -388,10 +388,18 @@ def test_selected_clips_move_together_and_none_starts_before_zero(lanes):
 
 
 def test_an_end_that_is_dragged_beyond_its_clip_says_the_length_that_the_clip_has(lanes):
+    lanes.lanes.set_snaps(True)
     end, whole_s = end_of(lanes, 2), lanes.design.clip(2).duration_s
-    lanes.drag(end, end + lanes.px(0.3), release=False)
+    # Another clip starts there, which the end does not reach.
+    lanes.drag(end, end + lanes.px(0.2), release=False)
     assert lanes.design.clip(2).duration_s == whole_s
     assert lanes.lanes.overlay.preview.label.startswith(value_text(whole_s, "s"))
+    assert lanes.lanes.overlay.preview.guide_s is None
+    lanes.lanes.mouse.cancel()
+    for end, by_s in ((end_of(lanes, 1), -0.1), (start_of(lanes, 1), 0.1)):
+        lanes.drag(end, end + lanes.px(by_s), release=False)
+        assert lanes.lanes.overlay.preview.guide_s == 0.1
+        lanes.lanes.mouse.cancel()
 
 
 def test_the_pointer_shows_what_can_be_dragged_and_an_end_from_a_little_outside(lanes):

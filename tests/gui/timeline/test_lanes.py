@@ -16,7 +16,7 @@ from skinsource_gui.panels.timeline.content import (
     shown_gain_curves,
 )
 from skinsource_gui.panels.timeline.gestures import GesturePreview
-from tests.gui.timeline.bench import ALT, CONTROL, LEFT, NONE, SHIFT, LanesBench
+from tests.gui.timeline.bench import ALT, CONTROL, LEFT, NONE, SHIFT, TONE, TWO_TRACKS, LanesBench
 
 _Key = Qt.Key
 
@@ -36,13 +36,9 @@ def test_a_click_on_the_ground_selects_the_track_alone_and_keys_then_move_and_re
     before = lanes.design
     lanes.click(lanes.at(0.62))
     assert (lanes.view.selected_inputs, lanes.view.selected_clips) == ((1,), ())
-    for key in (_Key.Key_Delete, _Key.Key_Right, _Key.Key_S):
+    for key in (_Key.Key_Delete, _Key.Key_Right, _Key.Key_S, _Key.Key_M):
         lanes.key(key)
     assert lanes.design is before
-    # As the Clip menu, a key changes the dotted clip, which the clip panel edits.
-    lanes.key(_Key.Key_M)
-    assert [clip.muted for clip in lanes.design.clips] == [True, False, False, False]
-    lanes.key(_Key.Key_M)
     lanes.look(edits.select_clips(before, lanes.view, (2, 4)).view)
     lanes.click(lanes.at(0.62), CONTROL)
     assert lanes.view.selected_clips == (2, 4)
@@ -92,6 +88,29 @@ def test_a_double_click_on_the_ruler_puts_playhead_and_marker_at_one_time(lanes)
     lanes.double_click(at)
     assert [marker.time_s for marker in lanes.design.markers] == [lanes.view.playhead_s]
     assert lanes.view.playhead_s == pytest.approx(0.3)
+
+
+def test_a_marker_that_is_dragged_onto_another_stays_beside_it(lanes):
+    lanes.lanes.set_snaps(True)
+    for time_s in (0.4, 0.62):
+        lanes.show(edits.add_marker(lanes.design, lanes.view, time_s).design)
+    lanes.drag(lanes.on_ruler(0.62, 6), lanes.on_ruler(0.4, 6), steps=9)
+    times_s = [marker.time_s for marker in lanes.design.markers]
+    assert times_s[0] == 0.4 < times_s[1] < 0.6
+
+
+def test_keys_and_the_menu_put_copies_where_the_track_is_free(lanes):
+    for act in (
+        lambda: lanes.key(_Key.Key_R),
+        lambda: lanes.key(_Key.Key_D, CONTROL),
+        lambda: lanes.menu_at(lanes.middle(1))["Repeat clip"].trigger(),
+        lambda: lanes.menu_at(lanes.middle(1))["Duplicate clip"].trigger(),
+    ):
+        lanes.show(TWO_TRACKS)
+        lanes.click(lanes.middle(1))
+        act()
+        copy = lanes.design.inputs[0].clips[-1]
+        assert (copy.waveform, copy.onset_s) == (TONE, 0.5)
 
 
 def test_markers_are_added_renamed_and_removed_on_the_ruler(lanes, monkeypatch):

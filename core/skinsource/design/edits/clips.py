@@ -106,6 +106,8 @@ def move_playhead(design: Design, view: View, time_s: float) -> Edit | Refusal:
     return change_view(design, view, "Move playhead", playhead_s=time_s)
 
 
+#: Times that differ by less are the same.
+SAME_S = 1e-9
 NO_TIME = "A time is a number of seconds."
 _NO_TRACK = Refusal(sentence="That track is no longer there; choose another one.")
 #: Fields of clips that are set by name; `change_field` sets those of their waveforms.
@@ -239,6 +241,41 @@ def repeat_clips(design: Design, view: View, ids: Iterable[int], times: int) -> 
     for k in range(1, times):
         copies += _moved(design, chosen, k * length_s, 0)
     return _with_new_clips(design, view, f"Repeat {clips_text(design, chosen)}", copies)
+
+
+@refusing
+def copy_behind(design: Design, view: View, ids: Iterable[int], verb: str) -> Edit | Refusal:
+    """Put copies of clips as a group behind them, in the first room that their tracks have.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7), ss.track(8)))
+    >>> busy = ss.edits.copy_clips(design, ss.View(), [1], by_s=0.3).design
+    >>> print([clip.onset_s for clip in copy_behind(busy, ss.View(), [1], "Copy").design.clips])
+    [0.0, 0.3, 0.5, 0.0]
+    """
+    chosen = chosen_clips(design, ids)
+    length_s = max(clip.end_s for clip in chosen) - min(clip.onset_s for clip in chosen)
+    # How far copies would have to be moved to meet another clip, and to be behind it.
+    met = [
+        (other.onset_s - clip.end_s + SAME_S, other.end_s - clip.onset_s)
+        for clip in chosen
+        for other in design.track_of(clip.id).clips
+        if other.end_s - clip.onset_s > length_s + SAME_S
+    ]
+    by_s = length_s
+    for from_s, behind_s in sorted(met):
+        if from_s < by_s < behind_s - SAME_S:
+            by_s = behind_s
+    if max(clip.onset_s for clip in chosen) + by_s > ONSET.maximum:
+        return Refusal(sentence=f"The copy would begin after {ONSET.maximum:g} s; copy others.")
+    label = f"{verb} {clips_text(design, chosen)}"
+    outcome = _with_new_clips(design, view, label, _moved(design, chosen, by_s, 0))
+    if isinstance(outcome, Refusal) or by_s == length_s:
+        return outcome
+    start_s = by_s + min(clip.onset_s for clip in chosen)
+    return replace(outcome, said=f"The copy starts at {start_s * 1e3:.6g} ms: no room before")
 
 
 @refusing
@@ -532,6 +569,8 @@ def paste_fragment(design: Design, view: View, fragment: Fragment, at_s: float) 
     if isinstance(outcome, Refusal):
         return outcome
     over = ", over the copied clips" if _has_clip_on_its_equal(outcome.design, design) else ""
+    n_new = len(outcome.design.inputs) - len(design.inputs)
+    over += f", {counted(n_new, 'track')} added" if n_new else ""
     return replace(outcome, said=f"{counted(count, 'clip')} pasted at {at_s * 1e3:.6g} ms{over}")
 
 

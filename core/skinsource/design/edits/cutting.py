@@ -17,6 +17,7 @@ from skinsource.design.clips import LATEST_S, MAX_EFFECTS, ONSET, Clip, numbered
 from skinsource.design.design import Design, Input, View
 from skinsource.design.edits.clips import (
     NO_TIME,
+    SAME_S,
     chosen_clips,
     clips_selected,
     clips_text,
@@ -32,8 +33,6 @@ from skinsource.design.effects.time import Reverse, Stretch, Trim
 from skinsource.design.signal_path import Curve
 from skinsource.specs.models import specs_of
 
-#: Times that differ by less are the same.
-SAME_S = 1e-9
 # Of its course.
 _FADE_POINTS = 17
 #: Shortest clip that dragging an end can make.

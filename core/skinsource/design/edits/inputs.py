@@ -69,14 +69,15 @@ def place_input(design: Design, view: View, location: int, besides: bool = False
             copy = replace(clip, waveform=waveform, onset_s=0.0, muted=False, label="", id=0)
             new = replace(new, clips=(copy,))
         new = replace(new, amplitude=selected.amplitude)
-    after = with_inputs_added(design, [new])
-    return Edit(
-        label=f"Place input at {location_text(location, design.limb)}",
-        design=after,
+    edit = _added(design, view, f"Place input at {location_text(location, design.limb)}", [new])
+    if not besides:
+        return edit
+    return replace(
+        edit,
         view=replace(
             view,
-            selected_inputs=(*(view.selected_inputs if besides else ()), after.ids[-1]),
-            selected_clips=(),
+            selected_inputs=(*view.selected_inputs, *edit.view.selected_inputs),
+            selected_clips=(*view.selected_clips, *edit.view.selected_clips),
         ),
     )
 
@@ -413,9 +414,14 @@ def add_waveform(
 
 
 def _added(design: Design, view: View, label: str, new: Sequence[Input]) -> Edit:
-    """Add inputs at the end, and select them."""
+    """Add inputs at the end, and select them with their clips."""
     after = with_inputs_added(design, new)
-    view = replace(view, selected_inputs=after.ids[len(design.inputs) :], selected_clips=())
+    added = after.inputs[len(design.inputs) :]
+    view = replace(
+        view,
+        selected_inputs=tuple(track.id for track in added),
+        selected_clips=tuple(clip.id for track in added for clip in track.clips),
+    )
     return Edit(label=label, design=after, view=view)
 
 

@@ -17,7 +17,7 @@ from skinsource.design.design import (
     louder,
     shown_snapshot,
 )
-from skinsource.design.edits.cutting import SAME_S
+from skinsource.design.edits.clips import SAME_S
 from skinsource.design.edits.edit import Edit, Refusal, change_inputs, change_view, listed, refusing
 
 
@@ -38,6 +38,7 @@ def select_outputs(design: Design, view: View, outputs: Iterable[int]) -> Edit |
     return change_view(design, view, f"Select {what}", outputs=chosen)
 
 
+_TAKEN = Refusal(sentence="A marker is there already; move or rename that one.")
 _NO_MARKER = Refusal(sentence="That marker is no longer there; choose another one.")
 
 
@@ -56,7 +57,7 @@ def add_marker(design: Design, view: View, time_s: float, name: str = "") -> Edi
     if len(design.markers) >= MAX_MARKERS:
         return Refusal(sentence=f"A design holds at most {MAX_MARKERS} markers; remove one first.")
     if any(abs(marker.time_s - time_s) < SAME_S for marker in design.markers):
-        return Refusal(sentence="A marker is there already; move or rename that one.")
+        return _TAKEN
     new = Marker(time_s=time_s, name=name)
     after = replace(design, markers=(*design.markers, new))
     return Edit(label="Add marker", design=after, view=view)
@@ -75,6 +76,9 @@ def move_marker(design: Design, view: View, index: int, time_s: float) -> Edit |
     >>> print(edit.design.markers[0].time_s)
     0.2
     """
+    others = (marker for k, marker in enumerate(design.markers) if k != index)
+    if any(abs(marker.time_s - time_s) < SAME_S for marker in others):
+        return _TAKEN
     return _with_marker(design, view, "Move marker", index, time_s=time_s)
 
 
