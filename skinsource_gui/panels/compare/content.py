@@ -713,7 +713,8 @@ def snapshot_names(
     """
     names: list[Names] = []
     titles = told_titles(compared)
-    own_parts = _own_parts([each for each in titles.values() if each])
+    figures = [titles.get(side.snapshot.number, "") for side in compared if not side.snapshot.title]
+    own_parts = _own_parts([each for each in figures if each])
     several = with_limbs and len({side.snapshot.design.limb for side in compared}) > 1
     for side in compared:
         along = axes_on(side.snapshot.design.limb, axes)
@@ -723,12 +724,10 @@ def snapshot_names(
         working = side.snapshot.number == EDITED
         called = _WORKING[0] if working else f"Snapshot {side.name}"
         title = titles.get(side.snapshot.number, "")
-        own = own_parts.get(title, "")
+        own = own_parts.get(title, title)
         cut = own if len(own) <= _SHORT else f"{own[: _SHORT - 1].rstrip()}…"
-        begun = (called, title), (called, own), (side.name, own), (side.name, cut)
-        longest = tuple(" · ".join(parts) for parts in begun)
-        if working:
-            longest = title, own, own, cut
+        begun = (called, own), (side.name, own), (side.name, cut)
+        longest = (own, own, cut) if working else tuple(" · ".join(parts) for parts in begun)
         # A scene that was not changed is told by its title, as the others are.
         told = title and (not working or title == side.snapshot.design.title)
         wordings = (*longest, called) if told else (called,)

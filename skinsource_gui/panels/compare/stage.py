@@ -603,7 +603,8 @@ class StagePanel(MapsPanel):
         snapshot, design = side.snapshot, side.snapshot.design
         if snapshot.number != EDITED or scenes.title_of(design) != design.title:
             return side
-        told = replace(design, title=self._title_now(design, self.view))
+        title = self._title_now(design, self.view)
+        told = replace(design, title="" if title.endswith(_EDITED) else title)
         return replace(side, snapshot=replace(snapshot, design=told))
 
     def _show_knob(self, design: Design, view: View) -> None:
@@ -650,8 +651,7 @@ class StagePanel(MapsPanel):
             values = values + 20.0 * np.log10(gain) if spectra else gain * values
             # Of another design the loudest part may lie where this one has ended.
             for row, number in enumerate(kept if x.size else ()):
-                of_map = names[k][1:] if len(names[k]) > 2 else names[k]
-                called = _names(number, limb) if alone else of_map
+                called = _names(number, limb) if alone else names[k]
                 curves.append(Curve(names=called, rank=row if alone else k, x=x, y=values[row]))
         self.strip.in_rows = self.moving.passes and bool(curves)
         top = max((float(np.abs(curve.y).max()) for curve in curves), default=0.0) or 1.0

@@ -174,7 +174,7 @@ def test_the_title_of_a_snapshot_is_typed_over_its_card_and_is_its_own(
     first, second = outcome.view.snapshots
     several = first, second, replace(first, number=3)
     names = snapshot_names([Compared(snapshot=each) for each in several], "xyz")
-    assert [each[2] for each in names] == ["1 · Soft", "2 · " + "Long" * 10, "3 · Soft"]
+    assert [each[1] for each in names] == ["1 · Soft", "2 · " + "Long" * 10, "3 · Soft"]
     assert names[1][-3:-1] == ("2 · LongLongLongL…", "Snapshot 2")
 
 
@@ -415,5 +415,5 @@ def test_the_working_design_is_told_by_its_title_until_a_scene_is_changed():
     for design, name in ((scene.design, "80 mm/s"), (changed, "Working design")):
         sides = [Compared(snapshot=each) for each in with_edited(scene.view.snapshots, design)]
         names = snapshot_names(sides, "z")
-        assert names[0][1] == "Snapshot 1 · 5 mm/s"
+        assert names[0][0] == "Snapshot 1 · 5 mm/s"
         assert names[-1][-1 if name == "80 mm/s" else 0] == name

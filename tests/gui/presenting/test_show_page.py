@@ -89,8 +89,8 @@ def test_a_scene_of_a_show_has_its_maps_and_labels(studio, page, path, qtbot, na
     else:
         page.findChild(QPushButton, "show_present").click()
     qtbot.waitUntil(lambda: len(stage.maps.content.cells) == 4, timeout=15_000)
-    headings = [cell.headings for cell in stage.maps.content.cells]
-    assert [each[1] for each in headings] == [f"Snapshot {k + 1} · {parts[k]}" for k in range(4)]
+    headings = [cell.heading for cell in stage.maps.content.cells]
+    assert headings == [f"Snapshot {k + 1} · {parts[k]}" for k in range(4)]
     assert stage.heading.text() == scene_title
     if not saved:
         studio.do("present")
