@@ -140,6 +140,19 @@ def test_presenting_a_show_takes_the_page_away_until_its_end(studio, made, qtbot
     made.done(0)
 
 
+def test_after_a_show_that_is_given_up_its_scene_is_one_of_the_paper_again(studio, page, answers):
+    studio.scenes.open("2A")
+    page.add_open_design()
+    page.findChild(QPushButton, "show_present").click()
+    studio.do("next_scene")
+    assert studio.document.design.title.startswith("Fig. 2A: ")
+    studio.do("present")
+    answers["question"] = QMessageBox.StandardButton.Discard
+    page.reject()
+    studio.do("next_scene")
+    assert studio.document.design.title.startswith("Fig. 2B: ")
+
+
 def test_there_is_one_page_of_the_show_and_it_begins_with_what_was_saved(
     studio, made, tmp_path, answers
 ):
