@@ -356,13 +356,15 @@ def test_the_keys_page_lists_each_gesture_and_the_key_of_each_action(window):
         assert not keys or f"\n{keys}" in text, name
 
 
-def test_the_keys_page_begins_with_the_panel_in_use_and_is_searched(window):
+def test_the_keys_page_begins_with_the_panel_in_use_and_is_searched(window, qtbot):
     for arrangement, panel, place in (
         ("presentation", "stage", "presenting"),
-        ("compose", "timeline", "timeline"),
+        ("design", "timeline", "timeline"),
     ):
         window.do(f"arrange_{arrangement}")
-        window.panel(panel).setFocus()
+        window.activateWindow()
+        qtbot.waitUntil(lambda: window.isActiveWindow() and window.workspaces.settled)
+        window.docks[panel].enter()
         window.do("show_keys")
         browser = window.findChildren(QTextBrowser, "page_text")[-1]
         assert browser.toPlainText().strip().startswith(KEYS[place].heading)

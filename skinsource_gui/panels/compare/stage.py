@@ -145,6 +145,15 @@ class Strip(Figure):
             x = area.left() + area.width() * self.marked / self.ends[0][1]
             painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 2))
             painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()))
+            unit, factor = axis_unit(self.ends[0][1])
+            at = area.adjusted(0.0, 0.0, x - area.right() - UNIT_PX / 2, 0.0)
+            side = Qt.AlignmentFlag.AlignRight
+            if x < area.center().x():
+                at, side = (
+                    area.adjusted(x - area.left() + UNIT_PX / 2, 0.0, 0.0, 0.0),
+                    Qt.AlignmentFlag.AlignLeft,
+                )
+            painter.drawText(at, side, f"{self.marked * factor:.1f} {unit}")
 
     def _area(self) -> QRectF:
         line = 1.4 * self.fontMetrics().height()
@@ -304,6 +313,8 @@ _SMALLER, _TITLE_SMALLER, _LEAST_LETTERS = 0.95, 0.8, 0.5
 # How many periods are drawn of a steady tone, and of what passes; height of spectra.
 _PERIODS = {False: 3.0, True: 1.0}
 _SPECTRUM_DB = 60.0
+# Curves of other outputs that are so much weaker than what was shown are not to be seen.
+_SUNK_DB = 12.0
 # When curves that a turn of the knob has cut are fitted, after the last turn.
 _RESTS_MS = 1000
 
@@ -346,7 +357,7 @@ class StagePanel(MapsPanel):
         self._line = in_row((self.caution, 1), self._switches)
         self.named: Callable[[], str] = str
         self._held_ends: tuple[Range, Range] | None = None
-        self._passes = self._cut = False
+        self._passes = self._cut = self._sunk = False
         self._rest = QTimer(self, singleShot=True, interval=_RESTS_MS)
         self._rest.timeout.connect(self._fit_cut)
         self._shown: tuple[Any, ...] = ()
@@ -436,10 +447,13 @@ class StagePanel(MapsPanel):
         self.show_maps()
 
     def _fit_cut(self) -> None:
-        """Fit the scales if curves are cut: until the knob rests, it is seen what is louder."""
+        """Fit the scales to curves that are cut, or of outputs alone that are far weaker.
+
+        Until the knob or the mouse rests, it is seen what is louder.
+        """
         if self.is_stale or self.knob.dial.isSliderDown():
             self._rest.start()
-        elif self._cut:
+        elif self._cut or (self._sunk and self.held is None):
             self.fit()
 
     def _release(self) -> None:
@@ -655,6 +669,7 @@ class StagePanel(MapsPanel):
                 curves.append(Curve(names=called, rank=row if alone else k, x=x, y=values[row]))
         self.strip.in_rows = self.moving.passes and bool(curves)
         top = max((float(np.abs(curve.y).max()) for curve in curves), default=0.0) or 1.0
+        self._sunk = False
         designs = [side.snapshot.design for side in self.compared]
         bands = _settings(self.view, "linearity").get("bands") is True
         if bands and (fits := _fits_of(designs, [loop for _, loop, _ in known], outputs[0])):
@@ -668,23 +683,28 @@ class StagePanel(MapsPanel):
             low_hz, high_hz = facts_of(limb).band_hz or (0.0, float(curves[0].x[-1]))
             top = max(float(curve.y.max()) for curve in curves)
             ends = self._held_ends or ((low_hz, high_hz), (top - _SPECTRUM_DB, top))
+            self._sunk = top < ends[1][1] - _SUNK_DB
             of = self.moving.unit.replace("m/s²", "acceleration")
             if self._together:
                 axes, matched = axes_text(facts_of(limb).axes), of.partition(",")[1:]
                 of = f"acceleration along {axes} together{''.join(matched)}"
-            words = (where, f"{low_hz:g} Hz: {of}, {_SPECTRUM_DB:g} dB high", f"{high_hz:g} Hz")
+            text = f"{low_hz:g} Hz · height: {of}, {_SPECTRUM_DB:g} dB in all"
+            words = (where, text, f"{high_hz:g} Hz")
             self.strip.ticks = readable_ticks(low_hz, 0.99 * high_hz, 7.0, 7.0)
         else:
             self.strip.ticks = ()
             unit, factor = axis_unit(end_s)
             ends = (0.0, end_s), self._held_ends[1] if self._held_ends else (-top, top)
-            self._held_ends = self._held_ends and ends
+            self._held_ends, self._sunk = (
+                self._held_ends and ends,
+                top < 10 ** (-_SUNK_DB / 20) * ends[1][1],
+            )
             high = f"±{rounded(ends[1][1])} {self.moving.unit}"
             if self.strip.in_rows:
                 curves = _in_rows(designs[0], known[0][1], curves, [k - 1 for k in kept])
                 ends, top = ((0.0, end_s), (-0.5, len(curves) - 0.5)), 0.0
                 high = "each relative to its peak; + group delay, marked where it arrives"
-            words = (where, high, f"{end_s * factor:.3g} {unit}")
+            words = (where, high, f"window {end_s * factor:.3g} {unit}")
         self._cut = top > ends[1][1] or (not spectra and shown_s > end_s)
         self.strip.show_curves(tuple(curves), ends, words)
         self._show_cursor()

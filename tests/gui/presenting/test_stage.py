@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QFrame, QLabel
 
 import skinsource as ss
 from skinsource.base.job import never, silent
+from skinsource.design import edits
 from skinsource.design.comparing import difference_db, gain_text
 from skinsource.design.design import Snapshot
 from skinsource.design.design_file import save_design
@@ -357,6 +358,7 @@ def test_the_time_axis_shows_all_of_a_motion_that_no_longer_loops(stage, qtbot):
     assert stage.strip.ends[0][1] == pytest.approx(loop.duration_s)
     tick(stage)
     assert stage.strip.marked is not None
+    assert stage.strip._words[2] == f"window {1e3 * loop.duration_s:.3g} ms"
 
 
 def test_keys_of_the_stage_work_in_the_window_too(stage, qtbot):
@@ -785,3 +787,14 @@ def test_no_curve_of_an_axis_has_the_colour_of_a_ring(stage, qtbot):
     }
     assert colours.isdisjoint({theme.output_colour(each.rank).rgb() for each in stage.strip.curves})
     assert QColor(theme.text).rgb() in colours
+
+
+@pytest.mark.parametrize("name", ["1C", "2D"])
+def test_curves_of_a_far_output_fill_the_plot_once_the_mouse_rests(stage, qtbot, name):
+    opened = scene_on(stage, qtbot, name, "synthetic-4")
+    document, ends = stage.window().document, stage.strip.ends
+    document.apply(edits.select_outputs(opened.design, document.view, (58,)))
+    assert stage.strip.ends == ends
+    stage._rest.timeout.emit()
+    values = [curve.y if name == "2D" else np.abs(curve.y) for curve in stage.strip.curves]
+    assert stage.strip.ends[1][1] == np.max(values) < ends[1][1]
