@@ -294,8 +294,6 @@ class Presenter(QObject):
         window.setWindowState(window.windowState() & ~Qt.WindowState.WindowFullScreen)
         # What was told meanwhile would lie over what the line says.
         window.statusBar().clearMessage()
-        if turned:
-            self.done.emit("The design is as it was before; Redo brings back what was turned")
         for bar in self._bars():
             bar.show()
         self.presenting_changed.emit(False)
@@ -306,6 +304,8 @@ class Presenter(QObject):
             self.cover()
         if self._notes is not None:
             self._notes.close()
+        if turned:
+            self.done.emit("The design is as it was before; Redo brings back what was turned")
 
     def _take_back(self) -> bool:
         """Take back what was turned on the stage, unless it was saved; return whether it was."""

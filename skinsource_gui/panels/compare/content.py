@@ -126,7 +126,7 @@ class Cell:
 
     def value_text(self, output: int | None) -> str:
         """Return the text of the value of an output; None: of the largest one, and where it is."""
-        return self.value_texts(output)[0]
+        return self.value_texts(output)[0 if output is None else -2]
 
     def value_texts(self, output: int | None) -> tuple[str, ...]:
         """Return the texts of that value, from the longest to the shortest."""
@@ -139,7 +139,7 @@ class Cell:
             return ("no such output", "none")
         if output is not None:
             value = self.scale.text(float(values[output - 1]))
-            return value, value.removesuffix(" dB")
+            return f"Output {output}: {value}", value, value.removesuffix(" dB")
         largest = int(np.argmax(np.abs(values) if self.scale.signed else values))
         value = self.scale.text(float(values[largest]))
         if value == SILENT:

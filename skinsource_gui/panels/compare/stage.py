@@ -59,8 +59,7 @@ from skinsource_gui.plots.ranges import Tick, readable_ticks
 from skinsource_gui.plots.small_map import Range
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.frames import CachedPicture, Same
-from skinsource_gui.qt.keys import KEYS
-from skinsource_gui.qt.labels import how_to_add
+from skinsource_gui.qt.keys import KEYS, shortcut_text
 from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, letter_scale, tabular
 from skinsource_gui.state.compared import Compared
@@ -573,7 +572,8 @@ class StagePanel(MapsPanel):
 
     def _show_words(self, design: Design, view: View, others: Sequence[str]) -> None:
         track = self._track
-        plain = self.named() or f"Place {track.location}" if track else how_to_add()
+        to_add = f"Press {shortcut_text('add_input')} to add an input"
+        plain = self.named() or f"Place {track.location}" if track else to_add
         title, words = design.title or plain, design.notes.partition("\n")[0]
         before = self._said_of.setdefault((design.title, design.notes), design)
         now = self._title_now(design, view) if design.title else plain
@@ -716,7 +716,8 @@ class StagePanel(MapsPanel):
             return
         # It goes back by whole periods, so that curves and maps agree where it stands.
         longest_s, end_s = max(lengths_s), self.strip.ends[0][1]
-        self.strip.show_cursor(self.moving.ran_s % (longest_s * max(int(end_s / longest_s), 1)))
+        n_periods = max(round(end_s / longest_s), 1)
+        self.strip.show_cursor(self.moving.ran_s % (longest_s * n_periods))
 
     def _turn(self, value: float, gesture: int | None) -> None:
         if self.design is not None and self._track is not None:

@@ -237,6 +237,7 @@ def test_what_is_silent_has_no_level_that_is_matched_compared_or_averaged(window
     assert content.about.endswith(" · snapshot 1 is silent: levels cannot be matched to it")
     silent, first, second = content.cells
     assert silent.value_text(None) == silent.value_text(3) == "silent"
+    assert first.value_texts(3)[0] == f"Output 3: {first.value_text(3)}"
     readout = content.readout(3).rpartition(": ")[2]
     assert readout.split(" · ") == ["silent", first.value_text(3), second.value_text(3)]
     rows = [line.split("\t") for line in tab_separated(content).splitlines()[1:]]

@@ -145,6 +145,9 @@ def test_the_knob_turns_the_frequency_while_the_maps_go_on(stage, qtbot):
     tick(stage)
     turns, ends = stage.moving.turns, stage.strip.ends
     assert turns > 0.0
+    stage.moving.turns = turns = 2.5
+    stage.knob.edited.emit(95.0, None)
+    assert stage.strip.marked == pytest.approx(2.5 / 95.0)
     stage.knob.dial.setValue(0)
     assert window.document.design.clips[0].waveform.frequency_hz == 25.0
     qtbot.waitUntil(lambda: not window.engine.busy and not stage.is_stale)
@@ -166,7 +169,7 @@ def test_the_knob_turns_the_frequency_while_the_maps_go_on(stage, qtbot):
     assert window.document.design.clips[0].waveform.frequency_hz == 600.0
     # One turn is one step of undo.
     window.do("undo")
-    assert window.document.design.clips[0].waveform.frequency_hz == 100.0
+    assert window.document.design.clips[0].waveform.frequency_hz == 95.0
 
 
 UP = [QPoint(90, 90), QPoint(90, 40)]
@@ -558,7 +561,9 @@ def test_clips_in_turn_are_soon_seen_and_no_wave_runs_backwards(stage, qtbot, cl
 def test_a_design_without_a_title_is_called_after_its_file(open_window, tmp_path, design):
     path = tmp_path / "2 two fingers.skinsource"
     save_design(path, replace(design, title=""), ss.View())
-    window = open_window(design)
+    window = open_window(replace(design, inputs=(), title=""))
+    # No hand is there to click.
+    assert "hand" not in window.panel("stage").heading.text()
     window.files.open(path)
     window.do("present")
     assert window.panel("stage").heading.text() == "2 two fingers"
