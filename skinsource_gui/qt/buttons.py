@@ -141,9 +141,8 @@ class FirstLetters(QObject):
             each.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if not isinstance(event, QtGui.QKeyEvent) or event.type() != QEvent.Type.KeyPress:
-            return False
-        letter = event.text().casefold()
+        is_press = event.type() == QEvent.Type.KeyPress
+        letter = event.text().casefold() if is_press and isinstance(event, QtGui.QKeyEvent) else ""
         self._typed = typed = (self._typed if self._pause.isActive() else "") + letter
         if not (letter and typed.isprintable() and typed.strip()):
             return False

@@ -1,7 +1,7 @@
 """The stage: title and sentence, maps in motion, traces and one knob, for people further off."""
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from math import isclose, sqrt
 from textwrap import shorten
@@ -65,8 +65,8 @@ from skinsource_gui.qt.theme import UNIT_PX, current_theme, letter_scale, tabula
 from skinsource_gui.state.compared import Compared
 
 _ALONE = OfWindow()
-# Between the names of curves; from where to where those in rows reach, and how many have room.
-_BETWEEN, _REACH, _ROWS = "   ", np.array([-0.45, 0.45]), 10
+# Between the names of curves; from where to where those in rows reach, from their middle.
+_BETWEEN, _REACH = "   ", np.array([-0.45, 0.45])
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -174,16 +174,22 @@ class Strip(Figure):
             up = area.bottom() - area.height() * (y - y_low) / (y_high - y_low) + 0.0 * x
             return list(map(QPointF, across.tolist(), up.tolist()))
 
-        left, labels, ends = area.left(), self._labels(room.width()), np.array([x_low, x_high])
-        for row, (curve, label) in enumerate(zip(self.curves, labels, strict=True), 1):
-            middle = len(labels) - row if self.in_rows else (y_low + y_high) / 2
+        left, ends = area.left(), np.array([x_low, x_high])
+        drawn = list(zip(self.curves, self._labels(room.width()), strict=True))
+        if self.in_rows:
+            # Where not all have room, some do, the first and the last among them.
+            y_high = min(max(int(area.height() / line), 2), len(drawn)) - 0.5
+            drawn = [drawn[k] for k in np.linspace(0, len(drawn) - 1, int(y_high + 0.5), dtype=int)]
+        for row, (curve, label) in enumerate(drawn, 1):
+            lifted = len(drawn) - row if self.in_rows else 0.0
+            middle = lifted + sum(self.ends[1]) / 2
             painter.setPen(QtGui.QPen(QtGui.QColor(theme.grid), 1))
             if self.in_rows or row == 1:
                 painter.drawPolyline(points(ends, middle))
             painter.setPen(theme.output_pen(curve.rank, pen_px))
             painter.save()
             painter.setClipRect(area.adjusted(0.0, -pen_px, 0.0, pen_px))
-            painter.drawPolyline(points(curve.x, curve.y))
+            painter.drawPolyline(points(curve.x, lifted + curve.y))
             if curve.arrival is not None:
                 painter.setPen(QtGui.QPen(QtGui.QColor(theme.text), pen_px))
                 painter.drawPolyline(points(np.full(2, curve.arrival), middle + _REACH))
@@ -388,7 +394,7 @@ class StagePanel(MapsPanel):
     @property
     def _together(self) -> bool:
         """Whether spectra are of all axes together: where those of each are shown elsewhere."""
-        layout = _settings(self.view, "spectra").get("layout")
+        layout = dict(dict(self.view.panels).get("spectra", ())).get("layout")
         spectra = stage_settings(self.view).plot == "spectra"
         return spectra and layout == "axes" and self.kind is not KINDS["axes"]
 
@@ -411,8 +417,8 @@ class StagePanel(MapsPanel):
             # It is seen which output is louder.
             self._held_ends = self._held_ends or self.strip.ends
             self._rest.start()
-        rows = kind is _ALONE and stage.plot == "traces" and len(view.outputs) <= _ROWS
-        self.moving.passes = rows and _settings(view, "traces").get("layout") == "stacked"
+        layout = dict(dict(view.panels).get("traces", ())).get("layout")
+        self.moving.passes = kind is _ALONE and layout == "stacked" and stage.plot == "traces"
         self.take_state(design, view, kind, compare, moves=stage.moves)
 
     def start_over(self) -> None:
@@ -671,7 +677,7 @@ class StagePanel(MapsPanel):
         top = max((float(np.abs(curve.y).max()) for curve in curves), default=0.0) or 1.0
         self._sunk = False
         designs = [side.snapshot.design for side in self.compared]
-        bands = _settings(self.view, "linearity").get("bands") is True
+        bands = dict(dict(self.view.panels).get("linearity", ())).get("bands")
         if bands and (fits := _fits_of(designs, [loop for _, loop, _ in known], outputs[0])):
             curves, x, y = fits, fits[0].x, [curve.y for curve in fits]
             low, top = float(np.min(y)), float(np.max(y))
@@ -702,7 +708,7 @@ class StagePanel(MapsPanel):
             high = f"±{rounded(ends[1][1])} {self.moving.unit}"
             if self.strip.in_rows:
                 curves = _in_rows(designs[0], known[0][1], curves, [k - 1 for k in kept])
-                ends, top = ((0.0, end_s), (-0.5, len(curves) - 0.5)), 0.0
+                ends, top = ((0.0, end_s), (-0.5, 0.5)), 0.0
                 high = "each relative to its peak; + group delay, marked where it arrives"
             words = (where, high, f"window {end_s * factor:.3g} {unit}")
         self._cut = top > ends[1][1] or (not spectra and shown_s > end_s)
@@ -739,10 +745,6 @@ def _compared(design: Design, view: View, compare: CompareSettings) -> Kind:
     return _ALONE
 
 
-def _settings(view: View, panel: str) -> Mapping[str, Any]:
-    return dict(dict(view.panels).get(panel, ()))
-
-
 def _in_rows(design: Design, loop: Loop, curves: list[Curve], rows: list[int]) -> list[Curve]:
     """Return traces in rows, with when they arrive: after the first, which has the onset."""
     moving, drawn = loop.moving, list[Curve]()
@@ -750,8 +752,7 @@ def _in_rows(design: Design, loop: Loop, curves: list[Curve], rows: list[int]) -
     delays_s, alike = group_delays(signals[rows], moving.sample_rate_hz)
     onset_s = min((clip.onset_s for clip in design.clips), default=0.0) + moving.delay_s
     for curve, delay_s, share in zip(curves, delays_s, alike, strict=True):
-        middle, peak = len(curves) - 1 - len(drawn), np.abs(curve.y).max() or 1.0
-        curve = replace(curve, y=middle + _REACH[1] * curve.y / peak)
+        curve = replace(curve, y=_REACH[1] * curve.y / (np.abs(curve.y).max() or 1.0))
         if share >= LEAST_ALIKE:
             told = minus(f" {round(1e3 * delay_s):+d} ms")
             names = tuple(f"{name}{told}" for name in curve.names)
