@@ -451,8 +451,7 @@ class SceneActions(QObject):
     ) -> None:
         super().__init__(services.window)
         self._document, self._files, self._limbs = services.document, files, services.limbs
-        self._preferences, self._arrange = services.preferences, arrange
-        self._window = services.window
+        self._window, self._arrange = services.window, arrange
         self._last = self._last_limb = ""
 
     def show(self) -> "ScenesPage":
@@ -478,7 +477,6 @@ class SceneActions(QObject):
         view = with_colours_of(replace(opened.view, slow_motion=0.0), self._document.view)
         self._document.start_over(opened.design, view, None, scene=opened.scene.title)
         self._files.leave_file()
-        self._files.suggested = self._preferences.folder / f"{opened.scene.name}{SUFFIX}"
         self._last, self._last_limb = opened.scene.name, limb
         self._arrange()
         self.opened.emit(name)

@@ -54,7 +54,8 @@ class ShowPage(ToolPage):
 
     #: Entries of a show, and which of them is to be presented first.
     presented = Signal(object, int)
-    #: `Path` and entries of a show that was saved, or of which other changes are given up.
+    #: `Path` (None: it has none) and entries of a show that was saved, or of which other changes
+    #: are given up.
     saved = Signal(object, object)
 
     def __init__(
@@ -152,7 +153,7 @@ class ShowPage(ToolPage):
     def reject(self) -> None:
         question = "The show has changes that are not saved. Save them?"
         if self.entries == self._saved or ask_to_save(self, "Unsaved show", question, self.save):
-            if self._path is not None and self.entries != self._saved:
+            if self.entries != self._saved:
                 self.saved.emit(self._path, self._saved)
             super().reject()
 

@@ -5,7 +5,7 @@ from functools import partial
 from pathlib import Path
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
+from PySide6.QtCore import QObject, QSize, Qt, Signal
 
 from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.layouts import in_column
@@ -97,10 +97,26 @@ class RecentMenu(QtWidgets.QMenu):
 # Above and below each name.
 _AROUND_PX = 14
 _LIST_KEYS = (Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_PageUp, Qt.Key.Key_PageDown)
-_NOTHING_FOUND = "Nothing found"
+NOTHING_FOUND = "Nothing found"
 _HINT = "Try another word, such as export, limb, mute or theme"
 #: Properties of an action: keywords by which it is found, and why it cannot be done now.
 KEYWORDS, MISSING = "keywords", "missing"
+
+
+class SearchLine(QtWidgets.QLineEdit):
+    """A line to type in; keys for lists move in what it searches while it has the keyboard."""
+
+    def __init__(self, name: str, searched: QtWidgets.QWidget) -> None:
+        super().__init__()
+        self._searched = searched
+        self.setPlaceholderText("Type a few letters…")
+        self.setAccessibleName(name)
+
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
+        if event.key() in _LIST_KEYS:
+            QtWidgets.QApplication.sendEvent(self._searched, event)
+        else:
+            super().keyPressEvent(event)
 
 
 class Palette(QtWidgets.QDialog):
@@ -128,10 +144,8 @@ class Palette(QtWidgets.QDialog):
         for action in actions:
             if action.parent() is None:
                 action.setParent(self)
-        self.line = QtWidgets.QLineEdit()
-        self.line.setPlaceholderText("Type a few letters…")
-        self.line.setAccessibleName("Search actions")
         self.list = QtWidgets.QTreeWidget()
+        self.line = SearchLine("Search actions", self.list)
         self.list.setColumnCount(2)
         self.list.setHeaderHidden(True)
         self.list.setRootIsDecorated(False)
@@ -145,17 +159,9 @@ class Palette(QtWidgets.QDialog):
         in_column(self.line, self.list, of=self)
         self.line.textChanged.connect(self._narrow)
         self.line.returnPressed.connect(self._run)
-        self.line.installEventFilter(self)
         self.list.itemActivated.connect(self._run)
         self.list.itemClicked.connect(self._run)
         self._narrow("")
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        # These keys move in the list while the line keeps the keyboard.
-        if isinstance(event, QtGui.QKeyEvent) and event.key() in _LIST_KEYS:
-            QtWidgets.QApplication.sendEvent(self.list, event)
-            return True
-        return super().eventFilter(watched, event)
 
     def _narrow(self, letters: str) -> None:
         self.list.clear()
@@ -163,7 +169,7 @@ class Palette(QtWidgets.QDialog):
         for action in sorted(matching(found, letters), key=lambda each: not each.isEnabled()):
             self._add(_label(action), _state_and_keys(action), action)
         if not self.list.topLevelItemCount():
-            for text in (_NOTHING_FOUND, _HINT, f"{shortcut_text('show_keys')} shows all keys"):
+            for text in (NOTHING_FOUND, _HINT, f"{shortcut_text('show_keys')} shows all keys"):
                 self._add(text)
         elif (first := self.list.topLevelItem(0)) is not None:
             self.list.setCurrentItem(first)

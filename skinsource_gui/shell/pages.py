@@ -2,7 +2,9 @@
 
 from collections.abc import Callable, Iterable
 from html import escape
-from typing import Any
+from itertools import groupby
+from operator import itemgetter
+from typing import Any, cast
 
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, Qt, QUrl
@@ -17,7 +19,8 @@ from skinsource_gui import pages
 from skinsource_gui.qt.keys import KEYS, MOUSE, native_text
 from skinsource_gui.qt.layouts import in_column, named
 from skinsource_gui.shell.actions import ACTIONS, ActionSpec
-from skinsource_gui.shell.menus import Palette
+from skinsource_gui.shell.docks import PanelInUse
+from skinsource_gui.shell.menus import NOTHING_FOUND, Palette, SearchLine
 from skinsource_gui.shell.status import StatusLine
 from skinsource_gui.state.services import Services
 
@@ -39,25 +42,47 @@ pre-trigger delay brings it back. Tables and files keep the record.</p>
 _PICTURE_PX = 640
 
 
-def keys_page(actions: Iterable[ActionSpec], parent: QtWidgets.QWidget) -> QtWidgets.QDialog:
-    """Return the page of all shortcuts and of what the mouse does."""
-    rows: list[tuple[str, str | None]] = []
-    for group in (*KEYS.values(), *MOUSE.values()):
-        rows += [(group.heading, None)]
-        rows += [(gesture.shown, gesture.effect) for gesture in group.gestures.values()]
-    rows += [("Everywhere", None)]
+# Places of keys that are not called as their panel.
+_PLACES = {"stage": "presenting", "compare": "snapshot", "inspector": "number"}
+_PLACES |= dict.fromkeys(("traces", "spectra", "output", "analysis", "analysis_2"), "plot")
+
+
+def keys_page(
+    actions: Iterable[ActionSpec], parent: QtWidgets.QWidget, panel: str
+) -> QtWidgets.QDialog:
+    """Return the page of all shortcuts and of what the mouse does, those of a panel first."""
+    first = _PLACES.get(panel, panel)
+    groups = sorted((*KEYS.items(), *MOUSE.items()), key=lambda of: of[0] != first)
+    rows = [
+        (group.heading, gesture.shown, gesture.effect)
+        for _, group in groups
+        for gesture in group.gestures.values()
+    ]
     rows += [
-        (native_text(action.keys), f"{action.text} – {action.hint}")
+        ("Everywhere", native_text(action.keys), f"{action.text} – {action.hint}")
         for action in actions
         if action.keys
     ]
-    cells = "".join(
-        f"<tr><td colspan=2><h3>{escape(left)}</h3></td></tr>"
-        if right is None
-        else f"<tr><td><b>{escape(left)}</b>&nbsp;&nbsp;</td><td>{escape(right)}</td></tr>"
-        for left, right in rows
-    )
-    return _page("Keys and mouse", f"<table cellpadding=2>{cells}</table>", parent)
+    page = _page("Keys and mouse", "", parent)
+    (browser,) = page.findChildren(QtWidgets.QTextBrowser, "page_text")
+    line = named(SearchLine("Search keys and mouse", browser), "keys_search")
+
+    def narrow(letters: str) -> None:
+        words, text = letters.lower().split(), ""
+        found = [row for row in rows if all(word in " ".join(row).lower() for word in words)]
+        for heading, of_place in groupby(found, itemgetter(0)):
+            text += f"<tr><td colspan=2><h3>{escape(heading)}</h3></td></tr>"
+            for _, keys, effect in of_place:
+                text += (
+                    f"<tr><td><b>{escape(keys)}</b>&nbsp;&nbsp;</td><td>{escape(effect)}</td></tr>"
+                )
+        browser.setHtml(f"<table cellpadding=2>{text}</table>" if text else NOTHING_FOUND)
+
+    narrow("")
+    line.textChanged.connect(narrow)
+    cast("QtWidgets.QVBoxLayout", page.layout()).insertWidget(0, line)
+    line.setFocus()
+    return page
 
 
 class _Text(QtWidgets.QTextBrowser):
@@ -105,6 +130,8 @@ class Pages(QObject):
         In front of which they open; also the parent.
     findable
         Gives the actions that the palette finds; actions without a parent are the palette's.
+    in_use
+        Its panel is the first on the page of keys.
     document, preferences, runner, limbs, status_line
         What the pages show and use.
     """
@@ -113,10 +140,11 @@ class Pages(QObject):
         self,
         services: Services,
         findable: Callable[[], list[QtGui.QAction]],
+        in_use: PanelInUse,
         status_line: StatusLine,
     ) -> None:
         super().__init__(services.window)
-        self._window, self._findable = services.window, findable
+        self._window, self._findable, self._in_use = services.window, findable, in_use
         self._document, self._preferences = services.document, services.preferences
         self._panels = services.panels
         self._runner, self._limbs = services.runner, services.limbs
@@ -140,7 +168,7 @@ class Pages(QObject):
 
     def show_keys(self) -> None:
         """Open the page of keys and mouse."""
-        keys_page(ACTIONS, self._window).open()
+        keys_page(ACTIONS, self._window, self._in_use.panel.name).open()
 
     def show_dataset(self) -> None:
         """Open the page on the measured limbs."""

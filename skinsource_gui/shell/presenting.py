@@ -37,10 +37,11 @@ Entry = ShowEntry | UnreadEntry
 
 _LARGE = 1.6
 _SIZE = 560, 420
-# What keys do that no control of the stage names.
+# What keys do on the stage.
 _HINTS = (
     "{next} or {previous}: other scene · {hold}: pause · {levels}: levels · {fit}: fit scales · "
-    "{cover}: cover · {more}: all keys · {end} or {leave}: leave"
+    "{cover}: cover · {compare}: compare · {arm}: arm · {other}: other snapshot · "
+    "{more}: all keys · {end} or {leave}: leave"
 )
 
 
@@ -280,8 +281,8 @@ class Presenter(QObject):
         if compares and not stage_settings(self._document.view).compared:
             stage.compare()
         keys = {name: key_text("presenting", name) for name in KEYS["presenting"].gestures}
-        more, end = map(shortcut_text, ("show_keys", "present"))
-        self.done.emit(_HINTS.format(**keys, more=more, end=end))
+        more, end, other = map(shortcut_text, ("show_keys", "present", "toggle_snapshots"))
+        self.done.emit(_HINTS.format(**keys, more=more, end=end, other=other))
 
     def end(self) -> None:
         """Bring back bars, panels where they stood, with those of the scene, and the map."""
@@ -293,8 +294,6 @@ class Presenter(QObject):
         window.setWindowState(window.windowState() & ~Qt.WindowState.WindowFullScreen)
         # What was told meanwhile would lie over what the line says.
         window.statusBar().clearMessage()
-        if turned:
-            self.done.emit("The design is as it was before; Redo brings back what was turned")
         for bar in self._bars():
             bar.show()
         self.presenting_changed.emit(False)
@@ -305,6 +304,8 @@ class Presenter(QObject):
             self.cover()
         if self._notes is not None:
             self._notes.close()
+        if turned:
+            self.done.emit("The design is as it was before; Redo brings back what was turned")
 
     def _take_back(self) -> bool:
         """Take back what was turned on the stage, unless it was saved; return whether it was."""
@@ -390,10 +391,11 @@ class Presenter(QObject):
     def _bars(self) -> list[QtWidgets.QWidget]:
         return [self._window.menuWidget(), self._window.statusBar()]
 
-    def _note_saved(self, path: Path, entries: tuple[Entry, ...]) -> None:
+    def _note_saved(self, path: Path | None, entries: tuple[Entry, ...]) -> None:
         self._at = min(self._at, len(entries) - 1) if self._entries else -1
         self._show_path, self._entries, self._steps = path, entries, steps_of_show(entries)
-        self._files.note_used(path)
+        if path is not None:
+            self._files.note_used(path)
 
     def _forget_page(self) -> None:
         self._page = None
@@ -426,8 +428,11 @@ class Presenter(QObject):
         if not self._steps:
             path = self._document.path
             beside = () if path is None else steps_of_folder(path.parent)
-            self._steps = beside or self._steps_of_paper()
-            self._at = next((k for k, step in enumerate(beside) if step.path == path), -1)
+            self._steps, title = beside or self._steps_of_paper(), self._document.design.title
+            here = [step.path == path for step in beside]
+            # A scene of a show that was given up is still one of the paper.
+            here = here or [scene.title in title for scene in scenes.all_scenes()]
+            self._at = here.index(True) if any(here) else -1
         target = self._at + int(by)
         if not 0 <= target < len(self._steps):
             self.done.emit("This is the last scene" if int(by) > 0 else "This is the first scene")

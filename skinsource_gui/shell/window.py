@@ -282,7 +282,7 @@ class MainWindow(QtWidgets.QMainWindow):
         self.presenter = Presenter(
             services, self.files, self.workspaces, lambda: self.actions_by_name
         )
-        self.pages = Pages(services, self._findable, self.status_line)
+        self.pages = Pages(services, self._findable, self._in_use, self.status_line)
 
     def _capabilities(self) -> dict[str, QObject]:
         # By the names that the table of actions has for them.

@@ -66,6 +66,7 @@ def test_a_file_is_named_after_the_title_in_letters_that_all_systems_take(window
     monkeypatch.setattr(
         QFileDialog, "getSaveFileName", lambda *how: asked.append(Path(how[2]).name) or ("", "")
     )
+    window.scenes.open("2A")
     names = {"": "design", "Über: Tap/tone, 2.5 Hz?": "Über Tap tone, 2.5 Hz", "..": "design"}
     for title in names:
         window.document.edit("", replace(window.document.design, title=title))

@@ -359,6 +359,27 @@ def test_the_keys_page_lists_each_gesture_and_the_key_of_each_action(window):
         assert not keys or f"\n{keys}" in text, name
 
 
+def test_the_keys_page_begins_with_the_panel_in_use_and_is_searched(window, qtbot):
+    for arrangement, panel, place in (
+        ("presentation", "stage", "presenting"),
+        ("design", "timeline", "timeline"),
+    ):
+        window.do(f"arrange_{arrangement}")
+        window.activateWindow()
+        qtbot.waitUntil(lambda: window.isActiveWindow() and window.workspaces.settled)
+        window.docks[panel].enter()
+        window.do("show_keys")
+        browser = window.findChildren(QTextBrowser, "page_text")[-1]
+        assert browser.toPlainText().strip().startswith(KEYS[place].heading)
+        line = browser.window().findChild(QLineEdit, "keys_search")
+        line.setText("motion pause")
+        assert "pause or continue the motion" in browser.toPlainText()
+        assert "Page Down" not in browser.toPlainText()
+        line.setText("pause nothing")
+        assert "pause" not in browser.toPlainText()
+        browser.window().reject()
+
+
 CONTROL = Qt.KeyboardModifier.ControlModifier
 ACTION_KEYS = [key for spec in ACTIONS for key in spec.keys]
 OF_NUMBERS = {"Ctrl+C", "Ctrl+V"}

@@ -126,7 +126,7 @@ class Cell:
 
     def value_text(self, output: int | None) -> str:
         """Return the text of the value of an output; None: of the largest one, and where it is."""
-        return self.value_texts(output)[0]
+        return self.value_texts(output)[0 if output is None else -2]
 
     def value_texts(self, output: int | None) -> tuple[str, ...]:
         """Return the texts of that value, from the longest to the shortest."""
@@ -139,7 +139,7 @@ class Cell:
             return ("no such output", "none")
         if output is not None:
             value = self.scale.text(float(values[output - 1]))
-            return value, value.removesuffix(" dB")
+            return f"Output {output}: {value}", value, value.removesuffix(" dB")
         largest = int(np.argmax(np.abs(values) if self.scale.signed else values))
         value = self.scale.text(float(values[largest]))
         if value == SILENT:
@@ -713,7 +713,8 @@ def snapshot_names(
     """
     names: list[Names] = []
     titles = told_titles(compared)
-    own_parts = _own_parts([each for each in titles.values() if each])
+    figures = [titles.get(side.snapshot.number, "") for side in compared if not side.snapshot.title]
+    own_parts = _own_parts([each for each in figures if each])
     several = with_limbs and len({side.snapshot.design.limb for side in compared}) > 1
     for side in compared:
         along = axes_on(side.snapshot.design.limb, axes)
@@ -723,12 +724,10 @@ def snapshot_names(
         working = side.snapshot.number == EDITED
         called = _WORKING[0] if working else f"Snapshot {side.name}"
         title = titles.get(side.snapshot.number, "")
-        own = own_parts.get(title, "")
+        own = own_parts.get(title, title)
         cut = own if len(own) <= _SHORT else f"{own[: _SHORT - 1].rstrip()}…"
-        begun = (called, title), (called, own), (side.name, own), (side.name, cut)
-        longest = tuple(" · ".join(parts) for parts in begun)
-        if working:
-            longest = title, own, own, cut
+        begun = (called, own), (side.name, own), (side.name, cut)
+        longest = (own, own, cut) if working else tuple(" · ".join(parts) for parts in begun)
         # A scene that was not changed is told by its title, as the others are.
         told = title and (not working or title == side.snapshot.design.title)
         wordings = (*longest, called) if told else (called,)

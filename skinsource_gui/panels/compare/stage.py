@@ -59,8 +59,7 @@ from skinsource_gui.plots.ranges import Tick, readable_ticks
 from skinsource_gui.plots.small_map import Range, offer_arm
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.frames import CachedPicture, Same
-from skinsource_gui.qt.keys import KEYS
-from skinsource_gui.qt.labels import how_to_add
+from skinsource_gui.qt.keys import KEYS, shortcut_text
 from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, letter_scale, tabular
 from skinsource_gui.state.compared import Compared
@@ -145,6 +144,15 @@ class Strip(Figure):
             x = area.left() + area.width() * self.marked / self.ends[0][1]
             painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 2))
             painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()))
+            unit, factor = axis_unit(self.ends[0][1])
+            at = area.adjusted(0.0, 0.0, x - area.right() - UNIT_PX / 2, 0.0)
+            side = Qt.AlignmentFlag.AlignRight
+            if x < area.center().x():
+                at, side = (
+                    area.adjusted(x - area.left() + UNIT_PX / 2, 0.0, 0.0, 0.0),
+                    Qt.AlignmentFlag.AlignLeft,
+                )
+            painter.drawText(at, side, f"{self.marked * factor:.1f} {unit}")
 
     def _area(self) -> QRectF:
         line = 1.4 * self.fontMetrics().height()
@@ -310,6 +318,8 @@ _SMALLER, _TITLE_SMALLER, _LEAST_LETTERS = 0.95, 0.8, 0.5
 # How many periods are drawn of a steady tone, and of what passes; height of spectra.
 _PERIODS = {False: 3.0, True: 1.0}
 _SPECTRUM_DB = 60.0
+# Curves of other outputs that are so much weaker than what was shown are not to be seen.
+_SUNK_DB = 12.0
 # When curves that a turn of the knob has cut are fitted, after the last turn.
 _RESTS_MS = 1000
 
@@ -352,7 +362,7 @@ class StagePanel(MapsPanel):
         self._line = in_row((self.caution, 1), self._switches)
         self.named: Callable[[], str] = str
         self._held_ends: tuple[Range, Range] | None = None
-        self._passes = self._cut = False
+        self._passes = self._cut = self._sunk = False
         self._rest = QTimer(self, singleShot=True, interval=_RESTS_MS)
         self._rest.timeout.connect(self._fit_cut)
         self._shown: tuple[Any, ...] = ()
@@ -442,10 +452,13 @@ class StagePanel(MapsPanel):
         self.show_maps()
 
     def _fit_cut(self) -> None:
-        """Fit the scales if curves are cut: until the knob rests, it is seen what is louder."""
+        """Fit the scales to curves that are cut, or of outputs alone that are far weaker.
+
+        Until the knob or the mouse rests, it is seen what is louder.
+        """
         if self.is_stale or self.knob.dial.isSliderDown():
             self._rest.start()
-        elif self._cut:
+        elif self._cut or (self._sunk and self.held is None):
             self.fit()
 
     def _release(self) -> None:
@@ -572,7 +585,8 @@ class StagePanel(MapsPanel):
 
     def _show_words(self, design: Design, view: View, others: Sequence[str]) -> None:
         track = self._track
-        plain = self.named() or f"Place {track.location}" if track else how_to_add()
+        to_add = f"Press {shortcut_text('add_input')} to add an input"
+        plain = self.named() or f"Place {track.location}" if track else to_add
         title, words = design.title or plain, design.notes.partition("\n")[0]
         before = self._said_of.setdefault((design.title, design.notes), design)
         now = self._title_now(design, view) if design.title else plain
@@ -616,7 +630,8 @@ class StagePanel(MapsPanel):
         snapshot, design = side.snapshot, side.snapshot.design
         if snapshot.number != EDITED or scenes.title_of(design) != design.title:
             return side
-        told = replace(design, title=self._title_now(design, self.view))
+        title = self._title_now(design, self.view)
+        told = replace(design, title="" if title.endswith(_EDITED) else title)
         return replace(side, snapshot=replace(snapshot, design=told))
 
     def _show_knob(self, design: Design, view: View) -> None:
@@ -663,11 +678,11 @@ class StagePanel(MapsPanel):
             values = values + 20.0 * np.log10(gain) if spectra else gain * values
             # Of another design the loudest part may lie where this one has ended.
             for row, number in enumerate(kept if x.size else ()):
-                of_map = names[k][1:] if len(names[k]) > 2 else names[k]
-                called = _names(number, limb) if alone else of_map
+                called = _names(number, limb) if alone else names[k]
                 curves.append(Curve(names=called, rank=row if alone else k, x=x, y=values[row]))
         self.strip.in_rows = self.moving.passes and bool(curves)
         top = max((float(np.abs(curve.y).max()) for curve in curves), default=0.0) or 1.0
+        self._sunk = False
         designs = [side.snapshot.design for side in self.compared]
         bands = dict(dict(self.view.panels).get("linearity", ())).get("bands")
         if bands and (fits := _fits_of(designs, [loop for _, loop, _ in known], outputs[0])):
@@ -681,23 +696,28 @@ class StagePanel(MapsPanel):
             low_hz, high_hz = facts_of(limb).band_hz or (0.0, float(curves[0].x[-1]))
             top = max(float(curve.y.max()) for curve in curves)
             ends = self._held_ends or ((low_hz, high_hz), (top - _SPECTRUM_DB, top))
+            self._sunk = top < ends[1][1] - _SUNK_DB
             of = self.moving.unit.replace("m/s²", "acceleration")
             if self._together:
                 axes, matched = axes_text(facts_of(limb).axes), of.partition(",")[1:]
                 of = f"acceleration along {axes} together{''.join(matched)}"
-            words = (where, f"{low_hz:g} Hz: {of}, {_SPECTRUM_DB:g} dB high", f"{high_hz:g} Hz")
+            text = f"{low_hz:g} Hz · height: {of}, {_SPECTRUM_DB:g} dB in all"
+            words = (where, text, f"{high_hz:g} Hz")
             self.strip.ticks = readable_ticks(low_hz, 0.99 * high_hz, 7.0, 7.0)
         else:
             self.strip.ticks = ()
             unit, factor = axis_unit(end_s)
             ends = (0.0, end_s), self._held_ends[1] if self._held_ends else (-top, top)
-            self._held_ends = self._held_ends and ends
+            self._held_ends, self._sunk = (
+                self._held_ends and ends,
+                top < 10 ** (-_SUNK_DB / 20) * ends[1][1],
+            )
             high = f"±{rounded(ends[1][1])} {self.moving.unit}"
             if self.strip.in_rows:
                 curves = _in_rows(designs[0], known[0][1], curves, [k - 1 for k in kept])
                 ends, top = ((0.0, end_s), (-0.5, 0.5)), 0.0
                 high = "each relative to its peak; + group delay, marked where it arrives"
-            words = (where, high, f"{end_s * factor:.3g} {unit}")
+            words = (where, high, f"window {end_s * factor:.3g} {unit}")
         self._cut = top > ends[1][1] or (not spectra and shown_s > end_s)
         self.strip.show_curves(tuple(curves), ends, words)
         self._show_cursor()
@@ -709,7 +729,8 @@ class StagePanel(MapsPanel):
             return
         # It goes back by whole periods, so that curves and maps agree where it stands.
         longest_s, end_s = max(lengths_s), self.strip.ends[0][1]
-        self.strip.show_cursor(self.moving.ran_s % (longest_s * max(int(end_s / longest_s), 1)))
+        n_periods = max(round(end_s / longest_s), 1)
+        self.strip.show_cursor(self.moving.ran_s % (longest_s * n_periods))
 
     def _turn(self, value: float, gesture: int | None) -> None:
         if self.design is not None and self._track is not None:

@@ -324,13 +324,18 @@ def test_snapshots_of_a_scene_are_told_by_what_their_titles_do_not_share():
     tones = [stored(1, "Fig. 2B: Far · 50 Hz"), stored(2, "Fig. 2B: Far · 100 Hz")]
     first, second = snapshot_names(tones, "xyz")
     assert first == (
-        "Snapshot 1 · Fig. 2B: Far · 50 Hz",
         "Snapshot 1 · 50 Hz",
         *("1 · 50 Hz", "1 · 50 Hz"),
         "Snapshot 1",
         "1",
     )
-    assert second[1] == "Snapshot 2 · 100 Hz"
+    assert second[0] == "Snapshot 2 · 100 Hz"
+    # One with a title of its own takes nothing from the others, nor gives them the figure's.
+    named = replace(tones[0].snapshot, title="Soft")
+    of_three = snapshot_names(
+        [Compared(snapshot=named), *tones[1:], stored(3, "Fig. 2B: Far · Both")], "xyz"
+    )
+    assert [names[0][13:] for names in of_three] == ["Soft", "100 Hz", "Both"]
     # A title of several is that of none; nothing is taken from titles that share nothing.
     same = snapshot_names([tones[0], stored(3, "Fig. 2B: Far · 50 Hz"), tones[1]], "xyz")
     assert [names[0] for names in same] == ["Snapshot 1", "Snapshot 3", second[0]]

@@ -222,7 +222,7 @@ def test_the_title_of_a_snapshot_is_typed_over_its_card_and_is_its_own(
     first, second = outcome.view.snapshots
     several = first, second, replace(first, number=3)
     names = snapshot_names([Compared(snapshot=each) for each in several], "xyz")
-    assert [each[2] for each in names] == ["1 · Soft", "2 · " + "Long" * 10, "3 · Soft"]
+    assert [each[1] for each in names] == ["1 · Soft", "2 · " + "Long" * 10, "3 · Soft"]
     assert names[1][-3:-1] == ("2 · LongLongLongL…", "Snapshot 2")
 
 
@@ -285,6 +285,7 @@ def test_what_is_silent_has_no_level_that_is_matched_compared_or_averaged(window
     assert content.about.endswith(" · snapshot 1 is silent: levels cannot be matched to it")
     silent, first, second = content.cells
     assert silent.value_text(None) == silent.value_text(3) == "silent"
+    assert first.value_texts(3)[0] == f"Output 3: {first.value_text(3)}"
     readout = content.readout(3).rpartition(": ")[2]
     assert readout.split(" · ") == ["silent", first.value_text(3), second.value_text(3)]
     rows = [line.split("\t") for line in tab_separated(content).splitlines()[1:]]
@@ -480,5 +481,5 @@ def test_the_working_design_is_told_by_its_title_until_a_scene_is_changed():
     for design, name in ((scene.design, "80 mm/s"), (changed, "Working design")):
         sides = [Compared(snapshot=each) for each in with_edited(scene.view.snapshots, design)]
         names = snapshot_names(sides, "z")
-        assert names[0][1] == "Snapshot 1 · 5 mm/s"
+        assert names[0][0] == "Snapshot 1 · 5 mm/s"
         assert names[-1][-1 if name == "80 mm/s" else 0] == name

@@ -79,6 +79,7 @@ def test_what_is_turned_in_front_of_people_is_taken_back_and_can_be_redone(open_
     window.do("present")
     assert window.document.design == design
     assert not window.document.modified
+    assert "Redo" in window.statusBar().currentMessage()
     window.do("redo")
     assert window.document.design == turned
 

@@ -89,8 +89,8 @@ def test_a_scene_of_a_show_has_its_maps_and_labels(studio, page, path, qtbot, na
     else:
         page.findChild(QPushButton, "show_present").click()
     qtbot.waitUntil(lambda: len(stage.maps.content.cells) == 4, timeout=15_000)
-    headings = [cell.headings for cell in stage.maps.content.cells]
-    assert [each[1] for each in headings] == [f"Snapshot {k + 1} · {parts[k]}" for k in range(4)]
+    headings = [cell.heading for cell in stage.maps.content.cells]
+    assert headings == [f"Snapshot {k + 1} · {parts[k]}" for k in range(4)]
     assert stage.heading.text() == scene_title
     if not saved:
         studio.do("present")
@@ -138,6 +138,19 @@ def test_presenting_a_show_takes_the_page_away_until_its_end(studio, made, qtbot
     studio.do("present")
     assert made.isVisible()
     made.done(0)
+
+
+def test_after_a_show_that_is_given_up_its_scene_is_one_of_the_paper_again(studio, page, answers):
+    studio.scenes.open("2A")
+    page.add_open_design()
+    page.findChild(QPushButton, "show_present").click()
+    studio.do("next_scene")
+    assert studio.document.design.title.startswith("Fig. 2A: ")
+    studio.do("present")
+    answers["question"] = QMessageBox.StandardButton.Discard
+    page.reject()
+    studio.do("next_scene")
+    assert studio.document.design.title.startswith("Fig. 2B: ")
 
 
 def test_there_is_one_page_of_the_show_and_it_begins_with_what_was_saved(

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QFrame, QLabel
 
 import skinsource as ss
 from skinsource.base.job import never, silent
+from skinsource.design import edits
 from skinsource.design.comparing import difference_db, gain_text
 from skinsource.design.design import Snapshot
 from skinsource.design.design_file import save_design
@@ -144,6 +145,9 @@ def test_the_knob_turns_the_frequency_while_the_maps_go_on(stage, qtbot):
     tick(stage)
     turns, ends = stage.moving.turns, stage.strip.ends
     assert turns > 0.0
+    stage.moving.turns = turns = 2.5
+    stage.knob.edited.emit(95.0, None)
+    assert stage.strip.marked == pytest.approx(2.5 / 95.0)
     stage.knob.dial.setValue(0)
     assert window.document.design.clips[0].waveform.frequency_hz == 25.0
     qtbot.waitUntil(lambda: not window.engine.busy and not stage.is_stale)
@@ -165,7 +169,7 @@ def test_the_knob_turns_the_frequency_while_the_maps_go_on(stage, qtbot):
     assert window.document.design.clips[0].waveform.frequency_hz == 600.0
     # One turn is one step of undo.
     window.do("undo")
-    assert window.document.design.clips[0].waveform.frequency_hz == 100.0
+    assert window.document.design.clips[0].waveform.frequency_hz == 95.0
 
 
 UP = [QPoint(90, 90), QPoint(90, 40)]
@@ -357,6 +361,7 @@ def test_the_time_axis_shows_all_of_a_motion_that_no_longer_loops(stage, qtbot):
     assert stage.strip.ends[0][1] == pytest.approx(loop.duration_s)
     tick(stage)
     assert stage.strip.marked is not None
+    assert stage.strip._words[2] == f"window {1e3 * loop.duration_s:.3g} ms"
 
 
 def test_keys_of_the_stage_work_in_the_window_too(stage, qtbot):
@@ -434,7 +439,8 @@ def test_words_of_ones_own_say_the_number_that_is_played(stage, qtbot, title, tu
     assert (stage.heading.text(), stage.sentence.text()) == (turned, said[24:])
     document.look(replace(document.view, snapshots=stored(others)))
     working = side_by_side(stage, qtbot, 3, of="snapshots")[-1]
-    assert any(turned in name for name in working.headings)
+    called = turned if turned.endswith(("Hz", "limb 1")) else "Working design"
+    assert any(called in name for name in working.headings)
     assert title not in working.headings
     # Another design with the same words is the one that they are said of.
     document.start_over(replace(document.design), document.view, None)
@@ -555,7 +561,9 @@ def test_clips_in_turn_are_soon_seen_and_no_wave_runs_backwards(stage, qtbot, cl
 def test_a_design_without_a_title_is_called_after_its_file(open_window, tmp_path, design):
     path = tmp_path / "2 two fingers.skinsource"
     save_design(path, replace(design, title=""), ss.View())
-    window = open_window(design)
+    window = open_window(replace(design, inputs=(), title=""))
+    # No hand is there to click.
+    assert "hand" not in window.panel("stage").heading.text()
     window.files.open(path)
     window.do("present")
     assert window.panel("stage").heading.text() == "2 two fingers"
@@ -784,3 +792,14 @@ def test_no_curve_of_an_axis_has_the_colour_of_a_ring(stage, qtbot):
     }
     assert colours.isdisjoint({theme.output_colour(each.rank).rgb() for each in stage.strip.curves})
     assert QColor(theme.text).rgb() in colours
+
+
+@pytest.mark.parametrize("name", ["1C", "2D"])
+def test_curves_of_a_far_output_fill_the_plot_once_the_mouse_rests(stage, qtbot, name):
+    opened = scene_on(stage, qtbot, name, "synthetic-4")
+    document, ends = stage.window().document, stage.strip.ends
+    document.apply(edits.select_outputs(opened.design, document.view, (58,)))
+    assert stage.strip.ends == ends
+    stage._rest.timeout.emit()
+    values = [curve.y if name == "2D" else np.abs(curve.y) for curve in stage.strip.curves]
+    assert stage.strip.ends[1][1] == np.max(values) < ends[1][1]

@@ -83,7 +83,7 @@ def test_a_scene_is_opened_with_the_keyboard(window, qtbot, settle):
     assert window.docks["stage"].in_sight
     maps = window.panel("stage").maps
     qtbot.waitUntil(lambda: sum(cell.small is not None for cell in maps.content.cells) == 4)
-    called = [cell.headings[1] for cell in maps.content.cells]
+    called = [cell.heading for cell in maps.content.cells]
     assert called == [f"Snapshot {k} · {hz} Hz" for k, hz in enumerate((50, 100, 200, 400), 1)]
 
 
