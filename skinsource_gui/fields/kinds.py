@@ -27,6 +27,7 @@ from skinsource.design.waveforms.wavelets import Chirplet, Gabor
 from skinsource.specs.samples import Samples
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.qt.buttons import FirstLetters
 from skinsource_gui.qt.layouts import named
 from skinsource_gui.qt.theme import Theme, current_theme
 
@@ -150,12 +151,11 @@ def fill_kind_menu(
     for kind in common:
         _add(menu, kind, choose, current)
     others = [kind for kind in kinds() if kind not in COMMON]
-    if not others:
-        return
     more = named(menu.addMenu(MORE), "more_kinds")
     _show_pictures(more)
     for kind in others:
         _add(more, kind, choose, current)
+    FirstLetters(menu, more)
     if current in {kind.__name__ for kind in others}:
         _embolden(more.menuAction())
 

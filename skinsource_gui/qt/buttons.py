@@ -1,7 +1,7 @@
 """Buttons, labels and scroll areas of pages, buttons of panels, and the swatch of an input."""
 
 from PySide6 import QtGui, QtWidgets
-from PySide6.QtCore import QRectF, QSize, Qt
+from PySide6.QtCore import QEvent, QObject, QRectF, QSize, Qt, QTimer
 
 from skinsource_gui.qt.keys import key_text
 from skinsource_gui.qt.layouts import named
@@ -124,6 +124,41 @@ def passing_menu(parent: QtWidgets.QWidget, name: str = "") -> QtWidgets.QMenu:
     menu = named(QtWidgets.QMenu(parent), name)
     menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     return menu
+
+
+class FirstLetters(QObject):
+    """Lets typed letters find the entry of a menu, or of a menu in it, that begins with them.
+
+    A letter that is typed again goes to the next entry that begins with it, as in any list.
+    """
+
+    def __init__(self, menu: QtWidgets.QMenu, *within: QtWidgets.QMenu) -> None:
+        super().__init__(menu)
+        self._menus, self._typed, self._at = (menu, *within), "", -1
+        self._pause = QTimer(self, singleShot=True)
+        self._pause.setInterval(QtWidgets.QApplication.keyboardInputInterval())
+        for each in self._menus:
+            each.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if not isinstance(event, QtGui.QKeyEvent) or event.type() != QEvent.Type.KeyPress:
+            return False
+        letter = event.text().casefold()
+        self._typed = typed = (self._typed if self._pause.isActive() else "") + letter
+        if not (letter and typed.isprintable() and typed.strip()):
+            return False
+        self._pause.start()
+        again = len(set(typed)) == 1
+        entries = [(menu, entry) for menu in self._menus for entry in menu.actions()]
+        begin = typed[0] if again else typed
+        found = [k for k, (_, at) in enumerate(entries) if at.text().casefold().startswith(begin)]
+        if found:
+            self._at = next((k for k in found if again and k > self._at), found[0])
+            menu, entry = entries[self._at]
+            if menu is not self._menus[0]:
+                self._menus[0].setActiveAction(menu.menuAction())
+            menu.setActiveAction(entry)
+        return True
 
 
 SWATCH_PX = 24

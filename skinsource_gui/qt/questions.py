@@ -54,6 +54,17 @@ def _give_discard_a_key() -> None:
         discard.setText("&Discard")
 
 
+def ask_name(parent: QtWidgets.QWidget, title: str, name: str, longest: int) -> str | None:
+    """Ask for another name until it is short enough; None: the user has given up."""
+    label, sure = "Name", True
+    while sure:
+        name, sure = QtWidgets.QInputDialog.getText(parent, title, label, text=name)
+        if sure and len(name) <= longest:
+            return name
+        label = f"Use at most {longest} letters; these are {len(name)}."
+    return None
+
+
 def ask_open(
     parent: QtWidgets.QWidget, title: str, kinds: str, start: Path | None = None
 ) -> Path | None:

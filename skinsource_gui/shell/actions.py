@@ -209,6 +209,7 @@ ENABLED: dict[str, Condition] = {
     **_when(lambda design, _: bool(design.inputs), "select_all_inputs", "clear_inputs"),
     "select_no_outputs": lambda _, view: bool(view.outputs),
     **{f"show_snapshot_{number}": _has_snapshot(number) for number in NUMBERS},
+    **{f"rename_snapshot_{number}": _has_snapshot(number) for number in NUMBERS},
     "toggle_snapshots": lambda _, view: bool(view.snapshots),
     "keep_match_gain": lambda design, view: view.match_gain(design) != 1.0,
     **_when(

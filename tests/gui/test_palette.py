@@ -153,6 +153,15 @@ def test_a_key_of_a_panel_is_pressed_and_another_gesture_told(window, qtbot):
     assert window.statusBar().currentMessage().startswith("Drag the start or the end of a clip")
 
 
+def test_a_stored_snapshot_is_renamed_from_the_palette(window, qtbot, monkeypatch):
+    window.do("store_snapshot_2")
+    asked = iter(["x" * 201, "Soft"])
+    getter = "PySide6.QtWidgets.QInputDialog.getText"
+    monkeypatch.setattr(getter, lambda *_, text: (next(asked), True))
+    run_from_palette(window, qtbot, "rename snapshot 2")
+    assert [each.title for each in window.document.view.snapshots] == ["Soft"]
+
+
 def test_where_nothing_is_found_the_palette_says_so_and_enter_does_nothing(window, qtbot):
     texts = listed_for(window, qtbot, "qqqq")
     assert texts[0] == "Nothing found"

@@ -118,13 +118,13 @@ class Loop:
         return replace(self, begin_s=self.begin_s + after_s, duration_s=part_s)
 
 
-def loop_of(design: Design, moving: Moving) -> Loop:
+def loop_of(design: Design, moving: Moving, *, passes: bool = False) -> Loop:
     """Return what is shown of the response to a design: one period of a tone, else what moves.
 
     A design whose inputs all play the same tone at the same time is taken for steady: its loop is
-    the response to tones without beginning and end.
+    the response to tones without beginning and end.  Not so where it ``passes``.
     """
-    tone = _only_tone(design)
+    tone = None if passes else _only_tone(design)
     whole = moving.first == 0 and moving.end == moving.response_samples
     if tone is not None and whole and moving.largest > 0.0:
         hz = tone[1].frequency_hz

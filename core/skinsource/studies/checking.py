@@ -41,7 +41,7 @@ from skinsource.readers.reader import Found, Series
 from skinsource.readers.reading_process import ReadingProcess
 from skinsource.readers.timestamps import sample_clock
 from skinsource.signals.analysis.noise import QUIET_SHARE, quiet_rms
-from skinsource.signals.analysis.statistics import band_rms, dominant_frequency
+from skinsource.signals.analysis.statistics import BIN_HZ, band_rms, dominant_frequency
 from skinsource.signals.resampling import resample
 from skinsource.version import __version__
 
@@ -1020,6 +1020,18 @@ def proportion(
         band_line=above + of_band * levels,
         adjusted_r2=adjusted_r2,
     )
+
+
+# Bands that are drawn one by one.
+_SHOWN_HZ = (50.0, 100.0, 200.0, 400.0)
+
+
+def bands_shown(result: Proportion, channel: int) -> list[int]:
+    """Return the bands that are drawn one by one: at the frequencies of the figure, not silent."""
+    gaps_hz = np.abs(result.frequency_hz - np.array(_SHOWN_HZ)[:, None])
+    bands = [int(gap_hz.argmin()) for gap_hz in gaps_hz if gap_hz.size and gap_hz.min() <= BIN_HZ]
+    drawn = np.stack((result.band_rms[:, channel], result.band_line[:, channel]))
+    return [band for band in bands if drawn[..., band].min() > 0.0]
 
 
 def straightness(

@@ -17,7 +17,7 @@ from skinsource.base.errors import SkinSourceError, StorageError, printable
 from skinsource.base.files import path_exists, path_text, read_bytes
 from skinsource.base.lock import Lock, Owner, still_runs
 from skinsource.design import edits
-from skinsource.design.design import Design
+from skinsource.design.design import TITLE, Design
 from skinsource.design.design_file import (
     SHOW_SUFFIX,
     SUFFIX,
@@ -27,9 +27,10 @@ from skinsource.design.design_file import (
     save_design,
 )
 from skinsource.design.edits.edit import Refusal
+from skinsource.design.edits.view import rename_snapshot
 from skinsource.limbs.catalog import available_limbs, default_limb
 from skinsource.specs.image import MAX_IMAGE_BYTES
-from skinsource_gui.qt.questions import ask_open, ask_to_replace, ask_to_save, ask_yes
+from skinsource_gui.qt.questions import ask_name, ask_open, ask_to_replace, ask_to_save, ask_yes
 from skinsource_gui.qt.windows import WindowEvents
 from skinsource_gui.state.document import NEW_VIEW, Document
 from skinsource_gui.state.preferences import Preferences
@@ -208,6 +209,14 @@ class FileActions(QObject):
         if not isinstance(outcome, Refusal):
             number = outcome.view.snapshots[-1].number
             self.done.emit(f"{path.name} is snapshot {number}; X switches between the two")
+
+    def rename_snapshot(self, number: str) -> None:
+        """Ask for the title of the snapshot with a number."""
+        design, view = self._document.design, self._document.view
+        (before,) = (each.title for each in view.snapshots if each.number == int(number))
+        title = ask_name(self._window, f"Rename snapshot {number}", before, TITLE.longest)
+        if title is not None:
+            self._document.apply(rename_snapshot(design, view, int(number), title))
 
     def open(self, path: Path) -> None:
         """Open ``path``; on a failure report it, and keep what is open."""

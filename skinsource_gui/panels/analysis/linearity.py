@@ -13,13 +13,13 @@ from skinsource.design.amplitudes import amplitude_unit, is_gain
 from skinsource.design.design import EDITED, NUMBERS, Design, Snapshot, View
 from skinsource.design.panel_settings import settings_of
 from skinsource.limbs.own_limbs import axes_on, facts_of
-from skinsource.signals.analysis.statistics import BIN_HZ
 from skinsource.signals.resampling import finer
 from skinsource.specs.spec import SwitchSpec
 from skinsource.studies.checking import (
     Proportion,
     Straightness,
     Superposition,
+    bands_shown,
     joint_of,
     proportion,
     straightness,
@@ -123,8 +123,7 @@ _WIDEST_PX, _NARROWEST_PX = 8.0, 1.2
 _PALE = 0.55
 # Time on both sides of a response of one sample, s.
 _MARGIN_OF_ONE_S = 1e-3
-# Bands that are drawn one by one, and the margin of logarithmic axes, as a factor.
-_SHOWN_HZ = (50.0, 100.0, 200.0, 400.0)
+# The margin of logarithmic axes, as a factor.
 _EDGE = 1.4
 
 
@@ -188,12 +187,6 @@ def _worst_and_median(result: Proportion, all_outputs: Floats) -> tuple[Curve, .
     )
 
 
-def bands_shown(result: Proportion) -> list[int]:
-    """Return the bands that are drawn one by one: those at the frequencies of the figure."""
-    gaps_hz = np.abs(result.frequency_hz - np.array(_SHOWN_HZ)[:, None])
-    return [int(gap_hz.argmin()) for gap_hz in gaps_hz if gap_hz.size and gap_hz.min() <= BIN_HZ]
-
-
 def _overlay(
     result: Proportion,
     rows: tuple[int, ...],
@@ -236,10 +229,8 @@ def _growth_in_bands(result: Proportion, rows: tuple[int, ...], unit: StrengthUn
     lines: list[Curve] = []
     ends: list[float] = []
     for rank, row in enumerate(rows):
-        for band in bands_shown(result):
+        for band in bands_shown(result, row):
             level, line = result.band_rms[:, row, band], result.band_line[:, row, band]
-            if level.min() <= 0.0 or line.min() <= 0.0:
-                continue  # silent there
             label = f"{result.frequency_hz[band]:.0f} Hz"
             lines.append(Curve(x=at, y=line, rank=rank, width_px=1.2, pale=_PALE, label=label))
             lines.append(Curve(x=at, y=level, rank=rank, width_px=0.0))

@@ -483,8 +483,8 @@ class StripView(Figure):
             self.time_chosen.emit(self.content.bounds_s[window][0])
 
 
-# Height of a picture in lines of text, so that maps and plot have room in a flat picture.
-_LINES_OF_PICTURE = 26
+# Width and height of a picture in those of letters: on a slide they are read from far away.
+_LETTERS, _LINES = 46, 24
 _TOO_SHORT = "No whole window fits into the response. Choose shorter ones."
 
 
@@ -591,7 +591,7 @@ class WindowedView(AnalysisView):
         """Draw the strip for a page or a slide, with all that is needed to read it; size in px."""
         font = painter.font()
         font.setFamily(self.font().family())
-        font.setPixelSize(max(round(min(width / 62, height / _LINES_OF_PICTURE)), 8))
+        font.setPixelSize(max(round(min(width / _LETTERS, height / _LINES)), 8))
         painter.setFont(font)
         painter.fillRect(QRectF(0, 0, width, height), QtGui.QColor(theme.base))
         content, line = self.strip.content, float(painter.fontMetrics().height())
@@ -601,7 +601,8 @@ class WindowedView(AnalysisView):
             painter.drawText(heading, 0, self._heading())
             painter.drawText(QRectF(line, 5 * line, width, line), 0, self.strip.message)
             return
-        room = QRectF(0.0, 4.0 * line, width, height - 4.5 * line)
+        # The layout leaves a line for the head of the panel, which the heading covers.
+        room = QRectF(0.0, 2.4 * line, width, height - 2.9 * line)
         layout = strip_layout(room, content.windows.count, line)
         width_of = painter.fontMetrics().horizontalAdvance
         times = windows_heading(content, width_of, heading.width())

@@ -53,6 +53,8 @@ class MovingMaps:
         How often the longest loop was gone through, with the part of it that is shown.
     slow_motion
         How many times slower than it happens all of them are shown.
+    passes
+        Whether a tone is shown from its beginning to its end, not as if it had none.
     axes, chosen, matched
         Axes and slow motion of the view, which is followed where it is above 1, and how much louder
         the design is shown.
@@ -66,7 +68,7 @@ class MovingMaps:
 
     def __init__(self) -> None:
         self.loops: list[tuple[Loop, float] | None] = []
-        self.turns = 0.0
+        self.turns, self.passes = 0.0, False
         self.slow_motion, self.pictures_per_s, self.made = 1.0, _PICTURES_PER_S, 0
         self.axes, self.chosen, self.matched, self.unit = "z", 0.0, "", "m/s²"
         self._cells: tuple[Cell, ...] = ()
@@ -93,7 +95,7 @@ class MovingMaps:
     ) -> None:
         """Take over designs and how they are called; ``held``: ends of the scale that stays."""
         self._compared = compared
-        self.loops = [_loop(side, self.axes) for side in compared]
+        self.loops = [_loop(side, self.axes, passes=self.passes) for side in compared]
         loops = [known for known in self.loops if known is not None]
         self.slow_motion = max((loop.slow_motion for loop, _ in loops), default=1.0)
         followed, self.pictures_per_s = self.slow_motion, _PICTURES_PER_S
@@ -195,7 +197,7 @@ class MovingMaps:
         return replace(cell, small=small)
 
 
-def _loop(side: Compared, axes: str) -> tuple[Loop, float] | None:
+def _loop(side: Compared, axes: str, *, passes: bool) -> tuple[Loop, float] | None:
     design, axes = side.snapshot.design, side.axes or axes
     name = moving_name(design.limb, axes)
     if side.values is None or name not in side.values:
@@ -204,7 +206,7 @@ def _loop(side: Compared, axes: str) -> tuple[Loop, float] | None:
     if moving.signals.shape[1] > 1 and len(axis := moving_axis(design.limb, axes)) == 1:
         k = facts_of(design.limb).axes.index(axis)
         moving = along(moving, k)
-    return loop_of(design, moving), side.gain
+    return loop_of(design, moving, passes=passes), side.gain
 
 
 class Clock(QObject):

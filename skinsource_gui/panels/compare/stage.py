@@ -1,7 +1,7 @@
 """The stage: title and sentence, maps in motion, traces and one knob, for people further off."""
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import isclose, sqrt
 from textwrap import shorten
@@ -24,7 +24,7 @@ from PySide6.QtCore import (
 from skinsource.base.conventions import Floats, axes_text
 from skinsource.base.errors import InvalidInputError
 from skinsource.design import edits
-from skinsource.design.amplitudes import amplitude_spec, is_gain
+from skinsource.design.amplitudes import amplitude_spec, amplitude_unit, is_gain
 from skinsource.design.clips import ONSET as ONSET_SPEC
 from skinsource.design.comparing import with_edited
 from skinsource.design.design import AMPLITUDE_GAIN, EDITED, Design, Input, View
@@ -38,13 +38,16 @@ from skinsource.design.panel_settings import (
     stage_settings,
     with_settings,
 )
+from skinsource.engine.loops import Loop
 from skinsource.limbs.own_limbs import facts_of
+from skinsource.signals.analysis.wave_speed import LEAST_ALIKE, group_delays
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import NumberSpec
 from skinsource.studies import scenes
+from skinsource.studies.checking import bands_shown, proportion, strengths_of
 from skinsource_gui.fields.editor import Burst
 from skinsource_gui.fields.number_field import DRAG_BEGINS_PX, NumberField
-from skinsource_gui.fields.units import axis_unit, output_text, parse_number, value_text
+from skinsource_gui.fields.units import axis_unit, minus, output_text, parse_number, value_text
 from skinsource_gui.panels.compare.content import ALL_AXES, KINDS, Kind, Names, OfWindow
 from skinsource_gui.panels.compare.maps import MapsPanel
 from skinsource_gui.panels.compare.motion import rounded
@@ -63,18 +66,32 @@ from skinsource_gui.qt.theme import UNIT_PX, current_theme, letter_scale, tabula
 from skinsource_gui.state.compared import Compared
 
 _ALONE = OfWindow()
-# Between the names of curves.
-_BETWEEN = "   "
+# Between the names of curves; from where to where those in rows reach, from their middle.
+_BETWEEN, _REACH = "   ", np.array([-0.45, 0.45])
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Curve:
-    """A trace or a spectrum: its names, the longest first, rank of its colour, and points."""
+    """A trace, a spectrum, or a line that is fitted to dots.
+
+    Attributes
+    ----------
+    names, rank
+        Its names, the longest first, and the rank of its colour.
+    x, y
+        Its points.
+    dots
+        Heights of dots over ``x``; None: there are none.
+    arrival
+        Where it arrives along x; None: that is not known.
+    """
 
     names: Names
     rank: int
     x: Floats
     y: Floats
+    dots: Floats | None = None
+    arrival: float | None = None
 
 
 class Strip(Figure):
@@ -86,6 +103,8 @@ class Strip(Figure):
         What is drawn, the ends of x and y, and which x is marked; None: none is.
     ticks
         Of x, below the curves.
+    in_rows
+        Whether each curve has a row of height 1, and its name beside it.
     """
 
     def __init__(self) -> None:
@@ -94,7 +113,7 @@ class Strip(Figure):
         self.marked: float | None = None
         self.ticks: tuple[Tick, ...] = ()
         self.ends: tuple[Range, Range] = ((0.0, 1.0), (-1.0, 1.0))
-        self._words = ("", "", "")
+        self._words, self.in_rows = ("", "", ""), False
         self._picture = CachedPicture()
         self.setMinimumHeight(80)
         self.setMouseTracking(False)
@@ -130,36 +149,55 @@ class Strip(Figure):
     def _area(self) -> QRectF:
         line = 1.4 * self.fontMetrics().height()
         below = line * (1.6 if self.ticks else 1.0)
-        return QRectF(self.rect()).adjusted(UNIT_PX, line, -UNIT_PX, -below)
+        room = QRectF(self.rect()).adjusted(UNIT_PX, line, -UNIT_PX, -below)
+        if self.in_rows:
+            width_of = QtGui.QFontMetricsF(tabular(self.font())).horizontalAdvance
+            room.setLeft(2 * UNIT_PX + max(map(width_of, self._labels(room.width()))))
+        return room
 
     def _paint(self, painter: QtGui.QPainter) -> None:
         theme, area, line = current_theme(), self._area(), painter.fontMetrics().height()
-        middle, pen_px = area.center().y(), max(line / 9.0, 1.5)
-        painter.setPen(QtGui.QPen(QtGui.QColor(theme.grid), 1))
-        painter.drawLine(QPointF(area.left(), middle), QPointF(area.right(), middle))
-        left, ((x_low, x_high), (y_low, y_high)) = area.left(), self.ends
-        for curve, label in zip(self.curves, self._labels(area.width()), strict=True):
-            x = area.left() + area.width() * (curve.x - x_low) / (x_high - x_low)
-            y = area.bottom() - area.height() * (curve.y - y_low) / (y_high - y_low)
+        room = QRectF(self.rect()).adjusted(UNIT_PX, 0.0, -UNIT_PX, 0.0)
+        left_side, right_side = Qt.AlignmentFlag.AlignLeft, Qt.AlignmentFlag.AlignRight
+        pen_px, ((x_low, x_high), (y_low, y_high)) = max(line / 9.0, 1.5), self.ends
+
+        def points(x: Floats, y: Floats | float) -> list[QPointF]:
+            across = area.left() + area.width() * (x - x_low) / (x_high - x_low)
+            up = area.bottom() - area.height() * (y - y_low) / (y_high - y_low) + 0.0 * x
+            return list(map(QPointF, across.tolist(), up.tolist()))
+
+        left, labels, ends = area.left(), self._labels(room.width()), np.array([x_low, x_high])
+        for row, (curve, label) in enumerate(zip(self.curves, labels, strict=True), 1):
+            middle = len(labels) - row if self.in_rows else (y_low + y_high) / 2
+            painter.setPen(QtGui.QPen(QtGui.QColor(theme.grid), 1))
+            if self.in_rows or row == 1:
+                painter.drawPolyline(points(ends, middle))
             painter.setPen(theme.output_pen(curve.rank, pen_px))
             painter.save()
             painter.setClipRect(area.adjusted(0.0, -pen_px, 0.0, pen_px))
-            painter.drawPolyline(QtGui.QPolygonF(list(map(QPointF, x.tolist(), y.tolist()))))
+            painter.drawPolyline(points(curve.x, curve.y))
+            if curve.arrival is not None:
+                painter.setPen(QtGui.QPen(QtGui.QColor(theme.text), pen_px))
+                painter.drawPolyline(points(np.full(2, curve.arrival), middle + _REACH))
             painter.restore()
-            painter.drawText(QPointF(left, 0.9 * line), label)
+            painter.setBrush(theme.output_colour(curve.rank))
+            for dot in points(curve.x, curve.dots) if curve.dots is not None else ():
+                painter.drawEllipse(dot, 2 * pen_px, 2 * pen_px)
+            at = QPointF(left, 0.9 * line)
+            if self.in_rows:
+                at = QPointF(room.left(), points(ends, middle)[0].y() + 0.3 * line)
+            painter.drawText(at, label)
             left += painter.fontMetrics().horizontalAdvance(f"{label}{_BETWEEN}")
         painter.setPen(QtGui.QColor(theme.dim))
         for tick in self.ticks:
-            at = area.left() + area.width() * (tick.value - x_low) / (x_high - x_low)
-            painter.drawLine(QLineF(at, area.bottom() - line / 4, at, area.bottom()))
-            place = QRectF(at - 2 * line, area.bottom(), 4 * line, line)
+            (at,) = points(np.array([tick.value]), y_low)
+            painter.drawLine(at, at - QPointF(0.0, line / 4))
+            place = QRectF(at.x() - 2 * line, at.y(), 4 * line, line)
             painter.drawText(place, Qt.AlignmentFlag.AlignHCenter, tick.label)
-        above = QRectF(area.left(), 0.0, area.width(), line)
-        below = QRectF(area.left(), self.height() - 1.2 * line, area.width(), 1.2 * line)
+        below = room.adjusted(0.0, self.height() - 1.2 * line, 0.0, 0.0)
         joined = _BETWEEN.join(self._words[1:])
-        left_side, right_side = Qt.AlignmentFlag.AlignLeft, Qt.AlignmentFlag.AlignRight
-        painter.drawText(above, right_side, self._words[0])
-        painter.setFont(shrunk(painter.font(), [joined], area.width()))
+        painter.drawText(room, right_side, self._words[0])
+        painter.setFont(shrunk(painter.font(), [joined], room.width()))
         painter.drawText(below, left_side, self._words[1])
         painter.drawText(below, right_side, self._words[2])
 
@@ -170,6 +208,8 @@ class Strip(Figure):
         for k in range(longest):
             labels = [curve.names[min(k, len(curve.names) - 1)] for curve in self.curves]
             text = _BETWEEN.join((*labels, self._words[0]))
+            if self.in_rows:
+                text = 3 * max(labels, key=metrics.horizontalAdvance)
             if metrics.horizontalAdvance(text) <= room_px:
                 break
         return labels
@@ -338,7 +378,7 @@ class StagePanel(MapsPanel):
     @property
     def _together(self) -> bool:
         """Whether spectra are of all axes together: where those of each are shown elsewhere."""
-        layout = dict(dict(self.view.panels).get("spectra", ())).get("layout")
+        layout = _settings(self.view, "spectra").get("layout")
         spectra = stage_settings(self.view).plot == "spectra"
         return spectra and layout == "axes" and self.kind is not KINDS["axes"]
 
@@ -361,6 +401,8 @@ class StagePanel(MapsPanel):
             # It is seen which output is louder.
             self._held_ends = self._held_ends or self.strip.ends
             self._rest.start()
+        stacked = _settings(view, "traces").get("layout") == "stacked"
+        self.moving.passes = stacked and kind is _ALONE and stage.plot == "traces"
         self.take_state(design, view, kind, compare, moves=stage.moves)
 
     def start_over(self) -> None:
@@ -574,7 +616,7 @@ class StagePanel(MapsPanel):
         n_turned, of = len(view.selected_inputs), ""
         if len(design.inputs) > 1:
             place = f"place\N{NO-BREAK SPACE}{track.location}"
-            of = f" of {n_turned} inputs" if n_turned > 1 else f" of {place}"
+            of = f", {n_turned} inputs" if n_turned > 1 else f", {place}"
         self.knob.show_number(self._turned, spec, value, of)
 
     def _show_traces(self) -> None:
@@ -611,8 +653,18 @@ class StagePanel(MapsPanel):
                 of_map = names[k][1:] if len(names[k]) > 2 else names[k]
                 called = _names(number, limb) if alone else of_map
                 curves.append(Curve(names=called, rank=row if alone else k, x=x, y=values[row]))
+        self.strip.in_rows = self.moving.passes and bool(curves)
         top = max((float(np.abs(curve.y).max()) for curve in curves), default=0.0) or 1.0
-        if spectra and curves:
+        designs = [side.snapshot.design for side in self.compared]
+        bands = _settings(self.view, "linearity").get("bands") is True
+        if bands and (fits := _fits_of(designs, [loop for _, loop, _ in known], outputs[0])):
+            curves, x, y = fits, fits[0].x, [curve.y for curve in fits]
+            low, top = float(np.min(y)), float(np.max(y))
+            ends = (x[0] - 0.1, x[-1] + 0.1), (low - 0.1, top + 0.1)
+            text = f"Output in m/s² over input in {amplitude_unit(designs[0])}, both logarithmic"
+            words = (where, text, f"{rounded(10**low)} to {rounded(10**top)} m/s²")
+            self.strip.ticks = tuple(Tick(value=at, label=f"{10**at:.3g}") for at in x)
+        elif spectra and curves:
             low_hz, high_hz = facts_of(limb).band_hz or (0.0, float(curves[0].x[-1]))
             top = max(float(curve.y.max()) for curve in curves)
             ends = self._held_ends or ((low_hz, high_hz), (top - _SPECTRUM_DB, top))
@@ -628,6 +680,10 @@ class StagePanel(MapsPanel):
             ends = (0.0, end_s), self._held_ends[1] if self._held_ends else (-top, top)
             self._held_ends = self._held_ends and ends
             high = f"±{rounded(ends[1][1])} {self.moving.unit}"
+            if self.strip.in_rows:
+                curves = _in_rows(designs[0], known[0][1], curves, [k - 1 for k in kept])
+                ends, top = ((0.0, end_s), (-0.5, len(curves) - 0.5)), 0.0
+                high = "each relative to its peak; + group delay, marked where it arrives"
             words = (where, high, f"{end_s * factor:.3g} {unit}")
         self._cut = top > ends[1][1] or (not spectra and shown_s > end_s)
         self.strip.show_curves(tuple(curves), ends, words)
@@ -662,6 +718,47 @@ def _compared(design: Design, view: View, compare: CompareSettings) -> Kind:
     return _ALONE
 
 
+def _settings(view: View, panel: str) -> Mapping[str, Any]:
+    return dict(dict(view.panels).get(panel, ()))
+
+
+def _in_rows(design: Design, loop: Loop, curves: list[Curve], rows: list[int]) -> list[Curve]:
+    """Return traces in rows, with when they arrive: after the first, which has the onset."""
+    moving, drawn = loop.moving, list[Curve]()
+    signals = moving.signals[:, 0] if loop.signed else np.linalg.norm(moving.signals, axis=1)
+    delays_s, alike = group_delays(signals[rows], moving.sample_rate_hz)
+    onset_s = min((clip.onset_s for clip in design.clips), default=0.0) + moving.delay_s
+    for curve, delay_s, share in zip(curves, delays_s, alike, strict=True):
+        middle, peak = len(curves) - 1 - len(drawn), np.abs(curve.y).max() or 1.0
+        curve = replace(curve, y=middle + _REACH[1] * curve.y / peak)
+        if share >= LEAST_ALIKE:
+            told = minus(f" {round(1e3 * delay_s):+d} ms")
+            names = tuple(f"{name}{told}" for name in curve.names)
+            curve = replace(curve, names=names, arrival=onset_s + delay_s - loop.begin_s)
+        drawn.append(curve)
+    return drawn
+
+
+def _fits_of(designs: Sequence[Design], loops: Sequence[Loop], output: int) -> list[Curve]:
+    """Return dots of an output over the input, in some bands, and their lines; all logarithms.
+
+    There are none where designs differ in more than their strength, or along several axes.
+    """
+    strengths = strengths_of(designs)
+    if not 0 < len(strengths) == len([loop for loop in loops if loop.signed]):
+        return []
+    responses = np.stack([loop.moving.signals[output - 1] for loop in loops])
+    rate_hz, band_hz = loops[0].moving.sample_rate_hz, facts_of(designs[0].limb).band_hz
+    result = proportion(strengths, responses, rate_hz, band_hz)
+    x, curves = np.log10(result.strengths), list[Curve]()
+    for band in bands_shown(result, 0):
+        y, dots = np.log10((result.band_line[:, 0, band], result.band_rms[:, 0, band]))
+        hz = f"{result.frequency_hz[band]:.0f} Hz"
+        names = f"{hz}: R² {result.adjusted_r2[0, band]:.4f}", hz
+        curves.append(Curve(names=names, rank=len(curves), x=x, y=y, dots=dots))
+    return curves
+
+
 def _names(number: int, limb: str) -> Names:
     (name,) = output_names((number,), limb)
     return output_text(number, limb), f"{number} {name.short}".rstrip(), str(number)
@@ -680,6 +777,8 @@ def _number(design: Design, view: View) -> tuple[Input, str, NumberSpec, float] 
         for name, spec in specs_of(clip.waveform).items():
             if isinstance(spec, NumberSpec) and spec.measured_band_hz is not None:
                 spec = spec.at_rate(facts.sample_rate_hz, facts.band_hz)
-                return track, name, spec, getattr(clip.waveform, name)
+                # Alone, "From" is no name.
+                label = f"{clip.waveform.title} {spec.label.lower()}"
+                return track, name, replace(spec, label=label), getattr(clip.waveform, name)
     amplitude = AMPLITUDE_GAIN if is_gain(design, track) else amplitude_spec(design)
     return track, "amplitude", amplitude, track.amplitude

@@ -48,6 +48,7 @@ from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.keys import key_text, meaning_of, shortcut_text
 from skinsource_gui.qt.layouts import named
+from skinsource_gui.qt.questions import ask_name
 from skinsource_gui.qt.theme import scaled, tabular
 from skinsource_gui.qt.wheel import NOTCH
 
@@ -201,16 +202,9 @@ class LanesMenu:
         menu.addAction(shown).triggered.connect(lambda _=False: act())
 
     def _rename(self, index: int) -> None:
-        name, label = self._lanes.content.design.markers[index].name, "Name"
-        sure = True
-        while sure:
-            name, sure = QtWidgets.QInputDialog.getText(
-                self._lanes, "Rename marker", label, text=name
-            )
-            if sure and len(name) <= NAME.longest:
-                self._lanes.edit(edits.rename_marker, index, name)
-                return
-            label = f"Use at most {NAME.longest} letters; these are {len(name)}."
+        name = self._lanes.content.design.markers[index].name
+        if (new := ask_name(self._lanes, "Rename marker", name, NAME.longest)) is not None:
+            self._lanes.edit(edits.rename_marker, index, new)
 
 
 def _ends_of_chosen(content: TimelineContent) -> tuple[float, float] | None:

@@ -27,7 +27,7 @@ from skinsource_gui.panels.timeline.gestures import GesturePreview
 from skinsource_gui.panels.timeline.heads import Heads, heads_px, row_px
 from skinsource_gui.panels.timeline.lanes import ZOOM, LanesView
 from skinsource_gui.plots.time_scale import Range
-from skinsource_gui.qt.buttons import page_label, show_or_hide, tool_button
+from skinsource_gui.qt.buttons import FirstLetters, page_label, show_or_hide, tool_button
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.keys import KEYS
 from skinsource_gui.qt.labels import how_to_add
@@ -102,6 +102,7 @@ class TimelineToolbar(QtWidgets.QWidget):
         menu.addAction("File…").triggered.connect(self.file_requested)
         menu.addSeparator()
         menu.addAction("Track").triggered.connect(self.track_requested)
+        FirstLetters(menu)
         self.add.setMenu(menu)
         draw = self._button("draw", "Draw", "Draw the selected clip, or a new one")
         draw.clicked.connect(lambda: self.draw_requested.emit(False))

@@ -4,10 +4,12 @@ from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QImage, QPainter
 
 import skinsource as ss
 from skinsource.design.design import Design, track
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
+from skinsource_gui.panels.analysis import windowed
 from skinsource_gui.panels.analysis.windowed import (
     CURVES,
     curve_names,
@@ -171,6 +173,16 @@ def test_how_long_windows_are_is_said_where_only_their_begins_are(open_window, q
     qtbot.waitUntil(lambda: not any("traces" in each for each in strip.content.begin_phrases))
     # Only texts change.
     assert strip.content.levels_db is levels_db
+
+
+def test_all_letters_of_a_slide_are_a_thirtieth_of_its_height(panel, monkeypatch):
+    lines_px = []
+    note = lambda painter, *_: lines_px.append(painter.font().pixelSize())  # noqa: E731
+    monkeypatch.setattr(windowed, "paint_strip", note)
+    for height_px in (720, 2160):
+        image = QImage(height_px * 16 // 9, height_px, QImage.Format.Format_RGB32)
+        panel.draw_picture(QPainter(image), image.width(), height_px)
+        assert lines_px.pop() >= height_px / 30
 
 
 @pytest.fixture

@@ -10,7 +10,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QIcon, QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLineEdit, QMenu, QToolButton, QWidget
+from PySide6.QtWidgets import QApplication, QLineEdit, QMenu, QToolButton, QWidget
 
 from skinsource import Clip, Design, Input, waveforms
 from skinsource.base.allocation import give_freed_memory_back
@@ -27,7 +27,7 @@ from skinsource_gui.fields.kinds import PICTURE_PX, KindField, fill_kind_menu, w
 from skinsource_gui.fields.parts import PartsEditor
 from skinsource_gui.fields.units import value_text
 from skinsource_gui.plots.pictures import stimulus_text
-from skinsource_gui.qt.buttons import LetterButton
+from skinsource_gui.qt.buttons import FirstLetters, LetterButton
 from skinsource_gui.qt.theme import LIGHT
 from tests.gui.inspector.bench import Bench, design_of
 
@@ -122,6 +122,27 @@ def test_the_field_opens_the_menu_and_takes_what_is_chosen_there(qtbot, field):
     field.showPopup()
     assert field.findChild(QMenu, "kind_menu").isVisible()
     field.hidePopup()
+
+
+def test_letters_that_are_typed_find_the_waveform_in_the_open_list(qtbot, field):
+    field.showPopup()
+    menu = field.findChild(QMenu, "kind_menu")
+    qtbot.waitUntil(menu.isVisible)
+
+    def found(letters):
+        # A word of its own, as after a pause.
+        menu.findChild(FirstLetters)._pause.stop()
+        for letter in letters:
+            QTest.keyClick(QApplication.activePopupWidget(), letter)
+        return QApplication.activePopupWidget().activeAction().text()
+
+    assert found("no") == "Noise"
+    assert found("damped s") == "Damped sine"
+    assert found("t") != found("t")
+    for kind in KINDS:
+        assert found(kind.title[:-1]) == kind.title
+    QTest.keyClick(QApplication.activePopupWidget(), Qt.Key.Key_Return)
+    assert field.value == KINDS[-1].__name__
 
 
 def test_every_kind_can_become_every_other():

@@ -1,5 +1,6 @@
 """The stage: words, maps in motion in one scale, traces and a knob, on screens of any size."""
 
+import re
 from contextlib import nullcontext
 from dataclasses import replace
 from functools import partial
@@ -21,7 +22,7 @@ from skinsource.design.panel_settings import StageSettings, with_settings
 from skinsource_gui.pages.files import maps_film
 from skinsource_gui.panels.compare.motion import MOST_S
 from skinsource_gui.panels.compare.settings import CompareSettings
-from skinsource_gui.panels.compare.stage import Dial
+from skinsource_gui.panels.compare.stage import Dial, _number
 from skinsource_gui.qt.theme import current_theme
 from tests.gui.exporting import shown
 
@@ -333,13 +334,20 @@ def _cut(label):
     return label.heightForWidth(label.width()) > label.height()
 
 
+@pytest.mark.parametrize("kind", ss.waveforms.KINDS)
+def test_the_knob_says_what_it_turns_in_words_that_stand_alone(kind):
+    design = ss.Design(limb="synthetic-1", inputs=(ss.track(3, kind()),))
+    _, name, spec, _ = _number(design, ss.View())
+    assert spec.label == "Amplitude" if name == "amplitude" else kind.title in spec.label
+
+
 def test_the_time_axis_shows_all_of_a_motion_that_no_longer_loops(stage, qtbot):
     window = stage.window()
     tone = ss.waveforms.Tone(frequency_hz=100.0)
-    assert stage.knob.label.text() == "Frequency"
+    assert stage.knob.label.text() == "Tone frequency"
     two = replace(window.document.design, inputs=(ss.track(7, tone), ss.track(12, tone)))
     window.document.edit("Two", two)
-    assert stage.knob.label.text() == "Frequency of place\N{NO-BREAK SPACE}7"
+    assert stage.knob.label.text() == "Tone frequency, place\N{NO-BREAK SPACE}7"
     complete(stage, qtbot, 1)
     assert stage.strip.ends[0][1] == pytest.approx(0.03)
     stage.knob.dial.setValue(900)
@@ -639,6 +647,32 @@ def test_maps_keep_their_part_of_the_height_however_large_and_long_the_words(sta
         small = stage.sentence.font().pixelSize()
     stage.layout().activate()
     assert not [part for part in (stage.heading, stage.sentence) if _cut(part)]
+
+
+def test_rows_of_traces_show_when_the_vibration_arrives_as_the_sentence_says(stage, qtbot):
+    opened = scene_on(stage, qtbot, "2A", "synthetic-1")
+    (later_ms,) = re.findall(r"(\d+) ms later", opened.design.notes)
+    strip, (first, *_, last) = stage.strip, stage.strip.curves
+    assert 1e3 * (last.arrival - first.arrival) == pytest.approx(float(later_ms), abs=0.5)
+    assert last.names[-1] == f"57 +{later_ms} ms"
+    # It moves after that.
+    assert np.abs(last.y[last.x < last.arrival]).max() < 0.1 < np.abs(last.y).max()
+    area, picture = strip._area(), strip.grab().toImage()
+    x = area.left() + area.width() * last.arrival / strip.ends[0][1]
+    assert picture.pixelColor(round(x), round(area.bottom() - 3)).lightness() < 150
+
+
+@pytest.mark.parametrize("name", ["5D", "5E"])
+def test_lines_are_fitted_to_the_dots_of_output_over_input(stage, qtbot, name):
+    opened = scene_on(stage, qtbot, name, "synthetic-1")
+    curve = stage.strip.curves[1]
+    found = ss.evaluate(opened.design, "output_band_rms", view=opened.view)["output_band_rms"]
+    in_band = found[1][opened.view.outputs[0] - 1, 0, np.abs(found[0] - 100.0).argmin()]
+    np.testing.assert_allclose(10**curve.x, [0.75, 1.5, 3.0, 6.0])
+    np.testing.assert_allclose(10**curve.dots, 10**curve.x * in_band / 6.0)
+    np.testing.assert_allclose(curve.y, curve.dots)
+    stage.knob.edited.emit(2.0, None)
+    qtbot.waitUntil(lambda: stage.strip.curves[1].x.size == 5)
 
 
 def test_maps_that_move_side_by_side_are_filmed_in_a_loop(stage, qtbot, tmp_path, monkeypatch):
