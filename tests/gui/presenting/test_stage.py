@@ -649,6 +649,23 @@ def test_maps_keep_their_part_of_the_height_however_large_and_long_the_words(sta
     assert not [part for part in (stage.heading, stage.sentence) if _cut(part)]
 
 
+def test_the_largest_letters_fit_whichever_scene_was_before(stage, qtbot):
+    window, letters = stage.window(), []
+    window.showNormal()
+    window.resize(1280, 720)
+    for _ in range(6):
+        window.do("enlarge_text")
+    for name in ("2D", "4A", "4B", "4A"):
+        scene_on(stage, qtbot, name, "synthetic-1")
+        qtbot.waitUntil(lambda: stage.caution.text() != "")
+        qtbot.waitUntil(lambda: stage.height() == stage.parentWidget().height())
+        area = QRect(stage.knob.field.mapTo(stage, QPoint()), stage.knob.field.size())
+        assert stage.rect().contains(area)
+        assert stage.strip._area().height() > 0.08 * stage.height()
+        letters.append(stage.sentence.font().pixelSize())
+    assert letters[1] == letters[3]
+
+
 def test_rows_of_traces_show_when_the_vibration_arrives_as_the_sentence_says(stage, qtbot):
     opened = scene_on(stage, qtbot, "2A", "synthetic-1")
     (later_ms,) = re.findall(r"(\d+) ms later", opened.design.notes)
