@@ -9,7 +9,7 @@ from math import sqrt
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, QRect, Qt
-from PySide6.QtGui import QColor, QPainter
+from PySide6.QtGui import QColor, QImage, QPainter
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QFrame, QLabel
 
@@ -23,6 +23,7 @@ from skinsource_gui.pages.files import maps_film
 from skinsource_gui.panels.compare.motion import MOST_S
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.panels.compare.stage import Dial, _number
+from skinsource_gui.plots.pictures import MOVING, letters_px
 from skinsource_gui.qt.theme import current_theme
 from tests.gui.exporting import shown
 
@@ -716,6 +717,27 @@ def test_maps_that_move_side_by_side_are_filmed_in_a_loop(stage, qtbot, tmp_path
     window.document.look(replace(window.document.view, slow_motion=2.0))
     assert not shown(window, "maps_animation").ready
     window.exports.end()
+
+
+def test_a_film_of_frequencies_says_what_the_tones_are_and_when_it_is(stage, qtbot, monkeypatch):
+    window, drawn = stage.window(), []
+    second = ss.track(13, ss.waveforms.Tone(frequency_hz=300.0))
+    window.document.edit("", replace(window.document.design, scaling="probe").adding(second))
+    side_by_side(stage, qtbot, 3, of="frequencies", frequencies_hz=(50.0, 400.0))
+    film = window.pictures.picture_of(MOVING).visible
+    assert "In the maps of 50, 400 Hz all tones have that frequency." in film.caption
+    (judged, *_) = window.pictures._metadata._shown_designs((stage,))
+    assert judged.label == "Working design"
+    options = maps_film.MapsFilmOptions(width_px=1280, height_px=720)
+    image = QImage(1280, 720, QImage.Format.Format_RGB888)
+    monkeypatch.setattr(
+        maps_film, "paint_page", lambda painter, *given: drawn.append((painter.font(), *given))
+    )
+    for turns in (0.0, 1.5):
+        film.frame(image, options, turns)
+    ((font, *_), (_, content, *_)) = drawn
+    assert font.pixelSize() >= letters_px(1280, 720)
+    assert content.about == f"{500.0 * film.moving.longest_s:.1f} ms"
 
 
 def test_the_warning_stays_on_one_line_above_several_maps(stage, qtbot):
