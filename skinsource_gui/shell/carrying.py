@@ -34,14 +34,7 @@ from skinsource_gui.shell.appearance import Appearance
 from skinsource_gui.shell.docks import Dock, PanelInUse
 from skinsource_gui.state.comparison import Judging
 from skinsource_gui.state.document import Document
-from skinsource_gui.state.engine import (
-    Beside,
-    Engine,
-    on_limb,
-    sources_of_levels,
-    sources_shown,
-    too_large,
-)
+from skinsource_gui.state.engine import Engine, on_limb, sources_of_levels, sources_shown, too_large
 from skinsource_gui.state.panel import Panel, PanelRegistry
 from skinsource_gui.state.services import Services
 
@@ -172,7 +165,7 @@ class ExportMetadata:
         return designs
 
 
-def _beside(panels: Sequence[Panel]) -> list[Beside]:
+def _beside(panels: Sequence[Panel]) -> list[Any]:
     """Return the limbs and frequencies at which panels show the design too."""
     return list(dict.fromkeys(beside for panel in panels for beside in panel.needs_on_limbs))
 

@@ -72,7 +72,7 @@ class Notice(QObject):
         self._choices: list[QtWidgets.QPushButton] = []
         hint = "Close this notice"
         self._close = tool_button(None, "close_notice", "✕", hint, takes_keyboard=False)
-        self._close.setAccessibleName("Close this notice")
+        self._close.setAccessibleName(hint)
         self._close.clicked.connect(self._choose)
         self._close.clicked.connect(self.closed)
         top = Qt.AlignmentFlag.AlignTop

@@ -384,11 +384,8 @@ class Presenter(QObject):
 
     def _compares(self) -> bool:
         """Return whether the Compare panel is in sight, and shows several maps."""
-        shown = self._in_sight("compare")
+        shown = [panel for panel in self._made if panel.name == "compare" and panel.isVisible()]
         return any(len(cast("MapsPanel", panel).maps.content.cells) > 1 for panel in shown)
-
-    def _in_sight(self, name: str) -> list[Panel]:
-        return [panel for panel in self._made if panel.name == name and panel.isVisible()]
 
     def _bars(self) -> list[QtWidgets.QWidget]:
         return [self._window.menuWidget(), self._window.statusBar()]
@@ -452,10 +449,11 @@ class Presenter(QObject):
         return self._worked or not (self.presenting if is_file else self._at >= 0)
 
     def _note_step(self) -> None:
-        """Note work that is done where the stage is not seen."""
+        """Note work that is done where more than the stage is seen, or something else."""
         # The history is emptied once more when it is deleted.
-        if isValid(self._document.undo_stack) and not self._in_sight(STAGE):
-            self._worked = self._document.modified
+        if not self.presenting and isValid(self._document.undo_stack):
+            shown = [panel.name for panel in self._made if panel.isVisible()]
+            self._worked = self._worked or (shown != [STAGE] and self._document.modified)
 
     def _steps_of_paper(self) -> tuple[Step, ...]:
         """Return the scenes of the paper, in the order of the figures."""
