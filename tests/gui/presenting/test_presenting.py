@@ -262,10 +262,10 @@ def test_keys_of_the_stage_work_wherever_the_keyboard_is_on_its_page(studio, qtb
 
 def test_a_notice_gives_the_keyboard_back(studio):
     studio.activateWindow()
-    studio.panel("skin").setFocus()
-    focused, notice = studio.focusWidget(), studio.notice
-    button = notice.card.findChild(QWidget, "close_notice")
+    notice = studio.notice
     notice.say("Text")
+    studio.panel("skin").setFocus()
+    focused, button = studio.focusWidget(), notice.card.findChild(QWidget, "close_notice")
     QTest.mouseClick(button, Qt.MouseButton.LeftButton)
     assert studio.focusWidget() is focused
     notice.say("Text")
