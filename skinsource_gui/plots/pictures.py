@@ -448,7 +448,7 @@ def caption_px(caption: str, width: int, height: int) -> int:
     for _ in range(4):
         # Letters and edges grow with the page, by less each time.
         edge = _edge_px(width, height + more)
-        font.setPixelSize(_letters_px(width, height + more))
+        font.setPixelSize(letters_px(width, height + more))
         lines = lines_of(caption, QtGui.QFontMetricsF(font), width - 2 * edge)
         more = ceil(_height(lines, font) + 1.5 * edge)
     return more
@@ -483,7 +483,7 @@ def _laid_out(
     font = QtGui.QFont(font)
     edge = _edge_px(width, height)
     room_px = width - 2 * edge
-    font.setPixelSize(_letters_px(width, height))
+    font.setPixelSize(letters_px(width, height))
     lines = lines_of(caption, QtGui.QFontMetricsF(font), room_px)
     for part, least_px in ((_PART_OF_HEIGHT, _SMALLEST_PX), (_MOST_OF_HEIGHT, _LEAST_PX)):
         while _height(lines, font) > part * height and font.pixelSize() > least_px:
@@ -500,7 +500,8 @@ def _edge_px(width: float, height: float) -> float:
     return 0.02 * min(width, height)
 
 
-def _letters_px(width: float, height: float) -> int:
+def letters_px(width: float, height: float) -> int:
+    """Return the height of the letters of a caption of a picture of this size, px."""
     return min(max(round(min(width, height) * _PART), _SMALLEST_PX), _LARGEST_PX)
 
 

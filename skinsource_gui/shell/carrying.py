@@ -5,12 +5,13 @@ from contextlib import contextmanager, nullcontext
 from copy import copy
 from dataclasses import dataclass
 from functools import partial
+from math import inf, isinf
 from typing import Any
 
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEventLoop, QPoint, QRect, QRectF, QSize, Qt
 
-from skinsource.design.comparing import with_edited
+from skinsource.design.comparing import frequency_of, with_edited
 from skinsource.design.design import EDITED, Snapshot, shown_snapshot
 from skinsource.design.labels import short_limb_title
 from skinsource.perception.validity import Judged, in_full, in_short
@@ -75,11 +76,14 @@ class ExportMetadata:
         designs = self._shown_designs(panels)
         design, compared = self._document.design, self._compared(panels)
         named = [(_snapshot_label(snapshot), snapshot.design) for snapshot in compared]
+        hz = [f"{beside:g}" for beside in _beside(panels) if isinstance(beside, float)]
+        # The stimulus is said once, as the design in the window has it.
+        note = f"In the maps of {', '.join(hz)} Hz all tones have that frequency."
         text = caption_of(
             design,
             compared=named,
             limbs=tuple(design.given["limb"] for design in designs),
-            notes=in_short(self._judged(designs, panels)),
+            notes=(*[note][: len(hz)], *in_short(self._judged(designs, panels))),
         )
         here = shown_snapshot(compared, design)
         if not compared or all(panel.needs_of_snapshots for panel in panels):
@@ -134,6 +138,9 @@ class ExportMetadata:
         compared = self._compared(panels)
         here = shown_snapshot(compared, design)
         label = short_limb_title(design.limb)
+        if any(isinstance(beside, float) for beside in _beside(panels)):
+            hz = frequency_of(design) or inf
+            label = _EDITED if isinf(hz) else f"{hz:g} Hz"
         if compared:
             label = _EDITED if here is None else _snapshot_label(here)
         designs = list[_ShownDesign]()
@@ -145,8 +152,7 @@ class ExportMetadata:
             designs.append(
                 _ShownDesign(label=label, given=sources_shown(design, view), present=True)
             )
-        limbs = dict.fromkeys(limb for panel in panels for limb in panel.needs_on_limbs)
-        for limb in limbs:
+        for limb in _beside(panels):
             limb_sources = None if limb == design.limb else on_limb(design, view, limb)
             if limb_sources is not None and not isinstance(limb_sources, str):
                 given = sources_of_levels(*limb_sources, match_gain=view.match_gain(design))
@@ -157,6 +163,11 @@ class ExportMetadata:
                 given = sources_of_levels(snapshot.design, view)
                 designs.append(_ShownDesign(label=_snapshot_label(snapshot), given=given))
         return designs
+
+
+def _beside(panels: Sequence[Panel]) -> list[Any]:
+    """Return the limbs and frequencies at which panels show the design too."""
+    return list(dict.fromkeys(beside for panel in panels for beside in panel.needs_on_limbs))
 
 
 def _snapshot_label(snapshot: Snapshot) -> str:

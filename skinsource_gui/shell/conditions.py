@@ -75,7 +75,6 @@ class ConditionsChip(QtWidgets.QToolButton):
         super().__init__()
         self.setObjectName("conditions")
         self.setAutoRaise(True)
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.findings: Findings = ()
         self._staleness = Staleness(self)
         self._staleness.changed.connect(self._describe)

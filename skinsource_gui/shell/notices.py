@@ -7,6 +7,7 @@ from typing import Any
 
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QPoint, QRect, Qt, QTimer, Signal
+from shiboken6 import isValid
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.job import Job
@@ -67,8 +68,9 @@ class Notice(QObject):
         self._label = page_label("notice_text")
         self._picture = named(QtWidgets.QLabel(), "notice_picture")
         self._choices: list[QtWidgets.QPushButton] = []
-        self._close = tool_button(None, "close_notice", "✕", "Close this notice")
-        self._close.setAccessibleName("Close this notice")
+        hint = "Close this notice"
+        self._close = tool_button(None, "close_notice", "✕", hint, takes_keyboard=False)
+        self._close.setAccessibleName(hint)
         self._close.clicked.connect(self._choose)
         self._close.clicked.connect(self.closed)
         top = Qt.AlignmentFlag.AlignTop
@@ -76,6 +78,7 @@ class Notice(QObject):
         head.setAlignment(self._close, top)
         self._row = in_row(None, margins=0, gap_px=UNIT_PX)
         self._column = in_column(head, self._row, of=self.card, gap_px=UNIT_PX // 2)
+        self._focused: QtWidgets.QWidget | None = None
         self._passing, self._watches = QTimer(self), False
         self._passing.setSingleShot(True)
         self._passing.timeout.connect(self.be_quiet)
@@ -101,7 +104,9 @@ class Notice(QObject):
         A ``picture`` stands before the text.  A notice that ``passes`` is hidden after a while,
         which is long enough to read it, or at the next click anywhere.
         """
-        self._passes = passes
+        self._passes, focused = passes, self._window.focusWidget()
+        if not self.card.isAncestorOf(focused):
+            self._focused = focused
         self._offer(choices)
         self._picture.setPixmap(picture or QtGui.QPixmap())
         self._picture.setHidden(picture is None or picture.isNull())
@@ -118,9 +123,10 @@ class Notice(QObject):
             self.be_quiet()
 
     def be_quiet(self) -> None:
-        """Hide the notice."""
+        """Hide the notice; the keyboard goes back to where it was."""
         if self.card.isAncestorOf(self._window.focusWidget()):
-            self._window.setFocus()
+            before = self._focused
+            (before if before is not None and isValid(before) else self._window).setFocus()
         self._let_pass(None)
         self.card.hide()
 
@@ -154,6 +160,7 @@ class Notice(QObject):
         self._choices = []
         for text, act in choices:
             button = page_button("notice_choice", text)
+            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
             button.clicked.connect(partial(self._choose, act))
             self._row.addWidget(button)
             self._choices.append(button)

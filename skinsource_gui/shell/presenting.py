@@ -24,7 +24,7 @@ from skinsource_gui.qt.keys import KEYS, key_text, meaning_of, shortcut_text
 from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import UNIT_PX, scaled
 from skinsource_gui.shell.focus import KeyboardFilter
-from skinsource_gui.shell.workspaces import Workspaces
+from skinsource_gui.shell.workspaces import PRESENTATION, Workspaces
 from skinsource_gui.state.panel import Panel
 from skinsource_gui.state.services import Services
 
@@ -251,11 +251,12 @@ class Presenter(QObject):
         self._entries: tuple[Entry, ...] = ()
         self._at = -1
         # Steps of the history when the design was put on the stage: what is turned there is taken
-        # back.  Whether there is work in it that is asked about before another one comes.
-        self._begun, self._asks = 0, True
+        # back.  Whether there is work in it from elsewhere.
+        self._begun, self._worked = 0, False
         self._opening = False
         self._notes: NotesWindow | None = None
         document.jumped.connect(self._look)
+        document.undo_stack.indexChanged.connect(self._note_step)
 
     def toggle(self) -> None:
         """Begin to present, or end."""
@@ -265,8 +266,8 @@ class Presenter(QObject):
         """Take the bars away, and arrange the panels for people further off."""
         window = self._window
         self.presenting = True
-        is_scene = self._at >= 0 or self._document.path is not None
-        self._asks = not is_scene or self._document.modified
+        if self._document.path is not None:
+            self._worked = self._worked or self._document.modified
         self._begun = self._document.undo_stack.index()
         self._focused = window.focusWidget()
         compares = self._compares()
@@ -287,8 +288,8 @@ class Presenter(QObject):
     def end(self) -> None:
         """Bring back bars, panels where they stood, with those of the scene, and the map."""
         window = self._window
-        self.presenting, self._asks = False, True
-        turned = self._take_back()
+        self.presenting = False
+        turned, self._begun = self._take_back(), 0
         for action in self._actions().values():
             window.removeAction(action)
         window.setWindowState(window.windowState() & ~Qt.WindowState.WindowFullScreen)
@@ -313,7 +314,7 @@ class Presenter(QObject):
         turned = document.design
         saved = self._begun <= stack.cleanIndex() <= stack.index()
         document.go_to(stack.cleanIndex() if saved else self._begun)
-        return turned != document.design
+        return turned != document.design and not document.holds(turned)
 
     def cover(self) -> None:
         """Cover the maps, so that people guess first; or reveal them."""
@@ -355,7 +356,6 @@ class Presenter(QObject):
         if entries and self._may_leave():
             if not self.presenting:
                 self.begin()
-            self._asks = False
             self._open_show(self._show_path, entries, at)
 
     def _open_show(self, path: Path | None, entries: Sequence[Entry], at: int) -> None:
@@ -419,7 +419,9 @@ class Presenter(QObject):
             "arm": stage.show_arm,
         }
         if not self.presenting:
-            here = watched is self._window or stage.isAncestorOf(cast(QtWidgets.QWidget, watched))
+            at = cast(QtWidgets.QWidget, watched)
+            page = self._preferences.arrangement == PRESENTATION and at.window() is self._window
+            here = page or watched is self._window or stage.isAncestorOf(at)
             return on_stage if here and stage.isVisible() else {}
         return {"leave": self.end, **on_stage}
 
@@ -441,8 +443,22 @@ class Presenter(QObject):
             self._open(target)
 
     def _may_leave(self) -> bool:
-        # In front of an audience no question is asked on changes that are never saved.
-        return not self._asks or self._files.may_lose_changes()
+        return not self._asks() or self._files.may_lose_changes()
+
+    def _asks(self) -> bool:
+        """Return whether it is asked what becomes of changes.
+
+        What was turned on the stage of a scene is never saved, nor what is in front of an audience.
+        """
+        is_file = self._document.path is not None
+        return self._worked or not (self.presenting if is_file else self._at >= 0)
+
+    def _note_step(self) -> None:
+        """Note work that is done where more than the stage is seen, or something else."""
+        # The history is emptied once more when it is deleted.
+        if not self.presenting and isValid(self._document.undo_stack):
+            shown = [panel.name for panel in self._made if panel.isVisible()]
+            self._worked = self._worked or (shown != [STAGE] and self._document.modified)
 
     def _steps_of_paper(self) -> tuple[Step, ...]:
         """Return the scenes of the paper, in the order of the figures."""
@@ -468,14 +484,14 @@ class Presenter(QObject):
             return
         title = (scenes.title_of(design) if design.title else "") or step.title
         document, left = self._document, ""
-        if self.presenting and self._take_back():
+        if (self.presenting or not self._asks()) and self._take_back():
             left = f"; changes to {self._document_name.partition(' · ')[0]} are not saved"
         self._opening = True
         read_only = self._files.leave_file(step.path) is not None
         scene = "" if step.path else title
         document.start_over(design, view, step.path, read_only=read_only, scene=scene)
         self._opening = False
-        self._begun, self._asks = 0, not self.presenting
+        self._begun, self._worked = 0, False
         self._workspaces.show_scene()
         self.done.emit(f"Scene {number + 1} of {len(self._steps)}: {title}{left}")
         self._show_notes()
@@ -483,7 +499,7 @@ class Presenter(QObject):
     def _look(self) -> None:
         # With another design the history is empty; with a step of it, it is not.
         if not self._opening and self._document.undo_stack.count() == 0:
-            self._begun, self._asks = 0, True
+            self._begun, self._worked = 0, False
             self._steps, self._entries, self._show_path, self._at = (), (), None, -1
 
     def _show_notes(self) -> None:

@@ -355,6 +355,7 @@ class JobBar(QtWidgets.QWidget):
         hint = "Stop this task, and clean up"
         self._cancel = page_button("cancel_running_job", "Cancel", hint)
         self._cancel.setAccessibleName("Cancel task")
+        self._cancel.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self._cancel.clicked.connect(lambda: runner.cancel())
         # It does not grow where the status bar has room to spare.
         self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Fixed, QtWidgets.QSizePolicy.Policy.Fixed)

@@ -333,7 +333,8 @@ class MainWindow(QtWidgets.QMainWindow):
         for widget in (self._match_note, self.job_bar):
             bar.addPermanentWidget(widget)
         self.conditions = Conditions(self.document, self.engine, self.panels, bar)
-        self._get_limbs = tool_button(bar, "get_limbs", f"{TITLE}…", NOT_INSTALLED)
+        texts = f"{TITLE}…", NOT_INSTALLED
+        self._get_limbs = tool_button(bar, "get_limbs", *texts, takes_keyboard=False)
         self._get_limbs.clicked.connect(self.pages.show_dataset)
         bar.addPermanentWidget(self._get_limbs)
         bar.addPermanentWidget(self.playback.button)

@@ -157,9 +157,11 @@ class Document(QObject):
         if self.undo_stack.isClean():
             return False
         # A new design that was edited and is as at first counts as modified: no file holds it.
-        if self._edited and self._path is None:
-            return True
-        return self._design != self._saved
+        return (self._edited and self._path is None) or not self.holds(self._design)
+
+    def holds(self, design: Design) -> bool:
+        """Return whether a design is the saved one, or one of the saved snapshots."""
+        return design in (self._saved, *[each.design for each in self._saved_view.snapshots])
 
     def apply(self, outcome: Edit | Refusal, gesture: int | None = None) -> None:
         """Apply an edit, or emit why it was refused.
@@ -261,7 +263,7 @@ class Document(QObject):
 
     def show_step(self, design: Design, view: View) -> None:
         """Replace design and view; for steps of the history only."""
-        self._edited = self._edited or design != self._saved
+        self._edited = self._edited or not self.holds(design)
         self._show(design, view)
         self._emit_title()
 

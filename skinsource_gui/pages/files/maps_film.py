@@ -18,8 +18,8 @@ from skinsource_gui.panels.compare.content import CompareContent
 from skinsource_gui.panels.compare.motion import MovingMaps
 from skinsource_gui.panels.compare.view import paint_page
 from skinsource_gui.panels.skin.film import FilmOptions, frame_size, painted_frame
-from skinsource_gui.plots.pictures import PictureOptions, Remark
-from skinsource_gui.qt.theme import Theme, on_paper
+from skinsource_gui.plots.pictures import PictureOptions, Remark, letters_px
+from skinsource_gui.qt.theme import Theme, on_paper, tabular
 
 # A loop is repeated until it has been seen for so long.
 _LEAST_S = 4.0
@@ -54,10 +54,14 @@ class MapsFilm:
         # The film may be drawn while its preview is.
         moving = copy(self.moving)
         moving.turns = turns
-        content = replace(self.content, cells=moving.cells())
+        about = f"{1e3 * (turns % 1.0) * moving.longest_s:.1f} ms"
+        content = replace(self.content, cells=moving.cells(), about=about)
 
         def draw(painter: QtGui.QPainter, width: int, height: int, theme: Theme) -> None:
-            room = QRectF(0, 0, width, height)
+            room, font = QRectF(0, 0, width, height), tabular(painter.font())
+            # Those of the caption are no larger.
+            font.setPixelSize(letters_px(options.width_px, options.height_px))
+            painter.setFont(font)
             painter.fillRect(room, QtGui.QColor(theme.base))
             with on_paper():
                 paint_page(painter, content, room, theme)

@@ -37,7 +37,7 @@ from skinsource.limbs.own_limbs import axes_on
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource_gui.fields.units import output_text
 from skinsource_gui.panels.compare.card import told_titles
-from skinsource_gui.panels.compare.settings import CompareSettings
+from skinsource_gui.panels.compare.settings import MOTION, SHOWN, CompareSettings
 from skinsource_gui.plots.colour_maps import DIVERGING
 from skinsource_gui.plots.pictures import common_title
 from skinsource_gui.plots.small_map import (
@@ -436,6 +436,8 @@ class Kind:
         Names of the choices above the maps that apply, beside "Of" itself.
     needs
         As of a panel.
+    choices
+        What can be shown of the sides.
     own, moves
         Whether the sides come from the results of the design in the window; whether they can be
         shown in motion.
@@ -443,6 +445,7 @@ class Kind:
 
     fields: ClassVar[frozenset[str]] = frozenset()
     needs: ClassVar[frozenset[str]] = LEVELS
+    choices: ClassVar[tuple[str, ...]] = tuple(name for name, _ in SHOWN.options)
     own: ClassVar[bool] = False
     moves: ClassVar[bool] = True
 
@@ -484,8 +487,9 @@ class Kind:
         return " · ".join(filter(None, (text, display_gain_text(design, view), left_out)))
 
     def shown(self, settings: CompareSettings) -> str:
-        """Return what is shown of the sides: the levels where there is no choice."""
-        return settings.shown if "shown" in self.fields else "levels"
+        """Return what is shown of the sides: the levels where that is no choice."""
+        offered = "shown" in self.fields and settings.shown in self.choices
+        return settings.shown if offered else "levels"
 
     def drawn(
         self, compared: Sequence[Compared], design: Design, view: View, settings: CompareSettings
@@ -519,10 +523,12 @@ _COMMON = frozenset({"limb_map", "limb_data", "surface"})
 class OfAxes(Kind):
     """The present design along each axis of the sensors, whatever axes are chosen in the window.
 
-    Only levels are shown: x and y point another way at each sensor, so that a difference or a mean
-    of axes has no meaning.
+    Levels or motion are shown: x and y point another way at each sensor, so that a difference or a
+    mean of axes has no meaning.
     """
 
+    fields: ClassVar[frozenset[str]] = frozenset({"shown"})
+    choices: ClassVar[tuple[str, ...]] = "levels", MOTION
     needs: ClassVar[frozenset[str]] = _COMMON | frozenset(_PER_AXIS)
     own: ClassVar[bool] = True
 

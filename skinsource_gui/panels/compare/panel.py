@@ -150,11 +150,13 @@ class ChoicesBar(QtWidgets.QWidget):
     def show_state(self, design: Design, view: View) -> None:
         """Take over the present design and view."""
         self._view = view
-        self.settings = settings = settings_of(view, self._panel_name, CompareSettings)
+        before, settings = self.settings, settings_of(view, self._panel_name, CompareSettings)
+        self.settings, kind = settings, KINDS[settings.of]
         self.of.set_value(settings.of)
-        self.shown.set_value(settings.shown)
         self.own_maximum.setChecked(settings.own_maximum)
-        kind = KINDS[settings.of]
+        if settings.of != before.of:
+            self.shown.set_options([each for each in SHOWN.options if each[0] in kind.choices])
+        self.shown.set_value(kind.shown(settings))
         fields = kind.fields
         # Differences have no maximum to be relative to, and a mean is one map.
         self.own_maximum.setVisible(kind.shown(settings) == "levels")

@@ -50,7 +50,7 @@ class CompareSettings(fields.CheckedModel):
     of
         ``"snapshots"``, ``"limbs"``, ``"axes"``, ``"frequencies"`` or ``"windows"``.
     shown
-        ``"levels"``, ``"difference"``, ``"mean"`` or `MOTION`; of axes always the levels.
+        ``"levels"``, ``"difference"``, ``"mean"`` or `MOTION`; of axes the first or last.
     own_maximum
         Whether the levels of each are drawn relative to its own loudest output.
     limbs

@@ -114,7 +114,6 @@ class Strip(Figure):
         self.ends: tuple[Range, Range] = ((0.0, 1.0), (-1.0, 1.0))
         self._words, self.in_rows = ("", "", ""), False
         self._picture = CachedPicture()
-        self.setMinimumHeight(80)
         self.setMouseTracking(False)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
 
@@ -310,6 +309,10 @@ class Knob(QtWidgets.QWidget):
 _LETTERS = (0.05, 0.034, 0.022)
 # The least height of the dial, in that of the panel: with larger letters, too.
 _LEAST_DIAL = 0.105
+# Of the strip: lines of letters; least height of curves, and what words leave them.
+_LINES_OF_STRIP, _CURVES = 2.6, (0.03, 0.05)
+# In the width: words beside a map, the knob below several.
+_BESIDE, _BESIDE_SEVERAL = 0.52, 0.14
 # Above several maps and beside one, words take the first share of the height at most, more of it
 # with larger letters, and never more than the second.  Letters are made smaller until they are half
 # as large as usual, those of a title sooner; then less is said, and no more letters than this.
@@ -444,7 +447,9 @@ class StagePanel(MapsPanel):
         self._release()
 
     def show_caution(self, text: str) -> None:
-        self.caution.setText(text)
+        if text != self.caution.text():
+            self.caution.setText(text)
+            self._fit_letters()
 
     def fit(self) -> None:
         """Fit the scales to what is shown now: they stay as they are while the knob turns."""
@@ -532,33 +537,24 @@ class StagePanel(MapsPanel):
         self._fit_letters()
 
     def _fit_letters(self) -> None:
-        margin = self.height() // 40
-        self._grid.setSpacing(margin)
         usual, most = _WORDS[bool(self._several)]
         scale = letter_scale(self.font())
         most_px = min(usual * scale, most) * self.height()
+        # Words beside a map leave the room for what stands below them, where letters grow less.
+        others_px = self._fit_others(sqrt(scale))
+        if not self._several:
+            most_px = min(most_px, self.height() - others_px)
         for label, whole, _ in self._said:
             label.setVisible(bool(whole))
             label.setText(shorten(whole, _MOST_LETTERS, placeholder="…"))
-        title, words, others = _LETTERS
+        title, words, _ = _LETTERS
         self._set_letters(scale * title, self.heading)
         self._set_letters(scale * words, self.sentence)
         while self._words_px() > most_px and scale > _LEAST_LETTERS:
             scale, title = scale * _SMALLER, words + _TITLE_SMALLER * (title - words)
             self._set_letters(scale * title, self.heading)
             self._set_letters(scale * words, self.sentence)
-        # The maps need the room that words take: what stands beside them grows less.
-        grown = min(scale, sqrt(scale))
-        small = self.maps, self.strip, self.knob.label, self.caution, self.arm, self.switch
-        self._set_letters(grown * others, *small)
-        # A passing notice in letters of the caution lies above all of it.
-        top = max(margin, self.caution.fontMetrics().height() + UNIT_PX)
-        self._grid.setContentsMargins(margin, top, margin, margin)
-        self._set_letters(grown * words, self.knob.field)
-        knob = self.knob
-        knob.field.setMinimumHeight(knob.field.sizeHint().height())
-        knob.dial.setMinimumHeight(max(7 * UNIT_PX, round(_LEAST_DIAL * self.height())))
-        self._grid.setRowMinimumHeight(4, knob.column.minimumHeightForWidth(knob.width()))
+        self._fit_others(scale)
         for label, whole, text in self._said:
             # Nothing moves where less is said than before.
             label.setMinimumHeight(0 if whole == text else self._height_of(label))
@@ -568,8 +564,35 @@ class StagePanel(MapsPanel):
         for label, _, text in self._said:
             label.setToolTip("" if label.text() == text else text)
 
+    def _fit_others(self, scale: float) -> int:
+        """Fit all but words; return how high what stands below words is, with all margins."""
+        # The maps need the room that words take: what stands beside them grows less.
+        grown, knob, (_, words, others) = min(scale, sqrt(scale)), self.knob, _LETTERS
+        small = self.maps, self.strip, knob.label, self.caution, self.arm, self.switch
+        self._set_letters(grown * others, *small)
+        # A passing notice in letters of the caution lies above all of it.
+        margin, line_px = self.height() // 40, self.caution.fontMetrics().height()
+        top = max(margin, line_px + UNIT_PX)
+        self._grid.setSpacing(margin)
+        self._grid.setContentsMargins(margin, top, margin, margin)
+        self._set_letters(grown * words, knob.field)
+        knob.field.setMinimumHeight(knob.field.sizeHint().height())
+        knob.dial.setMinimumHeight(max(7 * UNIT_PX, round(_LEAST_DIAL * self.height())))
+        least_px, fair_px = (
+            round(_LINES_OF_STRIP * line_px + share * self.height()) for share in _CURVES
+        )
+        self.strip.setMinimumHeight(least_px)
+        # Its width until now may be that beside other maps.
+        share = _BESIDE_SEVERAL if self._several else _BESIDE
+        knob_px = knob.column.minimumHeightForWidth(round(share * self.width()))
+        self._grid.setRowMinimumHeight(4, knob_px)
+        for row in (self._switches, self._line):
+            row.invalidate()
+        line_px = self._line.heightForWidth(round(_BESIDE * self.width()))
+        return top + 5 * margin + line_px + fair_px + knob_px
+
     def _height_of(self, label: QtWidgets.QLabel) -> int:
-        share = 0.52 if not self._several else 0.58 if label is self.heading else 0.95
+        share = _BESIDE if not self._several else 0.58 if label is self.heading else 0.95
         return label.heightForWidth(round(share * self.width()))
 
     def _words_px(self) -> int:

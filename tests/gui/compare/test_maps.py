@@ -187,7 +187,8 @@ def test_each_axis_has_the_levels_that_the_skin_map_has_along_it(window, panel, 
     assert [cell.headings for cell in cells] == [(f"Along {axis}", axis) for axis in "xyz"]
     assert panel.maps.content.common_scale is not None
     assert panel.maps.content.about == "RMS along each axis of the sensors · whole record"
-    hidden = panel.bar.shown, panel.bar.limbs, panel.bar.file, panel.cards[1]
+    assert panel.bar.shown.count() == 2
+    hidden = panel.bar.limbs, panel.bar.file, panel.cards[1]
     assert not any(part.isVisible() for part in hidden)
     at = point_at(panel.maps, 1, 23)
     QTest.mouseClick(panel.maps, Qt.MouseButton.LeftButton, pos=at)
@@ -199,6 +200,12 @@ def test_each_axis_has_the_levels_that_the_skin_map_has_along_it(window, panel, 
         for cell in shown(panel, qtbot, 3):
             assert cell.values_db == pytest.approx(values[cell.headings[1]], abs=1e-9)
         assert window.panel("skin").map.content.values == pytest.approx(values[axis], abs=1e-9)
+    panel.bar.shown.edited.emit("motion", None)
+    assert {cell.scale.unit for cell in shown(panel, qtbot, 3)} == {"m/s²"}
+    # Of axes there is no difference.
+    choose(window, shown="difference")
+    assert panel.bar.shown.value == "levels"
+    assert not panel.moves
 
 
 def test_two_to_four_limbs_are_chosen_from_those_there_are(window, panel, qtbot):

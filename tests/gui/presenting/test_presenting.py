@@ -1,6 +1,7 @@
 """Presenting: bars away, words over the window, a covered map, scenes in turn and their notes."""
 
 import re
+from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
@@ -9,13 +10,15 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QWidget
 
 from skinsource.base.lock import Lock
+from skinsource.design.design import Snapshot, View
 from skinsource.design.design_file import open_design
 from skinsource.studies.scenes.scenes import all_scenes
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.qt.keys import KEYS, key_text
 from skinsource_gui.qt.overlays import COVERED, Cover
-from skinsource_gui.shell.presenting import NotesWindow, steps_of_folder
+from skinsource_gui.shell.conditions import ConditionsCard
+from skinsource_gui.shell.presenting import NotesWindow, Step, steps_of_folder
 from tests.gui.analysis.analysis_bench import analysis
 
 
@@ -240,6 +243,38 @@ def test_a_file_that_does_not_open_is_passed_by(studio, folder):
     assert studio.notice.text == "Scene 4 of 4: 1 tap"
 
 
+@pytest.mark.parametrize("by_key", [False, True])
+def test_keys_of_the_stage_work_wherever_the_keyboard_is_on_its_page(studio, qtbot, by_key):
+    studio.do("arrange_presentation")
+    studio.activateWindow()
+    chip, stage = studio.conditions.chip, studio.panel("stage")
+    before = chip if by_key else stage.knob.dial
+    before.setFocus()
+    QTest.mouseClick(chip, Qt.MouseButton.LeftButton)
+    QTest.keyClick(studio.findChild(ConditionsCard), Qt.Key.Key_Escape)
+    studio.activateWindow()
+    qtbot.waitUntil(lambda: QApplication.focusWidget() is before)
+    QTest.keyClick(before, Qt.Key.Key_Space)
+    assert stage.clock.held
+    assert not [each for each in studio.findChildren(ConditionsCard) if each.isVisible()]
+    QTest.keyClick(before, Qt.Key.Key_PageDown)
+    assert title(studio) == "3 both"
+
+
+def test_a_notice_gives_the_keyboard_back(studio):
+    studio.activateWindow()
+    notice = studio.notice
+    notice.say("Text")
+    studio.panel("skin").setFocus()
+    focused, button = studio.focusWidget(), notice.card.findChild(QWidget, "close_notice")
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    assert studio.focusWidget() is focused
+    notice.say("Text")
+    button.setFocus()
+    notice.be_quiet()
+    assert studio.focusWidget() is focused
+
+
 def louder(window, amplitude):
     window.document.edit("Louder", window.document.design.with_input(0, amplitude=amplitude))
     return window.document.design
@@ -282,10 +317,40 @@ def test_of_a_scene_that_was_turned_it_is_said_that_it_is_left_as_it_was(open_wi
     assert "saved" not in window.notice.text
 
 
+def test_of_a_scene_only_what_is_turned_on_its_page_is_left_unasked(open_window, answers, design):
+    window = open_window(design)
+    window.do("next_scene")
+    first = window.document.design
+    window.panel("stage").knob.dial.setValue(0)
+    assert window.document.design != first
+    # In front of people nothing is asked either.
+    for _ in range(2):
+        window.do("present")
+    window.do("next_scene")
+    assert not answers["asked"]
+    said = window.statusBar().currentMessage()
+    assert said.endswith(f"; changes to {first.title} are not saved")
+
+
+def test_a_snapshot_that_is_shown_is_no_change_of_the_scene(open_window, answers, design):
+    window = open_window(design)
+    other = replace(design, title="Other")
+    show = tuple(Snapshot(number=k, design=each) for k, each in enumerate((design, other), 1))
+    window.presenter._steps = [Step("A", lambda: (design, View(snapshots=show)))] * 2
+    window.do("next_scene")
+    window.do("toggle_snapshots")
+    assert window.document.design == other
+    assert not window.document.modified
+    window.do("next_scene")
+    assert window.statusBar().currentMessage() == "Scene 2 of 2: A"
+    assert not answers["asked"]
+
+
 @pytest.mark.parametrize("presented", ["afterwards", "before"])
 def test_work_that_was_done_in_a_scene_is_not_lost_unasked(open_window, answers, presented, design):
     window = open_window(design)
     window.do("next_scene")
+    window.do("arrange_design")
     if presented == "before":
         window.do("present")
         window.do("present")

@@ -24,6 +24,7 @@ from skinsource_gui.pages.files import maps_film
 from skinsource_gui.panels.compare.motion import MOST_S
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.panels.compare.stage import Dial, _number
+from skinsource_gui.plots.pictures import MOVING, letters_px
 from skinsource_gui.qt.theme import current_theme
 from tests.gui.exporting import shown
 
@@ -657,6 +658,22 @@ def test_maps_keep_their_part_of_the_height_however_large_and_long_the_words(sta
     assert not [part for part in (stage.heading, stage.sentence) if _cut(part)]
 
 
+def test_the_largest_letters_fit_whichever_scene_was_before(stage, qtbot):
+    window, letters = stage.window(), []
+    window.showNormal()
+    window.resize(1280, 720)
+    for _ in range(6):
+        window.do("enlarge_text")
+    for name in ("2D", "4A", "4B", "4A"):
+        scene_on(stage, qtbot, name, "synthetic-1")
+        qtbot.waitUntil(lambda: stage.caution.text() != "")
+        qtbot.waitUntil(lambda: stage.height() == stage.parentWidget().height())
+        assert stage.rect().contains(stage.knob.geometry())
+        assert stage.strip._area().height() > 0.08 * stage.height()
+        letters.append(stage.sentence.font().pixelSize())
+    assert letters[1] == letters[3]
+
+
 def test_rows_of_traces_show_when_the_vibration_arrives_as_the_sentence_says(stage, qtbot):
     opened = scene_on(stage, qtbot, "2A", "synthetic-1")
     (later_ms,) = re.findall(r"(\d+) ms later", opened.design.notes)
@@ -707,6 +724,21 @@ def test_maps_that_move_side_by_side_are_filmed_in_a_loop(stage, qtbot, tmp_path
     window.document.look(replace(window.document.view, slow_motion=2.0))
     assert not shown(window, "maps_animation").ready
     window.exports.end()
+
+
+def test_a_film_of_frequencies_says_what_the_tones_are_and_when_it_is(stage, qtbot, monkeypatch):
+    window, drawn = stage.window(), []
+    second = ss.track(13, ss.waveforms.Tone(frequency_hz=300.0))
+    window.document.edit("", replace(window.document.design, scaling="probe").adding(second))
+    side_by_side(stage, qtbot, 3, of="frequencies", frequencies_hz=(50.0, 400.0))
+    film = window.pictures.picture_of(MOVING).visible
+    assert "In the maps of 50, 400 Hz all tones have that frequency." in film.caption
+    assert "Working design, 400 Hz: 2" in film.caption
+    options = maps_film.MapsFilmOptions(width_px=1280, height_px=720)
+    monkeypatch.setattr(maps_film, "paint_page", lambda by, of, *_: drawn.extend((by.font(), of)))
+    maps_film.maps_picture(options=options, seen=film, stop=never)
+    assert drawn[0].pixelSize() >= letters_px(1280, 720)
+    assert drawn[1].about == f"{250.0 * film.moving.longest_s:.1f} ms"
 
 
 def test_the_warning_stays_on_one_line_above_several_maps(stage, qtbot):
