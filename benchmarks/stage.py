@@ -80,7 +80,7 @@ def main() -> None:
             )
             window.document.look(with_settings(view, "compare", compared or CompareSettings()))
             wait(1.0, lambda: window.engine.busy)
-            stage.clock.run(False)
+            stage.clock.run(False, 1 / FRAME_S)
             began_s = time.process_time()
             for _ in range(FRAMES):
                 stage.clock.ticked.emit(FRAME_S)
@@ -89,7 +89,7 @@ def main() -> None:
             one_s = one_s or frame_s
             maps = len(stage.maps.content.cells)
             paints.at_s.clear()
-            stage.clock.run(True)
+            stage.clock.run(True, 1 / FRAME_S)
             wait(MOVES_S)
             print(
                 f"{name:18} {maps} maps {1e3 * frame_s:6.1f} ms {frame_s / one_s:5.2f} x; "

@@ -50,8 +50,10 @@ def studio(
         )
         window.resize(*size)
         window.show()
-        yield window
-        window.close_unasked()
+        try:
+            yield window
+        finally:
+            window.close_unasked()
 
 
 def settle(window: MainWindow) -> None:
