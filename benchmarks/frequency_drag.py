@@ -17,28 +17,22 @@ import os
 import platform
 import statistics
 import sys
-import tempfile
 from itertools import pairwise
-from pathlib import Path
 from time import perf_counter, process_time
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
-os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
-
-from PySide6.QtCore import QEvent, QEventLoop, QObject, QPointF, Qt, QTimer
-from PySide6.QtGui import QMouseEvent
+from PySide6.QtCore import QEvent, QEventLoop, QObject, QPoint, Qt, QTimer
 from PySide6.QtWidgets import QApplication
+from studio import FINE, MOVE, PRESS, RELEASE, send_mouse, studio
 from yardstick import Beside, computing_and_painting, judge
 
 from skinsource.design.design import Design, View, track
 from skinsource.design.waveforms.tones import Tone
-from skinsource.limbs.catalog import available_limbs, default_limb
-from skinsource_gui.app.app import make_application, manage_garbage_collection
+from skinsource.limbs.catalog import default_limb
+from skinsource_gui.app.app import manage_garbage_collection
 from skinsource_gui.fields.number_field import PIXELS_PER_STEP, NumberField
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.engine import Outcome
-from skinsource_gui.state.preferences import Preferences
 
 OUTPUTS = (29, 30, 33, 35, 38, 52)
 #: Median and 95th percentile that are promised, in times the fixed piece of work beside them, for
@@ -48,17 +42,14 @@ MOUSE_MS, FREE_S = 4, 2.0
 #: Most that a frame of a free drag takes, in times an edit of the other one.
 MOST_EDITS_PER_FRAME = 2.0
 _STEPS_BETWEEN = 4
-_MOVE, _PRESS, _RELEASE = (
-    QEvent.Type.MouseMove,
-    QEvent.Type.MouseButtonPress,
-    QEvent.Type.MouseButtonRelease,
-)
 
 
 class WatchedWindow(MainWindow):
     """Notes when it painted: pairs of start and end."""
 
-    paints: list[tuple[float, float]]
+    def __init__(self, *given: Any, **named: Any) -> None:
+        self.paints: list[tuple[float, float]] = []
+        super().__init__(*given, **named)
 
     def event(self, event: QEvent) -> bool:
         """Paint, or whatever else is asked."""
@@ -86,7 +77,7 @@ class Drag(QObject):
         window.engine.finished.connect(self._arrive)
         window.engine.finished.connect(window.conductor._deliver)
         window.conductor.delivered.connect(self._note)
-        self._send(_PRESS, Qt.MouseButton.LeftButton)
+        self._send(PRESS)
 
     def step(self) -> dict[str, float]:
         """One edit, until it is painted; the times in seconds."""
@@ -110,11 +101,11 @@ class Drag(QObject):
     def move(self) -> None:
         """Move the mouse by one fine step of the number."""
         self._travel_px += PIXELS_PER_STEP
-        self._send(_MOVE, Qt.MouseButton.NoButton)
+        self._send(MOVE)
 
     def release(self) -> None:
         """Let go."""
-        self._send(_RELEASE, Qt.MouseButton.LeftButton)
+        self._send(RELEASE)
 
     def _arrive(self) -> None:
         self._arrived_s = perf_counter()
@@ -123,13 +114,9 @@ class Drag(QObject):
         paints = self._window.paints
         return self._outcome is not None and bool(paints) and paints[-1][0] >= self._delivered_s
 
-    def _send(self, kind: QEvent.Type, button: Qt.MouseButton) -> None:
-        inside = self._field.rect().center() + QPointF(self._travel_px, 0).toPoint()
-        everywhere = QPointF(self._field.mapToGlobal(inside))
-        held = Qt.MouseButton.NoButton if kind == _RELEASE else Qt.MouseButton.LeftButton
-        fine = Qt.KeyboardModifier.ControlModifier
-        event = QMouseEvent(kind, QPointF(inside), everywhere, button, held, fine)
-        QApplication.sendEvent(self._field, event)
+    def _send(self, kind: QEvent.Type) -> None:
+        place = self._field.rect().center() + QPoint(round(self._travel_px), 0)
+        send_mouse(self._field, kind, place, FINE)
 
     def _note(self, outcome: Outcome) -> None:
         self._outcome, self._delivered_s = outcome, perf_counter()
@@ -185,16 +172,9 @@ def measure(options: argparse.Namespace, seconds: float) -> bool:
         )
         for k in range(options.inputs)
     )
-    with tempfile.TemporaryDirectory() as folder:
-        window = WatchedWindow(
-            Design(limb=default_limb(), inputs=inputs, scaling="upstream"),
-            view=View(outputs=OUTPUTS, selected_inputs=(2,)),
-            preferences=Preferences(Path(folder) / "studio.ini"),
-            available_limbs=available_limbs(),
-        )
-        window.paints = []
-        window.resize(*map(int, options.size.split("x")))
-        window.show()
+    design = Design(limb=default_limb(), inputs=inputs, scaling="upstream")
+    view, size = View(outputs=OUTPUTS, selected_inputs=(2,)), map(int, options.size.split("x"))
+    with studio(design, view, tuple(size), kind=WatchedWindow) as window:
         window.do("arrange_design")
         window.catch_up()
         manage_garbage_collection(window)
@@ -210,8 +190,6 @@ def measure(options: argparse.Namespace, seconds: float) -> bool:
         free = drag_freely(window, drag)
         drag.release()
         window.catch_up()
-        window.document.mark_saved(window.document.path)
-        window.close()
     print(f"\n{default_limb()}, {options.inputs} inputs of {seconds:g} s, {len(OUTPUTS)} outputs,")
     print(f"{options.size}, offscreen; one edit after another:")
     edit_s = statistics.median(row["processor"] for row in rows)
@@ -259,7 +237,6 @@ def main() -> int:
     parser.add_argument("--size", default="1440x900")
     parser.add_argument("--alone", action="store_true", help="no fixed piece of work between edits")
     options = parser.parse_args()
-    make_application()
     print(f"{platform.platform()}, Python {platform.python_version()}, {os.cpu_count()} cores")
     holds = [measure(options, seconds) for seconds in options.seconds]
     return int(not all(holds))

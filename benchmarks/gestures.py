@@ -11,20 +11,15 @@ and waited for by nobody: how often the editor paints it, and how often every pa
     python benchmarks/gestures.py
 """
 
-import os
 import sys
-import tempfile
 from collections.abc import Callable
-from pathlib import Path
 from statistics import median
 from time import perf_counter, process_time
 
-os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
-
 import numpy as np
 from PySide6.QtCore import QEvent, QEventLoop, QObject, QPointF, Qt
-from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication, QWidget
+from studio import BARE, MOVE, PRESS, RELEASE, send_mouse, settle, studio
 from yardstick import Beside, computing_and_painting
 
 from skinsource.design.clips import Clip
@@ -32,26 +27,19 @@ from skinsource.design.design import Design, Input, View
 from skinsource.design.effects.level import Envelope
 from skinsource.design.waveforms.samples import Drawn
 from skinsource.design.waveforms.tones import Tone
-from skinsource.limbs.catalog import available_limbs, default_limb
+from skinsource.limbs.catalog import default_limb
 from skinsource.specs.samples import Samples
-from skinsource_gui.app.app import make_application, manage_garbage_collection
+from skinsource_gui.app.app import manage_garbage_collection
 from skinsource_gui.panels.clip_editor.view import EditorView
 from skinsource_gui.panels.timeline.lanes import LanesView
 from skinsource_gui.shell.window import MainWindow
-from skinsource_gui.state.preferences import Preferences
 
 RATE_HZ, STEPS, POINTS = 1300.0, 60, 150
 HAND_HZ, FREE_STEPS = 60.0, 180
 #: Frames per second.
 PROMISED_DRAWING, PROMISED_ENVELOPE = 30.0, 60.0
-_LEFT, _NONE = Qt.MouseButton.LeftButton, Qt.MouseButton.NoButton
-_ALT, _BARE = Qt.KeyboardModifier.AltModifier, Qt.KeyboardModifier.NoModifier
+_ALT = Qt.KeyboardModifier.AltModifier
 _ALL = QEventLoop.ProcessEventsFlag.AllEvents
-_PRESS, _MOVE, _RELEASE = (
-    QEvent.Type.MouseButtonPress,
-    QEvent.Type.MouseMove,
-    QEvent.Type.MouseButtonRelease,
-)
 Place = Callable[[float], QPointF]
 
 
@@ -90,67 +78,51 @@ class Hand:
     def __init__(self, window: MainWindow, widget: QWidget) -> None:
         self._window, self._widget = window, widget
 
+    def _follow(self) -> None:
+        self._window.catch_up()
+        QApplication.processEvents()
+
     def drag(self, place: Place, held: Qt.KeyboardModifier) -> tuple[float, float]:
         """Go along places from 0 to 1; frames per second, by processor time and by the clock."""
-        self._send(_PRESS, place(0.0), held)
-        self._settle()
+        send_mouse(self._widget, PRESS, place(0.0), held)
+        self._follow()
         processor_s, clock_s = [], []
         for step in range(1, STEPS + 1):
             began = process_time(), perf_counter()
-            self._send(_MOVE, place(step / STEPS), held)
-            self._settle()
+            send_mouse(self._widget, MOVE, place(step / STEPS), held)
+            self._follow()
             processor_s.append(process_time() - began[0])
             clock_s.append(perf_counter() - began[1])
-        self._send(_RELEASE, place(1.0), held)
-        self._settle()
+        send_mouse(self._widget, RELEASE, place(1.0), held)
+        self._follow()
         return 1 / median(processor_s), 1 / median(clock_s)
 
     def drag_freely(self, place: Place) -> tuple[float, float]:
         """Move sixty times a second; how often it was painted, and results with it, per second."""
         painted, delivered = PaintCounter(), []
         note = self._window.conductor.delivered.connect(delivered.append)
-        self._send(_PRESS, place(0.0))
-        self._settle()
+        send_mouse(self._widget, PRESS, place(0.0))
+        self._follow()
         self._widget.installEventFilter(painted)
         delivered.clear()
         began = perf_counter()
         for step in range(1, FREE_STEPS + 1):
             painted.waiting = True
-            self._send(_MOVE, place(step / FREE_STEPS))
+            send_mouse(self._widget, MOVE, place(step / FREE_STEPS))
             QApplication.processEvents()
             while perf_counter() < began + step / HAND_HZ:
                 QApplication.processEvents(_ALL, 1)
         seconds = perf_counter() - began
         self._widget.removeEventFilter(painted)
         self._window.conductor.delivered.disconnect(note)
-        self._send(_RELEASE, place(1.0))
-        self._settle()
+        send_mouse(self._widget, RELEASE, place(1.0))
+        self._follow()
         return painted.moves / seconds, len(delivered) / seconds
-
-    def _settle(self) -> None:
-        self._window.catch_up()
-        QApplication.processEvents()
-
-    def _send(self, kind: QEvent.Type, at: QPointF, held: Qt.KeyboardModifier = _BARE) -> None:
-        button = _NONE if kind == _MOVE else _LEFT
-        buttons = _NONE if kind == _RELEASE else _LEFT
-        everywhere = QPointF(self._widget.mapToGlobal(at))
-        event = QMouseEvent(kind, at, everywhere, button, buttons, held)
-        QApplication.sendEvent(self._widget, event)
 
 
 def main() -> int:
     """Measure, and tell whether the promises are kept."""
-    make_application()
-    with tempfile.TemporaryDirectory() as folder:
-        window = MainWindow(
-            scene(),
-            view=View(outputs=(29, 30, 33, 35, 52)),
-            preferences=Preferences(Path(folder) / "studio.ini"),
-            available_limbs=available_limbs(),
-        )
-        window.resize(1920, 1080)
-        window.show()
+    with studio(scene(), View(outputs=(29, 30, 33, 35, 52)), (1920, 1080)) as window:
         window.do("arrange_design")
         manage_garbage_collection(window)
         in_sight(window, "clip_editor")
@@ -161,9 +133,6 @@ def main() -> int:
             beside.once()
         print(f"{beside.label} took {1e3 * beside.median_s:.1f} ms of processor time")
         holds = [pen(window), clip(window), envelope(window)]
-        # Nobody is there to be asked about unsaved work.
-        window.document.mark_saved(Path(folder) / "saved")
-        window.close()
     return 0 if all(holds) else 1
 
 
@@ -203,7 +172,7 @@ def envelope(window: MainWindow) -> bool:
         return editor.content.at(time_s, value + 0.3 * float(np.sin(6 * share)))
 
     hand = Hand(window, editor.viewport())
-    drag = hand.drag(place, _BARE)
+    drag = hand.drag(place, BARE)
     moved = window.document.design.clip(2).effects[0] != effect
     holds = report(f"envelope of {POINTS} points", drag, PROMISED_ENVELOPE)
     shown, followed = hand.drag_freely(place)
@@ -214,8 +183,7 @@ def envelope(window: MainWindow) -> bool:
 def in_sight(window: MainWindow, name: str) -> None:
     """Bring a panel before the others of its place."""
     window.docks[name].bring_forward()
-    window.catch_up()
-    QApplication.processEvents()
+    settle(window)
 
 
 def edited(window: MainWindow, clip_id: int, tool: str) -> EditorView:
@@ -226,8 +194,7 @@ def edited(window: MainWindow, clip_id: int, tool: str) -> EditorView:
     document.look(View(outputs=document.view.outputs, selected_inputs=(track.id,)))
     panel = window.panel("clip_editor")
     panel.use(tool)
-    window.catch_up()
-    QApplication.processEvents()
+    settle(window)
     return panel.findChild(EditorView)
 
 

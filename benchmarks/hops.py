@@ -11,25 +11,19 @@ that the functions stand in.  Python 3.11: later versions inline comprehensions.
 import argparse
 import os
 import sys
-import tempfile
 from collections import Counter
 from pathlib import Path
 from types import CodeType, FrameType
 
-os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
-os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
-
-from PySide6.QtCore import QEvent, QPointF, Qt
-from PySide6.QtGui import QMouseEvent
+from PySide6.QtCore import QEvent, QPoint
 from PySide6.QtWidgets import QApplication
+from studio import FINE, MOVE, PRESS, RELEASE, send_mouse, studio
 
 from skinsource.design.design import Design, View, track
 from skinsource.design.waveforms.tones import Tone
-from skinsource.limbs.catalog import available_limbs, default_limb
-from skinsource_gui.app.app import make_application
+from skinsource.limbs.catalog import default_limb
 from skinsource_gui.fields.number_field import PIXELS_PER_STEP, NumberField
 from skinsource_gui.shell.window import MainWindow
-from skinsource_gui.state.preferences import Preferences
 
 MOST_CALLS, MOST_FILES = 1400, 110
 DRAGS = 7
@@ -87,29 +81,23 @@ class Drag:
         if field is None:
             raise SystemExit("The inspector shows no frequency.")
         self._field, self._travel_px = field, 0
-        self._send(QEvent.Type.MouseButtonPress, Qt.MouseButton.LeftButton)
+        self._send(PRESS)
 
     def step(self) -> None:
         """Move the mouse, until the results are painted."""
         self._travel_px += PIXELS_PER_STEP
-        self._send(QEvent.Type.MouseMove, Qt.MouseButton.NoButton)
+        self._send(MOVE)
         while self._window.engine.busy:
             QApplication.processEvents()
         QApplication.processEvents()
 
     def release(self) -> None:
         """Let go of the mouse."""
-        self._send(QEvent.Type.MouseButtonRelease, Qt.MouseButton.LeftButton)
+        self._send(RELEASE)
 
-    def _send(self, kind: QEvent.Type, button: Qt.MouseButton) -> None:
-        place = QPointF(self._field.rect().center() + QPointF(self._travel_px, 0).toPoint())
-        on_screen = self._field.mapToGlobal(place)
-        held = Qt.MouseButton.LeftButton
-        if kind == QEvent.Type.MouseButtonRelease:
-            held = Qt.MouseButton.NoButton
-        fine = Qt.KeyboardModifier.ControlModifier
-        event = QMouseEvent(kind, place, on_screen, button, held, fine)
-        QApplication.sendEvent(self._field, event)
+    def _send(self, kind: QEvent.Type) -> None:
+        place = self._field.rect().center() + QPoint(round(self._travel_px), 0)
+        send_mouse(self._field, kind, place, FINE)
 
 
 def count_second_step() -> CallCounter:
@@ -117,23 +105,13 @@ def count_second_step() -> CallCounter:
 
     Where the worker is slow for once, a step is painted twice: before and with its results.
     """
-    with tempfile.TemporaryDirectory() as folder:
-        tone = track(location=4, waveform=Tone(frequency_hz=80.0, duration_s=1.0), colour=0)
-        design = Design(limb=default_limb(), inputs=(tone,))
-        window = MainWindow(
-            design,
-            view=View(selected_inputs=tuple(design.ids)),
-            preferences=Preferences(Path(folder) / "studio.ini"),
-            available_limbs=available_limbs(),
-        )
-        window.resize(1440, 900)
-        window.show()
+    tone = track(location=4, waveform=Tone(frequency_hz=80.0, duration_s=1.0), colour=0)
+    design = Design(limb=default_limb(), inputs=(tone,))
+    with studio(design, View(selected_inputs=tuple(design.ids)), (1440, 900)) as window:
         window.catch_up()
         QApplication.processEvents()
         counters = [_of_a_drag(window) for _ in range(DRAGS)]
         window.catch_up()
-        window.document.mark_saved(window.document.path)
-        window.close()
     return min(counters, key=lambda counter: counter.calls.total())
 
 
@@ -153,7 +131,6 @@ def main() -> int:
     parser.add_argument("--list", action="store_true", help="also each function, most called first")
     parser.add_argument("--callers", action="store_true", help="also who calls what")
     options = parser.parse_args()
-    application = make_application()
     counter = count_second_step()
     if options.list:
         for code, count in counter.calls.most_common():
@@ -167,7 +144,6 @@ def main() -> int:
         f"{calls} calls in {files} files (promised: {MOST_CALLS} in {MOST_FILES}): "
         f"{'kept' if holds else 'BROKEN'}"
     )
-    del application
     return int(not holds)
 
 

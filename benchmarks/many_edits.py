@@ -1,12 +1,11 @@
 """Memory over very many edits of every kind, at random but always the same ones.
 
-The document and the quantities that the window shows; or, slower, the window itself, painted after
-each edit.  Caches and history are bounded, so that once they are full the process grows no more.
-Printed: edits, seconds, resident memory in MB, and what of it is held once all that is free is
-given back to the system; held memory is what must not grow.  In the window, where the caches take
-longer to fill, it is widgets that must not grow in number.
+The document and the quantities that the window shows.  Caches and history are bounded, so that once
+they are full the process grows no more.  Printed: edits, seconds, resident memory in MB, and what
+of it is held once all that is free is given back to the system; held memory is what must not grow.
+That widgets do not grow in number is seen at night (`tests/nightly/monkey.py`).
 
-    python benchmarks/many_edits.py [--edits 100000] [--window]
+    python benchmarks/many_edits.py [--edits 100000]
 """
 
 import argparse
@@ -14,28 +13,23 @@ import os
 import platform
 import statistics
 import sys
-import tempfile
 from collections import Counter
 from collections.abc import Callable
-from pathlib import Path
 from time import perf_counter
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
 
-from PySide6.QtCore import QObject
-from PySide6.QtWidgets import QApplication
 from random_edits import RandomEdits
 from resident import held_mb, resident_mb
 
 from skinsource.design.design import Design, View, track
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.quantities import new_graph, sources
-from skinsource.limbs.catalog import available_limbs, default_limb
+from skinsource.limbs.catalog import default_limb
 from skinsource_gui.app.app import make_application
-from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.document import Document
-from skinsource_gui.state.preferences import Preferences, start_design
+from skinsource_gui.state.preferences import start_design
 
 #: What the panels of the window show, and the check of it.
 SHOWN = frozenset(
@@ -51,26 +45,21 @@ SHOWN = frozenset(
 MOST_GROWTH_MB = 10.0
 #: Edits until all caches are full.
 FILLING = 30_000
-#: The number of inputs shown goes up and down, and with it that of their buttons.
-MOST_MORE_OBJECTS = 100
 _SAMPLES = 50
 
 
 def main() -> int:
     """Print memory at steps; 1 if a promise is broken."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--edits", type=int, help="100000, or in the window 5000")
-    parser.add_argument("--window", action="store_true", help="paint each of them")
+    parser.add_argument("--edits", type=int, default=100_000)
     options = parser.parse_args()
-    application = make_application()
+    make_application()
     print(f"{platform.platform()}, Python {platform.python_version()}, {default_limb()}")
-    if options.window:
-        return int(not in_the_window(application, options.edits or 5_000))
-    return int(not without_window(options.edits or 100_000))
+    return int(not memory_stands_still(options.edits))
 
 
-def without_window(count: int) -> bool:
-    """Edit a document and evaluate after each edit; whether memory stood still."""
+def memory_stands_still(count: int) -> bool:
+    """Edit a document and evaluate after each edit."""
     document, graph = Document(start_design(default_limb())), new_graph()
     edits = RandomEdits(document)
 
@@ -96,36 +85,6 @@ def without_window(count: int) -> bool:
     return holds
 
 
-def in_the_window(application: QApplication, count: int) -> bool:
-    """Edit in the window and wait for each picture; whether it lost no widget or timer."""
-    with tempfile.TemporaryDirectory() as scratch:
-        window = MainWindow(
-            start_design(default_limb()),
-            preferences=Preferences(Path(scratch) / "studio.ini"),
-            available_limbs=available_limbs(),
-        )
-        window.show()
-        application.processEvents()
-
-        def paint() -> None:
-            window.catch_up()
-            application.processEvents()
-
-        edits = RandomEdits(window.document)
-        watched(edits, paint, count // 2)
-        before = len(window.findChildren(QObject))
-        watched(edits, paint, count // 2)
-        after = len(window.findChildren(QObject))
-        window.document.mark_saved(window.document.path)
-        window.close()
-    holds = after - before < MOST_MORE_OBJECTS
-    print(
-        f"widgets, timers and the like: {before} half way, {after} in the end, promised less than "
-        f"{MOST_MORE_OBJECTS} more: {'kept' if holds else 'BROKEN'}"
-    )
-    return holds
-
-
 def full_design() -> Design:
     """All places, four seconds each."""
     return Design(
@@ -141,7 +100,7 @@ def watched(
     edits: RandomEdits,
     follow: Callable[[], object],
     count: int,
-    settle: Callable[[], object] = lambda: None,
+    settle: Callable[[], object],
 ) -> float:
     """Make ``count`` edits, each followed by ``follow``, and print memory at ten steps.
 

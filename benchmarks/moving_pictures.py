@@ -3,32 +3,26 @@
 python benchmarks/moving_pictures.py     (writes docs/drag.webp and docs/wave.webp; look at them)
 """
 
-import os
 import sys
-import tempfile
 import time
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
-os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
-
 import numpy as np
 from PIL import Image
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QColor, QImage, QMouseEvent, QPainter, QPolygonF
+from PySide6.QtGui import QColor, QImage, QPainter, QPolygonF
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
+from studio import MOVE, PRESS, RELEASE, send_mouse, studio
 
 from skinsource.design.design import Design, View, track
 from skinsource.design.panel_settings import with_settings
 from skinsource.design.waveforms.tones import Tone
-from skinsource_gui.app.app import make_application
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.skin.settings import SkinSettings, Z
 from skinsource_gui.shell.window import MainWindow
-from skinsource_gui.state.preferences import Preferences
 
 FOLDER = Path("docs")
 SIZE, LASTS_S, PER_S = (1100, 660), 10.0, 10
@@ -44,11 +38,6 @@ DRAG = ((0.0, 0.05, 0.4, 0.55, 0.95, 1.0), (0, 0, 190, 190, -45, -45))
 BEGIN, SLOW_MOTION = 0.05, 50.0
 LIMITS = (-0.2, 0.2)
 POINTER = ((0, 0), (0, 17), (4, 13), (7, 20), (10, 19), (7, 12), (12, 12))
-_PRESS, _MOVE, _RELEASE = (
-    QEvent.Type.MouseButtonPress,
-    QEvent.Type.MouseMove,
-    QEvent.Type.MouseButtonRelease,
-)
 
 
 class Mouse:
@@ -60,21 +49,12 @@ class Mouse:
 
     def send(self, kind: QEvent.Type) -> None:
         """Send an event where the mouse is."""
-        left, none = Qt.MouseButton.LeftButton, Qt.MouseButton.NoButton
-        event = QMouseEvent(
-            kind,
-            QPointF(self.at),
-            QPointF(self.field.mapToGlobal(self.at)),
-            none if kind == _MOVE else left,
-            none if kind == _RELEASE else left,
-            Qt.KeyboardModifier.NoModifier,
-        )
-        QApplication.sendEvent(self.field, event)
+        send_mouse(self.field, kind, self.at)
 
     def move(self, away_px: float) -> None:
         """Move to so many pixels right of where it was pressed."""
         self.at = self._begun + QPoint(round(away_px), 0)
-        self.send(_MOVE)
+        self.send(MOVE)
 
 
 def frame_of(window: MainWindow, pointer: QPoint | None) -> Image.Image:
@@ -107,15 +87,7 @@ def filmed(window: MainWindow, act: Callable[[float], QPoint | None]) -> list[Im
 
 def main() -> int:
     """Write both."""
-    make_application()
-    with tempfile.TemporaryDirectory() as folder:
-        preferences = Preferences(Path(folder) / "studio.ini")
-        preferences.theme_name = "light"
-        window = MainWindow(
-            DESIGN, view=VIEW, preferences=preferences, available_limbs=("synthetic-1",)
-        )
-        window.resize(*SIZE)
-        window.show()
+    with studio(DESIGN, VIEW, SIZE, theme="light", limbs=("synthetic-1",)) as window:
         window.activateWindow()
         # Conditions are judged a moment later.
         QTest.qWait(2000)
@@ -124,12 +96,12 @@ def main() -> int:
 
         def drag(share: float) -> QPoint:
             if share == 0.0:
-                mouse.send(_PRESS)
+                mouse.send(PRESS)
             mouse.move(float(np.interp(share, *DRAG)))
             return field.mapTo(window, mouse.at)
 
         write("drag", filmed(window, drag))
-        mouse.send(_RELEASE)
+        mouse.send(RELEASE)
         window.document.edit("A tone", DESIGN)
         moving = with_settings(VIEW, "skin", SkinSettings(quantity=Z, z_limits=LIMITS))
         window.document.look(replace(moving, slow_motion=SLOW_MOTION))
@@ -141,7 +113,6 @@ def main() -> int:
                 QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Space)
 
         write("wave", filmed(window, play))
-        window.close_unasked()
     return 0
 
 

@@ -3,14 +3,10 @@
 make pictures     (writes build/pictures; open them and look; and docs/window.png for the README)
 """
 
-import os
 import sys
 import tempfile
 from dataclasses import replace
 from pathlib import Path
-
-os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
-os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
 
 import numpy as np
 import soundfile
@@ -18,6 +14,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage, QPixmap
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
+from studio import settle, studio
 from window_figures import print_figures
 
 from skinsource.design.clips import Clip
@@ -26,12 +23,11 @@ from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.tones import Chirp, Tone
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.limbs.catalog import available_limbs, default_limb
-from skinsource_gui.app.app import make_application
 from skinsource_gui.pages.importing.page import OverviewStrip
 from skinsource_gui.plots.colour_maps import colour_table
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.document import NEW_VIEW
-from skinsource_gui.state.preferences import Preferences, start_design
+from skinsource_gui.state.preferences import start_design
 
 SIZES = ((1366, 768), (1920, 1080))
 FOLDER = Path("build/pictures")
@@ -96,7 +92,6 @@ def readme_design() -> Design:
 
 def main() -> int:
     """Write all pictures."""
-    make_application()
     FOLDER.mkdir(parents=True, exist_ok=True)
     view = replace(NEW_VIEW, outputs=(29, 33, 61), axes="z", selected_inputs=(1,))
     readme_picture(readme_design(), view)
@@ -111,19 +106,12 @@ def main() -> int:
 def readme_picture(design: Design, view: View) -> None:
     """Write the picture in the README, as if no measured limbs were installed."""
     synthetic = [name for name in available_limbs() if name.startswith("synthetic")]
-    with tempfile.TemporaryDirectory() as folder:
-        preferences = Preferences(Path(folder) / "studio.ini")
-        preferences.theme_name = "light"
-        window = MainWindow(design, view=view, preferences=preferences, available_limbs=synthetic)
-        window.resize(*README_SIZE)
-        window.show()
+    with studio(design, view, README_SIZE, theme="light", limbs=synthetic) as window:
         window.do("arrange_design")
-        QApplication.processEvents()
-        window.catch_up()
+        settle(window)
         # Conditions are judged a moment later.
         QTest.qWait(1500)
         with_few_colours(window.grab().toImage()).save(str(README_PICTURE), quality=0)
-        window.close()
         print(README_PICTURE)
 
 
@@ -148,25 +136,15 @@ def photograph(
     name: str, design: Design, view: View, arrangement: str, theme: str, size: tuple[int, int]
 ) -> None:
     """Write one picture of the window, and of each panel of the smaller window."""
-    with tempfile.TemporaryDirectory() as folder:
-        preferences = Preferences(Path(folder) / "studio.ini")
-        preferences.theme_name = theme
-        window = MainWindow(
-            design, view=view, preferences=preferences, available_limbs=available_limbs()
-        )
-        window.resize(*size)
-        window.show()
+    with studio(design, view, size, theme=theme) as window:
         window.do(arrangement)
-        QApplication.processEvents()
-        window.catch_up()
-        QApplication.processEvents()
+        settle(window)
         stem = f"{name}-{theme}-{size[0]}"
         window.grab().save(str(FOLDER / f"{stem}.png"))
         if name == "several" and size == SIZES[0]:
             for panel in window.panels:
                 panel.grab().save(str(FOLDER / f"{stem}-{panel.name}.png"))
             import_page(window).save(str(FOLDER / f"{stem}-import.png"))
-        window.close()
         print(FOLDER / f"{stem}.png")
 
 

@@ -3,18 +3,13 @@
 python benchmarks/pictures_in_use.py     (writes build/pictures; open them and look)
 """
 
-import os
 import sys
-import tempfile
-from pathlib import Path
-
-os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
-os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
 
 from pictures import FOLDER, SIZES, import_page
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QListView, QPushButton
+from studio import settle, studio
 
 from skinsource.design.clips import Clip, Marker
 from skinsource.design.design import Design, Input, View
@@ -23,10 +18,8 @@ from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.design.waveforms.wavelets import Gabor
-from skinsource.limbs.catalog import available_limbs, default_limb
-from skinsource_gui.app.app import make_application
+from skinsource.limbs.catalog import default_limb
 from skinsource_gui.shell.window import MainWindow
-from skinsource_gui.state.preferences import Preferences
 
 _RISE = Envelope(points=((0.0, 0.0), (0.08, 1.0, "smooth"), (0.3, 0.6), (0.6, 0.0)))
 
@@ -54,7 +47,6 @@ def composed() -> Design:
 
 def main() -> int:
     """Write all pictures."""
-    make_application()
     FOLDER.mkdir(parents=True, exist_ok=True)
     for theme in ("light", "dark"):
         for size in SIZES:
@@ -64,17 +56,8 @@ def main() -> int:
 
 def photograph(theme: str, size: tuple[int, int]) -> None:
     """Write the four pictures of one theme and size."""
-    with tempfile.TemporaryDirectory() as folder:
-        preferences = Preferences(Path(folder) / "studio.ini")
-        preferences.theme_name = theme
-        window = MainWindow(
-            composed(),
-            view=View(selected_inputs=(2,), selected_clips=(2,), playhead_s=0.3),
-            preferences=preferences,
-            available_limbs=available_limbs(),
-        )
-        window.resize(*size)
-        window.show()
+    view = View(selected_inputs=(2,), selected_clips=(2,), playhead_s=0.3)
+    with studio(composed(), view, size, theme=theme) as window:
         window.do("arrange_design")
         keep(window, "timeline", theme, size)
         window.do("show_clip_editor")
@@ -89,7 +72,6 @@ def photograph(theme: str, size: tuple[int, int]) -> None:
         keep(window, "library", theme, size)
         import_page(window).save(str(FOLDER / f"import-{theme}-{size[0]}.png"))
         matching_page(window, theme, size)
-        window.close_unasked()
 
 
 def matching_page(window: MainWindow, theme: str, size: tuple[int, int]) -> None:
@@ -108,17 +90,10 @@ def matching_page(window: MainWindow, theme: str, size: tuple[int, int]) -> None
 def keep(window: MainWindow, name: str, theme: str, size: tuple[int, int]) -> None:
     """Save a picture of the window as it is."""
     settle(window)
+    QTest.qWait(200)
     path = FOLDER / f"{name}-{theme}-{size[0]}.png"
     window.grab().save(str(path))
     print(path)
-
-
-def settle(window: MainWindow) -> None:
-    """Wait until everything is computed and painted."""
-    for _ in range(2):
-        QApplication.processEvents()
-        window.catch_up()
-    QTest.qWait(200)
 
 
 if __name__ == "__main__":

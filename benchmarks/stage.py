@@ -7,24 +7,17 @@ four frequencies and six maps should stay below 4.  Then it lets them move by th
 the frames that were painted later than in their slot, or never: fewer than 1 % on two quiet cores.
 """
 
-import os
-import tempfile
 import time
 from collections.abc import Callable, Sequence
-from pathlib import Path
-
-os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 import numpy as np
 from PySide6.QtCore import QEvent, QEventLoop, QObject, QTimer
 from PySide6.QtWidgets import QApplication, QWidget
+from studio import studio
 
 import skinsource as ss
 from skinsource.design.panel_settings import StageSettings, with_settings
-from skinsource_gui.app.app import make_application
 from skinsource_gui.panels.compare.settings import CompareSettings
-from skinsource_gui.shell.window import MainWindow
-from skinsource_gui.state.preferences import Preferences
 
 FRAMES, FRAME_S = 60, 1 / 24
 MOVES_S = 5.0
@@ -71,16 +64,9 @@ def dropped(painted_s: Sequence[float]) -> float:
 
 def main() -> None:
     """Measure each case."""
-    application = make_application()
     tone = ss.track(7, ss.waveforms.Tone(frequency_hz=100.0))
     design = ss.Design(limb="synthetic-1", inputs=(tone,), title="A tone")
-    with tempfile.TemporaryDirectory() as folder:
-        window = MainWindow(
-            design,
-            preferences=Preferences(Path(folder) / "studio.ini"),
-            available_limbs=("synthetic-1",),
-        )
-        window.show()
+    with studio(design, limbs=("synthetic-1",)) as window:
         # Nothing is computed before it was painted once.
         wait(0.5)
         window.do("present")
@@ -94,22 +80,21 @@ def main() -> None:
             )
             window.document.look(with_settings(view, "compare", compared or CompareSettings()))
             wait(1.0, lambda: window.engine.busy)
-            stage.clock.run(False)
+            stage.clock.run(False, 1 / FRAME_S)
             began_s = time.process_time()
             for _ in range(FRAMES):
                 stage.clock.ticked.emit(FRAME_S)
-                application.processEvents()
+                QApplication.processEvents()
             frame_s = (time.process_time() - began_s) / FRAMES
             one_s = one_s or frame_s
             maps = len(stage.maps.content.cells)
             paints.at_s.clear()
-            stage.clock.run(True)
+            stage.clock.run(True, 1 / FRAME_S)
             wait(MOVES_S)
             print(
                 f"{name:18} {maps} maps {1e3 * frame_s:6.1f} ms {frame_s / one_s:5.2f} x; "
                 f"{len(paints.at_s)} frames in {MOVES_S:g} s, {dropped(paints.at_s):.1%} dropped"
             )
-        window.close_unasked()
 
 
 if __name__ == "__main__":

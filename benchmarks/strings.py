@@ -13,6 +13,7 @@ _TAKERS = {
     "tooltip": "hint setToolTip show_tooltip",
     "help": "help description epilog",
     "error": "Refusal",
+    "message": "sentence",
     "": "name get getattr TypeError ValueError ValidationError setObjectName keywords metavar cast",
 }
 KIND_OF = {name: kind for kind, names in _TAKERS.items() for name in names.split()}
@@ -98,7 +99,7 @@ def strings_of_users() -> Iterator[Found]:
     for path, tree in sorted(trees.items()):
         for found in _strings(tree, "message", known | own[path]):
             yield found._replace(where=f"{path.relative_to(ROOT)}:{found.where}")
-    for table in sorted((ROOT / "resources").glob("*.toml")):
+    for table in [ROOT / "data" / "words.toml", *sorted((ROOT / "resources").glob("*.toml"))]:
         for key, text in re.findall(r'^(\w+) = "(.*)"', table.read_text("utf-8"), re.MULTILINE):
             if KIND_OF.get(key):
                 yield Found(str(table.relative_to(ROOT)), KIND_OF[key], text)

@@ -12,23 +12,19 @@ import os
 import sys
 import tempfile
 from dataclasses import replace
-from pathlib import Path
 from statistics import median
 from time import perf_counter, process_time
-
-os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 import numpy as np
 import psutil
 from PySide6.QtWidgets import QApplication
+from studio import settle, studio
 
 from skinsource.design.design import Design, View, track
 from skinsource.design.waveforms.pulses import Noise
-from skinsource.limbs.catalog import available_limbs, default_limb
+from skinsource.limbs.catalog import default_limb
 from skinsource.limbs.own_limbs import OwnLimb, install_limb
-from skinsource_gui.app.app import make_application
 from skinsource_gui.shell.window import MainWindow
-from skinsource_gui.state.preferences import Preferences
 
 STEP_S, STEPS = 1 / 60, 240
 PROMISED_MS, PROMISED_FRAMES = 4.0, 60.0
@@ -40,7 +36,6 @@ LENGTHS_S = (1.0, 600.0)
 
 def main() -> int:
     """Measure, and tell whether the promises are kept."""
-    make_application()
     print(
         f"{'inputs of':>10} {'shown':>10} {'frame, ms':>10} {'fps clock':>10} {'fps cpu':>8}  more"
     )
@@ -82,20 +77,11 @@ def measure(length_s: float, name: str, limb: str = "") -> bool:
         track(place, Noise(duration_s=length_s, seed=place), colour=k)
         for k, place in enumerate((7, 13))
     )
-    with tempfile.TemporaryDirectory() as folder:
-        window = MainWindow(
-            Design(limb=limb or default_limb(), inputs=inputs),
-            view=View(panels=(("skin", (("quantity", name),)),)),
-            preferences=Preferences(Path(folder) / "studio.ini"),
-            available_limbs=available_limbs(),
-        )
-        window.resize(1366, 768)
-        window.show()
+    design = Design(limb=limb or default_limb(), inputs=inputs)
+    with studio(design, View(panels=(("skin", (("quantity", name),)),))) as window:
         window.do("arrange_design")
         settle(window)
-        row = play(window, length_s, name)
-        window.close_unasked()
-    return row
+        return play(window, length_s, name)
 
 
 def play(window: MainWindow, length_s: float, name: str) -> bool:
@@ -138,13 +124,6 @@ def play(window: MainWindow, length_s: float, name: str) -> bool:
         f"{'' if holds else '  BROKEN'}"
     )
     return holds
-
-
-def settle(window: MainWindow) -> None:
-    """Wait until everything is computed and painted."""
-    for _ in range(2):
-        QApplication.processEvents()
-        window.catch_up()
 
 
 if __name__ == "__main__":

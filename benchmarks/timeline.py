@@ -6,28 +6,22 @@ other programs take of a busy machine does not count; the better one is judged.
 python benchmarks/timeline.py     (promises 30 and 60)
 """
 
-import os
 import sys
-import tempfile
-from pathlib import Path
 from statistics import median
 from time import perf_counter, process_time
 
-os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
-
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtWidgets import QApplication
+from studio import studio
 
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, View
 from skinsource.design.waveforms.pulses import Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource.design.waveforms.wavelets import Gabor
-from skinsource.limbs.catalog import available_limbs, default_limb
-from skinsource_gui.app.app import make_application
+from skinsource.limbs.catalog import default_limb
 from skinsource_gui.panels.timeline.lanes import LanesView
 from skinsource_gui.shell.window import MainWindow
-from skinsource_gui.state.preferences import Preferences
 
 TRACKS, CLIPS, STEPS = 20, 50, 60
 KINDS = (Tone(100.0, 0.0, 0.06), Gabor(200.0), Tap())
@@ -54,23 +48,11 @@ def scene() -> Design:
 
 def main() -> int:
     """Measure, and tell whether the promises are kept."""
-    make_application()
-    with tempfile.TemporaryDirectory() as folder:
-        window = MainWindow(
-            scene(),
-            view=View(outputs=(29, 30, 33, 52)),
-            preferences=Preferences(Path(folder) / "studio.ini"),
-            available_limbs=available_limbs(),
-        )
-        window.resize(1366, 768)
-        window.show()
+    with studio(scene(), View(outputs=(29, 30, 33, 52))) as window:
         window.do("arrange_design")
         window.catch_up()
         lanes = window.findChild(LanesView, "lanes")
         drag, scroll = dragged(window, lanes), scrolled(lanes)
-        # Nobody is there to be asked about unsaved work.
-        window.document.mark_saved(Path(folder) / "saved")
-        window.close()
     holds = report("drag of one clip of 1000, all panels", drag, PROMISED_DRAG)
     return 0 if report("scrolling the lanes", scroll, PROMISED_SCROLL) and holds else 1
 

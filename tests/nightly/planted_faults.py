@@ -2,8 +2,8 @@
 
 The faults are in ``planted_faults.json``: changed lines of functions, as texts without numbers, so
 that each is planted wherever its line stands now.  They are planted one after the other in copies
-of the project; the first test that fails ends it.  First those tests run that noticed it before and
-those whose names are near, then the whole suite.  It ends with 1 if fewer than 97 % are noticed.
+of the project; the first test that fails ends it.  First that file of tests runs that noticed it
+before, then the whole suite.  It ends with 1 if fewer than 97 % are noticed.
 """
 
 import argparse
@@ -27,8 +27,6 @@ STORED = Path(__file__).with_suffix(".json")
 PRODUCT = ("core/skinsource", "skinsource_gui")
 LEAST_SHARE = 0.97
 WHOLE = ["-n", "2", "tests/core", "tests/gui"]
-#: How many files of tests are near.
-NEAR = 8
 
 
 @dataclass(frozen=True)
@@ -60,9 +58,22 @@ def main() -> int:
     gone = [fault for fault in faults if find(PROJECT, fault) is None]
     to_plant = [fault for fault in faults if fault not in gone]
     n_noticed = 0
-    with tempfile.TemporaryDirectory(prefix="skinsource-faults-") as name:
-        copies = [copy_of_project(Path(name) / f"copy-{k}") for k in range(options.at_once)]
-        for fault, noticed_by in noticed_in_turn(to_plant, copies):
+    with (
+        tempfile.TemporaryDirectory(prefix="skinsource-faults-") as name,
+        ThreadPoolExecutor(options.at_once) as pool,
+    ):
+        free: SimpleQueue[Path] = SimpleQueue()
+        for k in range(options.at_once):
+            free.put(copy_of_project(Path(name) / f"copy-{k}"))
+
+        def try_next(fault: Fault) -> str | None:
+            copy = free.get()
+            try:
+                return noticed_in(copy, fault)
+            finally:
+                free.put(copy)
+
+        for fault, noticed_by in zip(to_plant, pool.map(try_next, to_plant), strict=True):
             n_noticed += noticed_by is not None
             place = f"{fault.file} {fault.function}"
             if noticed_by is None:
@@ -145,50 +156,9 @@ def run_tests(copy: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
 
 
 def noticed_before(copy: Path, test: str) -> list[str]:
-    """Name the test with all its cases, if there still is one."""
-    file, _, name = test.partition("[")[0].partition("::")
-    there = name and (copy / file).is_file() and f"def {name}(" in (copy / file).read_text()
-    return [f"{file}::{name}"] if there else []
-
-
-def name_parts(path: str) -> set[str]:
-    """What a path is about."""
-    return set(re.split(r"[/_.]", path)) - {"tests", "test", "py", "skinsource", "panel", "panels"}
-
-
-def near_tests(copy: Path, fault: Fault, place: Place) -> list[str]:
-    """Files of tests that are nearest by their path and by what they name."""
-    parts = name_parts(place.file)
-    module = place.file.removeprefix("core/").removesuffix(".py").replace("/", ".")
-    package, _, stem = module.rpartition(".")
-    called = fault.function.split(".")[0].strip("_")
-    named = {module: 3, called: 3, package: 1, stem: 1}
-
-    def nearness(path: Path) -> int:
-        text = path.read_text("utf-8")
-        score = 2 * len(parts & name_parts(path.relative_to(copy).as_posix()))
-        return score + sum(k for name, k in named.items() if re.search(rf"\b{name}\b", text))
-
-    scores = {path: nearness(path) for path in (copy / "tests").glob("[cg]*/**/test_*.py")}
-    files = sorted(scores, key=lambda path: (-scores[path], path))
-    return [path.relative_to(copy).as_posix() for path in files[:NEAR]]
-
-
-def noticed_in_turn(faults: list[Fault], copies: list[Path]) -> Iterator[tuple[Fault, str | None]]:
-    """Yield each fault and the test that noticed it, as many at once as there are copies."""
-    free: SimpleQueue[Path] = SimpleQueue()
-    for copy in copies:
-        free.put(copy)
-
-    def try_next(fault: Fault) -> tuple[Fault, str | None]:
-        copy = free.get()
-        try:
-            return fault, noticed_in(copy, fault)
-        finally:
-            free.put(copy)
-
-    with ThreadPoolExecutor(len(copies)) as pool:
-        yield from pool.map(try_next, faults)
+    """Name the file of the test that noticed a fault, if it is still there."""
+    file = test.partition("::")[0]
+    return [file] if file and (copy / file).is_file() else []
 
 
 def noticed_in(copy: Path, fault: Fault) -> str | None:
@@ -197,9 +167,8 @@ def noticed_in(copy: Path, fault: Fault) -> str | None:
     if place is None:
         raise RuntimeError(f"{fault} is in the project and not in its copy")
     text = (copy / place.file).read_text("utf-8")
-    near = [*noticed_before(copy, fault.by), *near_tests(copy, fault, place)]
     failing: list[str] = []
-    for tests in (near, WHOLE):
+    for tests in filter(None, (noticed_before(copy, fault.by), WHOLE)):
         while True:
             plant(copy, fault, place)
             done = run_tests(copy, "-x", *(f"--deselect={test}" for test in failing), *tests)

@@ -4,8 +4,10 @@ Scripts and design files use the short names (``upstream``, ``pca``, …), which
 ``docs/words.md`` shows all of them as a table.
 """
 
-from dataclasses import dataclass, replace
+import tomllib
+from dataclasses import dataclass
 
+from skinsource.base.assets import data_folder
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.signals.loudest_window import HOLD_WINDOW_S, LOUDEST_WINDOW_S
@@ -35,118 +37,24 @@ class Word:
         return self.title if self.title == self.name else f"{self.title} ({self.name})"
 
 
-#: The axes of a sensor.
-TRIAD = (
-    Word(
-        name="x",
-        title="x",
-        sentence="Along the skin, in a direction that differs between sensors.",
-    ),
-    Word(
-        name="y",
-        title="y",
-        sentence="Along the skin, at right angles to x, in a direction that differs between "
-        "sensors.",
-    ),
-    Word(
-        name="z",
-        title="z",
-        sentence="Normal to the skin at every sensor: the only axis whose sign can be compared "
-        "between sensors.",
-    ),
+_TABLES: dict[str, dict[str, dict[str, str]]] = tomllib.loads(
+    (data_folder() / "words.toml")
+    .read_text("utf-8")
+    .format(
+        short_ms=1e3 * LOUDEST_WINDOW_S,
+        long_ms=1e3 * HOLD_WINDOW_S,
+        short_hz=1 / LOUDEST_WINDOW_S,
+        long_hz=1 / HOLD_WINDOW_S,
+    )
+)
+AXES, METHODS, SCALINGS, SPANS, _DRIVES = (
+    tuple(Word(name=name, **texts) for name, texts in _TABLES[field].items())
+    for field in ("axes", "method", "scaling", "span", "scaling_of_drives")
 )
 TRIAD_SENTENCE = (
     "Each sensor has its own axes: z is normal to the skin, x and y lie along it in directions "
     "that differ between sensors."
 )
-
-AXES = (
-    *TRIAD,
-    Word(name="xy", title="x, y", sentence="Motion along the skin."),
-    Word(
-        name="xz",
-        title="x, z",
-        sentence="Motion normal to the skin and in one direction along it, which differs between "
-        "sensors.",
-    ),
-    Word(
-        name="yz",
-        title="y, z",
-        sentence="Motion normal to the skin and in one direction along it, which differs between "
-        "sensors.",
-    ),
-    Word(name="xyz", title="x, y, z", sentence="Motion in every direction."),
-)
-METHODS = (
-    Word(
-        name="mag",
-        title="Magnitude",
-        sentence="Length of the acceleration vector at each instant: never negative, and "
-        "independent of how a sensor is turned.",
-    ),
-    Word(
-        name="pca",
-        title="Principal axis",
-        sentence="Component along the direction in which "
-        "each output varies most; its sign cannot be compared between outputs.",
-    ),
-    Word(
-        name="rms",
-        title="RMS direction",
-        sentence="Component along the vector of the RMS values "
-        "of the axes at each output; depends on how the sensor is turned.",
-    ),
-    Word(
-        name="soc",
-        title="Sum of components",
-        sentence="Plain sum of the chosen axes; depends on how the sensor is turned.",
-    ),
-)
-SCALINGS = (
-    Word(
-        name="upstream",
-        title="Peak of each input",
-        sentence="The amplitude of an input, in m/s², is the largest acceleration that it alone "
-        "causes at any output, on any axis, as in the published toolbox.",
-    ),
-    Word(
-        name="relative",
-        title="Equal drives",
-        sentence="No rescaling: strong and weak places "
-        "keep their ratio; an amplitude of 1 is the measuring pulse.",
-    ),
-    Word(
-        name="probe",
-        title="Probe acceleration",
-        sentence="Amplitudes are accelerations of the probe in m/s², within about 3 dB.",
-    ),
-)
-# Sentences for a limb whose responses answer a drive of unknown unit.
-_OF_DRIVES = {
-    "relative": "No rescaling: strong and weak places keep their ratio; an amplitude of 1 is one "
-    "unit of the drive of this limb.",
-    "probe": "Amplitudes are in the unit of the drive of this limb, which is unknown.",
-}
-_LOUDEST = f"{LOUDEST_WINDOW_S * 1000:g} ms"
-SPANS = (
-    Word(
-        name="record",
-        title="Whole record",
-        sentence="Levels are the RMS over the whole "
-        "response, its silence included, as in the published toolbox: a later onset lowers "
-        "them.",
-    ),
-    Word(
-        name="loudest",
-        title=f"Loudest {_LOUDEST}",
-        sentence=f"Levels are the highest RMS of any {_LOUDEST}, "
-        "output by output: neither onset nor silence changes them. Spectra take the loudest "
-        f"{HOLD_WINDOW_S * 1e3:.0f} ms of each frequency: {_LOUDEST} tell frequencies apart that "
-        f"differ by {1 / LOUDEST_WINDOW_S:.0f} Hz, {HOLD_WINDOW_S * 1e3:.0f} ms by "
-        f"{1 / HOLD_WINDOW_S:.0f} Hz.",
-    ),
-)
-#: Synthetic and published limbs; `limb_label` also finds those that a lab imported.
 LIMBS = tuple(
     Word(name=name, title=facts.title, sentence=facts.sentence) for name, facts in PUBLISHED.items()
 )
@@ -182,11 +90,7 @@ def scalings_on(*, drive_unit_known: bool) -> tuple[Word, ...]:
     drive_unit_known
         See `skinsource.limbs.own_limbs.drive_unit_known`.
     """
-    if drive_unit_known:
-        return SCALINGS
-    return tuple(
-        replace(word, sentence=_OF_DRIVES.get(word.name, word.sentence)) for word in SCALINGS
-    )
+    return SCALINGS if drive_unit_known else _DRIVES
 
 
 def limb_label(name: str) -> Word:

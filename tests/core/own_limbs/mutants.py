@@ -18,7 +18,6 @@ from skinsource.readers.reading_process import ReadingProcess
 from tests.core.recordings.mutants import Tally, mutant
 
 _LONGEST = 600
-_CRASHED = ("crashed", "too long", "too much memory")
 
 
 def whole_file(path: Path, responses: np.ndarray | None = None, **attributes) -> Path:
@@ -100,8 +99,7 @@ def _text(file: LimbFile) -> str:
 
 def _refused(tally: Tally, number: int, error: SkinSourceError) -> None:
     message = str(error)
-    lost = any(part in message for part in _CRASHED)
-    tally.outcomes["process lost" if lost else "refused"] += 1
+    tally.note_refused(message)
     if (
         "mutant" not in message
         or "\n" in message

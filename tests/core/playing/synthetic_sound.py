@@ -17,18 +17,37 @@ class CallbackStop(Exception):
     """As sounddevice has it: no more comes."""
 
 
-class SyntheticStream:
-    """Asks for a block every other millisecond, from a thread of its own."""
+class MadeUpStream:
+    """Opened, begun and closed as a stream of sounddevice; works in a thread of its own."""
+
+    def __init__(self, library, asked) -> None:
+        self.library, self.asked, self.active = library, asked, False
+        self.closed = threading.Event()
+        self._thread = threading.Thread(target=self._run, daemon=True)
+
+    def start(self) -> None:
+        if isinstance(self, self.library.busy):
+            raise PortAudioError("Device unavailable", -9985)
+        self.active = True
+        self._thread.start()
+
+    def close(self, ignore_errors=True) -> None:
+        self.library.before_closing()
+        self.closed.set()
+        if self._thread.ident is not None:
+            self._thread.join(10)
+
+
+class SyntheticStream(MadeUpStream):
+    """Asks for a block every other millisecond."""
 
     latency = INSIDE_S
 
     def __init__(self, library, asked) -> None:
-        self.library, self.asked = library, asked
+        super().__init__(library, asked)
         self.heard: list[np.ndarray] = []
-        self.active = False
         self.underflows = 0
-        self._pulled, self._stop = threading.Event(), threading.Event()
-        self._thread = threading.Thread(target=self._run, daemon=True)
+        self._pulled = threading.Event()
 
     @property
     def time(self) -> float:
@@ -40,24 +59,13 @@ class SyntheticStream:
         """What was heard so far, (n_outputs, n_times)."""
         return np.concatenate([np.zeros((0, self.asked["channels"])), *self.heard]).T
 
-    def start(self) -> None:
-        if self.library.refuses_to_start:
-            raise PortAudioError("Device unavailable", -9985)
-        self.active = True
-        self._thread.start()
-
-    def close(self, ignore_errors=True) -> None:
-        self._stop.set()
-        if self._thread.ident is not None:
-            self._thread.join(10)
-
     def pull_out(self) -> None:
         """As when the cable is pulled."""
         self._pulled.set()
 
     def _run(self) -> None:
         n, channels = self.asked["blocksize"], self.asked["channels"]
-        while not (self._stop.wait(0.002) or self._pulled.is_set()):
+        while not (self.closed.wait(0.002) or self._pulled.is_set()):
             if self.library.is_stuck:
                 continue
             out = np.full((n, channels), np.nan, np.float32)
@@ -89,6 +97,9 @@ class SoundLibrary:
     def __init__(self, default_output=0, default_input=0) -> None:
         self.default = SimpleNamespace(device={"input": default_input, "output": default_output})
         self.streams: list = []
+        # Streams of this kind do not begin.
+        self.busy: tuple | type = ()
+        self.before_closing = lambda: None
 
     def query_hostapis(self):
         usual = {f"default_{way}_device": row for way, row in self.default.device.items()}
@@ -127,7 +138,7 @@ class SyntheticSoundLibrary(SoundLibrary):
     def __init__(self, **outputs) -> None:
         super().__init__(0 if outputs else -1)
         self.outputs = outputs
-        self.refuses_to_start = self.is_stuck = False
+        self.is_stuck = False
 
     @property
     def rows(self):

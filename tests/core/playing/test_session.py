@@ -11,7 +11,7 @@ from skinsource.base.errors import InvalidInputError, NothingToPlayOnError, Play
 from skinsource.lab.playing.devices import Output
 from skinsource.lab.playing.session import Session, SilentRun
 from tests.core.playing.playing_bench import wait_for
-from tests.core.playing.synthetic_sound import SyntheticSoundLibrary, use
+from tests.core.playing.synthetic_sound import SyntheticSoundLibrary, SyntheticStream, use
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.5)
 ONE = ss.Design(limb="synthetic-1", inputs=(ss.track(7, TONE, amplitude=0.9),))
@@ -109,10 +109,10 @@ def test_without_a_device_it_runs_in_silence_and_says_why(monkeypatch, session):
 
 
 def test_a_device_that_does_not_begin_is_let_go(sound, session):
-    sound.refuses_to_start = True
+    sound.busy = SyntheticStream
     with pytest.raises(PlaybackError, match="Two is not free"):
         play(session)
-    sound.refuses_to_start = False
+    sound.busy = ()
     assert play(session).stream is not None
 
 

@@ -31,6 +31,11 @@ class Tally:
     outcomes: Counter = field(default_factory=Counter)
     wrong: list[str] = field(default_factory=list)
 
+    def note_refused(self, message: str) -> None:
+        """Count a mutant that was refused, and whether its process was lost."""
+        lost = any(part in message for part in _CRASHED)
+        self.outcomes["process lost" if lost else "refused"] += 1
+
 
 def seed_of(file_format: str, folder: Path) -> bytes:
     """A small file of that format."""
@@ -84,8 +89,7 @@ def try_mutants(
             read = _read(path, recording, process)
         except RecordingError as error:
             message = str(error)
-            lost = any(part in message for part in _CRASHED)
-            tally.outcomes["process lost" if lost else "refused"] += 1
+            tally.note_refused(message)
             if not _SENTENCE.fullmatch(message) or "Traceback" in message:
                 tally.wrong.append(f"{file_format} {number}: unclear: {message}")
             continue

@@ -1,6 +1,5 @@
 """A sound card that is made up, with an actuator on its outputs and a sensor on its inputs."""
 
-import threading
 from types import SimpleNamespace
 
 import numpy as np
@@ -12,7 +11,7 @@ from scipy.signal import fftconvolve
 import skinsource as ss
 from skinsource.lab.rig_measuring.measurement import MeasuringSetup
 from tests.core.playing import synthetic_sound
-from tests.core.playing.synthetic_sound import CallbackStop, SoundLibrary
+from tests.core.playing.synthetic_sound import CallbackStop, MadeUpStream, SoundLibrary
 
 RATE_HZ = 8_000
 COIL = ss.actuators.load("example-voice-coil")
@@ -49,22 +48,12 @@ def relative_error(measured):
     return float(np.abs(measured.response.response(HZ) / COIL.response(HZ) - 1.0).max())
 
 
-class Duplex:
+class Duplex(MadeUpStream):
     """Asks for block after block, and answers with what the actuator did."""
 
     def __init__(self, card, asked) -> None:
-        self.card, self.asked, self.active = card, asked, False
+        super().__init__(card, asked)
         self.played: list[np.ndarray] = []
-        self._thread = threading.Thread(target=self._run, daemon=True)
-        self._closed = threading.Event()
-
-    def start(self) -> None:
-        self.active = True
-        self._thread.start()
-
-    def close(self, ignore_errors=True) -> None:
-        self._closed.set()
-        self._thread.join(10)
 
     @property
     def samples(self):
@@ -73,10 +62,10 @@ class Duplex:
 
     def _run(self) -> None:
         n, (n_in, n_out) = self.asked["blocksize"], self.asked["channels"]
-        card, coming = self.card, np.zeros((self.asked["channels"][0], _TAPS + 2 * n))
+        card, coming = self.library, np.zeros((self.asked["channels"][0], _TAPS + 2 * n))
         rng = np.random.default_rng(len(card.streams))
         for number in range(card.pulled_after):
-            if self._closed.is_set():
+            if self.closed.is_set():
                 break
             out = np.full((n, n_out), np.nan, np.float32)
             came = coming[:, :n].T + card.offset + card.noise * rng.standard_normal((n, n_in))

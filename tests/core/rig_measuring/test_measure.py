@@ -212,10 +212,6 @@ def test_the_command_writes_the_response_into_the_rig(card, tmp_path, capsys):
 APART = Rig(channels=(RigChannel(place=7, output=3, full_scale_v=VOLTS),))
 
 
-def measured_apart(setup=SETUP, **more):
-    return measure(APART, 7, setup, output=Output(sample_rate_hz=RATE_HZ), **more)
-
-
 @pytest.fixture
 def cards(monkeypatch):
     return use(monkeypatch, TwoCards(ears(sensed(COIL))))
@@ -224,7 +220,7 @@ def cards(monkeypatch):
 @pytest.mark.parametrize("ppm", [0.0, 83.0, -400.0])
 def test_the_response_comes_back_whatever_the_clocks_do(cards, ppm):
     cards.ratio = 1.0 + 1e-6 * ppm
-    result = measured_apart()
+    result = measured(APART)
     assert result.clock_ppm == pytest.approx(ppm, abs=0.5)
     assert relative_error(result) < 0.06
     # By the clock that records, which has run since the first sample.
@@ -239,7 +235,7 @@ def test_the_response_comes_back_whatever_the_clocks_do(cards, ppm):
 def test_a_wire_tells_delay_and_clocks(cards):
     cards.paths = (ears(lambda hz: np.full(hz.size, 0.5 + 0j)), *cards.paths)
     cards.ratio = 1.0 + 150e-6
-    result = measured_apart(replace(SETUP, input_number=2, loopback_input=1))
+    result = measured(APART, setup=replace(SETUP, input_number=2, loopback_input=1))
     assert result.clock_ppm == pytest.approx(150.0, abs=0.05)
     assert relative_error(result) < 0.02
 
@@ -247,42 +243,42 @@ def test_a_wire_tells_delay_and_clocks(cards):
 def test_each_device_is_named_that_refuses_or_is_gone(cards, monkeypatch):
     cards.refusal = ("Invalid sample rate", -9997)
     with pytest.raises(PlaybackError, match="Hears does not take 8000 Hz; it prefers 44100"):
-        measured_apart()
+        measured(APART)
     cards.refusal = ("Invalid number of channels", -9998)
     with pytest.raises(PlaybackError, match="Hears does not take 2 inputs"):
-        measured_apart()
+        measured(APART)
     cards.refusal = ()
     for cards.busy, name in ((In, "Hears"), (Out, "Plays")):
         with pytest.raises(PlaybackError, match=f"{name} is not free: another program uses it"):
-            measured_apart()
+            measured(APART)
     cards.busy = ()
     monkeypatch.setattr(duplex, "_GONE_AFTER_S", 1.0)
     cards.pulled_after = 40
     # However long it takes to close them: then none of them answers.
     cards.before_closing = lambda: monkeypatch.setattr(duplex, "_GONE_AFTER_S", -1.0)
     with pytest.raises(PlaybackError, match="Plays stopped answering"):
-        measured_apart()
+        measured(APART)
     cards.before_closing = lambda: None
     monkeypatch.setattr(duplex, "_GONE_AFTER_S", 1.0)
     cards.pulled_after, cards.deaf_after = 100_000, 200
     with pytest.raises(PlaybackError, match="Hears stopped answering"):
-        measured_apart()
+        measured(APART)
     assert all(stream.closed.is_set() for stream in cards.streams)
 
 
 def test_lost_samples_are_told_and_a_stop_is_silent(cards):
     with pytest.raises(Stopped):
-        measured_apart(stop=lambda: True)
+        measured(APART, stop=lambda: True)
     assert all(stream.closed.is_set() for stream in cards.streams)
     cards.loses_at = 150
     with pytest.raises(PlaybackError, match="lost 1 times"):
-        measured_apart()
+        measured(APART)
 
 
 def test_a_stop_is_heard_too_while_what_was_played_last_is_on_its_way_in(cards):
     cards.deaf_after = 200
     with pytest.raises(Stopped):
-        measured_apart(stop=lambda: cards.began and not cards.streams[-1].active)
+        measured(APART, stop=lambda: cards.began and not cards.streams[-1].active)
     assert all(stream.closed.is_set() for stream in cards.streams)
 
 

@@ -7,7 +7,7 @@ import numpy as np
 import scipy
 from scipy.signal import czt
 
-from tests.core.playing.synthetic_sound import CallbackStop, PortAudioError, SoundLibrary
+from tests.core.playing.synthetic_sound import CallbackStop, MadeUpStream, SoundLibrary
 from tests.core.rig_measuring.bench_top import RATE_HZ
 
 #: What is played reaches the sensor's device so many of its samples later, beside the path's delay.
@@ -31,54 +31,32 @@ def by_another_clock(samples, ratio, late):
     return (spectrum * np.exp(1j * step * place * (1 - n // 2))).real / n
 
 
-class _Way:
-    """One stream: opened, begun, closed."""
-
-    def __init__(self, cards, asked) -> None:
-        self.cards, self.asked, self.active = cards, asked, False
-        self.closed = threading.Event()
-        self._thread = threading.Thread(target=self._run, daemon=True)
-
-    def start(self) -> None:
-        if isinstance(self, self.cards.busy):
-            raise PortAudioError("Device unavailable", -9985)
-        self.active = True
-        self._thread.start()
-
-    def close(self, ignore_errors=True) -> None:
-        self.cards.before_closing()
-        self.closed.set()
-        if self._thread.ident is not None:
-            self._thread.join(10)
-        self.active = False
-
-
-class Out(_Way):
+class Out(MadeUpStream):
     """Takes all that is played as quickly as it comes, and hands on what the sensor makes of it."""
 
     def _run(self) -> None:
         n, channels = self.asked["blocksize"], self.asked["channels"]
         # The inputs are on since a while.
-        assert self.cards.listening.wait(10)
+        assert self.library.listening.wait(10)
         played, over = [], False
-        with self.cards.turn:
-            while not (over or self.closed.is_set() or len(played) > self.cards.pulled_after):
+        with self.library.turn:
+            while not (over or self.closed.is_set() or len(played) > self.library.pulled_after):
                 out = np.full((n, channels), np.nan, np.float32)
                 try:
                     self.asked["callback"](out, n, None, _NO_TROUBLE)
                 except CallbackStop:
                     over = True
                 played.append(out)
-            self.cards.hear(np.concatenate(played)[:, self.cards.output - 1].astype(float))
+            self.library.hear(np.concatenate(played)[:, self.library.output - 1].astype(float))
         self.active = False
         self.asked["finished_callback"]()
 
 
-class In(_Way):
+class In(MadeUpStream):
     """Records noise, and what is heard as soon as there is something."""
 
     def _run(self) -> None:
-        cards, n, channels = self.cards, self.asked["blocksize"], self.asked["channels"]
+        cards, n, channels = self.library, self.asked["blocksize"], self.asked["channels"]
         rng, recorded = np.random.default_rng(len(cards.streams)), np.zeros((channels, 0))
         for number in range(100_000):
             if self.closed.is_set() or number > cards.deaf_after:
@@ -110,9 +88,6 @@ class TwoCards(SoundLibrary):
         self.paths, self.ratio, self.noise, self.output = paths, ratio, noise, output
         self.pulled_after = self.deaf_after = 100_000
         self.loses_at = -1
-        self.before_closing = lambda: None
-        # Streams of this kind do not begin.
-        self.busy: tuple | type = ()
         self.answers, self.began, self.listening = None, False, threading.Event()
         # Who has it goes on; the other waits.
         self.turn = threading.Lock()
