@@ -86,6 +86,12 @@ class MeasureWord(QtWidgets.QToolButton):
         else:
             super().keyPressEvent(event)
 
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.EnabledChange and not self.isEnabled():
+            # An open menu would stay, and nothing could be chosen from it.
+            self.menu().close()
+
     def width_of(self, word: str) -> int:
         """Return how wide it is with a word, whatever it shows; without one it is hidden."""
         shown, words = (

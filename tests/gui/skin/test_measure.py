@@ -34,8 +34,11 @@ def test_the_words_say_what_is_shown_and_their_menus_change_it(window):
     choose(line.span, "Loudest 100 ms")
     assert (window.view.axes, window.view.method, window.view.span) == ("xy", "soc", "loudest")
     assert words(window) == ["RMS", "x, y, sum of components", "loudest 100 ms"]
+    line.axes.menu().popup(QPoint())
     choose(line.quantity, "Sensation level")
     assert window.settings.quantity == SENSATION
+    # A menu from which nothing can be chosen is not left open.
+    assert not line.axes.menu().isVisible()
     assert words(window)[0] == "Sensation level"
     # Its axes and window are its own: nothing is offered that it would not follow.
     assert words(window)[1:] == ["x, y, z together", "loudest 100 ms"]
