@@ -2,6 +2,7 @@
 
 import zipfile
 
+import numpy as np
 import psutil
 import pytest
 
@@ -137,3 +138,16 @@ def test_no_file_stays_open_after_reading(synthetic_installed):
     store.load_measured_limb(1).response_to(1)
     opened = [file.path for file in psutil.Process().open_files()]
     assert str(synthetic_installed) not in opened
+
+
+def test_a_store_cut_off_anywhere_is_refused(synthetic_installed):
+    random = np.random.default_rng(20262)
+    size = synthetic_installed.stat().st_size
+    cuts = [size - 1, *sorted(random.integers(0, size, 30).tolist(), reverse=True), 100, 47, 8, 1]
+    for cut in cuts:
+        with synthetic_installed.open("r+b") as opened:
+            opened.truncate(cut)
+        for call in (store.describe, lambda: store.load_measured_limb(1), store.verify):
+            with pytest.raises(DatasetError, match="Install it again"):
+                call()
+            assert synthetic_installed.stat().st_size == cut

@@ -1,20 +1,17 @@
 """52 000 damaged recordings and limbs: ``make nightly``, or ``python -m tests.nightly.mutants``.
 
-Prints the seed, and what came of the mutants of each format, of the layout of limbs, and of the
-files that limbs are kept in.  Ends with 1 if one was misread, or not refused in one clear sentence;
-what else goes wrong ends it with a traceback.
+Prints the seed, and what came of the mutants of each format and of the layout of limbs.  Ends with
+1 if one was misread, or not refused in one clear sentence; what else goes wrong ends it with a
+traceback.
 """
 
-import os
 import sys
 import tempfile
 from functools import partial
 from pathlib import Path
 
-from skinsource.limbs.limb_import import LimbSource, import_limb
-from skinsource.limbs.own_limbs import own_limb_path
 from skinsource.readers.reading_process import ReadingProcess
-from tests.core.own_limbs.mutants import try_kept, try_layout, whole_file
+from tests.core.own_limbs.mutants import try_layout, whole_file
 from tests.core.recordings.mutants import FORMATS, try_mutants
 from tests.nightly.options import read_options
 
@@ -23,13 +20,9 @@ def main() -> int:
     options = read_options(__doc__, 52_000)
     wrong = []
     with ReadingProcess() as process, tempfile.TemporaryDirectory() as name:
-        os.environ["SKINSOURCE_DATA"] = name
-        whole = whole_file(Path(name, "whole.h5"))
-        import_limb(LimbSource(responses=whole))
-        given = -(-options.count // (len(FORMATS) + 2)), options.seed, Path(name)
+        given = -(-options.count // (len(FORMATS) + 1)), options.seed, Path(name)
         tries = {kind: partial(try_mutants, kind, *given, process) for kind in FORMATS}
-        tries["layout"] = partial(try_layout, whole, *given, process)
-        tries["kept"] = partial(try_kept, own_limb_path("ours"), *given)
+        tries["layout"] = partial(try_layout, whole_file(Path(name, "whole.h5")), *given, process)
         for kind, try_kind in tries.items():
             tally = try_kind()
             outcomes = ", ".join(f"{n} {part}" for part, n in tally.outcomes.most_common())

@@ -1,8 +1,7 @@
 """Damaged files of limbs by the thousand, and what may come of reading one.
 
 A mutant of the layout in which labs hand limbs over is one clear error, or a limb whose numbers are
-those that HDF5 itself reads from the mutant.  A mutant of the file that a limb is kept in is the
-limb as it was, or one clear error: that file carries checksums.
+those that HDF5 itself reads from the mutant.
 """
 
 from pathlib import Path
@@ -13,7 +12,6 @@ import numpy as np
 from skinsource.base.errors import SkinSourceError
 from skinsource.limbs import limb_import as importing_module
 from skinsource.limbs.limb_import import LimbSource, PreparedLimb, prepare_limb
-from skinsource.limbs.own_limbs import LimbFile
 from skinsource.readers.reading_process import ReadingProcess
 from tests.core.recordings.mutants import Tally, mutant
 
@@ -66,35 +64,6 @@ def try_layout(
         if prepared.limb.axes != str(axes):
             tally.wrong.append(f"layout {number}: along {prepared.limb.axes}")
     return tally
-
-
-def try_kept(whole: Path, count: int, random_seed: int, folder: Path) -> Tally:
-    """Open ``count`` mutants of the file that a limb is kept in."""
-    rng = np.random.default_rng([random_seed, 1])
-    before, path, tally = LimbFile(whole), folder / "mutant.limb", Tally()
-    seed, responses = whole.read_bytes(), [before.response(k) for k in (1, 2)]
-    for number in range(count):
-        content = mutant(seed, rng)
-        path.write_bytes(content)
-        try:
-            opened = LimbFile(path)
-            read = [opened.response(k) for k in range(1, opened.limb.n_inputs + 1)]
-        except SkinSourceError as error:
-            _refused(tally, number, error)
-            continue
-        tally.outcomes["read"] += 1
-        same = opened.digest == before.digest and _text(opened) == _text(before)
-        if not same or not np.array_equal(read, responses):
-            tally.wrong.append(f"kept {number}: read as another limb")
-    return tally
-
-
-def _text(file: LimbFile) -> str:
-    """All but the arrays, which the digest stands for."""
-    values = {name: getattr(file.limb, name) for name in file.limb.__dataclass_fields__}
-    return repr(
-        {name: value for name, value in values.items() if not isinstance(value, np.ndarray)}
-    )
 
 
 def _refused(tally: Tally, number: int, error: SkinSourceError) -> None:

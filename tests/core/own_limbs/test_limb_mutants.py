@@ -6,10 +6,10 @@ import h5py
 import numpy as np
 import pytest
 
-from skinsource.base.errors import SkinSourceError
+from skinsource.base.errors import FileFormatError, SkinSourceError
 from skinsource.limbs.limb_import import LimbSource, import_limb
-from skinsource.limbs.own_limbs import own_limb_path
-from tests.core.own_limbs.mutants import read_layout, try_kept, try_layout, whole_file
+from skinsource.limbs.own_limbs import LimbFile, own_limb_path
+from tests.core.own_limbs.mutants import read_layout, try_layout, whole_file
 
 N_MUTANTS = 300
 
@@ -22,10 +22,21 @@ def test_hundreds_of_mutants_give_a_limb_or_one_clear_error(user_data, tmp_path,
     assert tally.outcomes["read"] > N_MUTANTS // 20
     assert tally.outcomes["process lost"] == 0
     read_layout(whole, process)
-    import_limb(LimbSource(responses=whole))
-    cached = try_kept(own_limb_path("ours"), N_MUTANTS, 3, tmp_path)
-    assert cached.wrong == []
-    assert cached.outcomes["refused"] > N_MUTANTS // 2
+
+
+def test_a_kept_limb_with_another_byte_or_more_or_fewer_of_them_is_refused(user_data, tmp_path):
+    import_limb(LimbSource(responses=whole_file(tmp_path / "whole.h5")))
+    path = own_limb_path("ours")
+    content = path.read_bytes()
+    # Zeros fill up blocks.
+    used = np.flatnonzero(np.frombuffer(content, np.uint8))
+    for at in used[np.linspace(0, used.size - 1, N_MUTANTS).astype(int)]:
+        flipped = bytes([content[at] ^ 1])
+        changed = content[:at] + flipped + content[at + 1 :]
+        for damaged in (content[:at], changed, content + flipped):
+            path.write_bytes(damaged)
+            with pytest.raises(FileFormatError, match=r"^\S*ours[^\n]{,500}$"):
+                [LimbFile(path).response(place) for place in (1, 2)]
 
 
 def hostile(change):
