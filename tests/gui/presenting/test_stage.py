@@ -365,24 +365,6 @@ def test_the_time_axis_shows_all_of_a_motion_that_no_longer_loops(stage, qtbot):
     assert stage.strip._words[2] == f"window {1e3 * loop.duration_s:.3g} ms"
 
 
-def test_keys_of_the_stage_work_in_the_window_too(stage, qtbot):
-    window = stage.window()
-    show(window, of="frequencies")
-    complete(stage, qtbot, 1)
-    assert stage.clock._timer.isActive()
-    window.do("present")
-    assert not stage.clock._timer.isActive()
-    window.do("arrange_presentation")
-    stage.setFocus()
-    QTest.keyClick(stage.knob.dial, Qt.Key.Key_Space)
-    assert stage.clock.held
-    QTest.keyClick(stage.knob.dial, Qt.Key.Key_L)
-    assert not stage.moves
-    QTest.keyClick(stage.knob.dial, Qt.Key.Key_C)
-    complete(stage, qtbot, 4)
-    assert stage.switch.isChecked()
-
-
 @pytest.mark.parametrize("moves", [True, False])
 def test_curves_of_a_comparison_go_with_its_maps(stage, qtbot, moves):
     window = stage.window()
