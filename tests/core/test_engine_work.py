@@ -23,7 +23,7 @@ from skinsource.design.waveforms import Noise, Tap, Tone
 from skinsource.engine import memory as budgets
 from skinsource.engine.drives import Drives
 from skinsource.engine.evaluation import MOST_GRAPHS, Evaluator, forget_evaluated
-from skinsource.engine.memory import SURFACES_BYTES, untouched_array
+from skinsource.engine.memory import ENTRY_BYTES, SURFACES_BYTES, Memory, untouched_array
 from skinsource.engine.quantities import RULES, graphs_that_share, new_graph, sources
 from skinsource.engine.shared import Shared
 from skinsource.engine.spectra import ResponseSpectra
@@ -234,6 +234,16 @@ def test_whatever_is_transformed_at_once_fits(n_places):
     assert held <= budgets.RESPONSE_SPECTRA_BYTES
     # Nor is less transformed at once than there is room for.
     assert n_places < 5 or held > budgets.RESPONSE_SPECTRA_BYTES / 2
+
+
+def test_the_least_recently_used_goes_first():
+    memory = Memory[bytes](budget_bytes=2 * ENTRY_BYTES + 10, size_of=len)
+    memory.add("a", b"1234")
+    memory.add("b", b"1234")
+    assert memory.find("a") == b"1234"
+    memory.add("c", b"1234")
+    assert (memory.find("a"), memory.find("b"), memory.find("c")) == (b"1234", None, b"1234")
+    assert memory.held_bytes == 2 * ENTRY_BYTES + 8
 
 
 ONE = 216 * (576 // 2 + 1) * 16
