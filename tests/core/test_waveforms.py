@@ -136,13 +136,10 @@ def test_what_is_no_sweep_duration_tone_or_noise_is_refused(make, given, what):
         make(*given)
 
 
-def half_up(milliseconds: int) -> int:
-    return math.floor(Fraction(milliseconds, 1000) * 1300 + Fraction(1, 2))
-
-
 def test_all_durations_in_milliseconds_are_rounded_half_up():
     for milliseconds in range(1001):
-        assert sample_count(milliseconds / 1000) == half_up(milliseconds), milliseconds
+        half_up = math.floor(Fraction(milliseconds, 1000) * 1300 + Fraction(1, 2))
+        assert sample_count(milliseconds / 1000) == half_up, milliseconds
 
 
 @pytest.mark.parametrize("duration_s", [1, 60, 3600])

@@ -265,10 +265,6 @@ def claims(place):
     return partial(meaning_of, place)
 
 
-def keys_at(place):
-    return [key for gesture in KEYS[place].gestures.values() for key in gesture.keys]
-
-
 def test_a_widget_takes_the_keys_that_are_listed(qapp):
     for place in KEYS:
         takes = claims(place)
@@ -278,7 +274,8 @@ def test_a_widget_takes_the_keys_that_are_listed(qapp):
             for key in (*SIGNS, *NAMED)
             if takes(QKeyEvent(QEvent.Type.KeyPress, key, held))
         ]
-        assert sorted(keys) == sorted(keys_at(place)), place
+        listed = [key for gesture in KEYS[place].gestures.values() for key in gesture.keys]
+        assert sorted(keys) == sorted(listed), place
 
 
 def test_no_shortcut_is_given_twice():

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QAbstractButton, QApplication, QInputDialog, QTool
 
 from skinsource import Clip, Design, Input, View, edits, track
 from skinsource.design.effects import BandLimit, Fade, Repeat, Trim
-from skinsource.design.waveforms import Drawn, Tone, WaveletTrain
+from skinsource.design.waveforms import Drawn, Tap, Tone, WaveletTrain
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.clip_editor.tools import Pen
 from skinsource_gui.qt.keys import KEYS, key_text
@@ -205,6 +205,21 @@ def test_effects_but_not_what_cuts_a_part_are_copied_to_others_in_one_step(two_c
     document.look(replace(document.view, selected_inputs=(), selected_clips=()))
     assert not window.actions_by_name["copy_effects"].isEnabled()
     assert not window.actions_by_name["paste_effects"].isEnabled()
+
+
+def test_effects_that_would_make_a_clip_too_long_are_refused(two_clips):
+    window, document = two_clips, two_clips.document
+    document.edit(
+        "Short", document.design.with_clip(2, waveform=Tap(), effects=(Repeat(1000, 3.5),))
+    )
+    document.look(replace(document.view, selected_inputs=(2,), selected_clips=(2,)))
+    refused = []
+    document.refused.connect(refused.append)
+    window.do("copy_effects")
+    document.look(replace(document.view, selected_inputs=(1,), selected_clips=(1,)))
+    window.do("paste_effects")
+    assert len(refused) == 1
+    assert document.design.clip(1).effects == ()
 
 
 def test_a_clip_is_stretched_to_a_typed_length(two_clips, monkeypatch):
