@@ -100,9 +100,10 @@ def strings_of_users() -> Iterator[Found]:
         for found in _strings(tree, "message", known | own[path]):
             yield found._replace(where=f"{path.relative_to(ROOT)}:{found.where}")
     for table in [ROOT / "data" / "words.toml", *sorted((ROOT / "resources").glob("*.toml"))]:
-        for key, text in re.findall(r'^(\w+) = "(.*)"', table.read_text("utf-8"), re.MULTILINE):
-            if KIND_OF.get(key):
-                yield Found(str(table.relative_to(ROOT)), KIND_OF[key], text)
+        other = "message" if table.stem == "choices" else ""
+        for key, text in re.findall(r'^(\S+) = "(.*)"', table.read_text("utf-8"), re.MULTILINE):
+            if kind := KIND_OF.get(key, other):
+                yield Found(str(table.relative_to(ROOT)), kind, text)
     for page in [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]:
         for heading in re.findall(r"^#+ (.*)", page.read_text("utf-8"), re.MULTILINE):
             yield Found(str(page.relative_to(ROOT)), "heading", heading)

@@ -49,18 +49,11 @@ from skinsource_gui.fields.units import (
 )
 from skinsource_gui.qt.buttons import answers, page_label, tool_button
 from skinsource_gui.qt.layouts import in_column, in_row, named, tooltip
+from skinsource_gui.qt.resources import choice_of
 from skinsource_gui.qt.theme import tabular
 
-_SPACING = ChoiceSpec(
-    label="Spacing",
-    options=(("logarithmic", "Logarithmic"), ("linear", "Linear")),
-    hint="From each frequency to the next",
-)
-_ORDER = ChoiceSpec(
-    label="Order",
-    options=(("up", "Rising (sensation contracts)"), ("down", "Falling (sensation expands)")),
-    hint="Low frequencies reach farther on the skin",
-)
+_SPACING = choice_of("sweep_spacing")
+_ORDER = choice_of("sweep_order")
 _MOST_SHOWN = 12
 
 

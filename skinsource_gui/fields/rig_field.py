@@ -5,15 +5,11 @@ from pathlib import Path
 from PySide6.QtCore import Signal
 
 from skinsource.actuators import rigs
-from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.qt.questions import ask_open
+from skinsource_gui.qt.resources import choice_of
 
-_SPEC = ChoiceSpec(
-    label="Rig",
-    options=(("none", "None"), ("file", "Choose a rig file…")),
-    hint="Part of the design: wiring, with polarity, volts, limits, calibration",
-)
+_SPEC = choice_of("rig")
 _PRESENT = "kept"
 #: Filter of file dialogs for a measured response.
 RESPONSE_FILES = (

@@ -22,7 +22,6 @@ from skinsource.design.design_file import open_design
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.readers.reading_process import ReadingProcess
 from skinsource.specs.numbers import NumberSpec
-from skinsource.specs.spec import ChoiceSpec
 from skinsource.studies.checking import (
     FIGURES,
     Condition,
@@ -41,6 +40,7 @@ from skinsource_gui.plots.ranges import Tick
 from skinsource_gui.qt.fitting import fit_to_letters
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import ask_open
+from skinsource_gui.qt.resources import choice_of
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner, PageJobs
@@ -266,11 +266,7 @@ _DESIGNS = "Designs (*.skinsource);;All files (*)"
 
 
 _ALL = "all"
-_AXES = ChoiceSpec(
-    label="Axes",
-    options=((_ALL, "All of the limb"), ("x", "x"), ("y", "y"), ("z", "z")),
-    hint="Axes of the recording",
-)
+_AXES = choice_of("recording_axes")
 _RATE = NumberSpec(
     label="Rate",
     unit="Hz",

@@ -14,24 +14,12 @@ from skinsource.limbs.dataset.store import StoreInfo
 from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.qt.buttons import page_label, progress_bar
 from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.resources import read_text
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.job_runner import JobProgress, JobRunner, PageJobs
 from skinsource_gui.state.preferences import INSTALLATIONS, InstalledLimbs
 
 TITLE = "Get the measured limbs"
-
-
-_ABOUT = """
-<h3>The measured limbs</h3>
-<p>The impulse responses of four measured limbs are published by their authors
-(<a href="https://doi.org/10.5281/zenodo.10547601">doi&nbsp;10.5281/zenodo.10547601</a>).
-They are not ours to pass on, so the studio starts on synthetic limbs until you install them.</p>
-<p><b>Install from folder…</b> takes a folder that holds <i>impulseResponses.mat</i> and the
-toolbox's folder <i>visualization</i>.<br>
-<b>Download…</b> fetches {size} MB from their publishers, checks them and installs them.</p>
-<p>All is checked before anything is changed, and you can go on working meanwhile. In a terminal,
-<i>skinsource dataset</i> does the same.</p>
-"""
 _MEASURED = "measured"
 
 
@@ -42,7 +30,7 @@ class DatasetPage(ToolPage):
         super().__init__(parent, "dataset_page", TITLE, (560, 320))
         self._limbs, self._jobs = limbs, PageJobs(runner, self, INSTALLATIONS)
         size_mb = round(sum(file.size_bytes for file in published_files()) / 1e6)
-        about = page_label("page_text", _ABOUT.format(size=size_mb))
+        about = page_label("page_text", read_text("dataset.html").format(size=size_mb))
         about.setTextFormat(Qt.TextFormat.RichText)
         about.setOpenExternalLinks(True)
         self._bar = progress_bar("dataset_progress", "Progress of the installation")

@@ -21,13 +21,13 @@ from skinsource.limbs.surface.operator import SurfaceOperator
 from skinsource.signals.map_range import MAP_RANGE_DB, map_range_db
 from skinsource.specs import fields
 from skinsource.specs.numbers import RangeSpec
-from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.units import minus
 from skinsource_gui.plots.colour_maps import VIRIDIS, colour_indices, colour_table, level_colours
 from skinsource_gui.plots.curves import fitting
 from skinsource_gui.plots.outputs import is_placed
 from skinsource_gui.qt.frames import Frame, fitted
 from skinsource_gui.qt.layouts import show_tooltip
+from skinsource_gui.qt.resources import choice_of
 from skinsource_gui.qt.theme import Theme, is_on_paper, scaled, translucent
 
 Range = tuple[float, float]
@@ -425,17 +425,7 @@ def offer_arm(button: QtWidgets.QAbstractButton, limb_maps: Sequence[LimbMap], h
 #: Shown where the user has fixed the range of colours.
 FIXED_MARK = "range fixed"
 MAP_RANGE = RangeSpec(label="Range", unit="dB")
-COLOURS = ChoiceSpec(
-    label="Colours",
-    options=(
-        (VIRIDIS, "Viridis"),
-        ("cividis", "Cividis"),
-        ("magma", "Magma"),
-        ("CET-L1", "Grey"),
-        ("turbo", "Turbo, like jet"),
-    ),
-    hint="All but Turbo are perceptually uniform, and safe for any colour vision",
-)
+COLOURS = choice_of("colours_of_maps")
 
 # The panel whose settings hold the colours and the range.
 _PANEL = "skin"

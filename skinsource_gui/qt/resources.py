@@ -1,6 +1,9 @@
 """The folder of icons, themes and tables of the window."""
 
+import tomllib
 from pathlib import Path
+
+from skinsource.specs.spec import ChoiceSpec
 
 _PACKAGE = Path(__file__).resolve().parents[1]
 
@@ -14,3 +17,12 @@ def resource_folder() -> Path:
 def read_text(name: str) -> str:
     """Return the content of a text resource."""
     return (resource_folder() / name).read_text(encoding="utf-8")
+
+
+_CHOICES = tomllib.loads(read_text("choices.toml"))
+
+
+def choice_of(name: str) -> ChoiceSpec:
+    """Return the choice of this name in ``choices.toml``."""
+    entry = _CHOICES[name]
+    return ChoiceSpec(**{**entry, "options": tuple(entry["options"].items())})

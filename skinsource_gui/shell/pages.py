@@ -18,25 +18,12 @@ from skinsource.version import __version__
 from skinsource_gui import pages
 from skinsource_gui.qt.keys import KEYS, MOUSE, native_text
 from skinsource_gui.qt.layouts import in_column, named
+from skinsource_gui.qt.resources import read_text
 from skinsource_gui.shell.actions import ACTIONS, ActionSpec
 from skinsource_gui.shell.docks import PanelInUse
 from skinsource_gui.shell.menus import NOTHING_FOUND, Palette, SearchLine
 from skinsource_gui.shell.status import StatusLine
 from skinsource_gui.state.services import Services
-
-_ABOUT = f"""
-<h3>SkinSource studio {__version__}</h3>
-<p>Design vibrotactile stimuli and see how they travel across hand and arm. BSD-3-Clause.</p>
-<p>Please cite the work it rests on: Tummala, Reardon, Fani, Goetz, Bianchi, Visell, <i>SkinSource:
-A Data-Driven Toolbox for Predicting Touch-Elicited Vibrations in the Upper Limb</i>, IEEE Haptics
-Symposium 2024, <a href="https://doi.org/10.1109/HAPTICS59260.2024.10520852">doi&nbsp;10.1109/HAPTICS59260.2024.10520852</a>,
-and its dataset,
-<a href="https://doi.org/10.5281/zenodo.10547601">doi&nbsp;10.5281/zenodo.10547601</a>.</p>
-<h4>About the data</h4>
-<p>The measurement began {PRE_TRIGGER_DELAY_S * 1e3:g} ms before its pulse. Window, pictures and
-films leave this out and count time from the pulse, which is known to about 2 ms; View &gt; Remove
-pre-trigger delay brings it back. Tables and files keep the record.</p>
-"""
 
 # What a page has room for.
 _PICTURE_PX = 640
@@ -199,7 +186,9 @@ class Pages(QObject):
 
     def show_about(self) -> None:
         """Open the page on version, licence and citation."""
-        text = _ABOUT + _checksums(self._document.design)
+        about, delay_ms = read_text("about.html"), PRE_TRIGGER_DELAY_S * 1e3
+        text = about.format(version=__version__, delay_ms=delay_ms)
+        text += _checksums(self._document.design)
         _page("About SkinSource studio", text, self._window).open()
 
     def end(self) -> None:

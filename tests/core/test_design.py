@@ -17,10 +17,6 @@ from skinsource.specs.spec import ChoiceSpec, SwitchSpec, TextSpec
 THREE = Design(limb="synthetic-1", inputs=tuple(track(location=k, colour=k) for k in (1, 2, 3)))
 
 
-def places(design: Design) -> list[int]:
-    return [track.location for track in design.inputs]
-
-
 def test_a_change_of_one_input_leaves_the_others_the_very_same():
     changed = THREE.with_input(1, amplitude=-2).with_clip(2, waveform=Tap())
     clip = Clip(waveform=Tap(), id=2)
@@ -32,7 +28,7 @@ def test_a_change_of_one_input_leaves_the_others_the_very_same():
 
 def test_a_new_input_goes_to_the_end_in_the_first_colour_that_is_free():
     design = THREE.adding(track(location=9, colour=1)).adding(track(location=9))
-    assert places(design) == [1, 2, 3, 9, 9]
+    assert [track.location for track in design.inputs] == [1, 2, 3, 9, 9]
     assert [track.colour for track in design.inputs] == [1, 2, 3, 0, 4]
 
 

@@ -10,7 +10,6 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-import skinsource as ss
 from skinsource.base.errors import InvalidInputError
 from skinsource.design import waveforms
 from skinsource.design.waveforms import KINDS, CentredTap, DampedSine, Noise, Waveform, WaveletTrain
@@ -210,10 +209,3 @@ def test_lists_and_arrays_will_do_for_tuples():
     assert hash(WaveletTrain(np.array([50.0, 60.0]), gains_db=[0, -3])) == hash(plain)
     points = [[0.0, 50.0, 1.0], [0.1, 60.0, 1.0]]
     assert Glide(points) == Glide(np.array(points)) == Glide(tuple(map(tuple, points)))
-
-
-def test_every_kind_is_reached_by_its_name():
-    for kind in KINDS:
-        assert getattr(ss.waveforms, kind.__name__) is kind
-    assert len(waveforms.COMMON) == 8
-    assert set(waveforms.COMMON).isdisjoint(waveforms.MORE)

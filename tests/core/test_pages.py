@@ -6,7 +6,6 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-DECISIONS = sorted((ROOT / "docs" / "adr").glob("0*.md"))
 BEGIN = ("README.md", "CONTRIBUTING.md")
 PAGES = [ROOT / name for name in (*BEGIN, "CHANGELOG.md")] + sorted((ROOT / "docs").rglob("*.md"))
 #: Paths that begin like this are those of files of the project.
@@ -54,13 +53,3 @@ def test_every_page_is_reached_from_the_readme_or_from_what_contributors_read():
             reached.add(page)
             ahead += links_of(page)
     assert {page.name for page in set(PAGES) - reached} == {"CHANGELOG.md"}
-
-
-def test_every_decision_is_in_the_list_under_its_number_and_title():
-    listed = re.findall(r"^- (\d+): \[(.*)\]\((.*)\)$", text_of(ROOT / "docs/adr/README.md"), re.M)
-    expected = []
-    for path in DECISIONS:
-        number, title = re.match(r"# (\d+)\. (.*)", text_of(path)).groups()
-        assert path.name.startswith(f"{int(number):04}-")
-        expected.append((number, title, path.name))
-    assert listed == expected

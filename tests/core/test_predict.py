@@ -33,15 +33,6 @@ def limb() -> Limb:
     return ss.load_limb("synthetic-1")
 
 
-def test_an_amplitude_is_the_signed_maximum_of_each_input_under_upstream_scaling(limb):
-    assert predict(limb, DRIVES[0], 1, 2.5, "upstream").max() == pytest.approx(2.5, rel=1e-14)
-    assert predict(limb, DRIVES[0], 1, -2.5, "upstream").min() == pytest.approx(-2.5, rel=1e-14)
-    # Alone as beside a silent one.
-    alone = predict(limb, DRIVES[0], 1, -2.5, "upstream")
-    beside = predict(limb, DRIVES[:2], [1, 8], [-2.5, 1e-30], "upstream")
-    np.testing.assert_allclose(alone, beside, rtol=0, atol=1e-13)
-
-
 def test_one_drive_and_one_place_need_no_lists(limb):
     expected = predict(limb, [[1.0, 2.0]], [3], [0.5])
     for drives, places, amplitudes in (

@@ -80,16 +80,6 @@ def test_the_actuator_panel_is_told_of_a_drive_that_cannot_be_followed():
     assert values["actuator_demand"].leaves_velocity
 
 
-def test_a_muted_input_that_cannot_be_sampled_changes_nothing(design):
-    muted = design.with_input(1, muted=True)
-    alone = replace(design, inputs=design.inputs[:1])
-    quantities = ("output_levels_db", "selected_traces", "surface_levels_db", "input_waveforms")
-    values, expected = ss.evaluate(muted, *quantities), ss.evaluate(alone, *quantities)
-    for name in quantities[:-1]:
-        np.testing.assert_allclose(values[name], expected[name], rtol=1e-9, atol=1e-12)
-    assert np.array_equal(values["input_waveforms"][0], expected["input_waveforms"][0])
-
-
 def test_of_clips_that_cannot_be_sampled_there_are_no_pictures():
     clips = (Clip(), Clip(waveform=BEYOND_HALF_THE_RATE, muted=True))
     design = Design(limb="synthetic-1", inputs=(Input(location=7, clips=clips),))

@@ -248,15 +248,12 @@ def look_at_maps(window, qtbot, name):
     return panel
 
 
-def picture_of(window, name):
-    return drawn_image(window.pictures.picture_of(name).draw, 700, 700)
-
-
 def test_colours_chosen_in_the_menu_are_those_of_every_map_of_levels(window, qtbot):
     for name in LEVEL_MAPS:
         window.do("use_magma_colours")
         panel = look_at_maps(window, qtbot, name)
-        for image in (panel.grab().toImage(), picture_of(window, name)):
+        picture = drawn_image(window.pictures.picture_of(name).draw, 700, 700)
+        for image in (panel.grab().toImage(), picture):
             assert n_in(image, "magma") > MANY, name
             assert n_in(image, "viridis") < FEW, name
         window.do("use_viridis_colours")

@@ -15,11 +15,9 @@ from skinsource.base.assets import config_folder
 from skinsource.base.lock import Lock, read_owner, this_process, to_bytes
 from skinsource.design import design_file
 from skinsource_gui.pages.files import file_actions
-from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.plots.pictures import PictureOptions
 from skinsource_gui.qt.questions import ask_to_save
 from skinsource_gui.qt.theme import DARK
-from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences, settings_path
 from tests.gui.exporting import press, shown
 from tests.gui.importing.test_import_page import drop
@@ -76,6 +74,8 @@ def test_a_file_is_named_after_the_title_in_letters_that_all_systems_take(window
 
 def test_a_file_that_another_program_changed_is_not_replaced_unasked(window, opened, answers):
     save_design(opened, OTHER)
+    activate(window)
+    assert "was changed by another program, or in another window" in window.notice.text
     assert not window.files.save()
     assert len(answers["asked"]) == 1
     assert "shared.skinsource was changed by another program" in answers["asked"][0]
@@ -98,19 +98,6 @@ def test_a_file_that_was_only_touched_is_saved_unasked(window, opened, answers):
     assert window.files.save()
     assert answers["asked"] == []
     assert window.notice.text == ""
-
-
-def test_two_windows_on_one_file_notice_each_other(window, opened, answers, preferences, qtbot):
-    frame, document = QWidget(), Document(OTHER)
-    qtbot.addWidget(frame)
-    other = FileActions(document, preferences, frame, lambda: b"")
-    other.open(opened)
-    document.edit("Place", document.design.adding(track(location=9)))
-    assert other.save()
-    activate(window)
-    assert "was changed by another program, or in another window" in window.notice.text
-    assert not window.files.save()
-    assert [track.location for track in open_design(opened).design.inputs] == [4, 9]
 
 
 def test_a_design_whose_file_was_deleted_counts_as_modified(window, opened, answers):

@@ -1,12 +1,11 @@
 """Do the tests still notice the one-line faults that they noticed once?  ``make faults``.
 
 The faults are in ``planted_faults.json``: changed lines of functions, as texts without numbers, so
-that each is planted wherever its line stands now.  They are planted one after the other in copies
+that each is planted wherever its line stands now.  They are planted one after the other in a copy
 of the project; the first test that fails ends it.  First that file of tests runs that noticed it
 before, then the whole suite.  It ends with 1 if fewer than 97 % are noticed.
 """
 
-import argparse
 import ast
 import json
 import os
@@ -16,21 +15,17 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
 from pathlib import Path
-from queue import SimpleQueue
 from typing import NamedTuple
 
 PROJECT = Path(__file__).resolve().parents[2]
 STORED = Path(__file__).with_suffix(".json")
 PRODUCT = ("core/skinsource", "skinsource_gui")
 LEAST_SHARE = 0.97
-WHOLE = ["-n", "2", "tests/core", "tests/gui"]
+WHOLE = ["-n", "auto", "tests/core", "tests/gui"]
 
 
-@dataclass(frozen=True)
-class Fault:
+class Fault(NamedTuple):
     """A line of a function and what it is changed to, without the blanks around them.
 
     ``by`` is the test that noticed it.
@@ -51,46 +46,22 @@ class Place(NamedTuple):
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--at-once", type=int, default=2)
-    options = parser.parse_args()
-    faults = stored_faults()
-    gone = [fault for fault in faults if find(PROJECT, fault) is None]
-    to_plant = [fault for fault in faults if fault not in gone]
-    n_noticed = 0
-    with (
-        tempfile.TemporaryDirectory(prefix="skinsource-faults-") as name,
-        ThreadPoolExecutor(options.at_once) as pool,
-    ):
-        free: SimpleQueue[Path] = SimpleQueue()
-        for k in range(options.at_once):
-            free.put(copy_of_project(Path(name) / f"copy-{k}"))
-
-        def try_next(fault: Fault) -> str | None:
-            copy = free.get()
-            try:
-                return noticed_in(copy, fault)
-            finally:
-                free.put(copy)
-
-        for fault, noticed_by in zip(to_plant, pool.map(try_next, to_plant), strict=True):
-            n_noticed += noticed_by is not None
-            place = f"{fault.file} {fault.function}"
-            if noticed_by is None:
-                print(f"SURVIVED  {place}\n    - {fault.line}\n    + {fault.changed}", flush=True)
-            else:
-                print(f"noticed   {place}: {noticed_by}", flush=True)
-    for fault in gone:
-        print(f"gone      {fault.file} {fault.function}: {fault.line}")
-    print(f"{n_noticed} of {len(to_plant)} noticed, {len(gone)} gone")
-    return 1 if n_noticed < LEAST_SHARE * len(to_plant) else 0
-
-
-def stored_faults() -> list[Fault]:
-    """Read the faults that were noticed."""
     entries = json.loads(STORED.read_text("utf-8"))["faults"]
-    names = Fault.__dataclass_fields__
-    return [Fault(**{name: entry[name] for name in names}) for entry in entries if entry["noticed"]]
+    faults = [
+        Fault(*(entry[name] for name in Fault._fields)) for entry in entries if entry["noticed"]
+    ]
+    told = {"noticed": 0, "SURVIVED": 0, "gone": 0}
+    with tempfile.TemporaryDirectory(prefix="skinsource-faults-") as name:
+        copy = copy_of_project(Path(name))
+        for fault in faults:
+            place = find(copy, fault)
+            by = noticed_in(copy, fault, place) if place else None
+            what = "gone" if place is None else "noticed" if by else "SURVIVED"
+            told[what] += 1
+            about = by or f"\n    - {fault.line}\n    + {fault.changed}"
+            print(f"{what:9} {fault.file} {fault.function}: {about}", flush=True)
+    print(told)
+    return 1 if told["noticed"] < LEAST_SHARE * (len(faults) - told["gone"]) else 0
 
 
 def find(project: Path, fault: Fault) -> Place | None:
@@ -130,9 +101,7 @@ def _functions(tree: ast.AST, prefix: str = "") -> Iterator[tuple[str, ast.Funct
 
 def copy_of_project(folder: Path) -> Path:
     """Copy the files that git knows, as they are now."""
-    listed = subprocess.run(
-        ["git", "ls-files", "-z"], cwd=PROJECT, check=True, capture_output=True, text=True
-    ).stdout
+    listed = subprocess.check_output(["git", "ls-files", "-z"], cwd=PROJECT, text=True)
     for name in listed.rstrip("\0").split("\0"):
         if (PROJECT / name).is_file():
             (folder / name).parent.mkdir(parents=True, exist_ok=True)
@@ -155,21 +124,13 @@ def run_tests(copy: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
     )
 
 
-def noticed_before(copy: Path, test: str) -> list[str]:
-    """Name the file of the test that noticed a fault, if it is still there."""
-    file = test.partition("::")[0]
-    return [file] if file and (copy / file).is_file() else []
-
-
-def noticed_in(copy: Path, fault: Fault) -> str | None:
+def noticed_in(copy: Path, fault: Fault, place: Place) -> str | None:
     """Plant a fault, and name the first test that fails with it and passes without it."""
-    place = find(copy, fault)
-    if place is None:
-        raise RuntimeError(f"{fault} is in the project and not in its copy")
     text = (copy / place.file).read_text("utf-8")
+    before = fault.by.partition("::")[0]
     failing: list[str] = []
-    for tests in filter(None, (noticed_before(copy, fault.by), WHOLE)):
-        while True:
+    for tests in ([before] if before and (copy / before).is_file() else [], WHOLE):
+        while tests:
             plant(copy, fault, place)
             done = run_tests(copy, "-x", *(f"--deselect={test}" for test in failing), *tests)
             (copy / place.file).write_text(text, "utf-8")

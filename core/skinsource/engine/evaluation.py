@@ -4,12 +4,14 @@ Results for one design are used for the next: each step of a sweep of one input 
 edit in the studio.
 """
 
+import tomllib
 from dataclasses import dataclass, replace
 from functools import cache
 from threading import Lock
 from typing import Any, NamedTuple
 
 from skinsource.base.arguments import checking
+from skinsource.base.assets import data_folder
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.work import Work
 from skinsource.design.design import Design, View
@@ -175,41 +177,6 @@ class Quantity(NamedTuple):
     about: str
 
 
-_LEVEL, _ACCELERATION, _ABOVE = "dB re 1 m/s²", "m/s²", "dB above threshold"
-_OUTPUTS, _MAP, _WINDOWS = "n_outputs", ("rows", "columns"), "n_windows"
-_SELECTED, _AXES, _TIMES, _BINS = "n_selected", "n_axes", "n_times", "n_bins"
-#: Unit and shape by name.
-_LISTED: dict[str, tuple[str, tuple[str, ...]]] = {
-    "output_levels_db": (_LEVEL, (_OUTPUTS,)),
-    "output_rms": (_ACCELERATION, (_OUTPUTS,)),
-    "record_rms": (_ACCELERATION, (_OUTPUTS,)),
-    "axis_levels_db": (_LEVEL, (_AXES, _OUTPUTS)),
-    "axis_record_rms": (_ACCELERATION, (_AXES, _OUTPUTS)),
-    "above_noise_db": ("dB", (_OUTPUTS,)),
-    "output_noise_rms": (_ACCELERATION, (_OUTPUTS,)),
-    "sensation_db": (_ABOVE, (_OUTPUTS,)),
-    "surface_levels_db": (_LEVEL, _MAP),
-    "surface_sensation_db": (_ABOVE, _MAP),
-    "axis_surface_levels_db": (_LEVEL, (_AXES, *_MAP)),
-    "selected_traces": (_ACCELERATION, (_SELECTED, _TIMES)),
-    "axis_traces": (_ACCELERATION, (_SELECTED, _AXES, _TIMES)),
-    "response_time_s": ("s", (_TIMES,)),
-    "selected_spectra": (_ACCELERATION, (_SELECTED, _BINS)),
-    "selected_axis_spectra": (_ACCELERATION, (_SELECTED, _AXES, _BINS)),
-    "selected_peak_spectra": (_ACCELERATION, (_SELECTED, _BINS)),
-    "selected_axis_peak_spectra": (_ACCELERATION, (_SELECTED, _AXES, _BINS)),
-    "rms_of_windows": (_ACCELERATION, (_WINDOWS, _OUTPUTS)),
-    "levels_of_windows_db": (_LEVEL, (_WINDOWS, _OUTPUTS)),
-    "noise_rms_of_windows": (_ACCELERATION, (_WINDOWS, _OUTPUTS)),
-    "surface_of_windows_db": (_LEVEL, (_WINDOWS, *_MAP)),
-    "sample_rate_hz": ("Hz", ()),
-    "stimulus_samples": ("", ()),
-    "response_samples": ("", ()),
-    "stimulus_start_s": ("s", ()),
-    "fastest_probe_m_per_s": ("m/s", ()),
-}
-
-
 def quantities() -> tuple[Quantity, ...]:
     """Return the quantities that `skinsource.evaluate` and `skinsource.result` compute.
 
@@ -226,7 +193,8 @@ def quantities() -> tuple[Quantity, ...]:
     record_rms m/s² ('n_outputs',)
     """
     rules = new_graph().rules
+    listed = tomllib.loads((data_folder() / "quantities.toml").read_text("utf-8"))
     return tuple(
-        Quantity(name, unit, shape, (rules[name].__doc__ or "").partition("\n")[0])
-        for name, (unit, shape) in _LISTED.items()
+        Quantity(name, unit, tuple(shape), (rules[name].__doc__ or "").partition("\n")[0])
+        for name, (unit, *shape) in listed.items()
     )

@@ -4,6 +4,7 @@ import hashlib
 import importlib
 import json
 import platform
+import shutil
 import zipfile
 from collections.abc import Callable
 from contextlib import suppress
@@ -12,6 +13,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from skinsource.actuators.rigs import Rig, save_rig
+from skinsource.base.assets import data_folder
 from skinsource.base.errors import MissingExtraError, SkinSourceError
 from skinsource.base.extras import package_of_extra
 from skinsource.base.files import replacing
@@ -92,18 +94,6 @@ def _kind_of(limb: str) -> str:
 _DATE = (1980, 1, 1, 0, 0, 0)
 _RATE_HZ = 48_000
 _FIGURES = ("svg", "pdf")
-_READ_ME = """What lies here
-
-design.skinsource      the design, as SkinSource studio opens it
-stimulus.wav, .json    what the actuators get, and what its numbers mean
-map.png, map.csv       the map of levels, as a picture and as numbers
-figure.svg, .pdf       the same map as lines, for a paper, where matplotlib is installed
-levels.csv             levels of all outputs
-traces.csv             acceleration of the selected outputs
-rig.skinrig            what was wired to what, where that was said
-citation.txt           what to cite
-about.json             versions, limb, digests of the data and of each of these files
-"""
 
 
 def pack(
@@ -167,7 +157,7 @@ def _writers(
     writers: dict[str, Callable[[Path], object]] = {
         "design.skinsource": lambda path: save_design(path, design, view),
         "citation.txt": lambda path: path.write_text(citation(design), "utf-8"),
-        "README.txt": lambda path: path.write_text(_READ_ME, "utf-8"),
+        "README.txt": partial(shutil.copyfile, data_folder() / "pack-read-me.txt"),
         **{name: partial(write, exported=exported) for name, write in tables.items()},
     }
     with suppress(MissingExtraError):

@@ -26,6 +26,7 @@ import scipy
 from numpy.typing import ArrayLike, NDArray
 
 from skinsource.base.arguments import checking, finite_array, one_of, positive_number
+from skinsource.base.assets import data_folder
 from skinsource.base.conventions import Floats
 from skinsource.base.decibels import decibels
 from skinsource.base.errors import InvalidInputError, quoted
@@ -55,29 +56,6 @@ INK, DIM = "#222222", "#666666"
 COLOURS = ("#0072B2", "#D55E00", "#000000", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 SYNTHETIC = "SYNTHETIC LIMB: computed responses, not measured ones"
 
-_STYLE = {
-    "axes.edgecolor": INK,
-    "axes.labelcolor": INK,
-    "axes.linewidth": 0.6,
-    "axes.spines.right": False,
-    "axes.spines.top": False,
-    "axes.titlesize": 8.0,
-    "figure.dpi": 110.0,
-    "font.family": "DejaVu Sans",
-    "font.size": 7.0,
-    "legend.frameon": False,
-    "lines.linewidth": 0.8,
-    # Text stays text, and nothing random enters the file.
-    "pdf.fonttype": 42,
-    "svg.fonttype": "none",
-    "svg.hashsalt": "skinsource",
-    "text.color": INK,
-    "xtick.color": INK,
-    "ytick.color": INK,
-    "xtick.major.width": 0.6,
-    "ytick.major.width": 0.6,
-}
-
 
 def module(name: str) -> Any:
     """Import matplotlib, or a module of it.
@@ -93,7 +71,8 @@ def module(name: str) -> Any:
 @contextmanager
 def style() -> Iterator[None]:
     """Draw or save in the common style of this package."""
-    with module("matplotlib").rc_context(_STYLE):
+    library, path = module("matplotlib"), data_folder() / "figures.mplstyle"
+    with library.rc_context(library.rc_params_from_file(path, use_default_template=False)):
         yield
 
 

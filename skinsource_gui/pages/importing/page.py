@@ -53,6 +53,7 @@ from skinsource_gui.plots.preview import SpectrumPreview
 from skinsource_gui.plots.ranges import Range, XAxis, wave_of
 from skinsource_gui.qt.buttons import Answer, answers, page_label, progress_bar
 from skinsource_gui.qt.layouts import form_of, in_column, in_row, named
+from skinsource_gui.qt.resources import choice_of
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular, translucent
 from skinsource_gui.state.worker import Worker, fault_text
 
@@ -79,11 +80,7 @@ _UNIT = ChoiceSpec(
     options=tuple((name, unit.title) for name, unit in UNITS.items()),
     hint="Velocities and displacements become accelerations, from 25 Hz on",
 )
-_SCALE = ChoiceSpec(
-    label="Size",
-    options=(("peak", "Scale to a peak of 1"), ("keep", "Unchanged")),
-    hint="Units of motion become m/s²",
-)
+_SCALE = choice_of("recording_size")
 _RATE = NumberSpec(
     label="Sample rate",
     unit="Hz",

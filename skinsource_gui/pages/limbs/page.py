@@ -19,7 +19,6 @@ from skinsource.limbs.limb import LimbFacts
 from skinsource.limbs.limb_import import Points, import_limb, read_description, read_points
 from skinsource.limbs.limb_layout import POINT_FIELDS, export_limb
 from skinsource.limbs.own_limbs import facts_of, mirror_limb, own_limb_names, remove_limb
-from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.limbs import photograph
 from skinsource_gui.pages.limbs.form import Draft, LimbForm, PlacesCanvas
@@ -27,6 +26,7 @@ from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.questions import ask_open, ask_yes
+from skinsource_gui.qt.resources import choice_of
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.job_runner import JobProgress, JobRunner, PageJobs
 from skinsource_gui.state.preferences import InstalledLimbs
@@ -70,16 +70,7 @@ TITLE = "Own limbs"
 IMPORTING = "Importing a limb"
 
 
-_CLICKS = ChoiceSpec(
-    label="Next click",
-    options=(
-        ("inputs", "the next input"),
-        ("outputs", "the next output"),
-        ("outline", "a corner of the outline"),
-        ("hand", "an end of the hand's length"),
-    ),
-    hint="Point that a click on the photograph sets",
-)
+_CLICKS = choice_of("photograph_click")
 _KINDS = {
     "responses": "Responses (*.h5 *.hdf5 *.mat *.npy *.npz);;All files (*)",
     "outline": "Outlines (*.svg *.csv *.tsv *.txt);;All files (*)",

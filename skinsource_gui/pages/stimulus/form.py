@@ -32,6 +32,7 @@ from skinsource_gui.fields.rig_field import RigField
 from skinsource_gui.panels.output.panel import EQUALISER, OF_EQUALISER, fields_of, with_field
 from skinsource_gui.qt.buttons import page_label, tool_button
 from skinsource_gui.qt.layouts import form_of, named, tooltip
+from skinsource_gui.qt.resources import choice_of
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -69,15 +70,7 @@ RATE = ChoiceSpec(
 OTHER_RATE = NumberSpec(
     label="Other rate", unit="Hz", minimum=100, maximum=768_000, step=100, whole=True
 )
-CHANNELS = ChoiceSpec(
-    label="Channels",
-    options=(
-        ("place", "One for each place"),
-        ("input", "One for each track"),
-        ("files", "One file for each track"),
-    ),
-    hint="Tracks at one place add up unless they have own channels",
-)
+CHANNELS = choice_of("channels")
 LEAD_IN = NumberSpec(
     label="Lead-in",
     unit="s",
@@ -87,11 +80,7 @@ LEAD_IN = NumberSpec(
     hint="Silence before the stimulus, in which it may ring",
 )
 TAIL = replace(LEAD_IN, label="Tail", hint="Silence after the stimulus, in which it may ring")
-SCALE = ChoiceSpec(
-    label="Full scale",
-    options=(("largest", "Largest sample"), ("own", "A drive of…")),
-    hint="Drive at full scale; one value for several files keeps ratios",
-)
+SCALE = choice_of("full_scale")
 #: Longest fade.
 LONGEST_FADE_S = 10.0
 

@@ -5,31 +5,13 @@ from dataclasses import dataclass
 from skinsource.design.comparing import MOST_SIDE_BY_SIDE, related_limbs
 from skinsource.specs import fields
 from skinsource.specs.numbers import ListSpec, NumberSpec
-from skinsource.specs.spec import ChoiceSpec, SwitchSpec, TextSpec
+from skinsource.specs.spec import SwitchSpec, TextSpec
+from skinsource_gui.qt.resources import choice_of
 
 #: Shown in slow motion.
 MOTION = "motion"
-OF = ChoiceSpec(
-    label="Compared",
-    options=(
-        ("snapshots", "Snapshots"),
-        ("limbs", "Limbs"),
-        ("axes", "Axes"),
-        ("frequencies", "Frequencies"),
-        ("windows", "Time windows"),
-    ),
-    hint="Snapshots, or this design on several limbs, axes, frequencies or windows",
-)
-SHOWN = ChoiceSpec(
-    label="Shown",
-    options=(
-        ("levels", "Levels"),
-        ("difference", "Difference"),
-        ("mean", "Mean, spread"),
-        (MOTION, "Motion"),
-    ),
-    hint="Levels of each, differences, mean and standard deviation, or motion",
-)
+OF = choice_of("compared")
+SHOWN = choice_of("shown_of_compared")
 OWN_MAXIMUM = SwitchSpec(label="Own maximum", hint="Draw each map relative to its loudest output")
 LIMBS = TextSpec(label="Limbs", longest=200, one_line=True)
 FREQUENCIES = ListSpec(

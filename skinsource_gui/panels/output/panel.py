@@ -60,6 +60,7 @@ from skinsource_gui.qt.buttons import page_button, page_label, scrolled, show_or
 from skinsource_gui.qt.fitting import fit_to_letters
 from skinsource_gui.qt.labels import FittingLabel
 from skinsource_gui.qt.layouts import in_column, in_row, named, show_tooltip
+from skinsource_gui.qt.resources import choice_of
 from skinsource_gui.qt.theme import UNIT_PX, set_tone, tabular
 from skinsource_gui.state.panel import Panel
 from skinsource_gui.state.playing import Played
@@ -332,15 +333,7 @@ class OutputRows(QtWidgets.QWidget):
 
 _NONE, _OWN = "none", "own"
 #: Equalisers by the names of their classes.
-EQUALISER = ChoiceSpec(
-    label="Equaliser",
-    options=(
-        ("RegularisedInverse", "Regularised inverse"),
-        ("PolePairReplacement", "Pole-pair replacement"),
-        ("NoneType", "None"),
-    ),
-    hint="Filter that makes the actuator follow the design",
-)
+EQUALISER = choice_of("equaliser")
 #: Fields of equalisers; of a pole pair the rest follows from the actuator.
 OF_EQUALISER = ("boost_db", "phase", "new_quality")
 

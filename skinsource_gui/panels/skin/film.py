@@ -32,7 +32,7 @@ from skinsource_gui.panels.skin.content import (
     needs_of,
     signals_name,
 )
-from skinsource_gui.panels.skin.layout import ALL, HAND, VisiblePart
+from skinsource_gui.panels.skin.layout import ALL, VisiblePart
 from skinsource_gui.panels.skin.picture import Heading, heading_of, paint_picture
 from skinsource_gui.panels.skin.settings import (
     MAGNITUDE,
@@ -54,8 +54,8 @@ from skinsource_gui.plots.pictures import (
     caption_of,
     with_caption,
 )
+from skinsource_gui.qt.resources import choice_of
 from skinsource_gui.qt.theme import Theme, letter_by_letter
-from skinsource_gui.qt.wheel import WHOLE
 
 #: The most pixels on a side that encoders take.
 MOST_PX = 4096
@@ -142,16 +142,8 @@ KIND = ChoiceSpec(
     options=tuple((ending, title) for title, ending in KINDS),
     hint="MP4 plays nearly everywhere; GIF is larger, at 50 frames per second",
 )
-SHOWN = ChoiceSpec(
-    label="Shown",
-    options=((Z, "Along z"), (MAGNITUDE, "Magnitude"), (RMS, "Sliding RMS")),
-    hint="Signed z acceleration, length of the vector, or sliding RMS",
-)
-PART = ChoiceSpec(
-    label="Part",
-    options=((ON_SCREEN, "As on screen"), (HAND, "Hand"), (WHOLE, "Hand and arm")),
-    hint="Part of the map to film",
-)
+SHOWN = choice_of("filmed")
+PART = choice_of("filmed_part")
 PACE = replace(PLAY_PACE, hint="Speed of the film, relative to real time")
 
 

@@ -13,6 +13,7 @@ from skinsource.specs.numbers import NumberSpec, Range, RangeSpec
 from skinsource.specs.spec import ChoiceSpec, SwitchSpec
 from skinsource_gui.fields.units import level_text, minus
 from skinsource_gui.plots.small_map import MAP_RANGE, LevelStyle
+from skinsource_gui.qt.resources import choice_of
 
 #: Levels; acceleration along z, with its sign; its magnitude; its RMS over a sliding window.
 LEVELS, Z, MAGNITUDE, RMS = "levels", "z", "magnitude", "rms"
@@ -119,17 +120,7 @@ def time_text(time_s: float) -> str:
 
 #: Name of the panel, under which a view keeps its settings.
 SKIN = "skin"
-QUANTITY = ChoiceSpec(
-    label="Shown",
-    options=(
-        (LEVELS, "RMS"),
-        (SENSATION, "Sensation level"),
-        (Z, "Animation: z acceleration"),
-        (MAGNITUDE, "Animation: magnitude"),
-        (RMS, "Animation: sliding RMS"),
-    ),
-    hint="RMS level, sensation level, or acceleration at the playhead",
-)
+QUANTITY = choice_of("quantity")
 RMS_WINDOW = NumberSpec(
     label="Window",
     unit="s",

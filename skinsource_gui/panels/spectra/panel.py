@@ -19,17 +19,14 @@ from skinsource.signals.loudest_window import HOLD_WINDOW_S, LOUDEST_WINDOW_S, S
 from skinsource.signals.spectra import MEAN_OF_BINS, mean_of_bins
 from skinsource.specs import fields
 from skinsource.specs.numbers import Range, RangeSpec
-from skinsource.specs.spec import ChoiceSpec, SwitchSpec
+from skinsource.specs.spec import SwitchSpec
 from skinsource_gui.panels.signal_panel import SignalPanel
 from skinsource_gui.plots.curves import LEVEL_TEXT, Curves, Measured, output_names
 from skinsource_gui.plots.ranges import Kind, XAxis, significant
 from skinsource_gui.plots.signal_view import DESCRIPTION_QUANTITIES, heading_of, lazy_lines
+from skinsource_gui.qt.resources import choice_of
 
-LAYOUT = ChoiceSpec(
-    label="Layout",
-    options=(("overlaid", "Overlaid"), ("stacked", "Stacked"), ("axes", "Axes")),
-    hint="All curves over each other, or each in its own row",
-)
+LAYOUT = choice_of("layout_of_spectra")
 AXES_HINT = "Each output in its own row, a curve for each axis"
 LOG_FREQUENCY = SwitchSpec(label="Log frequency", hint="Logarithmic frequency axis")
 LOG_MAGNITUDE = SwitchSpec(label="dB", hint="Logarithmic magnitude")

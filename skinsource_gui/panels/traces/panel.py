@@ -18,19 +18,16 @@ from skinsource.signals.analysis.intervals import interval_of
 from skinsource.signals.resampling import finer
 from skinsource.specs import fields
 from skinsource.specs.numbers import Range, RangeSpec
-from skinsource.specs.spec import ChoiceSpec, SwitchSpec
+from skinsource.specs.spec import SwitchSpec
 from skinsource_gui.fields.units import axis_unit
 from skinsource_gui.panels.signal_panel import SignalPanel
 from skinsource_gui.plots.curves import Curves, Measured, output_names
 from skinsource_gui.plots.plot import moved_playhead
 from skinsource_gui.plots.ranges import BEFORE_S, Wave, XAxis, significant
 from skinsource_gui.plots.signal_view import DESCRIPTION_QUANTITIES, heading_of, lazy_lines
+from skinsource_gui.qt.resources import choice_of
 
-LAYOUT = ChoiceSpec(
-    label="Layout",
-    options=(("overlaid", "Overlaid"), ("stacked", "Stacked")),
-    hint="All curves over each other, or each in its own row",
-)
+LAYOUT = choice_of("layout_of_traces")
 RELATIVE = SwitchSpec(
     label="Each to its peak",
     hint="Draw each curve relative to its own peak, to compare shapes",

@@ -123,18 +123,6 @@ def test_layouts_of_csv_are_those_that_generators_read(design, tmp_path):
         lines("pwl")
 
 
-def test_npz_reads_back_as_the_same_bits(design, expected, tmp_path):
-    path = tmp_path / "a.npz"
-    ss.export_stimulus(design, path)
-    with np.load(path, allow_pickle=False) as read:
-        np.testing.assert_allclose(read["drive"], expected(design), rtol=0, atol=2e-16)
-        assert read["sample_rate_hz"] == 1300.0
-        assert read["places"].tolist() == [7, 12]
-        assert json.loads(str(read["about"]))["unit"] == "m/s²"
-        scaled = read["drive"] * read["full_scale"]
-    np.testing.assert_allclose(scaled, ss.stimulus_of(design).samples.T, rtol=1e-15, atol=0)
-
-
 def test_mat_holds_the_drive_at_its_top(design, expected, tmp_path):
     path = tmp_path / "a.mat"
     ss.export_stimulus(design, path, format="mat", rate_hz=8000)

@@ -9,11 +9,10 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from skinsource.base.errors import SkinSourceError
 from skinsource.limbs import limb_import as importing_module
 from skinsource.limbs.limb_import import LimbSource, PreparedLimb, prepare_limb
 from skinsource.readers.reading_process import ReadingProcess
-from tests.core.recordings.mutants import Tally, mutant
+from tests.core.recordings.mutants import Tally, mutants, try_each
 
 _LONGEST = 600
 
@@ -45,34 +44,23 @@ def read_layout(path: Path, process: ReadingProcess) -> tuple[PreparedLimb, np.n
 def try_layout(
     whole: Path, count: int, random_seed: int, folder: Path, process: ReadingProcess
 ) -> Tally:
-    """Import ``count`` mutants of a file in the layout; whatever else is raised is raised."""
-    rng = np.random.default_rng([random_seed, 0])
-    seed, path, tally = whole.read_bytes(), folder / "mutant.h5", Tally()
-    for number in range(count):
-        path.write_bytes(mutant(seed, rng))
-        try:
-            prepared, read = read_layout(path, process)
-        except SkinSourceError as error:
-            _refused(tally, number, error)
-            continue
-        tally.outcomes["read"] += 1
+    """Import ``count`` mutants of a file in the layout."""
+    path = folder / "mutant.h5"
+
+    def misread_in() -> str:
+        prepared, read = read_layout(path, process)
         with h5py.File(path) as file:
             there = np.asarray(file["responses"][()], np.float64)
             axes = file.attrs["axes"]
-        if not np.array_equal(read, there, equal_nan=True):
-            tally.wrong.append(f"layout {number}: other responses than HDF5 reads")
         if prepared.limb.axes != str(axes):
-            tally.wrong.append(f"layout {number}: along {prepared.limb.axes}")
-    return tally
+            return f"along {prepared.limb.axes}"
+        same = np.array_equal(read, there, equal_nan=True)
+        return "" if same else "other responses than HDF5 reads"
+
+    damaged = mutants(whole.read_bytes(), count, (random_seed, 0))
+    return try_each("layout", damaged, path, misread_in, _is_clear)
 
 
-def _refused(tally: Tally, number: int, error: SkinSourceError) -> None:
-    message = str(error)
-    tally.note_refused(message)
-    if (
-        "mutant" not in message
-        or "\n" in message
-        or len(message) >= _LONGEST
-        or "Traceback" in message
-    ):
-        tally.wrong.append(f"{number}: unclear: {message}")
+def _is_clear(message: str) -> bool:
+    named = "mutant" in message and "Traceback" not in message
+    return named and "\n" not in message and len(message) < _LONGEST

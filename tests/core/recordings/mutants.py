@@ -7,12 +7,13 @@ import ast
 import re
 import struct
 from collections import Counter
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
 
-from skinsource.base.errors import RecordingError
+from skinsource.base.errors import SkinSourceError
 from skinsource.readers import limits
 from skinsource.readers.reader import Found
 from skinsource.readers.reading_process import ReadingProcess
@@ -31,11 +32,6 @@ class Tally:
     outcomes: Counter = field(default_factory=Counter)
     wrong: list[str] = field(default_factory=list)
 
-    def note_refused(self, message: str) -> None:
-        """Count a mutant that was refused, and whether its process was lost."""
-        lost = any(part in message for part in _CRASHED)
-        self.outcomes["process lost" if lost else "refused"] += 1
-
 
 def seed_of(file_format: str, folder: Path) -> bytes:
     """A small file of that format."""
@@ -47,7 +43,12 @@ def seed_of(file_format: str, folder: Path) -> bytes:
     return path.read_bytes()
 
 
-def mutant(seed: bytes, rng: np.random.Generator) -> bytes:
+def mutants(seed: bytes, count: int, random_seeds: tuple[int, ...]) -> Iterator[bytes]:
+    rng = np.random.default_rng(random_seeds)
+    return (_mutant(seed, rng) for _ in range(count))
+
+
+def _mutant(seed: bytes, rng: np.random.Generator) -> bytes:
     """``seed`` with some damage, more often near its beginning."""
     content = bytearray(seed)
     for _ in range(int(rng.integers(1, 4))):
@@ -74,30 +75,51 @@ def mutant(seed: bytes, rng: np.random.Generator) -> bytes:
     return bytes(content)
 
 
+def try_each(
+    kind: str,
+    contents: Iterable[bytes],
+    path: Path,
+    misread_in: Callable[[], str],
+    is_clear: Callable[[str], bool],
+) -> Tally:
+    """Write and read each; an error that is no SkinSourceError is raised.
+
+    ``misread_in`` reads the file and says what was misread, empty if nothing was.
+    """
+    tally = Tally()
+    for number, content in enumerate(contents):
+        path.write_bytes(content)
+        try:
+            misread = misread_in()
+        except SkinSourceError as error:
+            message = str(error)
+            lost = any(part in message for part in _CRASHED)
+            tally.outcomes["process lost" if lost else "refused"] += 1
+            misread = "" if is_clear(message) else f"unclear: {message}"
+        else:
+            tally.outcomes["read"] += 1
+        if misread:
+            tally.wrong.append(f"{kind} {number}: {misread}")
+    return tally
+
+
 def try_mutants(
     file_format: str, count: int, random_seed: int, folder: Path, process: ReadingProcess
 ) -> Tally:
-    """Read ``count`` mutants of a format; whatever else is raised than it should be is raised."""
-    rng = np.random.default_rng([random_seed, FORMATS.index(file_format)])
-    seed, tally = seed_of(file_format, folder), Tally()
-    path = folder / "mutant"
-    for number in range(count):
-        content = mutant(seed, rng)
-        path.write_bytes(content)
-        try:
-            recording = process.look(path)
-            read = _read(path, recording, process)
-        except RecordingError as error:
-            message = str(error)
-            tally.note_refused(message)
-            if not _SENTENCE.fullmatch(message) or "Traceback" in message:
-                tally.wrong.append(f"{file_format} {number}: unclear: {message}")
-            continue
-        tally.outcomes["read"] += 1
-        reason = _wrong(content, recording, read)
-        if reason:
-            tally.wrong.append(f"{file_format} {number}: {reason}")
-    return tally
+    """Read ``count`` mutants of a recording in a format."""
+    seed, path = seed_of(file_format, folder), folder / "mutant"
+
+    def misread_in() -> str:
+        recording = process.look(path)
+        return _wrong(path.read_bytes(), recording, _read(path, recording, process))
+
+    return try_each(
+        file_format,
+        mutants(seed, count, (random_seed, FORMATS.index(file_format))),
+        path,
+        misread_in,
+        lambda message: bool(_SENTENCE.fullmatch(message)) and "Traceback" not in message,
+    )
 
 
 def _read(path: Path, recording: Found, process: ReadingProcess) -> list[np.ndarray]:

@@ -49,10 +49,6 @@ def shown(window, name, qtbot):
     return panel
 
 
-def judged(window):
-    return evaluate(window.document.design, "validity", view=window.document.view)["validity"]
-
-
 def test_each_panel_of_analysis_says_what_the_limb_says(window, qtbot):
     one_axis = window.document.view.axes == "x"
     panels = {name: shown(window, name, qtbot) for name in PANELS}
@@ -68,7 +64,8 @@ def test_each_panel_of_analysis_says_what_the_limb_says(window, qtbot):
     # A lab does not say in which band it measured: nothing is shaded, all frequencies count.
     assert transfer.picture.content.transfer.band_hz is None
     assert "from 0 to 2000 Hz" in transfer.note_label.whole
-    assert {finding.name: finding.state for finding in judged(window)}["band"] == "unknown"
+    judged = evaluate(window.document.design, "validity", view=window.document.view)["validity"]
+    assert {finding.name: finding.state for finding in judged}["band"] == "unknown"
     assert float(transfer.table_text().splitlines()[-1].split("\t")[0]) == pytest.approx(
         2000.0, abs=25
     )

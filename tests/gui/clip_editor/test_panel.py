@@ -105,14 +105,6 @@ def curve(bench, column):
     return curve_of(bench.clip.waveform.points, column)
 
 
-def same(first, other):
-    np.testing.assert_allclose(np.array(first), np.array(other), rtol=0, atol=1e-12)
-
-
-def click(bench, at):
-    QTest.mouseClick(bench.canvas.viewport(), LEFT, pos=whole(at))
-
-
 def test_a_point_of_the_amplitude_is_dragged_and_goes_no_higher_than_one(glide):
     frequency = curve(glide, "frequency")
     glide.drag_px(glide.at(0.4, 0.9), glide.at(0.4, 1.5))
@@ -128,7 +120,8 @@ def test_a_point_of_the_amplitude_is_dragged_and_goes_no_higher_than_one(glide):
 
 def test_a_click_on_a_line_adds_a_point_that_bends_nothing_and_stays(glide):
     before = glide.drawn
-    click(glide, frequency_at(glide, 0.1, 200.0))
+    at = whole(frequency_at(glide, 0.1, 200.0))
+    QTest.mouseClick(glide.canvas.viewport(), LEFT, pos=at)
     tool = glide.panel._glide.tool.tools["frequency"]
     assert len(tool._points()) == 4
     np.testing.assert_allclose(glide.drawn, before, atol=1e-9)
@@ -142,7 +135,7 @@ def test_escape_gives_a_drag_up(glide):
     glide.drag_px(start, frequency_at(glide, 0.25, 400.0), release=False)
     assert glide.clip != before
     glide.key(Qt.Key.Key_Escape)
-    same(glide.clip.waveform.points, POINTS)
+    np.testing.assert_allclose(glide.clip.waveform.points, POINTS, rtol=0, atol=1e-12)
     QTest.mouseRelease(glide.canvas.viewport(), LEFT)
     # The last point moves the end.
     glide.drag_px(frequency_at(glide, 0.4, 300.0), frequency_at(glide, 0.3, 300.0))

@@ -1,7 +1,5 @@
 """The matching page: keys, what is heard, what is stored, and what is said where nothing is."""
 
-import csv
-
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -9,6 +7,7 @@ from PySide6.QtWidgets import QPushButton
 
 from skinsource.actuators.prediction import Limits
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
+from tests.core.matching.test_matching import rows_of
 from tests.core.playing.synthetic_sound import SyntheticSoundLibrary, use
 
 
@@ -49,24 +48,15 @@ def begin(page, qtbot, name="begin"):
     qtbot.waitUntil(lambda: page.player.now is not None, timeout=20_000)
 
 
-def key(page, which):
-    QTest.keyClick(page, which)
-
-
-def rows_in(path):
-    with path.open(newline="") as file:
-        return list(csv.DictReader(file))
-
-
 def test_arrow_keys_and_enter_make_a_row(sound, page, qtbot, tmp_path):
     begin(page, qtbot)
     first, start_db = page.run.trial, page.run.level_db
-    key(page, Qt.Key.Key_Up)
-    key(page, Qt.Key.Key_Up)
-    key(page, Qt.Key.Key_Down)
+    QTest.keyClick(page, Qt.Key.Key_Up)
+    QTest.keyClick(page, Qt.Key.Key_Up)
+    QTest.keyClick(page, Qt.Key.Key_Down)
     assert page.run.level_db == pytest.approx(start_db + 1.0)
-    key(page, Qt.Key.Key_Return)
-    (row,) = rows_in(tmp_path / "matches.csv")
+    QTest.keyClick(page, Qt.Key.Key_Return)
+    (row,) = rows_of(tmp_path / "matches.csv")
     assert (row["person"], float(row["frequency_hz"])) == ("Anna", first.frequency_hz)
     assert float(row["matched_db"]) == pytest.approx(start_db + 1.0)
     assert page.run.done == 1
@@ -83,7 +73,7 @@ def test_nothing_is_played_before_it_is_armed_and_disarming_stops_at_once(sound,
     stream = page.player.now.stream
     press(page, "arm")
     assert stream.queue.panic
-    key(page, Qt.Key.Key_Space)
+    QTest.keyClick(page, Qt.Key.Key_Space)
     assert not page.player.playing
     assert "Arm" in page.view.note.text()
 
@@ -104,18 +94,18 @@ def test_esc_stops_at_once_and_a_second_in_a_hurry_closes_nothing(sound, page, q
     monkeypatch.setattr("skinsource_gui.pages.matching._HURRY_S", 60.0)  # also for a busy machine
     begin(page, qtbot)
     stream = page.player.now.stream
-    key(page, Qt.Key.Key_Escape)
+    QTest.keyClick(page, Qt.Key.Key_Escape)
     assert not page.player.playing
     assert stream.queue.panic
-    key(page, Qt.Key.Key_Escape)
+    QTest.keyClick(page, Qt.Key.Key_Escape)
     assert page.isVisible()
     level_db, trial = page.run.level_db, page.run.trial
     for which in (Qt.Key.Key_Up, Qt.Key.Key_Return):
-        key(page, which)
+        QTest.keyClick(page, which)
     assert (page.run.level_db, page.run.trial) == (level_db, trial)
-    key(page, Qt.Key.Key_Space)
+    QTest.keyClick(page, Qt.Key.Key_Space)
     qtbot.waitUntil(lambda: page.player.now is not None, timeout=20_000)
-    key(page, Qt.Key.Key_Up)
+    QTest.keyClick(page, Qt.Key.Key_Up)
     assert page.run.level_db == pytest.approx(level_db + 1.0)
 
 
@@ -123,7 +113,7 @@ def test_without_a_device_it_is_a_rehearsal_and_nothing_is_stored(no_sound, page
     begin(page, qtbot)
     assert "Nothing is heard" in page.view.note.text()
     assert "nothing is stored" in page.view.note.text()
-    key(page, Qt.Key.Key_Return)
+    QTest.keyClick(page, Qt.Key.Key_Return)
     assert page.run.done == 1
     assert not (tmp_path / "matches.csv").exists()
 
@@ -151,7 +141,7 @@ def test_a_table_that_cannot_be_written_stops_and_keeps_the_trial(sound, page, q
     page.form.table.setText(str(tmp_path / "nowhere" / "matches.csv"))
     begin(page, qtbot)
     trial = page.run.trial
-    key(page, Qt.Key.Key_Return)
+    QTest.keyClick(page, Qt.Key.Key_Return)
     assert page.run.trial == trial
     assert "nowhere" in page.view.note.text()
     assert not page.player.playing

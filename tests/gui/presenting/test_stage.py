@@ -238,10 +238,15 @@ def test_a_design_says_what_is_turned_also_one_of_before(stage, control, turned)
     assert [name for name, value in zip(was, now, strict=True) if value != was[name]] == [turned]
 
 
-def test_the_names_of_curves_are_as_long_as_there_is_room(stage, qtbot):
+def shown_at(stage, *size):
     window = stage.window()
     window.showNormal()
-    window.resize(1280, 720)
+    window.resize(*size)
+    return window
+
+
+def test_the_names_of_curves_are_as_long_as_there_is_room(stage, qtbot):
+    window = shown_at(stage, 1280, 720)
     complete(stage, qtbot, 1)
     strip, few = stage.strip, (29,)
     for outputs in (few, (20, 24, 28, 52, 57, 62, 72)):
@@ -307,10 +312,8 @@ def test_time_windows_are_levels_whatever_moves(stage, qtbot):
     ("compared", "scale"), [(False, 1.0), (True, 1.0), (True, 1.4), (False, 1.8)]
 )
 def test_all_of_it_is_in_sight_with_large_words(stage, qtbot, screen, compared, scale):
-    window = stage.window()
-    window.appearance._scale_text(scale)
-    window.showNormal()
-    window.resize(*screen)
+    stage.window().appearance._scale_text(scale)
+    window = shown_at(stage, *screen)
     show(window, StageSettings(compared=compared), of="limbs")
     complete(stage, qtbot, 4 if compared else 1)
     qtbot.waitUntil(lambda: window.workspaces.settled and stage.width() > 0.9 * screen[0])
@@ -363,24 +366,6 @@ def test_the_time_axis_shows_all_of_a_motion_that_no_longer_loops(stage, qtbot):
     tick(stage)
     assert stage.strip.marked is not None
     assert stage.strip._words[2] == f"window {1e3 * loop.duration_s:.3g} ms"
-
-
-def test_keys_of_the_stage_work_in_the_window_too(stage, qtbot):
-    window = stage.window()
-    show(window, of="frequencies")
-    complete(stage, qtbot, 1)
-    assert stage.clock._timer.isActive()
-    window.do("present")
-    assert not stage.clock._timer.isActive()
-    window.do("arrange_presentation")
-    stage.setFocus()
-    QTest.keyClick(stage.knob.dial, Qt.Key.Key_Space)
-    assert stage.clock.held
-    QTest.keyClick(stage.knob.dial, Qt.Key.Key_L)
-    assert not stage.moves
-    QTest.keyClick(stage.knob.dial, Qt.Key.Key_C)
-    complete(stage, qtbot, 4)
-    assert stage.switch.isChecked()
 
 
 @pytest.mark.parametrize("moves", [True, False])
@@ -612,9 +597,7 @@ def test_a_key_and_a_switch_show_arms_of_one_map_and_of_several(stage, qtbot, mo
 
 @pytest.mark.parametrize("name", ["5B", "2A", "2F"])
 def test_whole_sentences_of_scenes_grow_with_the_letters(stage, qtbot, name):
-    window = stage.window()
-    window.showNormal()
-    window.resize(1280, 720)
+    window = shown_at(stage, 1280, 720)
     opened = ss.scenes.open_scene(name, available=("synthetic-1",))
     window.document.start_over(opened.design, opened.view, None)
     said = opened.design.notes.partition("\n")[0]
@@ -632,9 +615,7 @@ def test_whole_sentences_of_scenes_grow_with_the_letters(stage, qtbot, name):
 
 @pytest.mark.parametrize("screen", [(1280, 720), (1920, 1080)])
 def test_maps_keep_their_part_of_the_height_however_large_and_long_the_words(stage, qtbot, screen):
-    window = stage.window()
-    window.showNormal()
-    window.resize(*screen)
+    window = shown_at(stage, *screen)
     for _ in range(3):
         window.do("enlarge_text")
     long = f"{SENTENCE[:-1]} and {'then turn it to another one, ' * 30}again."
@@ -659,9 +640,7 @@ def test_maps_keep_their_part_of_the_height_however_large_and_long_the_words(sta
 
 
 def test_the_largest_letters_fit_whichever_scene_was_before(stage, qtbot):
-    window, letters = stage.window(), []
-    window.showNormal()
-    window.resize(1280, 720)
+    window, letters = shown_at(stage, 1280, 720), []
     for _ in range(6):
         window.do("enlarge_text")
     for name in ("2D", "4A", "4B", "4A"):
@@ -742,9 +721,7 @@ def test_a_film_of_frequencies_says_what_the_tones_are_and_when_it_is(stage, qtb
 
 
 def test_the_warning_stays_on_one_line_above_several_maps(stage, qtbot):
-    window = stage.window()
-    window.showNormal()
-    window.resize(1920, 1080)
+    shown_at(stage, 1920, 1080)
     side_by_side(stage, qtbot, 4, of="limbs")
     stage.show_caution("⚠ Outside the measured band, 2 more")
     stage.layout().activate()

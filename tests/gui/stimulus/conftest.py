@@ -22,13 +22,10 @@ def design():
     )
 
 
-def selected(design):
-    return View(selected_inputs=(2,), selected_clips=(design.inputs[1].clips[0].id,))
-
-
 @pytest.fixture
 def desk(make_desk, design):
-    return make_desk(design, selected(design))
+    selected = View(selected_inputs=(2,), selected_clips=(design.inputs[1].clips[0].id,))
+    return make_desk(design, selected)
 
 
 def opened(desk, qtbot, kind="stimulus"):

@@ -26,6 +26,7 @@ from skinsource.engine import stimulus
 from skinsource.export.stimulus_export import preparing, sidecar
 from skinsource_gui.pages.stimulus import page as preparing_worker
 from skinsource_gui.qt.theme import current_theme
+from tests.core.sweeps.test_stimulus_set import content_of
 from tests.gui.stimulus.conftest import opened
 from tests.gui.stimulus.stimulus_bench import WAIT_MS, choose, export, label
 
@@ -231,10 +232,6 @@ def type_in(part, editor, text, end=Qt.Key.Key_Tab):
 def levels_of(part, qtbot):
     qtbot.waitUntil(lambda: part.planned is not None and not part._worker.busy, timeout=WAIT_MS)
     return [round(condition.level_db, 3) for condition in part.planned.conditions]
-
-
-def content_of(folder):
-    return {path.name: path.read_bytes() for path in folder.iterdir()}
 
 
 def test_the_window_writes_as_commands_do(part, desk, design, qtbot, save_as, tmp_path, capsys):

@@ -7,6 +7,7 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
+from skinsource.base.assets import data_folder
 from skinsource.base.errors import InvalidInputError, counted, sentence
 from skinsource.base.job import stop_if
 from skinsource.export.formats.format import SAMPLES, Choices, Facts, StimulusFile, StimulusFormat
@@ -89,20 +90,6 @@ class Csv(StimulusFormat):
 BYTES = {"int8_t": 1, "uint8_t": 1, "int16_t": 2, "uint16_t": 2}
 _PER_LINE = 12
 _C_TEXT_BLOCK = _PER_LINE * 1024
-_MACROS = """#include <stdint.h>
-
-#ifdef __AVR__
-#include <avr/pgmspace.h>
-#endif
-#ifndef PROGMEM
-#define PROGMEM
-#endif
-#ifdef __GNUC__
-#define STIM_UNUSED __attribute__((unused))
-#else
-#define STIM_UNUSED
-#endif
-"""
 
 
 def write_header(
@@ -139,7 +126,7 @@ def write_header(
         f"#ifndef {guard}",
         f"#define {guard}",
         "",
-        _MACROS,
+        (data_folder() / "header-macros.h").read_text("utf-8"),
         *(f"#define {name} {value}" for name, value in defines.items()),
         f"#define STIM_N {n_times}UL",
         f"#define STIM_CH {n_channels}",
