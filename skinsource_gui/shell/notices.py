@@ -113,7 +113,6 @@ class Notice(QObject):
         self._label.setText(text)
         set_tone(self.card, kind)
         self.card.show()
-        self.card.raise_()
         self._place()
         self._let_pass(_LEAST_MS + _LETTER_MS * len(text) if passes else None)
 
@@ -201,6 +200,8 @@ class Notice(QObject):
                 if bar_place.intersects(place):
                     place.moveBottom(bar_place.top() - UNIT_PX)
         self.card.setGeometry(place)
+        # Panels that are docked later would lie over it.
+        self.card.raise_()
 
 
 HINTS = (

@@ -2,7 +2,8 @@
 
 from dataclasses import replace
 
-from PySide6.QtWidgets import QMainWindow, QPushButton
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QPushButton
 
 import skinsource as ss
 from skinsource.design.edits.edit import Edit
@@ -102,9 +103,21 @@ def test_hints_are_put_away_while_somebody_presents_and_come_back_after(window, 
     assert window.notice.text == ""
     window.do("present")
     settle()
+    assert window.notice.text.startswith("The design is as it was before")
+    window.notice.be_quiet()
+    window.document.look(replace(window.document.view, playhead_s=0.1))
     assert window.notice.text == f"2 of 3: {HINTS[1]}"
     press(window, "No more hints")
     window.do("present")
     window.do("present")
     settle()
     assert window.notice.text == ""
+
+
+def test_a_panel_that_is_docked_later_never_covers_a_notice(qtbot):
+    window, notice = window_of(qtbot)
+    notice.say("Unsaved work was found")
+    window.addDockWidget(Qt.DockWidgetArea.BottomDockWidgetArea, QDockWidget("Timeline", window))
+    qtbot.waitUntil(lambda: window.findChild(QDockWidget).isVisible())
+    middle = notice.card.geometry().center()
+    qtbot.waitUntil(lambda: notice.card.isAncestorOf(window.childAt(middle)))
