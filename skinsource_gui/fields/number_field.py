@@ -273,14 +273,13 @@ class NumberField(Editor, QtWidgets.QLineEdit):
             self.cancel()
             return True
         try:
-            typed_si = parse_level(self.text(), self.spec, self.value_si)
+            typed_si = self._read(self.text())
         except InvalidInputError as error:
             self._set_problem(str(error))
             return False
         self.cancel()
         # The text may be rounded.
-        short = number_text(self.value_si, self.spec.unit)
-        same = self.value_si, self._parsed(self._long_text), self._parsed(short)
+        same = self.value_si, self._parsed(self._long_text), self._parsed(self._number_text())
         if self._mixed or typed_si not in same:
             self._edit(typed_si, None)
         return True
@@ -473,7 +472,13 @@ class NumberField(Editor, QtWidgets.QLineEdit):
     @property
     def _long_text(self) -> str:
         """The number as it is edited."""
-        return number_text(self.value_si, self.spec.unit, EDITED_DIGITS)
+        return self._number_text(EDITED_DIGITS)
+
+    def _number_text(self, digits: int = SHOWN_DIGITS) -> str:
+        return number_text(self.value_si, self.spec.unit, digits)
+
+    def _read(self, text: str) -> float:
+        return parse_level(text, self.spec, self.value_si)
 
     def _inside(self) -> QRect:
         """Return the area of the number and its unit."""
@@ -486,7 +491,7 @@ class NumberField(Editor, QtWidgets.QLineEdit):
     def _parsed(self, text: str) -> float | None:
         """Return the value of a text, in SI units; None if it is not allowed."""
         try:
-            return parse_level(text, self.spec, self.value_si)
+            return self._read(text)
         except InvalidInputError:
             return None
 

@@ -179,6 +179,9 @@ EDITS: dict[str, MakeEdit] = {
     "fade_out": partial(_fade, 1),
     "repeat_clips": _of_clips(copy_behind, "Repeat"),
     "duplicate_clips": _of_clips(copy_behind, "Duplicate"),
+    "join_clips": _of_clips(edits.join_clips),
+    "group_clips": _of_clips(edits.group_clips),
+    "ungroup_clips": _of_clips(edits.ungroup_clips),
     "mute_clips": _of_clips(edits.toggle_mute_clips),
     "remove_clips": _of_clips(edits.remove_clips),
     "limit_to_band": _of_clips(edits.limit_to_band),
@@ -201,7 +204,7 @@ _OF_INPUTS = "duplicate_input", "remove_input", "mute_input", "solo_input", "sel
 OF_CLIPS = (
     *("split_clips", "fade_in", "fade_out", "repeat_clips", "duplicate_clips", "mute_clips"),
     *("remove_clips", "cut_clips", "copy_effects", "paste_effects", "limit_to_band"),
-    *("draw_clip", "shape_envelope", "stretch_clip"),
+    *("draw_clip", "shape_envelope", "stretch_clip", "ungroup_clips"),
 )
 #: By name of an action, whether it can be done now; others always can.
 ENABLED: dict[str, Condition] = {
@@ -215,6 +218,7 @@ ENABLED: dict[str, Condition] = {
     "toggle_snapshots": lambda _, view: bool(view.snapshots),
     "keep_match_gain": lambda design, view: view.match_gain(design) != 1.0,
     **_when(lambda _, view: bool(view.selected_clips), *OF_CLIPS),
+    **_when(lambda _, view: len(view.selected_clips) > 1, "join_clips", "group_clips"),
     "equalise_on_skin": lambda design, view: selected_train(design, view) is not None,
     "match_tracks": lambda design, view: len(set(view.selected_inputs) & set(design.ids)) > 1,
 }

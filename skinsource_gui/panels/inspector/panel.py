@@ -152,8 +152,8 @@ class Meaning(QtWidgets.QToolButton):
 class InputFields(QObject):
     """Fields of an input and a clip of it, in three groups.
 
-    The gain of a clip is shown where it has others beside it or is not 1, the gain curve of a track
-    where there is one; of clips of different kinds the fields that all of them have.
+    The gain of a clip is shown beside others, selected or on its track, and where it is not 1, the
+    gain curve of a track where there is one; of clips of different kinds the fields that all have.
 
     Attributes
     ----------
@@ -185,7 +185,7 @@ class InputFields(QObject):
         self.head, self.grid, self.track = FieldGrid(), FieldGrid(), FieldGrid()
         self.kind = FieldCell("kind", kind_spec())
         self.place = FieldCell("location", self._places)
-        hint = "Place and amplitude belong to all clips of the track"
+        hint = "Place and amplitude belong to all clips of these tracks"
         self._whole = TextCell("Whole track", "", "whole_track", hint)
         self._amplitude = FieldCell("amplitude", AMPLITUDE, edited=self.edited)
         self.meaning = Meaning()
@@ -218,13 +218,16 @@ class InputFields(QObject):
         self._kinds = {type(each.waveform) for each in clips}
         # A curve that was deleted can be typed again until another track is shown, as can a gain.
         self._curve_of = track.id if track.gain_curve or self._curve_of == track.id else None
-        gained = len(track.clips) > 1 or {each.gain for each in clips} - {1.0}
+        several = len(view.selected_clips) > 1 or len(track.clips) > 1
+        gained = several or {each.gain for each in clips} - {1.0}
         self._gain_of = clip.id if clip and (gained or self._gain_of == clip.id) else None
         self._played_length.text_label.setText(_text_of_all(played_length_text, clips))
         self._played_hz.text_label.setText(_text_of_all(played_hz_text, clips))
         self._peak.text_label.setText(peak)
-        n_clips = len(track.clips)
-        self._whole.text_label.setText(f"{n_clips} clips" if n_clips > 1 else "")
+        n_clips = sum(len(each.clips) for each in batch)
+        of_tracks = f"{len(batch)} tracks, " if len(batch) > 1 else ""
+        several = any(len(each.clips) > 1 for each in batch)
+        self._whole.text_label.setText(f"{of_tracks}{n_clips} clips" if several else "")
         self.meaning.setHidden(bool(peak))
         if kind is not self._built_for:
             self._build_own(None if clip is None else clip.waveform)
@@ -567,6 +570,8 @@ class InspectorPanel(Panel):
         if is_gain(self._design, track):
             amplitude = AMPLITUDE_GAIN
             peak = _text_of_all(partial(peak_text, self._design), batch)
+        if track.amplitude < 0:
+            amplitude = replace(amplitude, hint="Polarity inverted")
         self._fields.show_limb(limb)
         self._fields.show_input(track, batch, amplitude, self._view, peak)
         self._chain.show_chain(self._design, self._view, clip, clips)

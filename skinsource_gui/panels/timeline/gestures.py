@@ -413,13 +413,20 @@ class MoveMarker(Gesture):
 
     def __init__(self, context: GestureContext, marker: Marker) -> None:
         super().__init__(context)
-        self._marker = marker
+        self._index = context.before.design.markers.index(marker)
+        self._marker, self._wanted_s = marker, marker.time_s
 
     def move(self, at: QPointF, held: Modifier) -> GesturePreview:
         time_s, guide_s = snapped_time(self._context, at, self._marker.time_s)
-        index = self._context.before.design.markers.index(self._marker)
-        self._context.edit(edits.move_marker, index, time_s)
+        self._wanted_s = time_s
+        self._context.edit(edits.move_marker, self._index, time_s)
         return GesturePreview(guide_s=guide_s, label=value_text(time_s, "s", digits=5))
+
+    def finish(self) -> None:
+        now_s = self._context.now.design.markers[self._index].time_s
+        if now_s != self._wanted_s:
+            stays = f"Another marker is there; this one is at {value_text(now_s, 's', digits=5)}."
+            self._context.lanes.edited.emit(Refusal(sentence=stays), None)
 
 
 class Pan(Gesture):

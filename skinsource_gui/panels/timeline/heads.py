@@ -4,7 +4,7 @@ The fader and the meter share one scale in decibels of an amplitude of 1.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from math import copysign, log10
 from typing import Any
@@ -47,8 +47,8 @@ from skinsource_gui.fields.inputs import (
     duration_text,
     fill_inputs_menu,
 )
-from skinsource_gui.fields.number_field import FINISHERS, NumberField
-from skinsource_gui.fields.units import minus, value_text
+from skinsource_gui.fields.number_field import FINISHERS, NumberField, makes_step
+from skinsource_gui.fields.units import SHOWN_DIGITS, minus, number_text, parse_level, value_text
 from skinsource_gui.panels.timeline.content import shown_gain_curves, toggle_gain_curves
 from skinsource_gui.qt.buttons import paint_swatch, passing_menu, text_colour_on
 from skinsource_gui.qt.frames import drop_line
@@ -150,7 +150,8 @@ def text_of(head: Head, design: Design, view: View) -> str:
     if (peak := head.peak) is not None:
         rate_hz = facts_of(design.limb).sample_rate_hz
         level += f", peak {peak:.3g} {amplitude_unit(design)}, sampled at {rate_hz:g} Hz"
-    return f"{played}\n{level}"
+    inverted = "\nPolarity inverted" if track.amplitude < 0 else ""
+    return f"{played}\n{level}{inverted}"
 
 
 def chosen_heads(design: Design, view: View) -> tuple[int, ...]:
@@ -213,7 +214,7 @@ class HeadsModel(QAbstractListModel):
 HEADS_PX, ROW_PX, USUAL_LINE_PX = 110, 40, 14
 # Heads of larger text leave the lanes room too.
 _MOST_HEADS_PX = 220
-_EDGE_PX, _LINE_PX, _SWATCH_PX, _METER_PX, _MARK_PX = 6, 18, 24, 3, 3
+_EDGE_PX, _LINE_PX, _SWATCH_PX, _METER_PX, _MARK_PX = 6, 18, 21, 3, 3
 _TINT_ALPHA = 28
 
 
@@ -258,17 +259,50 @@ class HeadPlaces:
         )
 
     def part_at(self, at: QPointF) -> str:
-        """Return which part lies at a place: "mute", "solo", "fader", or "" for the rest."""
-        return next(
-            (part for part in ("mute", "solo", "fader") if getattr(self, part).contains(at)), ""
-        )
+        """Return which part lies at a place: "level", "mute", "solo", "fader", or ""."""
+        parts = "level", "mute", "solo", "fader"
+        return next((part for part in parts if getattr(self, part).contains(at)), "")
+
+
+class LevelField(NumberField):
+    """An amplitude as its level, dB; a number with another unit is the amplitude itself.
+
+    Attributes
+    ----------
+    is_level
+        Whether the last text was a level, which has no polarity.
+    """
+
+    is_level = True
+
+    @property
+    def unit_text(self) -> str:
+        return "dB"
+
+    def _number_text(self, digits: int = SHOWN_DIGITS) -> str:
+        size = abs(self.value_si)
+        return number_text(round(20.0 * log10(size), 2), "dB") if size else "−∞"
+
+    def commit(self) -> bool:
+        self.is_level = _unit_of(self.text()) in ("", "db", "∞")
+        return super().commit()
+
+    def _read(self, text: str) -> float:
+        unit = _unit_of(text)
+        if unit == "∞":
+            return 0.0
+        return parse_level(text if unit else f"{text} dB", self.spec, self.value_si)
+
+
+def _unit_of(text: str) -> str:
+    return text.strip().lstrip("+-−0123456789.,eE ").casefold()
 
 
 class HeadDelegate(QtWidgets.QStyledItemDelegate):
-    """Paints heads, and lets an amplitude be typed over the fader."""
+    """Paints heads, and lets the level of an amplitude be typed over the fader."""
 
-    #: Id of a track, and the amplitude that was typed.
-    typed = Signal(int, float)
+    #: Id of a track, the amplitude that was typed, and whether it leaves the polarity.
+    typed = Signal(int, float, bool)
 
     def __init__(self, rows: "Heads") -> None:
         super().__init__(rows)
@@ -294,7 +328,12 @@ class HeadDelegate(QtWidgets.QStyledItemDelegate):
         paint_swatch(painter, places.swatch, number, colour, text, silent=head.silent)
         painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
         painter.setPen(dim)
-        painter.drawText(places.level, Qt.AlignmentFlag.AlignCenter, head.level_text)
+        inverted, middle = head.track.amplitude < 0, Qt.AlignmentFlag.AlignVCenter
+        side = Qt.AlignmentFlag.AlignRight if inverted else Qt.AlignmentFlag.AlignHCenter
+        painter.drawText(places.level, middle | side, head.level_text)
+        if inverted:
+            painter.setPen(text)
+            painter.drawText(places.level, Qt.AlignmentFlag.AlignLeft, "ø")
         _paint_letter(painter, places.mute, "M", theme.warning, on=head.track.muted)
         _paint_letter(painter, places.solo, "S", theme.accent, on=head.track.solo)
         _paint_fader(painter, places.fader, head.track.amplitude, theme)
@@ -309,10 +348,12 @@ class HeadDelegate(QtWidgets.QStyledItemDelegate):
         self, parent: QtWidgets.QWidget, option: QtWidgets.QStyleOptionViewItem, index: Index
     ) -> QtWidgets.QWidget:
         track = self._rows.heads[index.row()].track
-        field = NumberField(self._rows.spec_of(track), parent, widest_unit="")
+        spec = self._rows.spec_of(track)
+        hint = f"Level re 1 {spec.unit}".rstrip() + "; with another unit an amplitude"
+        field = LevelField(replace(spec, hint=hint), parent, widest_unit="dB")
         field.setObjectName("amplitude_field")
         field.setStyleSheet("QLineEdit { min-height: 0; padding: 0 4px; }")
-        field.edited.connect(lambda value, _: self.typed.emit(track.id, value))
+        field.edited.connect(lambda value, _: self.typed.emit(track.id, value, field.is_level))
         return field
 
     def setEditorData(self, editor: QtWidgets.QWidget, index: Index) -> None:
@@ -336,14 +377,13 @@ class HeadDelegate(QtWidgets.QStyledItemDelegate):
         editor.setGeometry(places.fader.united(places.meter).toRect())
 
     def eventFilter(self, editor: QObject, event: QEvent) -> bool:
-        if (
-            isinstance(editor, NumberField)
-            and isinstance(event, QtGui.QKeyEvent)
+        if event.type() == QEvent.Type.Wheel or (
+            isinstance(event, QtGui.QKeyEvent)
             and event.type() == QEvent.Type.KeyPress
-            and event.key() in FINISHERS
+            and (event.key() in FINISHERS or makes_step(event))
         ):
             # A text that is no number stays, with the reason.
-            if editor.commit():
+            if isinstance(editor, LevelField) and editor.commit():
                 self.closeEditor.emit(editor)
             return True
         return super().eventFilter(editor, event)
@@ -536,9 +576,9 @@ class Heads(QtWidgets.QListView):
         if part in ("mute", "solo"):
             self._edit(_EDITS[part], self._affected(id))
             return
-        if part == "fader" and not selected:
+        if part == "fader" and not (selected or event.modifiers()):
             self._edit(edits.select_inputs, (id,))
-        elif part != "fader" and (not selected or event.modifiers()):
+        elif not selected or (part != "fader" and event.modifiers()):
             super().mousePressEvent(event)
         self._press = _Press(at=at, row=row, start=self._design, was_selected=selected)
         if part == "fader":
@@ -581,7 +621,7 @@ class Heads(QtWidgets.QListView):
     def mouseDoubleClickEvent(self, event: QtGui.QMouseEvent) -> None:
         index = self.indexAt(event.position().toPoint())
         part = self.places(index.row()).part_at(event.position()) if index.isValid() else ""
-        if part == "fader":
+        if part in ("fader", "level"):
             self._press = None
             # This ends the editor that is open, which takes no other one beside it.
             self.setFocus(Qt.FocusReason.MouseFocusReason)
@@ -640,8 +680,17 @@ class Heads(QtWidgets.QListView):
         rows = sorted((index.row() for index in chosen), key=lambda row: (row == current, row))
         self._edit(edits.select_inputs, tuple(self._design.ids[row] for row in rows))
 
-    def _type(self, id: int, amplitude: float) -> None:
-        self._edit(edits.change_field, self._affected(id), "amplitude", amplitude)
+    def _type(self, id: int, amplitude: float, is_level: bool) -> None:
+        def typed(track: Input) -> float:
+            return copysign(amplitude, track.amplitude) if is_level else amplitude
+
+        ids = self._affected(id)
+        changes = {
+            track.id: {"amplitude": typed(track)}
+            for track in self._design.inputs
+            if track.id in ids
+        }
+        self._edit(change_inputs, "Change amplitude of", changes)
 
     def _step(self, ids: Iterable[int], steps: float, held: Qt.KeyboardModifier) -> None:
         size = _FINE if held & _Held.ControlModifier else 1.0

@@ -162,7 +162,7 @@ class LanesMenu:
             self._line(menu, "Add marker here", "", lambda: self._lanes.add_marker(time_s))
         else:
             index = content.design.markers.index(marker)
-            self._line(menu, "Rename marker…", "", lambda: self._rename(index))
+            self._line(menu, "Rename marker…", "", lambda: self.rename(index))
             self._edit_line(menu, "Remove marker", edits.remove_marker, index)
         menu.addSeparator()
         ends = _ends_of_chosen(content)
@@ -203,7 +203,8 @@ class LanesMenu:
         shown = f"{text}\t{key_text(_PLACE, key)}" if key else text
         menu.addAction(shown).triggered.connect(lambda _=False: act())
 
-    def _rename(self, index: int) -> None:
+    def rename(self, index: int) -> None:
+        """Ask for another name of a marker."""
         name = self._lanes.content.design.markers[index].name
         if (new := ask_name(self._lanes, "Rename marker", name, NAME.longest)) is not None:
             self._lanes.edit(edits.rename_marker, index, new)
@@ -424,12 +425,15 @@ class LaneMouse:
         return True
 
     def double_click(self, at: QPointF) -> None:
-        """Open the clip here, or add a clip, a marker or a point of a gain curve."""
+        """Open the clip here, rename the marker, or add a clip, a marker or a point of a curve."""
         self.cancel()
         content = self._lanes.content
         box, lane = content.box_at(at), content.lane_at(at.y())
         if at.y() < content.ruler_px:
-            self._lanes.add_marker(self.time_at(at))
+            if (marker := content.marker_at(at)) is not None:
+                self._lanes.menu.rename(content.design.markers.index(marker))
+            else:
+                self._lanes.add_marker(self.time_at(at))
         elif self._gain.double_click(at):
             return
         elif box is not None:

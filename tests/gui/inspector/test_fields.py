@@ -142,6 +142,12 @@ def test_the_gain_of_a_clip_is_shown_beside_others_and_wherever_it_is_not_1(benc
     assert label() == ""
     bench.show(bench.design.with_input(1, clips=(replace(louder, id=11),)))
     assert label() == "Clip gain"
+    # Clips of several tracks: amplitude and place change all clips of these.
+    both = bench.design.with_input(0, clips=(louder, other)).with_clip(11, gain=1.0)
+    bench.show(both, selected_inputs=(1, 2), selected_clips=(9, 11))
+    assert (label(), of_track()) == ("Clip gain", "2 tracks, 3 clips")
+    bench.show(selected_inputs=(2, 3), selected_clips=(11, both.inputs[2].clips[0].id))
+    assert (label(), of_track()) == ("Clip gain", "")
 
 
 def test_a_recording_that_keeps_its_size_has_a_gain_without_a_unit_and_the_peak(bench):

@@ -86,7 +86,7 @@ def test_they_work_with_the_timeline_hidden_and_say_what_was_pasted_where(active
     active.do("copy_clips")
     active.do("paste_clips")
     message = active.statusBar().currentMessage()
-    assert message == "1 clip pasted at 0 ms, over the copied clips"
+    assert message == "1 clip pasted at 0 ms, over 1 other clip"
     active.do("undo")
     assert active.statusBar().currentMessage() == ""
     active.do("redo")
@@ -125,6 +125,13 @@ def test_each_entry_acts_on_all_selected_clips_in_one_step(two_clips):
     window.do("limit_to_band")
     assert effects(window) == [[BandLimit], [BandLimit]]
     assert [clip.waveform for clip in document.design.clips] == [TONE, TONE]
+    document.look(replace(document.view, selected_clips=(1,), playhead_s=0.05))
+    assert not window.actions_by_name["join_clips"].isEnabled()
+    window.do("split_clips")
+    document.look(replace(document.view, selected_clips=(1, 3)))
+    for name, count in (("group_clips", 2), ("ungroup_clips", 3), ("join_clips", 2)):
+        window.do(name)
+        assert len(document.design.clips) == count, name
     # What is cut is what is copied: not the clip of the other track, which is dotted.
     document.look(replace(document.view, selected_clips=(1,)))
     window.do("cut_clips")

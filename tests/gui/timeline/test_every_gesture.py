@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMenu, QToolButton
+from PySide6.QtWidgets import QApplication, QInputDialog, QMenu, QToolButton
 
 from skinsource import Marker, edits
 from skinsource_gui.fields.units import value_text
@@ -238,6 +238,14 @@ def marker(lanes):
     assert [marker.time_s for marker in lanes.design.markers] == pytest.approx([0.4], abs=0.004)
 
 
+def rename_marker(lanes):
+    lanes.show(edits.add_marker(lanes.design, lanes.view, 0.4).design)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(QInputDialog, "getText", lambda *_, text: ("hit", True))
+        lanes.double_click(lanes.on_ruler(0.4, 4))
+    assert [(marker.time_s, marker.name) for marker in lanes.design.markers] == [(0.4, "hit")]
+
+
 def move_marker(lanes):
     lanes.lanes.set_snaps(True)
     lanes.show(edits.add_marker(lanes.design, lanes.view, 0.61, "hit").design)
@@ -300,7 +308,7 @@ def draw(lanes):
 
 #: How a test makes each gesture that the table lists.
 OF_CLIPS = move, along, copy, free, trim, stretch, fade, place, select, below, frame, snap, menu
-OF_RULER = playhead, loop, loop_end, marker, move_marker
+OF_RULER = playhead, loop, loop_end, marker, rename_marker, move_marker
 MADE = {
     "clips": {each.__name__: each for each in (*OF_CLIPS, add, zoom, pan)} | {"open": opened},
     "ruler": {each.__name__: each for each in OF_RULER} | {"menu": ruler_menu},

@@ -237,6 +237,8 @@ def test_clicks_select_one_add_and_take_out_and_select_all_on_the_way(qtbot):
     assert selected() == ({1, 2, 3, 6}, 6)
     bench.press(1, held=CONTROL)
     assert selected()[0] == {1, 3, 6}
+    bench.press(1, "fader", held=CONTROL)
+    assert selected()[0] == {1, 2, 3, 6}
     # A click on one of several selects it alone.
     bench.press(0)
     assert bench.view.selected_inputs == (1,)
@@ -287,7 +289,7 @@ def test_an_amplitude_is_typed_for_its_row_or_for_all_selected_ones(bench):
     twice, at = QEvent.Type.MouseButtonDblClick, QPointF(view.mapToGlobal(fader))
     QApplication.sendEvent(view, QMouseEvent(twice, QPointF(fader), at, LEFT, LEFT, NONE))
     QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    QTest.keyClicks(editor(bench), "20 dB")
+    QTest.keyClicks(editor(bench), "20")
     QTest.keyClick(editor(bench), KEY.Key_Return)
     assert amplitudes(bench) == [1.0, 10.0, 1.0]
     assert [head.level_text for head in bench.rows.heads] == ["0.0", "+20", "0.0"]
@@ -301,12 +303,36 @@ def test_an_amplitude_is_typed_for_its_row_or_for_all_selected_ones(bench):
     assert editor(bench).problem
     assert amplitudes(bench) == [1.0, 10.0, 1.0]
     QTest.keyClick(editor(bench), KEY.Key_Backspace)
-    QTest.keyClicks(editor(bench), "4")
+    QTest.keyClicks(editor(bench), "4 m/s²")
     QTest.keyClick(editor(bench), KEY.Key_Return)
     assert amplitudes(bench) == [4.0, 4.0, 1.0]
     assert bench.labels == [
         "Change amplitude of input at 2 (II tip)",
         "Change amplitude of 2 inputs",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("typed", "expected"),
+    [
+        ("-6 dB", [0.501187, -0.501187]),
+        ("−6", [0.501187, -0.501187]),
+        ("-6.02", [1.0, -0.5]),
+        ("−∞", [0.0, 0.0]),
+        ("-2 m/s^2", [-2.0, -2.0]),
+        ("1", [1.122018, -1.122018]),
+    ],
+)
+def test_the_level_that_is_shown_is_typed_and_leaves_the_polarity(bench, typed, expected):
+    bench.show(bench.design.with_input(1, amplitude=-0.5), selected_inputs=(1, 2))
+    QTest.mouseDClick(bench.rows.viewport(), LEFT, pos=bench.place(1, "level"))
+    assert (editor(bench).text(), editor(bench).unit_text) == ("-6.02", "dB")
+    editor(bench).insert(typed)
+    # A step of a number ends typing as well.
+    QTest.keyClick(editor(bench), KEY.Key_Down)
+    assert amplitudes(bench)[:2] == pytest.approx(expected, abs=1e-6)
+    assert ["Polarity inverted" in tip_of(bench, k) for k in (0, 1)] == [
+        value < 0 for value in amplitudes(bench)[:2]
     ]
 
 

@@ -97,6 +97,7 @@ def test_a_marker_that_is_dragged_onto_another_stays_beside_it(lanes):
     lanes.drag(lanes.on_ruler(0.62, 6), lanes.on_ruler(0.4, 6), steps=9)
     times_s = [marker.time_s for marker in lanes.design.markers]
     assert times_s[0] == 0.4 < times_s[1] < 0.6
+    assert f"{times_s[1] * 1e3:.5g} ms" in lanes.refusals[-1]
 
 
 def test_keys_and_the_menu_put_copies_where_the_track_is_free(lanes):

@@ -553,7 +553,7 @@ def paste_fragment(design: Design, view: View, fragment: Fragment, at_s: float) 
     Of several selected tracks the uppermost counts, so that clips go back to the tracks that they
     were copied from.  A lane that has no track gets a new one at the place that it came from; so
     do all lanes if no track is selected.  The edit says how many clips were pasted and when,
-    because a clip that lies exactly on its original cannot be seen.
+    and over how many others, because a clip that lies exactly on its original cannot be seen.
 
     Examples
     --------
@@ -568,29 +568,25 @@ def paste_fragment(design: Design, view: View, fragment: Fragment, at_s: float) 
     outcome = _with_fragment(design, view, fragment, at_s, label, _selected_row(design, view))
     if isinstance(outcome, Refusal):
         return outcome
-    over = ", over the copied clips" if _has_clip_on_its_equal(outcome.design, design) else ""
+    n_covered = _n_covered(outcome.design, design)
+    over = f", over {counted(n_covered, 'other clip')}" if n_covered else ""
     n_new = len(outcome.design.inputs) - len(design.inputs)
     over += f", {counted(n_new, 'track')} added" if n_new else ""
     return replace(outcome, said=f"{counted(count, 'clip')} pasted at {at_s * 1e3:.6g} ms{over}")
 
 
-def _has_clip_on_its_equal(after: Design, before: Design) -> bool:
-    """Whether a new clip has an equal old one on its track, at the same time."""
-    old = {clip.id for clip in before.clips}
+def _n_covered(after: Design, before: Design) -> int:
+    """Return how many old clips have a new one over them on their track."""
+    old, count = {clip.id for clip in before.clips}, 0
     for track in after.inputs:
-        # Few of thousands of clips begin at the same time, so few have to be compared.
-        by_onset: dict[float, list[Clip]] = {}
-        for clip in track.clips:
-            if clip.id in old:
-                by_onset.setdefault(clip.onset_s, []).append(clip)
-        new = (clip for clip in track.clips if clip.id not in old)
-        if any(
-            replace(clip, id=like.id) == like
-            for clip in new
-            for like in by_onset.get(clip.onset_s, ())
-        ):
-            return True
-    return False
+        spans = [(clip.onset_s, clip.end_s, clip.id in old) for clip in track.clips]
+        new = [(start_s + SAME_S, end_s - SAME_S) for start_s, end_s, is_old in spans if not is_old]
+        count += sum(
+            any(start_s < until_s and from_s < end_s for from_s, until_s in new)
+            for start_s, end_s, is_old in spans
+            if is_old
+        )
+    return count
 
 
 @refusing
