@@ -40,7 +40,7 @@ from skinsource.design.panel_settings import (
 )
 from skinsource.engine.loops import Loop
 from skinsource.limbs.own_limbs import facts_of
-from skinsource.signals.analysis.wave_speed import LEAST_ALIKE, group_delays
+from skinsource.signals.analysis.wave_speed import arrivals
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import NumberSpec
 from skinsource.studies import scenes
@@ -48,7 +48,14 @@ from skinsource.studies.checking import bands_shown, proportion, strengths_of
 from skinsource_gui.fields.editor import Burst
 from skinsource_gui.fields.number_field import DRAG_BEGINS_PX, NumberField
 from skinsource_gui.fields.units import axis_unit, minus, output_text, parse_number, value_text
-from skinsource_gui.panels.compare.content import ALL_AXES, KINDS, Kind, Names, OfWindow
+from skinsource_gui.panels.compare.content import (
+    ALL_AXES,
+    KINDS,
+    Kind,
+    Names,
+    OfWindow,
+    noisy_outputs,
+)
 from skinsource_gui.panels.compare.maps import MapsPanel
 from skinsource_gui.panels.compare.motion import rounded
 from skinsource_gui.panels.compare.settings import CompareSettings
@@ -691,7 +698,7 @@ class StagePanel(MapsPanel):
         if self._held_ends is not None and not (passes or self._passes):
             end_s = self._held_ends[0][1]
         self._passes = passes
-        curves = []
+        curves, noisy = [], noisy_outputs(self.compared[0])
         for k, loop, gain in known:
             kept = tuple(number for number in outputs if number <= loop.moving.signals.shape[0])
             if self._together:
@@ -701,7 +708,7 @@ class StagePanel(MapsPanel):
             values = values + 20.0 * np.log10(gain) if spectra else gain * values
             # Of another design the loudest part may lie where this one has ended.
             for row, number in enumerate(kept if x.size else ()):
-                called = _names(number, limb) if alone else names[k]
+                called = _names(number, limb, noisy) if alone else names[k]
                 curves.append(Curve(names=called, rank=row if alone else k, x=x, y=values[row]))
         self.strip.in_rows = self.moving.passes and bool(curves)
         top = max((float(np.abs(curve.y).max()) for curve in curves), default=0.0) or 1.0
@@ -737,7 +744,7 @@ class StagePanel(MapsPanel):
             )
             high = f"±{rounded(ends[1][1])} {self.moving.unit}"
             if self.strip.in_rows:
-                curves = _in_rows(designs[0], known[0][1], curves, [k - 1 for k in kept])
+                curves = _in_rows(self.compared[0], known[0][1], curves, [k - 1 for k in kept])
                 ends, top = ((0.0, end_s), (-0.5, 0.5)), 0.0
                 high = "each relative to its peak; + group delay, marked where it arrives"
             words = (where, high, f"window {end_s * factor:.3g} {unit}")
@@ -775,15 +782,18 @@ def _compared(design: Design, view: View, compare: CompareSettings) -> Kind:
     return _ALONE
 
 
-def _in_rows(design: Design, loop: Loop, curves: list[Curve], rows: list[int]) -> list[Curve]:
+def _in_rows(side: Compared, loop: Loop, curves: list[Curve], rows: list[int]) -> list[Curve]:
     """Return traces in rows, with when they arrive: after the first, which has the onset."""
-    moving, drawn = loop.moving, list[Curve]()
+    moving, drawn, noisy = loop.moving, list[Curve](), np.array(noisy_outputs(side), dtype=int) - 1
     signals = moving.signals[:, 0] if loop.signed else np.linalg.norm(moving.signals, axis=1)
-    delays_s, alike = group_delays(signals[rows], moving.sample_rate_hz)
-    onset_s = min((clip.onset_s for clip in design.clips), default=0.0) + moving.delay_s
-    for curve, delay_s, share in zip(curves, delays_s, alike, strict=True):
+    # Noise never arrives.
+    heard = signals[rows] * ~np.isin(rows, noisy)[:, None]
+    delays_s = arrivals(heard, moving.sample_rate_hz)
+    clips = side.snapshot.design.clips
+    onset_s = min((clip.onset_s for clip in clips), default=0.0) + moving.delay_s
+    for curve, delay_s in zip(curves, delays_s, strict=True):
         curve = replace(curve, y=_REACH[1] * curve.y / (np.abs(curve.y).max() or 1.0))
-        if share >= LEAST_ALIKE:
+        if np.isfinite(delay_s):
             told = minus(f" {round(1e3 * delay_s):+d} ms")
             names = tuple(f"{name}{told}" for name in curve.names)
             curve = replace(curve, names=names, arrival=onset_s + delay_s - loop.begin_s)
@@ -811,9 +821,10 @@ def _fits_of(designs: Sequence[Design], loops: Sequence[Loop], output: int) -> l
     return curves
 
 
-def _names(number: int, limb: str) -> Names:
-    (name,) = output_names((number,), limb)
-    return output_text(number, limb), f"{number} {name.short}".rstrip(), str(number)
+def _names(number: int, limb: str, noisy: Sequence[int]) -> Names:
+    (name,), noise = output_names((number,), limb), " noise" * (number in noisy)
+    names = output_text(number, limb), f"{number} {name.short}".rstrip(), str(number)
+    return tuple(f"{each}{noise}" for each in names)
 
 
 def _number(design: Design, view: View) -> tuple[Input, str, NumberSpec, float] | None:

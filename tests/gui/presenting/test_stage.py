@@ -687,6 +687,16 @@ def test_rows_of_traces_show_when_the_vibration_arrives_as_the_sentence_says(sta
     assert picture.pixelColor(round(x), round(area.bottom() - 3)).lightness() < 150
 
 
+def test_rows_of_noise_say_so_and_have_no_arrival(measured, stage, qtbot):
+    scene_on(stage, qtbot, "2A", "measured-1")
+    assert stage.strip.curves[-1].names[-1] == "57 +10 ms"
+    stage.knob.edited.emit(258.0, None)
+    qtbot.waitUntil(lambda: stage.strip.curves[-1].names[-1] == "57 noise")
+    arrivals = [curve.arrival for curve in stage.strip.curves]
+    assert arrivals[-1] is None
+    assert max(arrivals[:-1]) - arrivals[0] < 0.01
+
+
 @pytest.mark.parametrize("name", ["5D", "5E"])
 def test_lines_are_fitted_to_the_dots_of_output_over_input(stage, qtbot, name):
     opened = scene_on(stage, qtbot, name, "synthetic-1")
