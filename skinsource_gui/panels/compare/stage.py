@@ -110,7 +110,7 @@ class Strip(Figure):
     ticks
         Of x, below the curves.
     in_rows
-        Whether each curve has a row of height 1, and its name beside it.
+        Whether each curve has a row of height 1, and its name beside it, if there is room for all.
     """
 
     def __init__(self) -> None:
@@ -151,20 +151,24 @@ class Strip(Figure):
             painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 2))
             painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()))
             unit, factor = axis_unit(self.ends[0][1])
-            at = area.adjusted(0.0, 0.0, x - area.right() - UNIT_PX / 2, 0.0)
-            side = Qt.AlignmentFlag.AlignRight
-            if x < area.center().x():
-                at, side = (
-                    area.adjusted(x - area.left() + UNIT_PX / 2, 0.0, 0.0, 0.0),
-                    Qt.AlignmentFlag.AlignLeft,
-                )
-            painter.drawText(at, side, f"{self.marked * factor:.1f} {unit}")
+            # Left of what stands in the corner, where names leave room.
+            corner = self._words[0] and f"{_BETWEEN}{self._words[0]}"
+            text = f"{self.marked * factor:.1f} {unit}{corner}"
+            left = area.right() - painter.fontMetrics().horizontalAdvance(text)
+            painter.drawText(
+                QPointF(left, 0.9 * painter.fontMetrics().height()), text.removesuffix(corner)
+            )
+
+    @property
+    def _has_rows(self) -> bool:
+        line = self.fontMetrics().height()
+        return self.in_rows and self.height() >= (len(self.curves) + 2.8) * line
 
     def _area(self) -> QRectF:
         line = 1.4 * self.fontMetrics().height()
         below = line * (1.6 if self.ticks else 1.0)
         room = QRectF(self.rect()).adjusted(UNIT_PX, line, -UNIT_PX, -below)
-        if self.in_rows:
+        if self._has_rows:
             width_of = QtGui.QFontMetricsF(tabular(self.font())).horizontalAdvance
             room.setLeft(2 * UNIT_PX + max(map(width_of, self._labels(room.width()))))
         return room
@@ -181,30 +185,28 @@ class Strip(Figure):
             return list(map(QPointF, across.tolist(), up.tolist()))
 
         left, ends = area.left(), np.array([x_low, x_high])
-        drawn = list(zip(self.curves, self._labels(room.width()), strict=True))
-        if self.in_rows:
-            # Where not all have room, some do, the first and the last among them.
-            y_high = min(max(int(area.height() / line), 2), len(drawn)) - 0.5
-            drawn = [drawn[k] for k in np.linspace(0, len(drawn) - 1, int(y_high + 0.5), dtype=int)]
-        for row, (curve, label) in enumerate(drawn, 1):
-            lifted = len(drawn) - row if self.in_rows else 0.0
+        in_rows, labels = self._has_rows, self._labels(room.width())
+        y_high += len(labels) - 1 if in_rows else 0
+        for row, (curve, label) in enumerate(zip(self.curves, labels, strict=True), 1):
+            lifted = len(labels) - row if in_rows else 0.0
             middle = lifted + sum(self.ends[1]) / 2
             painter.setPen(QtGui.QPen(QtGui.QColor(theme.grid), 1))
-            if self.in_rows or row == 1:
+            if in_rows or row == 1:
                 painter.drawPolyline(points(ends, middle))
             painter.setPen(theme.output_pen(curve.rank, pen_px))
             painter.save()
             painter.setClipRect(area.adjusted(0.0, -pen_px, 0.0, pen_px))
             painter.drawPolyline(points(curve.x, lifted + curve.y))
             if curve.arrival is not None:
-                painter.setPen(QtGui.QPen(QtGui.QColor(theme.text), pen_px))
+                if in_rows:
+                    painter.setPen(QtGui.QPen(QtGui.QColor(theme.text), pen_px))
                 painter.drawPolyline(points(np.full(2, curve.arrival), middle + _REACH))
             painter.restore()
             painter.setBrush(theme.output_colour(curve.rank))
             for dot in points(curve.x, curve.dots) if curve.dots is not None else ():
                 painter.drawEllipse(dot, 2 * pen_px, 2 * pen_px)
             at = QPointF(left, 0.9 * line)
-            if self.in_rows:
+            if in_rows:
                 at = QPointF(room.left(), points(ends, middle)[0].y() + 0.3 * line)
             painter.drawText(at, label)
             left += painter.fontMetrics().horizontalAdvance(f"{label}{_BETWEEN}")
@@ -227,8 +229,8 @@ class Strip(Figure):
         longest = max(len(curve.names) for curve in self.curves)
         for k in range(longest):
             labels = [curve.names[min(k, len(curve.names) - 1)] for curve in self.curves]
-            text = _BETWEEN.join((*labels, self._words[0]))
-            if self.in_rows:
+            text = _BETWEEN.join((*labels, "000.0 ms", self._words[0]))
+            if self._has_rows:
                 text = 3 * max(labels, key=metrics.horizontalAdvance)
             if metrics.horizontalAdvance(text) <= room_px:
                 break
@@ -317,7 +319,7 @@ _LETTERS = (0.05, 0.034, 0.022)
 # The least height of the dial, in that of the panel: with larger letters, too.
 _LEAST_DIAL = 0.105
 # Of the strip: lines of letters; least height of curves, and what words leave them.
-_LINES_OF_STRIP, _CURVES = 2.6, (0.03, 0.05)
+_LINES_OF_STRIP, _CURVES = 2.6, (0.03, 0.22)
 # In the width: words beside a map, the knob below several.
 _BESIDE, _BESIDE_SEVERAL = 0.52, 0.14
 # Above several maps and beside one, words take the first share of the height at most, more of it
@@ -795,7 +797,7 @@ def _in_rows(side: Compared, loop: Loop, curves: list[Curve], rows: list[int]) -
         curve = replace(curve, y=_REACH[1] * curve.y / (np.abs(curve.y).max() or 1.0))
         if np.isfinite(delay_s):
             told = minus(f" {round(1e3 * delay_s):+d} ms")
-            names = tuple(f"{name}{told}" for name in curve.names)
+            names = (*(f"{name}{told}" for name in curve.names), curve.names[-1])
             curve = replace(curve, names=names, arrival=onset_s + delay_s - loop.begin_s)
         drawn.append(curve)
     return drawn
