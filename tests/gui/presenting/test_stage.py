@@ -691,7 +691,7 @@ def test_rows_of_traces_show_when_the_vibration_arrives_as_the_sentence_says(sta
 def test_rows_of_noise_say_so_and_have_no_arrival(measured, stage, qtbot):
     scene_on(stage, qtbot, "2A", "measured-1")
     assert stage.strip.curves[-1].names[-2] == "57 +10 ms"
-    stage.knob.edited.emit(258.0, None)
+    stage.knob.edited.emit(240.0, None)
     qtbot.waitUntil(lambda: stage.strip.curves[-1].names[-1] == "57 noise")
     arrivals = [curve.arrival for curve in stage.strip.curves]
     assert arrivals[-1] is None
