@@ -281,7 +281,7 @@ def of_spread(
     mean, spread = mean_and_spread_over([_levels_db(side) for side in known])
     called = [name for _, name in audible]
     what = _of_all(called, len(compared))
-    noisy = _noisy(*known)
+    noisy = noisy_outputs(*known)
     plain = Cell(
         headings=("Mean",),
         limb=limb,
@@ -317,7 +317,7 @@ def _difference(side: Compared, names: Names, base: Compared, of_base: Names) ->
         return replace(cell, text=SILENCE)
     levels = difference_db(_levels_db(side), _levels_db(base))
     both = _synthetic(side) or _synthetic(base)
-    small = _map(side, levels, _noisy(side, base))
+    small = _map(side, levels, noisy_outputs(side, base))
     if np.abs(levels).max() < _LEAST_DB:
         headings = (f"{names[-1]} equals {of_base[-1]}",)
     return replace(cell, headings=headings, small=small, synthetic=both)
@@ -327,7 +327,7 @@ def _levels(side: Compared, names: Names, scale: ColourScale, *, own: bool = Fal
     cell = Cell(headings=names, limb=_limb(side), text=side.problem, stale=side.is_stale)
     if side.values is None:
         return cell
-    small, maximum_db = _map(side, None, _noisy(side)), None
+    small, maximum_db = _map(side, None, noisy_outputs(side)), None
     if own and not is_silent(side):
         maximum_db = float(_levels_db(side).max())
         small = _relative(small, maximum_db)
@@ -391,7 +391,7 @@ def _levels_db(side: Compared) -> Floats:
     return levels if side.gain == 1.0 else levels + gain_db(side)
 
 
-def _noisy(*compared: Compared) -> tuple[int, ...]:
+def noisy_outputs(*compared: Compared) -> tuple[int, ...]:
     """Return the numbers of the outputs that are mostly noise in any of them."""
     known = [(side.values or {}).get("above_noise_db") for side in compared]
     noisy = [levels < LEAST_ABOVE_NOISE_DB for levels in known if levels is not None]

@@ -40,7 +40,7 @@ from skinsource.design.panel_settings import (
 )
 from skinsource.engine.loops import Loop
 from skinsource.limbs.own_limbs import facts_of
-from skinsource.signals.analysis.wave_speed import LEAST_ALIKE, group_delays
+from skinsource.signals.analysis.wave_speed import arrivals
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import NumberSpec
 from skinsource.studies import scenes
@@ -48,7 +48,14 @@ from skinsource.studies.checking import bands_shown, proportion, strengths_of
 from skinsource_gui.fields.editor import Burst
 from skinsource_gui.fields.number_field import DRAG_BEGINS_PX, NumberField
 from skinsource_gui.fields.units import axis_unit, minus, output_text, parse_number, value_text
-from skinsource_gui.panels.compare.content import ALL_AXES, KINDS, Kind, Names, OfWindow
+from skinsource_gui.panels.compare.content import (
+    ALL_AXES,
+    KINDS,
+    Kind,
+    Names,
+    OfWindow,
+    noisy_outputs,
+)
 from skinsource_gui.panels.compare.maps import MapsPanel
 from skinsource_gui.panels.compare.motion import rounded
 from skinsource_gui.panels.compare.settings import CompareSettings
@@ -103,7 +110,7 @@ class Strip(Figure):
     ticks
         Of x, below the curves.
     in_rows
-        Whether each curve has a row of height 1, and its name beside it.
+        Whether each curve has a row of height 1, and its name beside it, if there is room for all.
     """
 
     def __init__(self) -> None:
@@ -144,20 +151,24 @@ class Strip(Figure):
             painter.setPen(QtGui.QPen(QtGui.QColor(theme.accent), 2))
             painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()))
             unit, factor = axis_unit(self.ends[0][1])
-            at = area.adjusted(0.0, 0.0, x - area.right() - UNIT_PX / 2, 0.0)
-            side = Qt.AlignmentFlag.AlignRight
-            if x < area.center().x():
-                at, side = (
-                    area.adjusted(x - area.left() + UNIT_PX / 2, 0.0, 0.0, 0.0),
-                    Qt.AlignmentFlag.AlignLeft,
-                )
-            painter.drawText(at, side, f"{self.marked * factor:.1f} {unit}")
+            # Left of what stands in the corner, where names leave room.
+            corner = self._words[0] and f"{_BETWEEN}{self._words[0]}"
+            text = f"{self.marked * factor:.1f} {unit}{corner}"
+            left = area.right() - painter.fontMetrics().horizontalAdvance(text)
+            painter.drawText(
+                QPointF(left, 0.9 * painter.fontMetrics().height()), text.removesuffix(corner)
+            )
+
+    @property
+    def _has_rows(self) -> bool:
+        line = self.fontMetrics().height()
+        return self.in_rows and self.height() >= (len(self.curves) + 2.8) * line
 
     def _area(self) -> QRectF:
         line = 1.4 * self.fontMetrics().height()
         below = line * (1.6 if self.ticks else 1.0)
         room = QRectF(self.rect()).adjusted(UNIT_PX, line, -UNIT_PX, -below)
-        if self.in_rows:
+        if self._has_rows:
             width_of = QtGui.QFontMetricsF(tabular(self.font())).horizontalAdvance
             room.setLeft(2 * UNIT_PX + max(map(width_of, self._labels(room.width()))))
         return room
@@ -174,30 +185,28 @@ class Strip(Figure):
             return list(map(QPointF, across.tolist(), up.tolist()))
 
         left, ends = area.left(), np.array([x_low, x_high])
-        drawn = list(zip(self.curves, self._labels(room.width()), strict=True))
-        if self.in_rows:
-            # Where not all have room, some do, the first and the last among them.
-            y_high = min(max(int(area.height() / line), 2), len(drawn)) - 0.5
-            drawn = [drawn[k] for k in np.linspace(0, len(drawn) - 1, int(y_high + 0.5), dtype=int)]
-        for row, (curve, label) in enumerate(drawn, 1):
-            lifted = len(drawn) - row if self.in_rows else 0.0
+        in_rows, labels = self._has_rows, self._labels(room.width())
+        y_high += len(labels) - 1 if in_rows else 0
+        for row, (curve, label) in enumerate(zip(self.curves, labels, strict=True), 1):
+            lifted = len(labels) - row if in_rows else 0.0
             middle = lifted + sum(self.ends[1]) / 2
             painter.setPen(QtGui.QPen(QtGui.QColor(theme.grid), 1))
-            if self.in_rows or row == 1:
+            if in_rows or row == 1:
                 painter.drawPolyline(points(ends, middle))
             painter.setPen(theme.output_pen(curve.rank, pen_px))
             painter.save()
             painter.setClipRect(area.adjusted(0.0, -pen_px, 0.0, pen_px))
             painter.drawPolyline(points(curve.x, lifted + curve.y))
             if curve.arrival is not None:
-                painter.setPen(QtGui.QPen(QtGui.QColor(theme.text), pen_px))
+                if in_rows:
+                    painter.setPen(QtGui.QPen(QtGui.QColor(theme.text), pen_px))
                 painter.drawPolyline(points(np.full(2, curve.arrival), middle + _REACH))
             painter.restore()
             painter.setBrush(theme.output_colour(curve.rank))
             for dot in points(curve.x, curve.dots) if curve.dots is not None else ():
                 painter.drawEllipse(dot, 2 * pen_px, 2 * pen_px)
             at = QPointF(left, 0.9 * line)
-            if self.in_rows:
+            if in_rows:
                 at = QPointF(room.left(), points(ends, middle)[0].y() + 0.3 * line)
             painter.drawText(at, label)
             left += painter.fontMetrics().horizontalAdvance(f"{label}{_BETWEEN}")
@@ -220,8 +229,8 @@ class Strip(Figure):
         longest = max(len(curve.names) for curve in self.curves)
         for k in range(longest):
             labels = [curve.names[min(k, len(curve.names) - 1)] for curve in self.curves]
-            text = _BETWEEN.join((*labels, self._words[0]))
-            if self.in_rows:
+            text = _BETWEEN.join((*labels, "000.0 ms", self._words[0]))
+            if self._has_rows:
                 text = 3 * max(labels, key=metrics.horizontalAdvance)
             if metrics.horizontalAdvance(text) <= room_px:
                 break
@@ -310,7 +319,7 @@ _LETTERS = (0.05, 0.034, 0.022)
 # The least height of the dial, in that of the panel: with larger letters, too.
 _LEAST_DIAL = 0.105
 # Of the strip: lines of letters; least height of curves, and what words leave them.
-_LINES_OF_STRIP, _CURVES = 2.6, (0.03, 0.05)
+_LINES_OF_STRIP, _CURVES = 2.6, (0.03, 0.22)
 # In the width: words beside a map, the knob below several.
 _BESIDE, _BESIDE_SEVERAL = 0.52, 0.14
 # Above several maps and beside one, words take the first share of the height at most, more of it
@@ -691,7 +700,7 @@ class StagePanel(MapsPanel):
         if self._held_ends is not None and not (passes or self._passes):
             end_s = self._held_ends[0][1]
         self._passes = passes
-        curves = []
+        curves, noisy = [], noisy_outputs(self.compared[0])
         for k, loop, gain in known:
             kept = tuple(number for number in outputs if number <= loop.moving.signals.shape[0])
             if self._together:
@@ -701,7 +710,7 @@ class StagePanel(MapsPanel):
             values = values + 20.0 * np.log10(gain) if spectra else gain * values
             # Of another design the loudest part may lie where this one has ended.
             for row, number in enumerate(kept if x.size else ()):
-                called = _names(number, limb) if alone else names[k]
+                called = _names(number, limb, noisy) if alone else names[k]
                 curves.append(Curve(names=called, rank=row if alone else k, x=x, y=values[row]))
         self.strip.in_rows = self.moving.passes and bool(curves)
         top = max((float(np.abs(curve.y).max()) for curve in curves), default=0.0) or 1.0
@@ -737,7 +746,7 @@ class StagePanel(MapsPanel):
             )
             high = f"±{rounded(ends[1][1])} {self.moving.unit}"
             if self.strip.in_rows:
-                curves = _in_rows(designs[0], known[0][1], curves, [k - 1 for k in kept])
+                curves = _in_rows(self.compared[0], known[0][1], curves, [k - 1 for k in kept])
                 ends, top = ((0.0, end_s), (-0.5, 0.5)), 0.0
                 high = "each relative to its peak; + group delay, marked where it arrives"
             words = (where, high, f"window {end_s * factor:.3g} {unit}")
@@ -775,17 +784,20 @@ def _compared(design: Design, view: View, compare: CompareSettings) -> Kind:
     return _ALONE
 
 
-def _in_rows(design: Design, loop: Loop, curves: list[Curve], rows: list[int]) -> list[Curve]:
+def _in_rows(side: Compared, loop: Loop, curves: list[Curve], rows: list[int]) -> list[Curve]:
     """Return traces in rows, with when they arrive: after the first, which has the onset."""
-    moving, drawn = loop.moving, list[Curve]()
+    moving, drawn, noisy = loop.moving, list[Curve](), np.array(noisy_outputs(side), dtype=int) - 1
     signals = moving.signals[:, 0] if loop.signed else np.linalg.norm(moving.signals, axis=1)
-    delays_s, alike = group_delays(signals[rows], moving.sample_rate_hz)
-    onset_s = min((clip.onset_s for clip in design.clips), default=0.0) + moving.delay_s
-    for curve, delay_s, share in zip(curves, delays_s, alike, strict=True):
+    # Noise never arrives.
+    heard = signals[rows] * ~np.isin(rows, noisy)[:, None]
+    delays_s = arrivals(heard, moving.sample_rate_hz)
+    clips = side.snapshot.design.clips
+    onset_s = min((clip.onset_s for clip in clips), default=0.0) + moving.delay_s
+    for curve, delay_s in zip(curves, delays_s, strict=True):
         curve = replace(curve, y=_REACH[1] * curve.y / (np.abs(curve.y).max() or 1.0))
-        if share >= LEAST_ALIKE:
+        if np.isfinite(delay_s):
             told = minus(f" {round(1e3 * delay_s):+d} ms")
-            names = tuple(f"{name}{told}" for name in curve.names)
+            names = (*(f"{name}{told}" for name in curve.names), curve.names[-1])
             curve = replace(curve, names=names, arrival=onset_s + delay_s - loop.begin_s)
         drawn.append(curve)
     return drawn
@@ -811,9 +823,10 @@ def _fits_of(designs: Sequence[Design], loops: Sequence[Loop], output: int) -> l
     return curves
 
 
-def _names(number: int, limb: str) -> Names:
-    (name,) = output_names((number,), limb)
-    return output_text(number, limb), f"{number} {name.short}".rstrip(), str(number)
+def _names(number: int, limb: str, noisy: Sequence[int]) -> Names:
+    (name,), noise = output_names((number,), limb), " noise" * (number in noisy)
+    names = output_text(number, limb), f"{number} {name.short}".rstrip(), str(number)
+    return tuple(f"{each}{noise}" for each in names)
 
 
 def _number(design: Design, view: View) -> tuple[Input, str, NumberSpec, float] | None:

@@ -1,9 +1,14 @@
 """The shipped scenes give the numbers that are known of the measured limbs."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 import skinsource as ss
+from skinsource.base.conventions import LIMB_NAMES
+from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
+from skinsource.signals.analysis.wave_speed import arrivals
 
 WRIST = [43, 44, 45, 46, 52, 53, 54, 55]
 
@@ -47,6 +52,25 @@ def test_figure_2b_falls_with_distance_and_frequency(
     assert np.median(level_db[:42]) == pytest.approx(hand_db, abs=0.0501)
     wrist = level_db[[output - 1 for output in WRIST]]
     assert np.median(wrist) == pytest.approx(wrist_db, abs=0.0501)
+
+
+@pytest.mark.parametrize("limb", LIMB_NAMES)
+def test_arrivals_in_figure_2a_hardly_jump_between_frequencies(measured, limb):
+    opened, delays_s = ss.scenes.open_scene("2A"), []
+    design, rows = replace(opened.design, limb=limb), np.array(opened.view.outputs) - 1
+    (clip,) = design.clips
+    for hz in (50.0, 90.0, 200.0, 240.0, 258.0, 300.0, 325.0):
+        tone = replace(clip.waveform, frequency_hz=hz)
+        played = design.with_input(0, clips=(replace(clip, waveform=tone),))
+        found = ss.evaluate(played, "moving_z", "above_noise_db", view=opened.view)
+        moving, above_db = found["moving_z"], found["above_noise_db"]
+        delay_s = arrivals(moving.signals[rows, 0], moving.sample_rate_hz)
+        if above_db is not None:
+            delay_s[above_db[rows] < LEAST_ABOVE_NOISE_DB] = np.nan
+        delays_s.append(delay_s)
+    assert np.isfinite(delays_s).mean() > 0.7
+    assert -0.004 < np.nanmin(delays_s) <= np.nanmax(delays_s) < 0.025
+    assert np.nanmax(np.abs(np.diff(delays_s, axis=0))) < 0.02
 
 
 def test_scenes_of_a_pulse_are_the_impulse_responses_themselves(measured):

@@ -32,7 +32,7 @@ from skinsource.limbs.dataset.store import NOT_INSTALLED
 from skinsource.limbs.limb import PUBLISHED, LimbFacts
 from skinsource.limbs.own_limbs import facts_of, own_map
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
-from skinsource.signals.analysis.wave_speed import LEAST_ALIKE, group_delays
+from skinsource.signals.analysis.wave_speed import arrivals
 from skinsource.studies.checking import straightness, superposition
 
 #: Source of the figures of all scenes.
@@ -376,9 +376,8 @@ def _later_and_weaker(traces: Floats, rate_hz: float, near: int, far: int) -> st
     (traces,) = np.moveaxis(traces, 1, 0)
     peaks = np.abs(scipy.signal.hilbert(traces)).max(axis=1)
     weaker_db = float(-np.diff(decibels(peaks))[0])
-    delays_s, alike = group_delays(traces, rate_hz)
     # Where the largest sample of a long tone lies is no time of travel.
-    later_ms = 1e3 * float(delays_s[1])
+    later_ms = 1e3 * float(arrivals(traces, rate_hz)[1])
     delay = (
         f", and it comes {abs(later_ms):.0f} ms {'later' if later_ms > 0.0 else 'earlier'} (group "
         "delay)"
@@ -386,7 +385,7 @@ def _later_and_weaker(traces: Floats, rate_hz: float, near: int, far: int) -> st
     return (
         f"At output {far} its peak is {abs(weaker_db):.0f} dB "
         f"{'weaker' if weaker_db > 0.0 else 'stronger'} than at output {near}"
-        f"{delay if alike[1] >= LEAST_ALIKE else ''}."
+        f"{delay if np.isfinite(later_ms) else ''}."
     )
 
 
