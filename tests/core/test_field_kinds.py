@@ -13,35 +13,14 @@ from skinsource.specs import breakpoints, fields, numbers
 from skinsource.specs import spec as specs
 from skinsource.specs.breakpoints import Breakpoint, BreakpointsSpec
 from skinsource.specs.models import decode, encode, specs_of
-from skinsource.specs.numbers import (
-    CurveSpec,
-    ListSpec,
-    ModelSpec,
-    NumberSpec,
-    OptionalSpec,
-    PointsSpec,
-    Range,
-    RangeSpec,
-    SamplesSpec,
-)
 from skinsource.specs.samples import Samples
-from skinsource.specs.spec import (
-    Address,
-    BytesSpec,
-    ChoiceSpec,
-    PlainSpec,
-    Spec,
-    SwitchSpec,
-    TextSpec,
-    made_for,
-)
 from tests.core.design_files.any_recipe import recipes
 from tests.core.frozen.read_frozen import models
 
 #: The public ones; how far each field may go is frozen.
 MODELS = models()
-UNIT = NumberSpec(label="Part", minimum=0.0, maximum=1.0)
-WHOLE = NumberSpec(label="Count", minimum=1, maximum=72, whole=True)
+UNIT = numbers.NumberSpec(label="Part", minimum=0.0, maximum=1.0)
+WHOLE = numbers.NumberSpec(label="Count", minimum=1, maximum=72, whole=True)
 SOUND = Samples(values=np.arange(5.0), sample_rate_hz=1300.0)
 
 
@@ -61,9 +40,9 @@ def kinds() -> tuple[type, ...]:
 class Branch:
     KINDS: ClassVar[int] = 2
 
-    name: str = fields.field(TextSpec(label="Name", longest=9))
+    name: str = fields.field(specs.TextSpec(label="Name", longest=9))
     parts: tuple[Any, ...] = fields.field(
-        ListSpec(label="Parts", of=ModelSpec(label="Part", kinds=kinds)), default=()
+        numbers.ListSpec(label="Parts", of=numbers.ModelSpec(label="Part", kinds=kinds)), default=()
     )
 
     def __post_init__(self):
@@ -74,31 +53,36 @@ class Branch:
 class Everything:
     count: int = fields.number(4, WHOLE)
     size: float = fields.number(0.25, UNIT)
-    shape: str = fields.choice("a", ChoiceSpec(label="Shape", options=(("a", "A"), ("b", "B"))))
-    loud: bool = fields.switch(False, SwitchSpec(label="Loud"))
-    title: str = fields.field(TextSpec(label="Title", longest=5, one_line=True), default="")
-    notes: str = fields.field(TextSpec(label="Notes", longest=50), default="")
-    ends: Range | None = fields.interval(None, RangeSpec(label="Ends", minimum=0.0, maximum=1.0))
+    shape: str = fields.choice(
+        "a", specs.ChoiceSpec(label="Shape", options=(("a", "A"), ("b", "B")))
+    )
+    loud: bool = fields.switch(False, specs.SwitchSpec(label="Loud"))
+    title: str = fields.field(specs.TextSpec(label="Title", longest=5, one_line=True), default="")
+    notes: str = fields.field(specs.TextSpec(label="Notes", longest=50), default="")
+    ends: numbers.Range | None = fields.interval(
+        None, numbers.RangeSpec(label="Ends", minimum=0.0, maximum=1.0)
+    )
     envelope: tuple[tuple[float, float], ...] = fields.field(
-        CurveSpec(label="Envelope", x=UNIT, y=NumberSpec(label="Gain")),
+        numbers.CurveSpec(label="Envelope", x=UNIT, y=numbers.NumberSpec(label="Gain")),
         default=((0.0, 1.0), (1.0, 0.0)),
     )
     course: tuple[tuple[float, ...], ...] = fields.field(
-        PointsSpec(label="Course", columns=(UNIT, UNIT, WHOLE), most=3),
+        numbers.PointsSpec(label="Course", columns=(UNIT, UNIT, WHOLE), most=3),
         default=((0.0, 1.0, 1), (1.0, 0.0, 1)),
     )
     drawn: tuple[Breakpoint, ...] = fields.field(
         BreakpointsSpec(label="Drawn", x=UNIT, y=UNIT, most=3), default=((0.0, 1.0, "held"),)
     )
     outputs: tuple[int, ...] = fields.field(
-        ListSpec(label="Outputs", of=WHOLE, most=3, different=True), default=()
+        numbers.ListSpec(label="Outputs", of=WHOLE, most=3, different=True), default=()
     )
-    inner: Any = fields.field(ModelSpec(label="Inner", kinds=kinds), default=Leaf())
+    inner: Any = fields.field(numbers.ModelSpec(label="Inner", kinds=kinds), default=Leaf())
     sound: Samples | None = fields.field(
-        OptionalSpec(label="Sound", of=SamplesSpec(label="Sound", most=10)), default=None
+        numbers.OptionalSpec(label="Sound", of=numbers.SamplesSpec(label="Sound", most=10)),
+        default=None,
     )
-    state: bytes = fields.field(BytesSpec(label="State", longest=9), default=b"")
-    other: Any = fields.field(PlainSpec(label="Other"), default=())
+    state: bytes = fields.field(specs.BytesSpec(label="State", longest=9), default=b"")
+    other: Any = fields.field(specs.PlainSpec(label="Other"), default=())
 
     def __post_init__(self):
         fields.check(self)
@@ -125,7 +109,7 @@ FULL = Everything(
 
 @pytest.mark.parametrize("recipe", [Everything(), FULL], ids=["defaults", "full"])
 def test_every_kind_of_field_comes_back_from_its_tree(recipe):
-    decoded = decode(encode(recipe), (Everything,), Address())
+    decoded = decode(encode(recipe), (Everything,), specs.Address())
     assert decoded == recipe
     assert repr(decoded) == repr(recipe)  # -0.0 and 0.0, 1 and 1.0 are different here
 
@@ -135,7 +119,7 @@ def test_the_sample_covers_every_kind_of_field():
     used |= {spec.of.__class__ for spec in specs_of(Everything).values() if "of" in dir(spec)}
     named = {**vars(breakpoints), **vars(numbers), **vars(specs)}
     leaves = {kind for kind in named.values() if isinstance(kind, type)}
-    assert used == {kind for kind in leaves if issubclass(kind, Spec)} - {Spec}
+    assert used == {kind for kind in leaves if issubclass(kind, specs.Spec)} - {specs.Spec}
 
 
 WRONG = {
@@ -212,7 +196,7 @@ def test_what_is_kept_has_one_form():
 def test_an_older_tree_lacks_new_fields_which_take_their_defaults():
     tree = encode(FULL)
     del tree["sound"], tree["inner"]
-    decoded = decode(tree, (Everything,), Address())
+    decoded = decode(tree, (Everything,), specs.Address())
     assert (decoded.sound, decoded.inner, decoded.outputs) == (None, Leaf(), (3, 1, 2))
 
 
@@ -220,7 +204,7 @@ def test_an_older_tree_lacks_new_fields_which_take_their_defaults():
 @pytest.mark.parametrize("tree", [{}, [[]], [{}], "\x1b", -1e9, [None], [1, [2, "x"]], SOUND])
 def test_a_tree_of_another_form_is_refused_or_fits(name, tree):
     try:
-        decoded = decode({"kind": "Everything", name: tree}, (Everything,), Address())
+        decoded = decode({"kind": "Everything", name: tree}, (Everything,), specs.Address())
     except FileFormatError as error:
         decoded, message = None, str(error)
     if decoded is None:
@@ -230,18 +214,18 @@ def test_a_tree_of_another_form_is_refused_or_fits(name, tree):
 
 
 def test_a_kind_of_field_is_never_taken_for_another():
-    table = {NumberSpec: "number", Spec: "anything"}
-    assert made_for(UNIT, table) == "number"
-    assert made_for(TextSpec(label="Name", longest=9), table) == "anything"
+    table = {numbers.NumberSpec: "number", specs.Spec: "anything"}
+    assert specs.made_for(UNIT, table) == "number"
+    assert specs.made_for(specs.TextSpec(label="Name", longest=9), table) == "anything"
     with pytest.raises(TypeError, match="TextSpec of 'Name'"):
-        made_for(TextSpec(label="Name", longest=9), {NumberSpec: 1})
+        specs.made_for(specs.TextSpec(label="Name", longest=9), {numbers.NumberSpec: 1})
 
 
 def test_a_default_is_checked_as_any_value_and_kept_in_the_same_form():
     @dataclass(frozen=True, slots=True, kw_only=True)
     class Careless:
-        size: float = fields.number(1, NumberSpec(label="Size", minimum=0.0))
-        count: float = fields.number(-1.0, NumberSpec(label="Count", minimum=0.0))
+        size: float = fields.number(1, numbers.NumberSpec(label="Size", minimum=0.0))
+        count: float = fields.number(-1.0, numbers.NumberSpec(label="Count", minimum=0.0))
 
         def __post_init__(self):
             fields.check(self)

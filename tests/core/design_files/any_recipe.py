@@ -11,57 +11,40 @@ from hypothesis import strategies as st
 from skinsource import Actuation, Design, Input
 from skinsource.base.conventions import LIMB_NAMES
 from skinsource.base.errors import InvalidInputError
+from skinsource.specs import numbers as number_specs
+from skinsource.specs import spec as specs
 from skinsource.specs.breakpoints import SEGMENTS, BreakpointsSpec
 from skinsource.specs.models import specs_of
-from skinsource.specs.numbers import (
-    CurveSpec,
-    ListSpec,
-    ModelSpec,
-    NumberSpec,
-    OptionalSpec,
-    PointsSpec,
-    RangeSpec,
-    SamplesSpec,
-)
 from skinsource.specs.samples import Samples
-from skinsource.specs.spec import (
-    BytesSpec,
-    ChoiceSpec,
-    PlainSpec,
-    Spec,
-    SwitchSpec,
-    TextSpec,
-    made_for,
-)
 
 
-def numbers(spec: NumberSpec) -> st.SearchStrategy:
+def numbers(spec: number_specs.NumberSpec) -> st.SearchStrategy:
     if spec.whole:
         return st.integers(int(spec.minimum), int(spec.maximum))
     least, most = (x if isfinite(x) else None for x in (spec.minimum, spec.maximum))
     return st.floats(least, most, allow_nan=False, allow_infinity=False)
 
 
-def texts(spec: TextSpec) -> st.SearchStrategy:
+def texts(spec: specs.TextSpec) -> st.SearchStrategy:
     if spec.reader is not None:
         return st.sampled_from(["sin(2*pi*90*t)", "t < 0.1", "noise(3)·hann()", "\t1 - t "])
     characters = st.characters(exclude_categories=["Cs", "Cc", "Zl", "Zp"])
     return st.text(characters, max_size=min(spec.longest, 30))
 
 
-def ranges(spec: RangeSpec) -> st.SearchStrategy:
+def ranges(spec: number_specs.RangeSpec) -> st.SearchStrategy:
     end = st.floats(spec.minimum, spec.maximum, allow_nan=False)
     return st.none() | st.tuples(end, end).filter(lambda ends: ends[0] < ends[1])
 
 
-def signals(spec: SamplesSpec) -> st.SearchStrategy:
+def signals(spec: number_specs.SamplesSpec) -> st.SearchStrategy:
     held = st.lists(st.floats(-1e3, 1e3), min_size=1, max_size=5)  # layers multiply them
     rates = st.floats(1e-3, 1e9)
     units = st.sampled_from(["", "m/s²"]) if spec.unit is None else st.just(spec.unit)
     return st.builds(Samples, values=held, sample_rate_hz=rates, unit=units)
 
 
-def curves(spec: CurveSpec) -> st.SearchStrategy:
+def curves(spec: number_specs.CurveSpec) -> st.SearchStrategy:
     points = st.tuples(numbers(spec.x), numbers(spec.y))
     return st.lists(points, max_size=5).map(lambda drawn: tuple(sorted(drawn)))
 
@@ -82,38 +65,38 @@ PANELS = st.dictionaries(
 ).map(lambda panels: tuple(sorted(panels.items())))
 
 
-def any_of(spec: ModelSpec) -> st.SearchStrategy:
+def any_of(spec: number_specs.ModelSpec) -> st.SearchStrategy:
     kinds = spec.kinds()
     # Clips hold waveforms, of which one kind holds clips.
     later = [st.deferred(lambda kind=kind: recipes(kind)) for kind in kinds]
     return st.one_of(later) if kinds else st.nothing()
 
 
-def most(spec: ListSpec) -> int:
+def most(spec: number_specs.ListSpec) -> int:
     """Parts of the longest list that is tried; none of kinds of which there are none."""
-    empty = isinstance(spec.of, ModelSpec) and not spec.of.kinds()
+    empty = isinstance(spec.of, number_specs.ModelSpec) and not spec.of.kinds()
     return 0 if empty else min(spec.most, 3)
 
 
-def values(spec: Spec) -> st.SearchStrategy:
+def values(spec: specs.Spec) -> st.SearchStrategy:
     """Any value that fits."""
-    return made_for(
+    return specs.made_for(
         spec,
         {
-            NumberSpec: numbers,
-            ChoiceSpec: lambda spec: st.sampled_from([option for option, _ in spec.options]),
-            SwitchSpec: lambda _: st.booleans(),
-            TextSpec: texts,
-            RangeSpec: ranges,
-            CurveSpec: curves,
-            BytesSpec: lambda _: st.binary(max_size=300),
-            PlainSpec: lambda _: PANELS,
-            ListSpec: lambda spec: st.lists(
+            number_specs.NumberSpec: numbers,
+            specs.ChoiceSpec: lambda spec: st.sampled_from([option for option, _ in spec.options]),
+            specs.SwitchSpec: lambda _: st.booleans(),
+            specs.TextSpec: texts,
+            number_specs.RangeSpec: ranges,
+            number_specs.CurveSpec: curves,
+            specs.BytesSpec: lambda _: st.binary(max_size=300),
+            specs.PlainSpec: lambda _: PANELS,
+            number_specs.ListSpec: lambda spec: st.lists(
                 values(spec.of), min_size=spec.fewest, max_size=most(spec), unique=spec.different
             ).map(tuple),
-            OptionalSpec: lambda spec: st.none() | values(spec.of),
-            SamplesSpec: signals,
-            PointsSpec: lambda spec: st.lists(
+            number_specs.OptionalSpec: lambda spec: st.none() | values(spec.of),
+            number_specs.SamplesSpec: signals,
+            number_specs.PointsSpec: lambda spec: st.lists(
                 st.tuples(*map(values, spec.columns)), min_size=spec.fewest, max_size=6
             ).map(lambda points: tuple(sorted(points))),
             BreakpointsSpec: lambda spec: st.lists(
@@ -121,7 +104,7 @@ def values(spec: Spec) -> st.SearchStrategy:
                 min_size=1,
                 max_size=6,
             ).map(lambda points: tuple(sorted(points))),
-            ModelSpec: any_of,
+            number_specs.ModelSpec: any_of,
         },
     )(spec)
 
