@@ -368,7 +368,8 @@ def hand_pixmap(
     size, ratio
         Of the widget, and device pixels per widget pixel.
     """
-    pixmap = QtGui.QPixmap(size * ratio)
+    # A panel without room is painted in pictures of the window all the same.
+    pixmap = QtGui.QPixmap((size * ratio).expandedTo(QSize(1, 1)))
     pixmap.setDevicePixelRatio(ratio)
     pixmap.fill(Qt.GlobalColor.transparent)
     painter = QtGui.QPainter(pixmap)

@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF
-from PySide6.QtGui import QColor, QHelpEvent
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize
+from PySide6.QtGui import QColor, QHelpEvent, QTransform
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolTip
 
@@ -13,7 +13,13 @@ from skinsource.engine import evaluation
 from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.own_limbs import install_limb
 from skinsource_gui.panels.hand import picture as site_marker
-from skinsource_gui.panels.hand.picture import HandSettings, HandState, Mark, caption_of
+from skinsource_gui.panels.hand.picture import (
+    HandSettings,
+    HandState,
+    Mark,
+    caption_of,
+    hand_pixmap,
+)
 from skinsource_gui.qt.buttons import text_colour_on
 from skinsource_gui.qt.theme import DARK, LIGHT, Theme, current_theme
 from skinsource_gui.qt.wheel import FREE, WHOLE
@@ -36,6 +42,11 @@ def test_an_input_has_its_own_colour_on_the_hand_in_both_themes(studio, use_them
         point = studio.diagram.site_centre(20) + QPoint(0, 7)
         assert image.pixelColor(point).name() != theme.inputs[0]
         studio.put(track(location=20), track(location=16), selected=1)
+
+
+def test_a_hand_without_room_is_a_picture_too(studio):
+    drawing = studio.diagram.stage.drawing
+    assert not hand_pixmap(drawing, QTransform(), QSize(0, 90), 1.0, LIGHT).isNull()
 
 
 @pytest.mark.parametrize("theme", [LIGHT, DARK], ids=lambda theme: theme.name)
