@@ -13,13 +13,7 @@ from skinsource.engine import evaluation
 from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.own_limbs import install_limb
 from skinsource_gui.panels.hand import picture as site_marker
-from skinsource_gui.panels.hand.picture import (
-    HandSettings,
-    HandState,
-    Mark,
-    caption_of,
-    hand_pixmap,
-)
+from skinsource_gui.panels.hand.picture import HandSettings, HandState, Mark, caption_of
 from skinsource_gui.qt.buttons import text_colour_on
 from skinsource_gui.qt.theme import DARK, LIGHT, Theme, current_theme
 from skinsource_gui.qt.wheel import FREE, WHOLE
@@ -46,7 +40,7 @@ def test_an_input_has_its_own_colour_on_the_hand_in_both_themes(studio, use_them
 
 def test_a_hand_without_room_is_a_picture_too(studio):
     drawing = studio.diagram.stage.drawing
-    assert not hand_pixmap(drawing, QTransform(), QSize(0, 90), 1.0, LIGHT).isNull()
+    assert not site_marker.hand_pixmap(drawing, QTransform(), QSize(0, 90), 1.0, LIGHT).isNull()
 
 
 @pytest.mark.parametrize("theme", [LIGHT, DARK], ids=lambda theme: theme.name)
