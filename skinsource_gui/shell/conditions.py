@@ -11,6 +11,7 @@ from typing import Any
 from PySide6 import QtWidgets
 from PySide6.QtCore import QObject, QPoint, Qt, QTimer, Signal
 
+from skinsource.base.errors import counted
 from skinsource.design import edits
 from skinsource.design.edits.edit import Edit
 from skinsource.perception.validity import Finding, Findings
@@ -45,7 +46,7 @@ _CAUTIONS = {
     "band": "outside the measured band",
     "drive": "probe too fast",
     "spacing": "waves shorter than the sensor spacing",
-    "noise": "outputs near the noise",
+    "noise": "near the noise",
     "scaling": "differences between places hidden",
 }
 _CAUTION = "⚠"
@@ -59,7 +60,7 @@ def chip_text(findings: Findings) -> str:
     if not named:
         return "Limits not checked"
     if left:
-        count = f"{len(left[0].outputs)} " if left[0].outputs else ""
+        count = f"{counted(len(left[0].outputs), 'output')} " if left[0].outputs else ""
         more = f", {len(left) - 1} more" if left[1:] else ""
         caution = f"{count}{_CAUTIONS[left[0].name]}"
         return f"{_CAUTION} {caution[0].upper()}{caution[1:]}{more}"
