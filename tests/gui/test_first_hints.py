@@ -118,6 +118,5 @@ def test_a_panel_that_is_docked_later_never_covers_a_notice(qtbot):
     window, notice = window_of(qtbot)
     notice.say("Unsaved work was found")
     window.addDockWidget(Qt.DockWidgetArea.BottomDockWidgetArea, QDockWidget("Timeline", window))
-    qtbot.waitUntil(lambda: window.findChild(QDockWidget).isVisible())
     middle = notice.card.geometry().center()
     qtbot.waitUntil(lambda: notice.card.isAncestorOf(window.childAt(middle)))

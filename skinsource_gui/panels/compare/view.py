@@ -358,6 +358,8 @@ class MapsView(QtWidgets.QWidget):
         for place in self.places.cells:
             # The outline is drawn a little beyond.
             self.update(place.map.adjusted(-2, -2, 2, 2).toAlignedRect())
+            if self.output is not None:
+                self.update(place.value.toAlignedRect())
 
     def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)

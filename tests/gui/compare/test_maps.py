@@ -1,6 +1,7 @@
 """Compared maps: the same numbers as alone, one scale, one pointer, no cost while hidden."""
 
 from dataclasses import replace
+from unittest.mock import patch
 
 import numpy as np
 import pytest
@@ -69,6 +70,10 @@ def test_four_limbs_have_their_own_levels_one_scale_one_pointer_and_one_selectio
     for values in expected:
         assert f"{values[output - 1]:.1f}".replace("-", "−") in panel.text_label.whole
     assert panel.text_label.whole.startswith("Output 23")
+    # Maps that move on under the pointer are read anew.
+    with patch.object(maps, "update") as painted:
+        maps.show_frame(maps.content.cells)
+    painted.assert_any_call(maps.places.cells[0].value.toAlignedRect())
     QTest.mouseClick(maps, Qt.MouseButton.LeftButton, pos=at)
     assert window.document.view.outputs == (output,)
     QApplication.sendEvent(maps, QEvent(QEvent.Type.Leave))
