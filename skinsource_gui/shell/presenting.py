@@ -493,6 +493,8 @@ class Presenter(QObject):
         self._opening = False
         self._begun, self._worked = 0, False
         self._workspaces.show_scene()
+        # What was paused is another scene.
+        cast("StagePanel", self._made[STAGE]).clock.held = False
         self.done.emit(f"Scene {number + 1} of {len(self._steps)}: {title}{left}")
         self._show_notes()
 

@@ -12,18 +12,9 @@ from PySide6.QtWidgets import QApplication, QLineEdit, QVBoxLayout, QWidget
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.effects.time import TO
 from skinsource.specs.numbers import NumberSpec
+from skinsource_gui.fields import units
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.number_field import PIXELS_PER_STEP, NumberField, fitting_text
-from skinsource_gui.fields.units import (
-    COARSE,
-    FINE,
-    PLAIN,
-    number_text,
-    parse_level,
-    parse_number,
-    stepped,
-    value_text,
-)
 from tests.gui.wheel import NOTCH, turn_wheel
 
 DURATION = NumberSpec(label="Duration", unit="s", minimum=0.001, maximum=600.0, step=0.01)
@@ -135,7 +126,7 @@ ANYTHING = NumberSpec(label="Offset", minimum=-math.inf, maximum=math.inf)
 )
 def test_numbers_are_read_with_any_unit_of_theirs_and_with_a_decimal_comma(text, spec, value):
     # A level keeps the polarity.
-    assert parse_level(text, spec, -1.0) == value
+    assert units.parse_level(text, spec, -1.0) == value
 
 
 @pytest.mark.parametrize(
@@ -160,7 +151,7 @@ def test_numbers_are_read_with_any_unit_of_theirs_and_with_a_decimal_comma(text,
 )
 def test_what_is_not_allowed_is_refused_with_what_is(text, spec, reason):
     with pytest.raises(InvalidInputError) as error:
-        parse_level(text, spec, 1.0)
+        units.parse_level(text, spec, 1.0)
     assert reason in str(error.value)
 
 
@@ -178,13 +169,13 @@ def test_what_is_not_allowed_is_refused_with_what_is(text, spec, reason):
     ],
 )
 def test_values_are_shown_with_sensible_digits(value, unit, text):
-    assert value_text(value, unit) == text
+    assert units.value_text(value, unit) == text
 
 
 def test_any_shown_number_is_read_back_to_the_value_it_shows():
     for milliseconds in range(1, 2000):
         value = milliseconds / 1000
-        assert parse_number(number_text(value, "s"), DURATION, value) == value
+        assert units.parse_number(units.number_text(value, "s"), DURATION, value) == value
 
 
 def test_a_double_click_types_over_the_number(make_bench):
@@ -420,13 +411,13 @@ def test_steps_lead_to_round_numbers(make_bench, spec, start, keys, values):
 
 
 @pytest.mark.parametrize("spec", [DURATION, FREQUENCY, PHASE, AMPLITUDE, SEED])
-@pytest.mark.parametrize("size", [FINE, PLAIN, COARSE])
+@pytest.mark.parametrize("size", [units.FINE, units.PLAIN, units.COARSE])
 @pytest.mark.parametrize("direction", [1, -1])
 def test_every_step_changes_the_value_and_stays_allowed(spec, size, direction):
     value = 0.5 * (max(spec.minimum, 1.0) + 3.0)
     value = float(round(value)) if spec.whole else value
     for _ in range(200):
-        after = stepped(value, direction, spec, size)
+        after = units.stepped(value, direction, spec, size)
         assert spec.minimum <= after <= spec.maximum
         assert after != value or after in (spec.minimum, spec.maximum)
         assert after.is_integer() or not spec.whole

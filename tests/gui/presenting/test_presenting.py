@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from unittest.mock import patch
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
@@ -265,6 +266,17 @@ def test_a_notice_gives_the_keyboard_back(studio):
     button.setFocus()
     notice.be_quiet()
     assert studio.focusWidget() is focused
+
+
+def test_a_pause_on_the_page_of_the_stage_ends_with_its_scene(studio, settle):
+    studio.do("arrange_presentation")
+    settle()
+    stage = studio.panel("stage")
+    stage.hold()
+    # As where its maps are there at once, so that the motion never stops.
+    with patch.object(stage.clock, "run"):
+        studio.do("next_scene")
+    assert not stage.clock.held
 
 
 def louder(window, amplitude):
