@@ -67,11 +67,11 @@ def discard(cells: Sequence[LabelledCell], heir: QtWidgets.QWidget | None) -> No
 def forget_typing(*parents: QtWidgets.QWidget) -> None:
     """Close open editors in widgets without committing: what was typed belongs elsewhere."""
     for parent in parents:
-        for part in parent.findChildren(QtWidgets.QWidget):
-            if isinstance(part, EditedCell):
-                part.forget_typing()
-            elif isinstance(part, Editor):
-                part.cancel()
+        # PySide would keep what it knows of every other child beyond the end of that child.
+        for cell in parent.findChildren(EditedCell):
+            cell.forget_typing()
+        for editor in parent.findChildren(Editor):
+            editor.cancel()
 
 
 class TextCell(LabelledCell):

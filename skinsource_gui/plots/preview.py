@@ -1,7 +1,6 @@
 """Small pictures of what a design plays: a spectrum, a waveform, and clips on tracks."""
 
-from collections import OrderedDict
-from collections.abc import Callable, Hashable
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
@@ -15,6 +14,7 @@ from skinsource.design.clips import Clip, Fragment
 from skinsource.design.effects.effect import Effect
 from skinsource.design.effects.playing import played
 from skinsource.design.waveform import Waveform
+from skinsource.engine.memory import Memory
 from skinsource_gui.fields.units import axis_unit
 from skinsource_gui.plots.curves import visible_course
 from skinsource_gui.plots.figure import Axes, Axis, fitted_axes
@@ -191,11 +191,10 @@ class ClipPictures:
         that changes no clip paints none.
     """
 
-    def __init__(self, budget_bytes: int = _BUDGET_BYTES) -> None:
-        self._pictures: OrderedDict[Hashable, tuple[Floats, QtGui.QPixmap]] = OrderedDict()
-        self._budget, self._bytes = budget_bytes, 0
+    def __init__(self) -> None:
         self.painted = self.waves = 0
         self.columns = CachedColumns()
+        self.forget()
 
     def paint(
         self, painter: QtGui.QPainter, samples: Floats, area: QRectF, style: ClipStyle
@@ -210,10 +209,13 @@ class ClipPictures:
         """Return the picture of what a clip plays; size in px."""
         # The samples are stored with the picture, so that no other array gets their id.
         key = (id(samples), size.width(), size.height(), style)
-        cached = self._pictures.get(key)
-        if cached is not None and cached[0] is samples:
-            self._pictures.move_to_end(key)
-            return cached[1]
+        return self._pictures.get(key, lambda: self._painted(samples, size, style))[1]
+
+    def forget(self) -> None:
+        """Keep nothing."""
+        self._pictures = Memory[_Picture](_BUDGET_BYTES, _size)
+
+    def _painted(self, samples: Floats, size: QSizeF, style: ClipStyle) -> "_Picture":
         made = QtGui.QPixmap((size * style.ratio).toSize().expandedTo(QSizeF(1, 1).toSize()))
         made.setDevicePixelRatio(style.ratio)
         made.fill(Qt.GlobalColor.transparent)
@@ -222,25 +224,16 @@ class ClipPictures:
         self.waves += paint_samples(on_picture, samples, room, style, self.columns)
         on_picture.end()
         self.painted += 1
-        self._store(key, samples, made)
-        return made
-
-    def forget(self) -> None:
-        """Keep nothing."""
-        self._pictures.clear()
-        self._bytes = 0
-
-    def _store(self, key: Hashable, samples: Floats, made: QtGui.QPixmap) -> None:
-        old = self._pictures.pop(key, None)
-        self._bytes += _size(made) - (0 if old is None else _size(old[1]))
-        self._pictures[key] = (samples, made)
-        while self._bytes > self._budget and len(self._pictures) > 1:
-            _, (_, removed) = self._pictures.popitem(last=False)
-            self._bytes -= _size(removed)
+        return samples, made
 
 
-def _size(picture: QtGui.QPixmap) -> int:
-    return picture.width() * picture.height() * _BYTES_PER_PIXEL
+#: Samples, and what is painted of them.
+_Picture = tuple[Floats, QtGui.QPixmap]
+
+
+def _size(picture: _Picture) -> int:
+    samples, made = picture
+    return samples.nbytes + made.width() * made.height() * _BYTES_PER_PIXEL
 
 
 _MARGIN_PX = 4
