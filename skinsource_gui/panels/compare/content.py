@@ -35,6 +35,7 @@ from skinsource.engine.time_rules import Moving
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.own_limbs import axes_on
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
+from skinsource.signals.loudest_window import Span
 from skinsource_gui.fields.units import output_text
 from skinsource_gui.panels.compare.card import told_titles
 from skinsource_gui.panels.compare.settings import MOTION, SHOWN, CompareSettings
@@ -239,12 +240,16 @@ def of_levels(
 
 
 def of_differences(
-    compared: Sequence[Compared], names: Sequence[Names], reference: int
+    compared: Sequence[Compared], names: Sequence[Names], reference: int, span: Span
 ) -> tuple[Cell, ...]:
-    """Return a map of how much louder each of the others is than the one at ``reference``."""
+    """Return a map of how much louder each of the others is than the one at ``reference``.
+
+    Over records of two lengths both levels are taken over the longer one: what is only muted in one
+    of them makes all else no louder.
+    """
     base, of_base = compared[reference], names[reference]
     cells = [
-        _difference(side, of_one, base, of_base)
+        _difference(side, of_one, base, of_base, span)
         for k, (side, of_one) in enumerate(zip(compared, names, strict=True))
         if k != reference
     ]
@@ -304,7 +309,7 @@ def of_spread(
     )
 
 
-def _difference(side: Compared, names: Names, base: Compared, of_base: Names) -> Cell:
+def _difference(side: Compared, names: Names, base: Compared, of_base: Names, span: Span) -> Cell:
     headings = _minus(names, of_base)
     cell = Cell(headings=headings, limb=_limb(side), stale=side.is_stale or base.is_stale)
     if problem := side.problem or base.problem:
@@ -315,7 +320,9 @@ def _difference(side: Compared, names: Names, base: Compared, of_base: Names) ->
         return cell
     if is_silent(side) or is_silent(base):
         return replace(cell, text=SILENCE)
-    levels = difference_db(_levels_db(side), _levels_db(base))
+    lengths_s = (record_s(side), record_s(base)) if span == "record" else (1.0, 1.0)
+    over_db = 10.0 * np.log10(np.divide(lengths_s, max(lengths_s)))
+    levels = difference_db(_levels_db(side) + over_db[0], _levels_db(base) + over_db[1])
     both = _synthetic(side) or _synthetic(base)
     small = _map(side, levels, noisy_outputs(side, base))
     if np.abs(levels).max() < _LEAST_DB:
@@ -413,7 +420,7 @@ LEAST_COMPARED = 2
 #: Quantities of a map of levels.
 LEVELS = frozenset(
     {"limb_map", "limb_data", "output_levels_db", "above_noise_db", "surface", "surface_levels_db"}
-    | {"response_samples"}
+    | {"record_samples"}
 )
 
 
@@ -499,9 +506,10 @@ class Kind:
         names = self.names(compared, view, difference=shown == "difference")
         reference = self.reference(compared, design, view)
         if shown == "levels":
-            maps = of_levels(compared, names, style, own=settings.own_maximum)
+            called = _with_lengths(compared, names) if view.span == "record" else names
+            maps = of_levels(compared, called, style, own=settings.own_maximum)
         elif shown == "difference":
-            maps = of_differences(compared, names, reference)
+            maps = of_differences(compared, names, reference, view.span)
         else:
             maps = of_spread(compared, names, reference, style)
         matched = matched_text(compared) or display_gain_text(design, view)
@@ -689,14 +697,26 @@ class OfSnapshots(Kind):
 
 def lengths_text(compared: Sequence[Compared]) -> str:
     """Return over how long the levels are taken; "" where that is the same for all."""
-    lengths_s = sorted(
-        {
-            round(values["response_samples"] / values["limb_data"].sample_rate_hz, 2)
-            for values in (side.values for side in compared)
-            if values and "response_samples" in values
-        }
-    )
-    return f"over {lengths_s[0]:g} to {lengths_s[-1]:g} s" if lengths_s[1:] else ""
+    lengths_s = sorted({round(length_s, 2) for side in compared if (length_s := record_s(side))})
+    if not lengths_s[1:]:
+        return ""
+    return f"over {lengths_s[0]:g} to {lengths_s[-1]:g} s, differences over the longer"
+
+
+def _with_lengths(compared: Sequence[Compared], names: Sequence[Names]) -> Sequence[Names]:
+    """Return names, all but the shortest with the length of the record where these differ."""
+    if not lengths_text(compared):
+        return names
+    return [
+        (*(f"{form}, {round(record_s(side), 2):g} s" for form in forms), forms[-1])
+        for side, forms in zip(compared, names, strict=True)
+    ]
+
+
+def record_s(side: Compared) -> float:
+    """Return how long its whole record is; 0 where that is not known."""
+    known = side.values
+    return known["record_samples"] / float(known["limb_data"].sample_rate_hz) if known else 0.0
 
 
 def matching_text(compared: Sequence[Compared]) -> str:

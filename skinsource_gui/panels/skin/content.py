@@ -186,7 +186,7 @@ def signals_name(quantity: str) -> str:
 def needs_of(settings: SkinSettings) -> frozenset[str]:
     """Return the results that `content_of` needs."""
     at_outputs, over_skin = _NAMES[settings.quantity]
-    needed = {"limb_map", "limb_data", "match_gain", "response_samples", at_outputs}
+    needed = {"limb_map", "limb_data", "match_gain", "record_samples", at_outputs}
     if settings.quantity == SENSATION:
         needed.add("sensation")
     if settings.map_style == "interpolated":
@@ -226,7 +226,7 @@ def content_of(
     facts = facts_of(limb)
     matched = match_text(results.get("match_gain", 1.0))
     quantity = quantity_of(settings, view, facts.axes, matched)
-    n_samples, limb_data = results.get("response_samples"), results.get("limb_data")
+    n_samples, limb_data = results.get("record_samples"), results.get("limb_data")
     if n_samples and limb_data is not None:
         quantity = replace(quantity, record_s=n_samples / limb_data.sample_rate_hz)
     surface, field = results.get("surface"), None

@@ -285,7 +285,7 @@ def test_a_snapshot_on_a_limb_without_the_axes_of_the_view_shows_those_it_has(
     document.edit("back", Design(limb="synthetic-1", inputs=(track(7),)))
     document.look(replace(document.view, axes="y"))
     [lab] = [cell for cell in shown(panel, qtbot, 2) if cell.limb == "lab-1"]
-    assert lab.heading == "Snapshot 1 (x, z)"
+    assert lab.heading.startswith("Snapshot 1 (x, z), ")
     view = View(axes="xz", method=document.view.method)
     expected = evaluate(on_lab, "output_levels_db", view=view)["output_levels_db"]
     assert lab.values_db == pytest.approx(expected, abs=1e-9)
@@ -383,7 +383,7 @@ def test_what_is_mostly_noise_is_hatched_on_each_map_and_on_what_is_made_of_seve
     names = [("one",), ("two",)]
     first, second = of_levels(pair, names)
     assert (first.small.noisy, second.small.noisy) == ((3, 70), (70, 71))
-    [difference] = of_differences(pair, names, 0)
+    [difference] = of_differences(pair, names, 0, "loudest")
     assert difference.small.noisy == (3, 70, 71)
     assert [cell.small.noisy for cell in of_spread(pair, names, 0)] == [(3, 70, 71)] * 2
     [quiet, _] = of_levels([compared(1, noisy=()), pair[1]], names)

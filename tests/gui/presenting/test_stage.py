@@ -294,7 +294,7 @@ def test_what_leaves_the_conditions_is_said_on_the_stage(stage, qtbot):
     window = stage.window()
     complete(stage, qtbot, 1)
     qtbot.waitUntil(lambda: bool(window.conditions.chip.findings), timeout=10_000)
-    assert not stage.caution.text()
+    qtbot.waitUntil(lambda: not stage.caution.text(), timeout=10_000)
     window.document.edit("Loud", window.document.design.with_input(0, amplitude=1000.0))
     qtbot.waitUntil(lambda: bool(stage.caution.text()), timeout=10_000)
     assert stage.caution.text() == window.conditions.chip.text()

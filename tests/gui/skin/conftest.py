@@ -15,7 +15,7 @@ def results():
     return {
         "limb_data": limb,
         "match_gain": 1.0,
-        "response_samples": 1040,
+        "record_samples": 1040,
         "limb_map": limb.map,
         "surface": surface,
         "output_levels_db": levels,

@@ -29,7 +29,7 @@ def test_the_surface_is_asked_for_only_while_the_map_is_interpolated(window):
         "limb_data",
         "match_gain",
         "output_levels_db",
-        "response_samples",
+        "record_samples",
     }
 
 
