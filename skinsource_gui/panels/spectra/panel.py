@@ -135,7 +135,7 @@ def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
         kind=_kind(settings),
         span=span_shown,
         level_text=_RELATIVE_LEVEL_TEXT if settings.relative else LEVEL_TEXT,
-        scaling=tuple(f"{heading[1]} · {text}" for text in _scaling(settings, span)),
+        scaling=tuple(f"{heading[1]} · {text}" for text in _scaling(settings, span, frequency_hz)),
         columns=_columns(results["outputs"], axes) if columns else (),
         about=lazy_lines(results, *notes, each_axis=each_axis),
         heading=heading,
@@ -190,11 +190,13 @@ def notes_of(results: Mapping[str, Any], settings: SpectraSettings) -> tuple[str
     return _RECTIFIED if rectified and settings.layout != "axes" else ()
 
 
-def _scaling(settings: SpectraSettings, span: Span) -> tuple[str, ...]:
+def _scaling(settings: SpectraSettings, span: Span, frequency_hz: Floats) -> tuple[str, ...]:
     """Return what heights mean, longest first."""
-    if not settings.averaged:
-        return _SCALINGS[span]
-    return tuple(f"{text}, {_AVERAGED}" for text in _SCALINGS[span])
+    texts = _SCALINGS[span]
+    if span == "record" and frequency_hz.size > 1:
+        # Longer than that of levels where actuators ring.
+        texts = (*(f"{text}, {round(1 / frequency_hz[1], 2):g} s" for text in texts), texts[-1])
+    return tuple(f"{text}, {_AVERAGED}" for text in texts) if settings.averaged else texts
 
 
 def _averaged_text(settings: SpectraSettings, frequency_hz: Floats) -> str:

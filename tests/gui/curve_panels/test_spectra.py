@@ -43,6 +43,7 @@ def test_spectra_are_those_of_the_chosen_span_and_say_so_where_there_is_room(sho
     assert panel.needs >= {SPECTRA[span][0], "span"}
     metrics, header = QFontMetricsF(plot_of(panel).text_font), header_of(panel)
     assert header.scaling[0] in header.fitted(metrics, 10_000.0)[0]
+    assert header.scaling[0].endswith("record, 0.5 s") == (span == "record")
     assert header.fitted(metrics, 10.0) == ("m/s²", "")
 
 
