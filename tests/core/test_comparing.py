@@ -11,16 +11,7 @@ import skinsource as ss
 from skinsource import Design, View, edits, track
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.comparing import (
-    difference_db,
-    gain_text,
-    loudest_db,
-    matching_gain,
-    other_snapshot,
-    restored_snapshots,
-    same_but_rounding,
-    why_no_comparison,
-)
+from skinsource.design import comparing
 from skinsource.design.design import EDITED, Snapshot, louder, shown_snapshot
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.waveforms import Noise, Tone
@@ -48,7 +39,7 @@ def store(design, view, number):
 
 
 def toggle(design, view):
-    other = other_snapshot(view.snapshots, design)
+    other = comparing.other_snapshot(view.snapshots, design)
     return apply(design, view, edits.show_snapshot(design, view, other.number))
 
 
@@ -62,23 +53,25 @@ def test_a_louder_design_is_so_much_louder_everywhere(scaling):
 
 def test_a_gain_of_one_changes_nothing_and_too_large_ones_are_refused():
     assert louder(DESIGN, 1.0) is DESIGN
-    assert matching_gain(-12.3, -12.3) == 1.0
-    assert matching_gain(FLOOR_DB, -12.3) == matching_gain(-12.3, FLOOR_DB) == 1.0
-    assert matching_gain(-20.0, 0.0) == pytest.approx(10.0, rel=1e-15)
-    assert loudest_db([-3.0, -20.0]) == -3.0
-    texts = [gain_text(gain) for gain in (10.0, 0.5, 1.004, 0.0)]
+    assert comparing.matching_gain(-12.3, -12.3) == 1.0
+    assert (
+        comparing.matching_gain(FLOOR_DB, -12.3) == comparing.matching_gain(-12.3, FLOOR_DB) == 1.0
+    )
+    assert comparing.matching_gain(-20.0, 0.0) == pytest.approx(10.0, rel=1e-15)
+    assert comparing.loudest_db([-3.0, -20.0]) == -3.0
+    texts = [comparing.gain_text(gain) for gain in (10.0, 0.5, 1.004, 0.0)]
     assert texts == ["+20.0 dB", "\N{MINUS SIGN}6.0 dB", "", ""]
     with pytest.raises(InvalidInputError):
         louder(DESIGN, 1e6)
     with pytest.raises(InvalidInputError):
-        loudest_db([])
+        comparing.loudest_db([])
 
 
 def test_what_lies_far_below_the_loudest_makes_no_difference():
     mine = np.array([0.0, -30.0, -100.0, FLOOR_DB, np.nan])
     theirs = np.array([-6.0, -20.0, -70.0, -50.0, np.nan])
     expected = [6.0, -10.0, 0.0, -10.0, np.nan]
-    np.testing.assert_array_equal(difference_db(mine, theirs), expected)
+    np.testing.assert_array_equal(comparing.difference_db(mine, theirs), expected)
 
 
 def test_a_snapshot_takes_the_place_of_the_one_with_its_number_and_stands_last():
@@ -99,19 +92,19 @@ def test_other_numbers_are_refused(edit):
 
 
 def test_one_key_goes_to_and_fro_between_equal_ones_too_where_there_are_no_others():
-    assert other_snapshot((), DESIGN) is None
+    assert comparing.other_snapshot((), DESIGN) is None
     _, view = store(DESIGN, View(), 1)
-    assert other_snapshot(view.snapshots, DESIGN) is None
-    assert "is snapshot 1, and nothing else" in why_no_comparison(view.snapshots)
+    assert comparing.other_snapshot(view.snapshots, DESIGN) is None
+    assert "is snapshot 1, and nothing else" in comparing.why_no_comparison(view.snapshots)
     _, view = store(DESIGN, view, 2)
     design, numbers = DESIGN, []
     for _ in range(4):
-        numbers.append(other_snapshot(view.snapshots, design).number)
+        numbers.append(comparing.other_snapshot(view.snapshots, design).number)
         design, view = toggle(design, view)
     assert numbers == [1, 2, 1, 2]
     # Where another one differs, it comes first.
     _, view = store(OTHER, view, 3)
-    assert other_snapshot(view.snapshots, DESIGN).number == 3
+    assert comparing.other_snapshot(view.snapshots, DESIGN).number == 3
 
 
 def test_what_was_edited_comes_back():
@@ -138,7 +131,7 @@ def test_with_levels_matched_the_way_back_leads_to_the_same_numbers():
     assert back.view.match_gain(back.design) == 1 / 3
     assert there.view.match_gain(there.design) == 1.0
     assert shown_snapshot(back.view.snapshots, back.design).number == 2
-    assert other_snapshot(back.view.snapshots, back.design).number == 1
+    assert comparing.other_snapshot(back.view.snapshots, back.design).number == 1
     assert [snapshot.design for snapshot in back.view.snapshots] == [DESIGN, OTHER]
     assert isinstance(edits.show_snapshot(DESIGN, view, 2, 1e7), Refusal)
 
@@ -166,10 +159,10 @@ def test_to_keep_a_gain_is_an_edit_of_all_amplitudes():
 
 
 def test_designs_are_alike_where_amplitudes_differ_by_rounding_alone():
-    assert same_but_rounding(louder(OTHER, 1 + 1e-12), OTHER)
-    assert not same_but_rounding(louder(OTHER, 1.001), OTHER)
-    assert not same_but_rounding(replace(OTHER, inputs=OTHER.inputs[:1]), OTHER)
-    assert not same_but_rounding(DESIGN, OTHER)
+    assert comparing.same_but_rounding(louder(OTHER, 1 + 1e-12), OTHER)
+    assert not comparing.same_but_rounding(louder(OTHER, 1.001), OTHER)
+    assert not comparing.same_but_rounding(replace(OTHER, inputs=OTHER.inputs[:1]), OTHER)
+    assert not comparing.same_but_rounding(DESIGN, OTHER)
 
 
 def test_a_number_is_taken_once():
@@ -190,7 +183,7 @@ def test_whatever_is_done_two_turns_of_the_key_lead_back(actions):
         if what == "edit":
             amplitude += 1.0
             design = design.with_input(0, amplitude=amplitude)
-        elif what == "toggle" and other_snapshot(view.snapshots, design):
+        elif what == "toggle" and comparing.other_snapshot(view.snapshots, design):
             before, differs = design, any(snapshot.played != design for snapshot in view.snapshots)
             design, view = toggle(design, view)
             assert (design != before) == differs
@@ -217,4 +210,4 @@ LATER, ANEW = Snapshot(number=2, design=DESIGN), Snapshot(number=1, design=DESIG
 def test_a_change_of_snapshots_is_taken_back_and_what_was_stored_since_stays(
     before, after, present, expected
 ):
-    assert restored_snapshots(before, after, present) == expected
+    assert comparing.restored_snapshots(before, after, present) == expected

@@ -16,17 +16,7 @@ from skinsource.design.edits.setup import remove_delay
 from skinsource.design.panel_settings import settings_of
 from skinsource.perception.validity import probe_velocity
 from skinsource.studies.checking import Proportion, Superposition, proportion, superposition
-from skinsource_gui.panels.analysis.linearity import (
-    Curve,
-    diagrams_of_proportion,
-    diagrams_of_superposition,
-    of_amplitudes,
-    part_of,
-    places_of_labels,
-    proportion_text,
-    table_text,
-    x_with_room_for_labels,
-)
+from skinsource_gui.panels.analysis import linearity
 from skinsource_gui.panels.analysis.settings import LinearitySettings
 from skinsource_gui.plots.figure import Axis, fitted_axes, legend_texts
 from skinsource_gui.plots.pictures import save_drawing
@@ -53,7 +43,7 @@ def bent():
 def test_without_a_zoom_the_part_around_the_loudest_instant_is_drawn():
     curves = responses()
     curves[2, 3000] = 50.0
-    first, end = part_of(TIME_S, curves, None)
+    first, end = linearity.part_of(TIME_S, curves, None)
     assert (TIME_S[first], TIME_S[end]) == pytest.approx((3000 / RATE_HZ - 0.015,) * 2, abs=0.04)
     assert first < 3000 < end
     assert TIME_S[end] - TIME_S[first] == pytest.approx(0.03, abs=2 / RATE_HZ)
@@ -61,21 +51,23 @@ def test_without_a_zoom_the_part_around_the_loudest_instant_is_drawn():
 
 @pytest.mark.parametrize("zoom", [(-1.0, 100.0), (0.5, 3.0), (0.0, 3.07)])
 def test_a_long_part_is_drawn_from_its_begin_on_as_far_as_lines_are_quick(zoom):
-    first, end = part_of(TIME_S, responses(), zoom)
+    first, end = linearity.part_of(TIME_S, responses(), zoom)
     assert TIME_S[first] == pytest.approx(max(zoom[0], 0.0), abs=1 / RATE_HZ)
     assert end - first == 1500
 
 
 @pytest.mark.parametrize("zoom", [(-2.0, -1.0), (90.0, 91.0), (1.0, 1.0)])
 def test_of_a_part_in_which_there_is_nothing_two_samples_are_drawn(zoom):
-    first, end = part_of(TIME_S, responses(), zoom)
+    first, end = linearity.part_of(TIME_S, responses(), zoom)
     assert first >= 0
     assert end - first == 2
     assert end <= TIME_S.size
 
 
 def test_each_strength_is_seen_below_the_next_one_and_in_the_colour_of_its_output():
-    over = diagrams_of_proportion(bent(), ROWS, TIME_S, (0.1, 0.2), of_amplitudes("m/s²"))[0].curves
+    over = linearity.diagrams_of_proportion(
+        bent(), ROWS, TIME_S, (0.1, 0.2), linearity.of_amplitudes("m/s²")
+    )[0].curves
     assert [curve.rank for curve in over] == [0, 0, 0, 1, 1, 1]
     for curves in (over[:3], over[3:]):
         widths, pale = ([getattr(curve, name) for curve in curves] for name in ("width_px", "pale"))
@@ -93,7 +85,9 @@ def test_each_strength_is_seen_below_the_next_one_and_in_the_colour_of_its_outpu
 
 def test_dots_stand_at_what_was_found_and_lines_at_what_would_be_straight():
     fits = bent()
-    growth, straight = diagrams_of_proportion(fits, ROWS, TIME_S, None, of_amplitudes("V"))[1:]
+    growth, straight = linearity.diagrams_of_proportion(
+        fits, ROWS, TIME_S, None, linearity.of_amplitudes("V")
+    )[1:]
     assert growth.x.title == "Strength (V)"
     for rank, row in enumerate(ROWS):
         line, dots = growth.curves[2 * rank : 2 * rank + 2]
@@ -109,19 +103,21 @@ def test_dots_stand_at_what_was_found_and_lines_at_what_would_be_straight():
 def test_a_response_without_a_frequency_in_its_band_has_no_straightness_to_tell():
     short = RATIOS[:, None, None] * responses(30)
     fits = proportion(RATIOS, short, RATE_HZ, (3.0, 5.0))
-    assert "R²" not in proportion_text(fits)
-    *_, straight = diagrams_of_proportion(fits, ROWS, TIME_S[:30], None, of_amplitudes("×"))
+    assert "R²" not in linearity.proportion_text(fits)
+    *_, straight = linearity.diagrams_of_proportion(
+        fits, ROWS, TIME_S[:30], None, linearity.of_amplitudes("×")
+    )
     assert straight.x.shown[1] > 0.0
     least = np.nanmin(bent().adjusted_r2)
-    assert f"R² in bands of 2 Hz ≥ {least:.6f}" in proportion_text(bent())
+    assert f"R² in bands of 2 Hz ≥ {least:.6f}" in linearity.proportion_text(bent())
 
 
 def test_the_sum_is_wide_below_the_joint_response_and_they_are_held_against_each_other():
     parts = responses(), 0.5 * responses()[::-1]
     joint = np.tanh(sum(parts))
     fits = superposition(parts, joint)
-    over, against = diagrams_of_superposition(fits, ROWS, TIME_S, (0.1, 0.2))
-    first, end = part_of(TIME_S, joint, (0.1, 0.2))
+    over, against = linearity.diagrams_of_superposition(fits, ROWS, TIME_S, (0.1, 0.2))
+    first, end = linearity.part_of(TIME_S, joint, (0.1, 0.2))
     for rank, row in enumerate(ROWS):
         wide, thin = over.curves[2 * rank : 2 * rank + 2]
         assert wide.width_px > thin.width_px
@@ -136,7 +132,9 @@ def test_the_sum_is_wide_below_the_joint_response_and_they_are_held_against_each
 
 def test_bands_and_rms_are_copied_by_strength_output_and_axis():
     fits = bent()
-    text = table_text(fits, (20, 26), ("x", "z"), of_amplitudes("m/s²"), bands=True)
+    text = linearity.table_text(
+        fits, (20, 26), ("x", "z"), linearity.of_amplitudes("m/s²"), bands=True
+    )
     head, *rows = (line.split("\t") for line in text.splitlines())
     columns = dict(zip(head, np.array(rows, float).T, strict=True))
     np.testing.assert_allclose(columns["frequency_hz"], fits.frequency_hz)
@@ -144,7 +142,9 @@ def test_bands_and_rms_are_copied_by_strength_output_and_axis():
         column = columns[f"band_rms_26_z_m_per_s2 at strength {strength:g}"]
         np.testing.assert_allclose(column, fits.band_rms[level, 3])
     np.testing.assert_allclose(columns["adjusted_r2_20_z"], fits.adjusted_r2[1])
-    head, *rows = table_text(fits, (20, 26), ("x", "z"), of_amplitudes("m/s²")).splitlines()
+    head, *rows = linearity.table_text(
+        fits, (20, 26), ("x", "z"), linearity.of_amplitudes("m/s²")
+    ).splitlines()
     names = (f"rms_{channel}_m_per_s2" for channel in ("20_x", "20_z", "26_x", "26_z"))
     assert head.split("\t") == ["strength", *names]
     np.testing.assert_allclose(np.loadtxt(rows), np.column_stack((RATIOS, fits.rms)))
@@ -308,8 +308,8 @@ def test_the_worst_of_all_outputs_is_drawn_below_their_median():
     n_bins = fits.frequency_hz.size
     every = np.stack([np.full(n_bins, ratio) for ratio in (1.0, 0.98, 0.5)])
     every[:, 0] = np.nan
-    *_, straight = diagrams_of_proportion(
-        fits, ROWS, TIME_S, None, of_amplitudes("V"), all_outputs=every
+    *_, straight = linearity.diagrams_of_proportion(
+        fits, ROWS, TIME_S, None, linearity.of_amplitudes("V"), all_outputs=every
     )
     median, worst = straight.curves
     assert median.y == pytest.approx(0.98)
@@ -317,8 +317,8 @@ def test_the_worst_of_all_outputs_is_drawn_below_their_median():
     # Where nothing is heard there is no line that could be straight.
     assert worst.x == pytest.approx(fits.frequency_hz[1:])
     silent = np.full((3, n_bins), np.nan)
-    *_, straight = diagrams_of_proportion(
-        fits, ROWS, TIME_S, None, of_amplitudes("V"), all_outputs=silent
+    *_, straight = linearity.diagrams_of_proportion(
+        fits, ROWS, TIME_S, None, linearity.of_amplitudes("V"), all_outputs=silent
     )
     assert straight.curves == ()
 
@@ -387,7 +387,7 @@ def test_the_switches_compute_no_prediction_and_are_about_strengths(show, reques
 X = Axis(shown=(0.5, 8.0), title="Strength (m/s²)", log=True)
 Y = Axis(shown=(1e-3, 1.0), title="In the band (m/s²)", log=True)
 CURVES = tuple(
-    Curve(
+    linearity.Curve(
         x=np.array([0.75, 6.0]),
         y=np.array([0.1, 0.8]) / 1.3**k,
         rank=k % 2,
@@ -416,8 +416,8 @@ def test_labels_of_bands_are_whole_inside_the_plot_and_apart(painter, size, lett
     font.setPixelSize(letters_px)
     metrics, room = QFontMetricsF(font), QRectF(0, 0, *size)
     axes = fitted_axes(room, X, Y, metrics)
-    axes = fitted_axes(room, x_with_room_for_labels(axes, curves, metrics), Y, metrics)
-    letters, places = places_of_labels(axes, curves, font)
+    axes = fitted_axes(room, linearity.x_with_room_for_labels(axes, curves, metrics), Y, metrics)
+    letters, places = linearity.places_of_labels(axes, curves, font)
     line = QFontMetricsF(letters).height()
     if size[1] > 200:
         assert len(places) == len(curves)

@@ -4,15 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from skinsource_gui.plots.time_scale import (
-    SHORTEST_S,
-    TimeScale,
-    grid_step_s,
-    panned,
-    snap_of,
-    within,
-    zoomed,
-)
+from skinsource_gui.plots import time_scale
 
 
 @pytest.mark.parametrize(
@@ -28,7 +20,7 @@ from skinsource_gui.plots.time_scale import (
     ],
 )
 def test_where_edges_come_to_rest(edges_s, by_s, neighbours_s, grid_s, rest):
-    snap = snap_of(edges_s, by_s, neighbours_s=neighbours_s, grid_s=grid_s, reach_s=0.01)
+    snap = time_scale.snap_of(edges_s, by_s, neighbours_s=neighbours_s, grid_s=grid_s, reach_s=0.01)
     assert (snap.by_s, snap.guide_s) == (pytest.approx(rest[0]), rest[1])
 
 
@@ -41,7 +33,7 @@ def test_where_edges_come_to_rest(edges_s, by_s, neighbours_s, grid_s, rest):
 def test_no_edge_moves_further_than_the_reach_or_half_a_step_of_the_grid(
     neighbours, edge, by_s, reach
 ):
-    rest = snap_of((edge,), by_s, neighbours_s=neighbours, grid_s=0.1, reach_s=reach)
+    rest = time_scale.snap_of((edge,), by_s, neighbours_s=neighbours, grid_s=0.1, reach_s=reach)
     assert abs(rest.by_s - by_s) <= max(reach, 0.05) * (1 + 1e-9) + 1e-12
     if rest.guide_s is not None:
         assert edge + rest.by_s == pytest.approx(rest.guide_s)
@@ -49,7 +41,7 @@ def test_no_edge_moves_further_than_the_reach_or_half_a_step_of_the_grid(
 
 @given(st.floats(0.1, 1e6))
 def test_lines_of_the_grid_are_round_and_can_be_told_apart(px_per_s):
-    step = grid_step_s(px_per_s)
+    step = time_scale.grid_step_s(px_per_s)
     assert 12 * (1 - 1e-9) <= step * px_per_s < 12 * 2.6
     assert f"{step:.0e}"[0] in "125"
 
@@ -59,7 +51,9 @@ TIMES = st.floats(0, 600)
 
 @given(TIMES, st.floats(0.01, 600), st.floats(0, 300), st.floats(50, 4000), TIMES)
 def test_a_pixel_leads_back_to_its_time(start_s, length_s, left_px, width_px, time_s):
-    scale = TimeScale(shown_s=(start_s, start_s + length_s), left_px=left_px, width_px=width_px)
+    scale = time_scale.TimeScale(
+        shown_s=(start_s, start_s + length_s), left_px=left_px, width_px=width_px
+    )
     assert scale.time(scale.x(time_s)) == pytest.approx(time_s, abs=1e-9 * (600 + length_s))
 
 
@@ -67,7 +61,7 @@ def test_a_pixel_leads_back_to_its_time(start_s, length_s, left_px, width_px, ti
 def test_what_lies_under_the_pointer_stays_there_when_zooming(share, factor):
     shown = (2.0, 4.0)
     anchor_s = shown[0] + share * 2
-    span_s = zoomed(shown, anchor_s, factor, (0.0, 100.0))
+    span_s = time_scale.zoomed(shown, anchor_s, factor, (0.0, 100.0))
     length = span_s[1] - span_s[0]
     assert length == pytest.approx(2.0 / factor)
     if span_s[0] > 0:
@@ -75,15 +69,15 @@ def test_what_lies_under_the_pointer_stays_there_when_zooming(share, factor):
 
 
 def test_zooming_ends_where_nothing_more_could_be_seen():
-    span_s = zoomed((0.0, 0.01), 0.005, 1000.0, (0.0, 1.0))
-    assert span_s[1] - span_s[0] == pytest.approx(SHORTEST_S)
+    span_s = time_scale.zoomed((0.0, 0.01), 0.005, 1000.0, (0.0, 1.0))
+    assert span_s[1] - span_s[0] == pytest.approx(time_scale.SHORTEST_S)
 
 
 def test_the_whole_is_shown_by_no_range_at_all():
-    assert zoomed((0.0, 1.0), 0.5, 0.5, (0.0, 1.0)) is None
-    assert within((-1.0, 4.0), (0.0, 1.0)) is None
+    assert time_scale.zoomed((0.0, 1.0), 0.5, 0.5, (0.0, 1.0)) is None
+    assert time_scale.within((-1.0, 4.0), (0.0, 1.0)) is None
 
 
 def test_nothing_beyond_the_ends_is_shown():
-    assert panned((0.0, 1.0), -1.0, (0.0, 3.0)) == (0.0, 1.0)
-    assert panned((1.0, 2.0), 5.0, (0.0, 3.0)) == (2.0, 3.0)
+    assert time_scale.panned((0.0, 1.0), -1.0, (0.0, 3.0)) == (0.0, 1.0)
+    assert time_scale.panned((1.0, 2.0), 5.0, (0.0, 3.0)) == (2.0, 3.0)
