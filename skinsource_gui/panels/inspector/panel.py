@@ -245,7 +245,6 @@ class InputFields(QObject):
         self._strength = amplitude, peak
         self._amplitude.set_spec(amplitude)
         self._peak.text_label.setText(peak)
-        self.meaning.setHidden(bool(peak))
         self._arrange()
 
     def show_limb(self, limb: str) -> None:
@@ -586,7 +585,7 @@ class InspectorPanel(Panel):
 
     def _show_strength(self, track: Input) -> None:
         design, amplitude, peak = self._design, amplitude_spec(self._design), ""
-        if is_gain(design, track, self._peak_of(track)):
+        if any(is_gain(design, each, self._peak_of(each)) for each in self._batch):
             amplitude = AMPLITUDE_GAIN
             peaks = (peak_text(design, each, self._peak_of(each)) for each in self._batch)
             peak = _text_of_all(str, peaks)
