@@ -195,6 +195,12 @@ def waveforms_of(results: Mapping[str, Any]) -> dict[int, Floats]:
     }
 
 
+def played_of(results: Mapping[str, Any]) -> dict[int, Floats]:
+    """Return what tracks play before their amplitude, by their ids, with input_waveforms."""
+    played = zip(results["inputs"], results["input_waveforms"], strict=True)
+    return {track.id: samples for track, samples in played if samples is not None}
+
+
 #: Makes an edit of the inputs with these ids.
 InputEdit = Callable[[Design, View, Iterable[int]], Edit | Refusal]
 

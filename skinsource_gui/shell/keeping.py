@@ -17,6 +17,7 @@ from skinsource_gui.pages.files.autosave import Autosave, Recovery, WorkPicture
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.qt.layouts import in_column, named
+from skinsource_gui.qt.questions import ask_yes
 from skinsource_gui.shell.notices import Choice, Notice, Reports
 from skinsource_gui.shell.workspaces import Workspaces
 from skinsource_gui.state.conductor import Conductor
@@ -130,12 +131,7 @@ class AutosaveAndRecovery(QObject):
         The parent.
     """
 
-    def __init__(
-        self,
-        services: Services,
-        files: FileActions,
-        workspaces: Workspaces,
-    ) -> None:
+    def __init__(self, services: Services, files: FileActions, workspaces: Workspaces) -> None:
         super().__init__(services.window)
         document, interval_s = services.document, services.preferences.autosave_s
         self._files, self._window = files, services.window
@@ -174,7 +170,7 @@ class AutosaveAndRecovery(QObject):
             picture = picture_of(left)
             choices = [
                 ("Open it", partial(self.recovery.open, left)),
-                ("Discard it", partial(self.recovery.discard, left)),
+                ("Discard it", partial(self._discard, left, notice)),
             ]
         elif leftover.left:
             choices = [("Show them…", self.show)]
@@ -192,9 +188,8 @@ class AutosaveAndRecovery(QObject):
 
     def show(self) -> None:
         """Open the page on unsaved work of earlier sessions."""
-        recovery = self.recovery
         UnsavedWorkPage(
-            lambda: recovery.look().left, recovery.open, recovery.discard, self._window
+            lambda: self.recovery.look().left, self.recovery.open, self._discard, self._window
         ).open()
 
     def end(self) -> None:
@@ -217,6 +212,14 @@ class AutosaveAndRecovery(QObject):
     def _note_results(self, outcome: Outcome) -> None:
         if outcome.values is not None:
             self._picture.show_results(outcome.values)
+
+    def _discard(self, left: UnsavedWork, notice: Notice | None = None) -> None:
+        """Discard the work if the user agrees; else a notice offers it again."""
+        question = f"The copy of {left.name} from {left.clock()} is deleted for good. Discard it?"
+        if ask_yes(self._window, "Discard unsaved work?", question):
+            self.recovery.discard(left)
+        elif notice is not None:
+            self.offer(notice)
 
     def _save_log(self, log: Path) -> None:
         path = self._files.ask_where("Save the log", Path.home() / log.name, _LOGS)

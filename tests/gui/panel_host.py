@@ -2,6 +2,8 @@
 
 from dataclasses import replace
 
+import numpy as np
+
 from skinsource.design.design import View
 from skinsource.design.edits.edit import Refusal
 
@@ -73,4 +75,11 @@ def clip_results(design, rate_hz=1300.0):
     waveforms = tuple(
         tuple(clip.waveform.samples(rate_hz) for clip in track.clips) for track in design.inputs
     )
-    return {"clip_waveforms": waveforms, "inputs": design.inputs, "sample_rate_hz": rate_hz}
+    # One clip behind the other is as loud as they are in their places.
+    played = tuple(np.concatenate((np.zeros(1), *clips)) for clips in waveforms)
+    return {
+        "clip_waveforms": waveforms,
+        "input_waveforms": played,
+        "inputs": design.inputs,
+        "sample_rate_hz": rate_hz,
+    }

@@ -29,6 +29,8 @@ MOST_BYTES = 2**20
 _HEAD_LINES = 3
 _ENDED = "The studio ended as it should."
 _OFFERED = "This log was offered to the user."
+# So begins a fault in a log; warnings and errors that somebody dealt with are none.
+_FAULTS = "Fatal Python error", "Windows fatal exception", "Traceback"
 _PREFIX, _SUFFIX = "studio-", ".log"
 
 
@@ -139,7 +141,8 @@ def _has_crash(path: Path) -> bool:
     except SkinSourceError:
         return False
     logged = [line for line in lines[_HEAD_LINES:] if line.strip()]
-    if not logged or logged[-1] in (_ENDED, _OFFERED):
+    faults = any(line.startswith(_FAULTS) for line in logged)
+    if not faults or logged[-1] in (_ENDED, _OFFERED):
         return False
     owner = owner_of(lines[1].encode())
     return owner is None or still_runs(owner) is False

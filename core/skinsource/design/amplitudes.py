@@ -40,28 +40,34 @@ _MEANINGS_OF_DRIVES: dict[Scaling, str] = {
 
 # How far sampling or rounding can move a peak of 1.
 _ROUNDING = 1e-3
+# Least and largest peak of what is meant to peak at 1: samples miss up to a tenth of a tone.
+_LEAST_PEAK, _MOST_PEAK = 0.9, 1.01
 
 
-def is_gain(design: Design, track: Input) -> bool:
-    """Whether the amplitude of an input is a plain factor on a recording with its own size.
+def is_gain(design: Design, track: Input, peak: float | None = None) -> bool:
+    """Whether the amplitude of an input is a plain factor on what has its own size.
 
-    Under upstream scaling it is not, because there the amplitude is the peak on the skin.
+    Recordings have one, and what has another ``peak`` than 1 before the amplitude, where that is
+    known.  Under upstream scaling it is none, because there the amplitude is the peak on the skin.
     """
-    return design.scaling != "upstream" and any(
-        _has_its_own_size(clip.waveform) for clip in track.clips if not clip.muted
+    return design.scaling != "upstream" and (
+        not _LEAST_PEAK <= (peak or 1.0) <= _MOST_PEAK
+        or any(_has_its_own_size(clip.waveform) for clip in track.clips if not clip.muted)
     )
 
 
-def peak_text(design: Design, track: Input) -> str:
-    """Return the peak drive of an input, ``"4.88 m/s²"``; empty if it cannot be played."""
+def peak_text(design: Design, track: Input, peak: float | None = None) -> str:
+    """Return the peak drive of an input, ``"4.88 m/s²"``; empty if it cannot be played.
+
+    ``peak``: that before the amplitude, where it is known.
+    """
     rate_hz = facts_of(design.limb).sample_rate_hz
     try:
-        peak = abs(track.amplitude) * _peak_of(
-            track.clips, track.gain_curve, rate_hz, track.location
-        )
+        if peak is None:
+            peak = _peak_of(track.clips, track.gain_curve, rate_hz, track.location)
     except InvalidInputError:
         return ""
-    return f"{peak:.3g} {amplitude_unit(design)}"
+    return f"{abs(track.amplitude) * peak:.3g} {amplitude_unit(design)}"
 
 
 def amplitude_text(design: Design, track: Input) -> str:

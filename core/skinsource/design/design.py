@@ -54,7 +54,7 @@ AMPLITUDE = NumberSpec(
 AMPLITUDE_GAIN = replace(
     AMPLITUDE,
     label="Input gain",
-    hint="Factor on the recording; a negative gain inverts the polarity",
+    hint="Factor on what the clips play; a negative gain inverts the polarity",
 )
 
 TITLE = TextSpec(label="Title", longest=200, one_line=True)

@@ -5,6 +5,7 @@ from dataclasses import replace
 from functools import lru_cache, partial
 from typing import Any
 
+import numpy as np
 from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QSize, Qt, Signal, SignalInstance
 
@@ -59,6 +60,7 @@ from skinsource_gui.fields.inputs import (
     fixed_length_text,
     played_hz_text,
     played_length_text,
+    played_of,
     waveforms_of,
 )
 from skinsource_gui.fields.number_field import NumberField
@@ -174,6 +176,7 @@ class InputFields(QObject):
         facts = facts_of("")
         self._played_at, self._places = (facts.sample_rate_hz, facts.band_hz), _places_of("")
         self._own: tuple[LabelledCell, ...] = ()
+        self._strength: tuple[NumberSpec, str] | None = None
         self._arranged: tuple[tuple[LabelledCell, ...], ...] = ()
         self._built_for: type[Waveform] | None = None
         # Kinds of waveforms of the clips that are shown.
@@ -197,18 +200,10 @@ class InputFields(QObject):
         self._played_length = TextCell("Played time", "", "played_length", "Duration after effects")
         self._played_hz = TextCell("Played tone", "", "played_hz", "Frequency after effects")
 
-    def show_input(
-        self,
-        track: Input,
-        batch: tuple[Input, ...],
-        amplitude: NumberSpec,
-        view: View,
-        peak: str = "",
-    ) -> None:
+    def show_input(self, track: Input, batch: tuple[Input, ...], view: View) -> None:
         """Show an input, and where the inputs of the ``batch`` that is edited with it differ.
 
-        ``amplitude`` describes an amplitude of 1; ``view`` says which clips are selected; ``peak``
-        is the resulting peak of an input whose amplitude is a plain factor.
+        ``view`` says which clips are selected.
         """
         self._view = view
         clip = clip_of(track, view)
@@ -223,19 +218,16 @@ class InputFields(QObject):
         self._gain_of = clip.id if clip and (gained or self._gain_of == clip.id) else None
         self._played_length.text_label.setText(_text_of_all(played_length_text, clips))
         self._played_hz.text_label.setText(_text_of_all(played_hz_text, clips))
-        self._peak.text_label.setText(peak)
         n_clips = sum(len(each.clips) for each in batch)
         of_tracks = f"{len(batch)} tracks, " if len(batch) > 1 else ""
         several = any(len(each.clips) > 1 for each in batch)
         self._whole.text_label.setText(f"{of_tracks}{n_clips} clips" if several else "")
-        self.meaning.setHidden(bool(peak))
         if kind is not self._built_for:
             self._build_own(None if clip is None else clip.waveform)
         self._arrange()
         if isinstance(self._duration, TextCell) and clip is not None:
             differ = len({each.waveform.duration_s for each in clips}) > 1
             self._duration.text_label.setText(MIXED if differ else fixed_length_text(clip.waveform))
-        self._amplitude.set_spec(amplitude)
         own = _values(track, clip)
         rest = [
             _values(other, each) for other, each in pairs if other is not track or each is not clip
@@ -245,6 +237,15 @@ class InputFields(QObject):
             cell.set_value(value)
             different = {value, *(other.get(cell.name) for other in rest)} - {None}
             cell.show_mixed(len(different) > 1)
+
+    def show_strength(self, amplitude: NumberSpec, peak: str) -> None:
+        """Say what an amplitude is; ``peak``: the resulting one, where it is a plain factor."""
+        if self._strength == (amplitude, peak):
+            return
+        self._strength = amplitude, peak
+        self._amplitude.set_spec(amplitude)
+        self._peak.text_label.setText(peak)
+        self._arrange()
 
     def show_limb(self, limb: str) -> None:
         """Take over the places of a limb and the band in which it was measured."""
@@ -394,7 +395,10 @@ class ClipHeading(QtWidgets.QWidget):
             of_clips = by_clip and len(clips) >= len(batch)
             several = f"{len(clips)} clips" if of_clips else f"{len(batch)} inputs"
             alike = {each.waveform.title for each in clips} == {title}
-            phrases = f"{several} selected{f' · {title}' if alike else ''}", several
+            # Fields of clips change the first one of each input, where none is selected.
+            more = not of_clips and max(len(each.clips) for each in batch) > 1
+            which = ", first clips" if more else ""
+            phrases = f"{several} selected{which}{f' · {title}' if alike else ''}", several
         self._title.show_phrases(phrases)
         self._swatch.show_input(track.location, track.colour, silent=silent)
         contact = f" ({place.kind})" if place.kind else ""
@@ -417,8 +421,8 @@ class InspectorPanel(Panel):
 
     title = "Clip"
     name = "inspector"
-    #: What each clip plays, and its rate.
-    needs = frozenset({"clip_waveforms", "inputs", "sample_rate_hz"})
+    #: What each clip plays, and each track.
+    needs = frozenset({"clip_waveforms", "input_waveforms", "inputs", "sample_rate_hz"})
     reads_down = True
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
@@ -427,11 +431,15 @@ class InspectorPanel(Panel):
         self._shown: tuple[tuple[int, ...], ...] = ()
         self._view = View()
         self._waveforms: dict[int, Floats] | None = None
+        # What each track plays before its amplitude, by its id.
+        self._played: dict[int, Floats] = {}
         self._rate_hz = 0.0
         self._problems: Mapping[int, str] = {}
         self._changes = FieldChanges()
         # The input that was selected last.
         self._last: Input | None = None
+        # The selected inputs, in the order of the design.
+        self._batch: tuple[Input, ...] = ()
         self._fields = InputFields(self)
         self._fields.kind.edited.connect(self._change_kind)
         self._fields.place.edited.connect(self._change_place)
@@ -505,8 +513,11 @@ class InspectorPanel(Panel):
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._waveforms, self._rate_hz = waveforms_of(results), results["sample_rate_hz"]
+        self._played = played_of(results)
         self._fields.show_rate(results["sample_rate_hz"])
         self._show_waveform()
+        if self._last is not None:
+            self._show_strength(self._last)
 
     def show_unplayable(self, unplayable: tuple[UnplayableInput, ...]) -> None:
         self._problems = {input_problem.id: input_problem.problem for input_problem in unplayable}
@@ -523,7 +534,7 @@ class InspectorPanel(Panel):
             self._preview.show_message("")
 
     def show_problem(self, reason: str) -> None:
-        self._waveforms = None
+        self._waveforms, self._played = None, {}
         self._preview.show_message(reason)
 
     def _lay_out(self) -> None:
@@ -554,11 +565,11 @@ class InspectorPanel(Panel):
         self.setFocusProxy(self._texts[0])
 
     def _show_input(self, track: Input, *, silent: bool) -> None:
-        # In the order of the design.
         batch = tuple(each for each in self._design.inputs if each.id in self._view.selected_inputs)
+        self._batch = batch
         clip, limb = clip_of(track, self._view), self._design.limb
         clips = tuple(each for other in batch for each in clips_of(other, self._view))
-        by_clip = bool(self._view.selected_clips)
+        by_clip = len(clips) == len(self._view.selected_clips)
         self._heading.show_clip(
             track, clip, limb, silent=silent, batch=batch, clips=clips, by_clip=by_clip
         )
@@ -566,16 +577,26 @@ class InspectorPanel(Panel):
         self._solo.setChecked(all(each.solo for each in batch))
         self._draw.setEnabled(clip is not None)
         self._fields.meaning.show_scaling(self._design)
-        amplitude, peak = amplitude_spec(self._design), ""
-        if is_gain(self._design, track):
-            amplitude = AMPLITUDE_GAIN
-            peak = _text_of_all(partial(peak_text, self._design), batch)
-        if track.amplitude < 0:
-            amplitude = replace(amplitude, hint="Polarity inverted")
         self._fields.show_limb(limb)
-        self._fields.show_input(track, batch, amplitude, self._view, peak)
+        self._show_strength(track)
+        self._fields.show_input(track, batch, self._view)
         self._chain.show_chain(self._design, self._view, clip, clips)
         self._show_style(track)
+
+    def _show_strength(self, track: Input) -> None:
+        design, amplitude, peak = self._design, amplitude_spec(self._design), ""
+        if any(is_gain(design, each, self._peak_of(each)) for each in self._batch):
+            amplitude = AMPLITUDE_GAIN
+            peaks = (peak_text(design, each, self._peak_of(each)) for each in self._batch)
+            peak = _text_of_all(str, peaks)
+        if track.amplitude < 0:
+            amplitude = replace(amplitude, hint="Polarity inverted")
+        self._fields.show_strength(amplitude, peak)
+
+    def _peak_of(self, track: Input) -> float | None:
+        """Return the peak of a track before its amplitude, as far as it is known."""
+        played = self._played.get(track.id)
+        return None if played is None else float(np.abs(played).max(initial=0.0))
 
     def _show_style(self, track: Input) -> None:
         problem = self._problems.get(track.id, "")

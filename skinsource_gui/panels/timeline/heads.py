@@ -154,11 +154,9 @@ def text_of(head: Head, design: Design, view: View) -> str:
     return f"{played}\n{level}{inverted}"
 
 
-def chosen_heads(design: Design, view: View) -> tuple[int, ...]:
-    """Return the tracks that are selected themselves: none where all are so only by clips."""
-    chosen = set(view.selected_clips)
-    by_clips = {track.id for track in design.inputs if chosen & {clip.id for clip in track.clips}}
-    return () if by_clips.issuperset(view.selected_inputs) else view.selected_inputs
+def chosen_heads(view: View) -> tuple[int, ...]:
+    """Return the tracks that are selected themselves: none where they are so by their clips."""
+    return () if view.selected_clips else view.selected_inputs
 
 
 class HeadsModel(QAbstractListModel):
@@ -202,7 +200,7 @@ class HeadsModel(QAbstractListModel):
         place = input_name(head.track.location, self._design.limb)
         text = text_of(head, self._design, self._view)
         if role == _Role.ToolTipRole:
-            chosen = chosen_heads(self._design, self._view)
+            chosen = chosen_heads(self._view)
             if len(chosen) > 1 and head.track.id in chosen:
                 text += "\nM, S and fader change all selected inputs"
             return f"{place.number} · {place.name}\n{text}"
@@ -659,7 +657,7 @@ class Heads(QtWidgets.QListView):
         return self.chosen if id in self.chosen else (id,)
 
     def _show_selection(self) -> None:
-        self.chosen = chosen_heads(self._design, self._view)
+        self.chosen = chosen_heads(self._view)
         self.viewport().update()
         rows = {id: row for row, id in enumerate(self._design.ids)}
         chosen = [rows[id] for id in self._view.selected_inputs if id in rows]

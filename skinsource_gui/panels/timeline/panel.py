@@ -20,7 +20,7 @@ from skinsource.design.waveforms.samples import Drawn
 from skinsource.design.waveforms.tones import Chirp, Tone
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.specs.samples import Samples
-from skinsource_gui.fields.inputs import waveforms_of
+from skinsource_gui.fields.inputs import played_of, waveforms_of
 from skinsource_gui.panels.timeline.content import Lane
 from skinsource_gui.panels.timeline.gestures import GesturePreview
 from skinsource_gui.panels.timeline.heads import Heads, heads_px, row_px
@@ -244,8 +244,7 @@ class TimelinePanel(Panel):
         clips = (clip for track in results["inputs"] for clip in track.clips)
         self._computed_clips = {clip.id: clip for clip in clips}
         self._waveforms = waveforms_of(results)
-        played = zip(results["inputs"], results["input_waveforms"], strict=True)
-        self._played = {track.id: samples for track, samples in played if samples is not None}
+        self._played = played_of(results)
         self._show_heads()
         self.show_staleness(self.is_stale)
 

@@ -48,7 +48,7 @@ def test_a_mistake_that_nobody_caught_is_written_down_and_shown_as_ever(tmp_path
     [
         ("log.close()", []),
         ("logging.getLogger('a').error('strange'); log.close()", ["ERROR a: strange"]),
-        ("os.kill(os.getpid(), 9)", [""]),
+        ("logging.getLogger('a').warning('old font'); os.kill(os.getpid(), 9)", ["old font"]),
     ],
 )
 def test_a_studio_that_ended_as_it_should_or_was_killed_without_a_fault_offers_none(

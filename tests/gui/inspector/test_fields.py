@@ -19,6 +19,7 @@ from skinsource_gui.qt.buttons import LetterButton
 from skinsource_gui.qt.labels import how_to_add
 from skinsource_gui.shell.focus import tab_stops
 from tests.gui.inspector.bench import Bench, design_of
+from tests.gui.panel_host import clip_results
 
 
 def test_without_a_selected_input_it_says_what_to_do(bench):
@@ -152,8 +153,7 @@ def test_the_gain_of_a_clip_is_shown_beside_others_and_wherever_it_is_not_1(benc
 
 def test_a_recording_that_keeps_its_size_has_a_gain_without_a_unit_and_the_peak(bench):
     def strength():
-        cells = bench.panel.findChildren(FieldCell)
-        cell = next(cell for cell in cells if cell.name == "amplitude")
+        cell = bench.number("amplitude").parent()
         return cell.label.text(), cell.field.spec.unit
 
     def peak():
@@ -172,6 +172,11 @@ def test_a_recording_that_keeps_its_size_has_a_gain_without_a_unit_and_the_peak(
     bench.show(bench.design.with_clip(clip.id, waveform=Recording(normalised)))
     assert strength() == ("Amplitude", "m/s²")
     assert not bench.label("peak").isVisible()
+    for text, shown in (("3 * sin(6.28 * 50 * t)", "1.49 m/s²"), ("sin(6.28 * 50 * t)", "")):
+        bench.show(bench.design.with_clip(clip.id, waveform=Formula(text=text)))
+        bench.panel.show_results(bench.results())
+        assert strength() == (("Input gain", "") if shown else ("Amplitude", "m/s²"))
+        assert peak() == shown
 
 
 def test_a_place_that_is_not_on_this_hand_is_named_and_can_be_left(bench):
@@ -232,8 +237,7 @@ def test_the_gain_curve_of_a_track_is_typed_where_there_is_one(qtbot):
     assert lines() == []
     bench.show(design.with_input(0, gain_curve=((0.1, 1.0), (0.4, 0.25))))
     (line,) = lines()
-    assert line.accessibleName() == "Gain curve"
-    assert line.toPlainText() == "100 1; 400 0.25"
+    assert (line.accessibleName(), line.toPlainText()) == ("Gain curve", "100 1; 400 0.25")
     retype(line, "100 1; 50 0.125")
     assert "comes after" in line.problem
     line.selectAll()
@@ -262,8 +266,7 @@ def test_the_heading_says_which_clip_is_edited_and_the_picture_is_its_own(qtbot)
 def test_what_an_amplitude_means_is_said_and_chosen_beside_it(bench):
     meaning = bench.panel.findChild(QToolButton, "scaling")
     assert meaning.text() == "at the probe"
-    for action in meaning.menu().actions():
-        assert action.toolTip()
+    assert all(action.toolTip() for action in meaning.menu().actions())
     next(a for a in meaning.menu().actions() if a.text() == "Equal drives").trigger()
     assert bench.design.scaling == "relative"
     assert meaning.text() == "of the measuring pulse"
@@ -317,7 +320,7 @@ def test_the_preview_shows_the_selected_input_and_its_length(bench):
     bench.show(selected_inputs=(1,))
     assert bench.preview.duration_s == pytest.approx(0.2)
     # A clip of a newer design has no results yet.
-    bench.panel.show_results({"clip_waveforms": (), "inputs": (), "sample_rate_hz": 1300.0})
+    bench.panel.show_results(clip_results(Design(limb="synthetic-1")))
     assert bench.preview.duration_s is None
     bench.panel.show_problem("No limb of that name")
     assert bench.preview.message == "No limb of that name"
@@ -420,6 +423,9 @@ def test_several_selected_clips_are_counted_in_the_heading_and_in_the_history(qt
     assert heading.text() == "2 clips selected"
     bench.show(selected_clips=(tone.id,), selected_inputs=(1,))
     assert heading.text() == "Clip 1 of 1 · Tone"
+    # Clips are counted where a command on clips acts on as many.
+    bench.show(selected_clips=(tone.id,), selected_inputs=(1, 3))
+    assert heading.text() == "2 inputs selected, first clips · Tone"
 
 
 def test_a_mixed_list_is_an_empty_line_and_what_is_typed_sets_all(qtbot):
@@ -433,15 +439,13 @@ def test_a_mixed_list_is_an_empty_line_and_what_is_typed_sets_all(qtbot):
     QTest.keyClick(line, Qt.Key.Key_Escape)
     assert (line.text(), bench.edits) == ("", [])
     QTest.keyClicks(line, "80, 90")
-    assert {track.clips[0].waveform.frequencies_hz for track in bench.design.inputs} == {
-        (80.0, 90.0)
-    }
+    assert {clip.waveform.frequencies_hz for clip in bench.design.clips} == {(80.0, 90.0)}
 
 
 def test_mixed_names_and_peaks_say_so_and_a_typed_name_names_all(qtbot):
-    samples = Samples(values=np.hanning(780), sample_rate_hz=1300.0, unit="m/s²")
+    samples = Samples(values=np.hanning(780), sample_rate_hz=1300.0)
     louder = replace(samples, values=2 * samples.values)
-    bench = Bench(qtbot, design_of(Recording(samples, name="a"), Recording(louder, name="b")))
+    bench = Bench(qtbot, design_of(Recording(louder, name="a"), Recording(samples, name="b")))
     bench.show(selected_inputs=(1, 2))
     line = bench.panel.findChild(TextLine, "name_field")
     assert (line.text(), line.placeholderText()) == ("", "mixed")

@@ -110,9 +110,12 @@ def test_saving_left_over_work_suggests_the_file_that_it_belonged_to(
     assert asked[1].endswith("design.skinsource")
 
 
-def test_left_over_work_can_be_given_up(window, leave, user_data):
+def test_left_over_work_can_be_given_up_by_who_agrees(window, leave, user_data, answers):
     leave(2.5)
     window.keeping.offer(window.notice)
+    choose(window, "Discard it")
+    assert "was saved" in window.notice.text
+    answers["question"] = QMessageBox.StandardButton.Yes
     choose(window, "Discard it")
     assert left_over.find(user_data).left == ()
     assert window.document.design.inputs[0].amplitude == 1.0
@@ -137,7 +140,7 @@ def test_a_copy_that_ended_the_studio_is_set_aside_and_named(window, leave, user
     assert f"{newest.name} stopped the studio when it was opened" in window.notice.text
 
 
-def test_several_are_offered_in_a_list(window, leave, qtbot, user_data):
+def test_several_are_offered_in_a_list(window, leave, answers):
     leave(2.5)
     window.document.edit("", replace(window.document.design, title="A: tone/2"))
     leave(3.5)
@@ -149,6 +152,7 @@ def test_several_are_offered_in_a_list(window, leave, qtbot, user_data):
     assert page.rows.item(0).text().startswith("A tone2, copied")
     assert re.match(r"untitled, copied at \d\d:\d\d:\d\d\n", page.rows.item(1).text())
     assert not page.rows.item(0).icon().isNull()
+    answers["question"] = QMessageBox.StandardButton.Yes
     page.discard_button.click()
     assert page.rows.count() == 1
     page.open_button.click()

@@ -3,7 +3,6 @@
 from dataclasses import replace
 from functools import partial
 
-import numpy as np
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
@@ -16,11 +15,8 @@ from tests.gui.menus import lines_of
 from tests.gui.panel_host import PanelHost, clip_results
 
 LEFT, NONE = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
-CONTROL, SHIFT, ALT = (
-    Qt.KeyboardModifier.ControlModifier,
-    Qt.KeyboardModifier.ShiftModifier,
-    Qt.KeyboardModifier.AltModifier,
-)
+HELD = Qt.KeyboardModifier
+CONTROL, SHIFT, ALT = HELD.ControlModifier, HELD.ShiftModifier, HELD.AltModifier
 TONE = Tone(100.0, 0.0, 0.2)
 PLACES = (7, 2, 15)
 
@@ -74,14 +70,6 @@ def design_of(*places, **changes):
     return design
 
 
-def results_of(design):
-    """What the engine would tell of a design, so far as the panel needs it."""
-    known = clip_results(design)
-    # One clip behind the other is as loud as they are in their places.
-    tracks = (np.concatenate((np.zeros(1), *played)) for played in known["clip_waveforms"])
-    return known | {"input_waveforms": tuple(tracks)}
-
-
 CLIPS = (
     Clip(onset_s=0.0, waveform=TONE),
     Clip(onset_s=0.3, waveform=TONE),
@@ -103,7 +91,7 @@ class LanesBench(Bench):
     def __init__(self, qtbot):
         super().__init__(qtbot, TWO_TRACKS)
         self.panel.resize(1000, 260)
-        self.panel.show_results(results_of(self.design))
+        self.panel.show_results(clip_results(self.design))
         self.lanes.setFocus()
         self.lanes.set_snaps(False)
 

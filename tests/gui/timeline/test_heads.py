@@ -19,17 +19,8 @@ from skinsource_gui.panels.timeline.content import shown_gain_curves
 from skinsource_gui.qt.keys import key_text
 from skinsource_gui.qt.labels import how_to_add
 from tests.gui.menus import KEYBOARD, MOUSE, lines_at
-from tests.gui.timeline.bench import (
-    ALT,
-    CONTROL,
-    LEFT,
-    NONE,
-    PLACES,
-    SHIFT,
-    Bench,
-    design_of,
-    results_of,
-)
+from tests.gui.panel_host import clip_results
+from tests.gui.timeline.bench import ALT, CONTROL, LEFT, NONE, PLACES, SHIFT, Bench, design_of
 from tests.gui.wheel import NOTCH, turn_wheel
 
 KEY = Qt.Key
@@ -53,7 +44,7 @@ def test_there_is_one_row_for_each_input_and_without_any_it_says_what_to_do(benc
 
 
 def test_a_meter_follows_what_its_track_plays(bench):
-    results, changed = results_of(bench.design), []
+    results, changed = clip_results(bench.design), []
     bench.panel.show_results(results)
     bench.rows.model().dataChanged.connect(lambda first, _: changed.append(first.row()))
     first, *others = results["input_waveforms"]
@@ -96,12 +87,12 @@ def tip_of(bench, index):
 
 def test_the_tooltip_says_amplitude_and_peak_and_a_gain_where_a_recording_keeps_its_size(bench):
     bench.show(bench.design.with_input(0, amplitude=-0.5))
-    bench.panel.show_results(results_of(bench.design))
+    bench.panel.show_results(clip_results(bench.design))
     assert "-0.5 m/s² (\u22126.02 dB), peak 0.496 m/s²" in tip_of(bench, 0)
     samples = Samples(values=4.88 * np.hanning(301), sample_rate_hz=1300.0, unit="m/s²")
     clip = replace(bench.design.inputs[0].clips[0], waveform=Recording(samples))
     bench.show(bench.design.with_input(0, clips=(clip,)))
-    bench.panel.show_results(results_of(bench.design))
+    bench.panel.show_results(clip_results(bench.design))
     assert "Input gain -0.5 (\u22126.02 dB), peak 2.44 m/s², sampled at 1300 Hz" in tip_of(bench, 0)
 
 
@@ -192,7 +183,10 @@ def test_heads_whose_clips_are_selected_look_unlike_selected_heads_and_change_on
     drag_fader(bench, 0, -20)
     assert not any("2 inputs" in label for label in bench.labels)
     assert len({ground(bench, k) for k in range(3)}) == 1
-    bench.look(View(selected_inputs=(1, 2), selected_clips=(first,)))
+    bench.look(View(selected_inputs=(1,), selected_clips=(first,)))
+    # A head without a selected clip: tracks are selected, and no clips.
+    bench.press(1, held=CONTROL)
+    assert (bench.view.selected_inputs, bench.view.selected_clips) == ((1, 2), ())
     bench.press(0, "mute")
     assert [track.muted for track in bench.design.inputs] == [True, True, False]
     assert ground(bench, 0) == ground(bench, 1) != ground(bench, 2)
@@ -387,11 +381,8 @@ def test_the_menu_is_about_the_row_under_the_pointer_and_each_line_does_what_it_
     lines["Mute"].trigger()
     assert menu_of(bench, 2)["Mute"].isChecked()
     menu_of(bench, 1)["Solo"].trigger()
-    assert [(track.muted, track.solo) for track in bench.design.inputs] == [
-        (False, False),
-        (False, True),
-        (True, False),
-    ]
+    assert [track.muted for track in bench.design.inputs] == [False, False, True]
+    assert [track.solo for track in bench.design.inputs] == [False, True, False]
     menu_of(bench, 1)["Move up"].trigger()
     assert bench.places == [2, 7, 15]
     menu_of(bench, 0)["Move down"].trigger()

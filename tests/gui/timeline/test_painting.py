@@ -15,7 +15,8 @@ from skinsource.design.waveforms.pulses import Tap
 from skinsource_gui.panels.timeline import painting
 from skinsource_gui.plots.preview import ClipPictures, ClipStyle
 from skinsource_gui.qt.theme import DARK, apply_theme, current_theme
-from tests.gui.timeline.bench import ALT, TONE, LanesBench, results_of
+from tests.gui.panel_host import clip_results
+from tests.gui.timeline.bench import ALT, TONE, LanesBench
 
 
 @pytest.fixture
@@ -26,7 +27,7 @@ def four_lanes(qtbot):
     tracks = tuple(Input(location=1 + k, clips=clips) for k in range(4))
     made.view = replace(made.view, time_range_s=(0.0, 1.2), selected_inputs=())
     made.show(Design(limb="synthetic-1", inputs=tracks))
-    made.panel.show_results(results_of(made.design))
+    made.panel.show_results(clip_results(made.design))
     settled(made)
     return made
 
@@ -72,7 +73,7 @@ def test_a_lane_that_cannot_be_played_is_framed_and_no_other(four_lanes):
 
 
 def test_results_repaint_the_lane_whose_samples_are_new(four_lanes):
-    results = results_of(four_lanes.design)
+    results = clip_results(four_lanes.design)
     four_lanes.panel.show_results(results)
     assert settled(four_lanes) == 4
     four_lanes.panel.show_results(dict(results))

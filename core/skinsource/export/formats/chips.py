@@ -107,6 +107,7 @@ class Drv2605l(StimulusFormat):
     rate_hz = _FIFO_HZ
     fixed_rate = True
     plays_waveform = False
+    device_steps = 127
     driven = "a linear resonant actuator of 125 to 300 Hz"
     numbers = "values"
     choices: ClassVar = {

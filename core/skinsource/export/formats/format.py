@@ -14,7 +14,7 @@ from skinsource.base.errors import InvalidInputError, quoted
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.design.design import Design
 from skinsource.engine.stimulus import Channel, Stimulus
-from skinsource.signals.quantising import Quantised, quantised
+from skinsource.signals.quantising import KINDS, Quantised, quantised
 from skinsource.specs.spec import ChoiceSpec
 from skinsource.version import __version__
 
@@ -252,6 +252,11 @@ class StimulusFormat(ABC):
     def rounds(self, choices: Choices) -> bool:
         """Return whether whole numbers are written, so that dither is possible."""
         return False
+
+    def steps(self, choices: Choices) -> int:
+        """Return the steps up to full scale; 0: so many that none is missed."""
+        kind = KINDS.get(choices.get(SAMPLES, ""))
+        return self.device_steps if kind is None else kind.most
 
     def loses(self, choices: Choices) -> str:
         """Return a sentence on the part of the drive that is not in the file; "": all is."""

@@ -224,13 +224,22 @@ class PreparedStimulus:
 
     @property
     def misscaled(self) -> str:
-        """Sentences on a full scale that is not the device's, or that leaves few steps; or ""."""
+        """Sentences on a full scale that is not the device's, or leaves few or no steps; or ""."""
+        most = self.format.steps(self.files[0].choices)
+        sentences = [
+            f"Channel {overview.channel.number} ({overview.channel.title}) is silent: its peak is "
+            "below half a step. Raise its amplitude."
+            for file in self.files
+            for overview in file.channels
+            if 0.0 < most * overview.peak <= 0.5 and file.dither_seed is None
+        ]
         if volts := self.remedy_v:
-            return f"{self.format.scale_text(1.0 / self.gain)}. Choose a full scale of {volts:g} V."
-        most = self.format.device_steps
-        if 0.0 < (steps := most * self.peak * self.gain) < LEAST_STEPS:
-            return f"The largest sample is only {steps:.2g} of {most} steps. Raise the amplitudes."
-        return ""
+            scale = self.format.scale_text(1.0 / self.gain)
+            sentences.append(f"{scale}. Choose a full scale of {volts:g} V.")
+        elif 0.0 < (steps := most * self.peak * self.gain) < LEAST_STEPS:
+            largest = f"The largest sample is only {steps:.2g} of {most} steps."
+            sentences.append(f"{largest} Raise the amplitudes.")
+        return " ".join(sentences)
 
     @property
     def advice_on_loss(self) -> str:
@@ -277,7 +286,7 @@ class PreparedStimulus:
             "" if len(self.files) == 1 else counted(len(self.files), "file"),
             self.rate_text,
             f"{duration_s:.4g} s" if duration_s >= 1.0 else f"{1e3 * duration_s:.4g} ms",
-            f"about {size_text(self.n_bytes)}",
+            f"about {size_text(self.n_bytes)} of data",
             self.scale_text,
             lowered(self.equalised),
             *(
