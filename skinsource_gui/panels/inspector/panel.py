@@ -394,7 +394,7 @@ class ClipHeading(QtWidgets.QWidget):
             of_clips = by_clip and len(clips) >= len(batch)
             several = f"{len(clips)} clips" if of_clips else f"{len(batch)} inputs"
             alike = {each.waveform.title for each in clips} == {title}
-            phrases = f"{several} selected{f' · {title}' if alike else ''}", several
+            phrases = f"{several}{f' · {title}' if alike else ''}", several
         self._title.show_phrases(phrases)
         self._swatch.show_input(track.location, track.colour, silent=silent)
         contact = f" ({place.kind})" if place.kind else ""
