@@ -244,6 +244,7 @@ def test_a_formula_that_cannot_be_read_says_why_under_it_and_marks_the_column(ma
 
 def test_a_long_formula_is_wrapped_and_pasted_lines_become_one(make_cell):
     cell = make_cell(FORMULA, "t")
+    assert cell.field.verticalScrollBar().maximum() == 0
     cell.resize(200, 60)
     flat = cell.field.height()
     cell.set_value("+".join(["sin(2*pi*100*t)"] * 8))
