@@ -95,16 +95,20 @@ class SweepDialog(QtWidgets.QDialog):
     def values(self) -> tuple[float, ...]:
         """The frequencies, in Hz."""
         low, high = sorted((self.low.value_si, self.high.value_si))
-        return frequency_sweep(
+        values = frequency_sweep(
             low,
             high,
             round(self.count.value_si),
             "linear" if self.spacing.value == "linear" else "logarithmic",
             "down" if self.order.value == "down" else "up",
         )
+        # Ends stay exact; others have a tenth of a hertz where that is small beside all steps.
+        coarse = min((abs(b - a) for a, b in pairwise(values)), default=0.0) >= 1.0
+        inner = [round(hz, 1) if coarse else float(f"{hz:.5g}") for hz in values[1:-1]]
+        return (values[0], *inner, *values[1:][-1:])
 
     def _show_list(self, *_: object) -> None:
-        values = tuple(float(f"{value:.5g}") for value in self.values)
+        values = self.values
         more = f" … ({len(values)})" if len(values) > _MOST_SHOWN else ""
         self._list.setText(f"{numbers_text(values[:_MOST_SHOWN], self._spec)}{more} Hz")
 

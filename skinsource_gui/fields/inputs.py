@@ -45,7 +45,8 @@ class FieldChanges:
         gesture: int | None,
     ) -> Edit | Refusal:
         """Set field ``name`` of input ``lead`` to ``value``; the other ``ids`` follow."""
-        if gesture is None or len(ids) == 1:
+        # Half a typed list of frequencies has lost gains, which the whole one has at the start.
+        if gesture is None or (len(ids) == 1 and name != "frequencies_hz"):
             return edits.change_field(design, view, ids, name, value)
         if gesture != self._gesture or self._start is None:
             self._gesture, self._start = gesture, design

@@ -6,7 +6,6 @@ rows of their own in such a column.
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from functools import partial
 from typing import Any, Generic, TypeVar
 
@@ -14,7 +13,7 @@ from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
 
 from skinsource.base.errors import InvalidInputError, sentence
-from skinsource.design.edits.edit import KindSpec, as_kind
+from skinsource.design.edits.edit import KindSpec, as_kind, with_field
 from skinsource.design.edits.effects import (
     Parts,
     choices_of,
@@ -73,6 +72,8 @@ class PartFields(QObject):
         self._own: dict[str, EditedCell] = {}
         self._nested: dict[str, PartFields] = {}
         self._last_edited = ""
+        # The model before the gesture, and its number.
+        self._start: tuple[Any, int | None] = None, None
         self._kind: EditedCell | None = None
         if len(spec.kinds()) > 1:
             self._kind = self._cell("kind", choices_of(spec))
@@ -145,8 +146,10 @@ class PartFields(QObject):
 
     def _change(self, name: str, value: object, gesture: int | None) -> None:
         self._last_edited = name
+        if gesture is None or gesture != self._start[1]:
+            self._start = self._model, gesture
         try:
-            after = replace(self._model, **{name: value})
+            after = with_field(self._model, name, value, self._start[0])
         except InvalidInputError as error:
             self.show_model(self._model)
             self.show_reason(sentence(str(error)))

@@ -54,6 +54,7 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
         self.textChanged.connect(self._read)
         # Lines are laid out after the text changed.
         self.document().documentLayout().documentSizeChanged.connect(lambda _: self._fit())
+        self.verticalScrollBar().rangeChanged.connect(lambda *_: self._fit())
 
     def text(self) -> str:
         """Return the text in the field."""
@@ -197,3 +198,6 @@ class LiveText(Editor, QtWidgets.QPlainTextEdit):
         self.setVerticalScrollBarPolicy(
             policy.ScrollBarAsNeeded if more else policy.ScrollBarAlwaysOff
         )
+        if not more:
+            # Qt would scroll the margin, by a whole line; without a range, the wheel is for others.
+            self.verticalScrollBar().setMaximum(0)

@@ -22,23 +22,14 @@ from tests.core.clips_bench import total
 
 RATE_HZ = 1300.0
 TONE = Tone(frequency_hz=77.0, duration_s=0.2)
+WIND = Clip(waveform=Noise(seed=1), onset_s=0.25, gain=-0.5, label="wind")
+TAPPED = Clip(waveform=Tap()), Clip(waveform=TONE, onset_s=0.5, muted=True)
 #: Two clips on each of two tracks, one on a third, none on a fourth.
 DESIGN = Design(
     limb="synthetic-1",
     inputs=(
-        Input(
-            location=7,
-            clips=(
-                Clip(waveform=TONE, onset_s=0.1),
-                Clip(waveform=Noise(seed=1), onset_s=0.25, gain=-0.5, label="wind"),
-            ),
-        ),
-        Input(
-            location=2,
-            clips=(Clip(waveform=Tap()), Clip(waveform=TONE, onset_s=0.5, muted=True)),
-            colour=1,
-            gain_curve=((0.0, 1.0), (1.0, 0.0)),
-        ),
+        Input(location=7, clips=(Clip(waveform=TONE, onset_s=0.1), WIND)),
+        Input(location=2, clips=TAPPED, colour=1, gain_curve=((0.0, 1.0), (1.0, 0.0))),
         track(11, Tone(duration_s=0.4), onset_s=0.3, colour=2, amplitude=0.25),
         Input(location=12, colour=3),
     ),

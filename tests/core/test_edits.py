@@ -7,7 +7,7 @@ import pytest
 from skinsource import Clip, View, edits
 from skinsource.design.design import MAX_INPUTS, Design, Input, track
 from skinsource.design.edits.edit import Refusal
-from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.design.waveforms import Noise, Tap, Tone, WaveletTrain
 from skinsource.specs.models import specs_of
 
 THREE = Design(
@@ -118,6 +118,19 @@ def test_a_dragged_value_moves_all_alike_within_what_is_allowed_and_back(
     assert back.design == DRAGGED
 
 
+def test_gains_of_wavelets_follow_their_frequencies_and_all_go_for_a_new_one_with_a_word():
+    train = WaveletTrain((50.0, 400.0, 50.0), gains_db=(-6.0, 0.0, -7.0))
+    design = Design(limb="synthetic-1", inputs=(track(7, train),))
+    for hz, gains_db, said in (
+        ((400.0, 50.0, 50.0), (0.0, -6.0, -7.0), "keeps its gain"),
+        ((400.0,), (0.0,), "keeps its gain"),
+        ((50.0, 50.0, 50.0), (), "Gains removed"),
+    ):
+        after = edits.change_field(design, LAST, (1,), "frequencies_hz", hz)
+        assert after.design.clip(1).waveform == WaveletTrain(hz, gains_db=gains_db)
+        assert said in after.said
+
+
 def test_another_kind_keeps_what_both_share():
     outcome = edits.change_kind(THREE, LAST, (1, 2), "Tone")
     assert outcome.design.inputs[0] is THREE.inputs[0]
@@ -125,34 +138,24 @@ def test_another_kind_keeps_what_both_share():
 
 
 @pytest.mark.parametrize(
-    ("ids", "index", "order"),
+    ("outcome", "order"),
     [
-        ((3,), 0, (3, 1, 2)),
-        ((1,), 3, (2, 3, 1)),
-        ((1, 3), 2, (2, 1, 3)),
-        ((3, 1), 1, (1, 3, 2)),
-        ((1,), -9, (1, 2, 3)),
-        ((1,), 99, (2, 3, 1)),
+        (edits.put_inputs_before(THREE, LAST, (3,), 0), (3, 1, 2)),
+        (edits.put_inputs_before(THREE, LAST, (1,), 3), (2, 3, 1)),
+        (edits.put_inputs_before(THREE, LAST, (1, 3), 2), (2, 1, 3)),
+        (edits.put_inputs_before(THREE, LAST, (3, 1), 1), (1, 3, 2)),
+        (edits.put_inputs_before(THREE, LAST, (1,), -9), (1, 2, 3)),
+        (edits.put_inputs_before(THREE, LAST, (1,), 99), (2, 3, 1)),
+        (edits.shift_inputs(THREE, LAST, (3,), False), (1, 3, 2)),
+        (edits.shift_inputs(THREE, LAST, (2, 3), False), (2, 3, 1)),
+        (edits.shift_inputs(THREE, LAST, (1, 2), False), (1, 2, 3)),
+        (edits.shift_inputs(THREE, LAST, (1,), True), (2, 1, 3)),
+        (edits.shift_inputs(THREE, LAST, (1, 3), True), (2, 1, 3)),
     ],
 )
-def test_inputs_are_put_before_another(ids, index, order):
-    outcome = edits.put_inputs_before(THREE, LAST, ids, index)
+def test_inputs_are_put_before_another_or_shifted_as_far_as_there_is_room(outcome, order):
     assert outcome.design.ids == order
     assert outcome.view == LAST
-
-
-@pytest.mark.parametrize(
-    ("ids", "down", "order"),
-    [
-        ((3,), False, (1, 3, 2)),
-        ((2, 3), False, (2, 3, 1)),
-        ((1, 2), False, (1, 2, 3)),
-        ((1,), True, (2, 1, 3)),
-        ((1, 3), True, (2, 1, 3)),
-    ],
-)
-def test_inputs_are_shifted_one_place_as_far_as_there_is_room(ids, down, order):
-    assert edits.shift_inputs(THREE, LAST, ids, down).design.ids == order
 
 
 @pytest.mark.parametrize(

@@ -18,19 +18,9 @@ from skinsource.design.waveforms import KINDS, Layers, Noise, Tone
 from skinsource.specs.models import specs_of
 
 CHAIN = (Reverse(), Fade(), Repeat())
-DESIGN = Design(
-    limb="synthetic-1",
-    inputs=(
-        Input(
-            location=7,
-            clips=(
-                Clip(id=1, waveform=Tone(duration_s=0.2), effects=CHAIN),
-                Clip(id=2, onset_s=0.3),
-            ),
-        ),
-        Input(location=3, clips=(Clip(id=3),)),
-    ),
-)
+TWO = Clip(id=1, waveform=Tone(duration_s=0.2), effects=CHAIN), Clip(id=2, onset_s=0.3)
+INPUTS = Input(location=7, clips=TWO), Input(location=3, clips=(Clip(id=3),))
+DESIGN = Design(limb="synthetic-1", inputs=INPUTS)
 VIEW = View(selected_clips=(1,))
 
 
@@ -56,12 +46,6 @@ def test_a_new_effect_fits_the_clip():
     assert envelope.points == ((0.0, 1.0, "straight"), (0.2, 1.0, "straight"))
     assert chain_of(edits.add_effect(DESIGN, VIEW, (2,), "Trim"), 2) == (Trim(0.0, 0.2),)
     assert chain_of(edits.add_effect(DESIGN, VIEW, (2,), "Fade"), 2) == (Fade(0.02, 0.02),)
-
-
-def test_an_effect_is_added_to_several_clips_at_once():
-    outcome = edits.add_effect(DESIGN, VIEW, (2, 3), "Reverse")
-    assert outcome.label == "Add reverse to 2 clips"
-    assert [outcome.design.clip(id).effects for id in (2, 3)] == [(Reverse(),)] * 2
 
 
 REVERSE, FADE, REPEAT = CHAIN

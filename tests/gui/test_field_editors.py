@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QApplication, QLabel, QToolButton
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.effects.level import POINTS as CURVE_POINTS
-from skinsource.design.waveforms import Formula, Glide, WaveletTrain, frequency_sweep
+from skinsource.design.waveforms import Formula, Glide, WaveletTrain
 from skinsource.signals.synthesis import curve_of
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import CurveSpec, ListSpec, NumberSpec
@@ -119,14 +119,16 @@ def test_a_sweep_replaces_the_list_once_it_is_accepted(qtbot, make_cell):
     cell.findChild(QToolButton, "sweep").click()
     dialog = cell.window().findChild(SweepDialog)
     qtbot.waitUntil(dialog.isVisible)
-    assert dialog.values == frequency_sweep(50.0, 400.0, 3, "logarithmic", "down")
-    assert dialog.findChild(QLabel, "sweep_list").text() == "400, 141.42, 50 Hz"
+    assert dialog.values == (400.0, 141.4, 50.0)
+    assert dialog.findChild(QLabel, "sweep_list").text() == "400, 141.4, 50 Hz"
+    # Between near ones, more than tenths are needed.
+    dialog.low.set_value(399.9)
     dialog.spacing.choose("linear")
     dialog.order.choose("up")
-    assert dialog.findChild(QLabel, "sweep_list").text() == "50, 225, 400 Hz"
+    assert dialog.findChild(QLabel, "sweep_list").text() == "399.9, 399.95, 400 Hz"
     assert cell.edits == []
     dialog.accept()
-    assert cell.edits == [(50.0, 225.0, 400.0)]
+    assert cell.edits == [(399.9, 399.95, 400.0)]
 
 
 def glide_cell(make_cell, points):
@@ -167,19 +169,16 @@ def test_a_new_point_stays_though_it_bends_nothing_yet(make_cell):
     assert bends[0][1] == bends[2][1] == 100.0
 
 
-def test_times_of_points_are_shown_short_and_stay_exact_when_others_are_typed(qtbot):
+def test_times_of_points_are_shown_short_and_stay_exact_when_others_are_typed(make_cell):
     time = NumberSpec(label="Time", unit="s", minimum=0, maximum=9)
     gain = NumberSpec(label="Gain", minimum=0, maximum=4)
-    cell = FieldCell("gain_curve", CurveSpec(label="Gain curve", x=time, y=gain, most=9))
-    qtbot.addWidget(cell)
-    edits = []
-    cell.edited.connect(lambda name, value, gesture: edits.append(value))
-    cell.set_value(((0.509010598, 1.0), (0.917761532, 0.0)))
+    spec = CurveSpec(label="Gain curve", x=time, y=gain, most=9)
+    cell = make_cell(spec, ((0.509010598, 1.0), (0.917761532, 0.0)))
     assert cell.field.line.text() == "509.01 1; 917.76 0"
     cell.field.line.setPlainText("509.01 1; 917.76 2")
-    assert edits == [((0.509010598, 1.0), (0.917761532, 2.0))]
+    assert cell.edits == [((0.509010598, 1.0), (0.917761532, 2.0))]
     cell.field.line.setPlainText("509.02 1; 917.76 2")
-    assert edits[1:] == [((0.50902, 1.0), (0.917761532, 2.0))]
+    assert cell.edits[1:] == [((0.50902, 1.0), (0.917761532, 2.0))]
     # Rounded, these would be one.
     cell.set_value(((0.509010598, 1.0), (0.509010599, 0.0)))
     assert cell.field.line.text() == "509.010598 1; 509.010599 0"
@@ -245,6 +244,7 @@ def test_a_formula_that_cannot_be_read_says_why_under_it_and_marks_the_column(ma
 
 def test_a_long_formula_is_wrapped_and_pasted_lines_become_one(make_cell):
     cell = make_cell(FORMULA, "t")
+    assert cell.field.verticalScrollBar().maximum() == 0
     cell.resize(200, 60)
     flat = cell.field.height()
     cell.set_value("+".join(["sin(2*pi*100*t)"] * 8))

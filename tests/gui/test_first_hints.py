@@ -6,7 +6,6 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QPushButton
 
 import skinsource as ss
-from skinsource.design.edits.edit import Edit
 from skinsource_gui.shell.notices import HINTS, FirstHints, Notice
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
@@ -64,8 +63,7 @@ def test_a_studio_that_has_something_urgent_to_say_hints_nothing(qtbot, tmp_path
 
 
 def apply(document, **changes):
-    design = replace(document.design, **changes)
-    document.apply(Edit(label="Change", design=design, view=document.view))
+    document.edit("Change", replace(document.design, **changes))
 
 
 def test_doing_what_a_hint_says_leads_to_the_next_one(qtbot, tmp_path):

@@ -398,7 +398,7 @@ class ClipHeading(QtWidgets.QWidget):
             # Fields of clips change the first one of each input, where none is selected.
             more = not of_clips and max(len(each.clips) for each in batch) > 1
             which = ", first clips" if more else ""
-            phrases = f"{several} selected{which}{f' · {title}' if alike else ''}", several
+            phrases = f"{several}{which}{f' · {title}' if alike else ''}", several
         self._title.show_phrases(phrases)
         self._swatch.show_input(track.location, track.colour, silent=silent)
         contact = f" ({place.kind})" if place.kind else ""

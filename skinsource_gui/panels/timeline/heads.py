@@ -118,13 +118,11 @@ class Head:
             return None
         return abs(self.track.amplitude) * float(np.abs(self.played).max(initial=0.0))
 
-    @property
-    def level_text(self) -> str:
-        """The level of the amplitude in a few letters, dB: ``"−6.0"``, ``"+12"``."""
+    def level_text(self, decimals: int = 1) -> str:
+        """Return the level of the amplitude in a few letters, dB: ``"−6.0"``, ``"+12.3"``."""
         if not self.track.amplitude:
             return "−∞"
-        level_db = 20.0 * log10(abs(self.track.amplitude))
-        text = f"{level_db:+z.{int(abs(level_db) < 9.95)}f}"
+        text = f"{20.0 * log10(abs(self.track.amplitude)):+z.{decimals}f}"
         return minus(text.replace("+0.0", "0.0"))
 
     @property
@@ -209,7 +207,7 @@ class HeadsModel(QAbstractListModel):
 
 
 #: Size of a head for text of the usual size, and height of such a line, px.
-HEADS_PX, ROW_PX, USUAL_LINE_PX = 110, 40, 14
+HEADS_PX, ROW_PX, USUAL_LINE_PX = 114, 40, 14
 # Heads of larger text leave the lanes room too.
 _MOST_HEADS_PX = 220
 _EDGE_PX, _LINE_PX, _SWATCH_PX, _METER_PX, _MARK_PX = 6, 18, 21, 3, 3
@@ -328,10 +326,12 @@ class HeadDelegate(QtWidgets.QStyledItemDelegate):
         painter.setPen(dim)
         inverted, middle = head.track.amplitude < 0, Qt.AlignmentFlag.AlignVCenter
         side = Qt.AlignmentFlag.AlignRight if inverted else Qt.AlignmentFlag.AlignHCenter
-        painter.drawText(places.level, middle | side, head.level_text)
-        if inverted:
-            painter.setPen(text)
-            painter.drawText(places.level, Qt.AlignmentFlag.AlignLeft, "ø")
+        level, mark = head.level_text(), "ø" if inverted else ""
+        if painter.fontMetrics().horizontalAdvance(mark + level) > places.level.width():
+            level = head.level_text(0)
+        painter.drawText(places.level, middle | side, level)
+        painter.setPen(text)
+        painter.drawText(places.level, Qt.AlignmentFlag.AlignLeft, mark)
         _paint_letter(painter, places.mute, "M", theme.warning, on=head.track.muted)
         _paint_letter(painter, places.solo, "S", theme.accent, on=head.track.solo)
         _paint_fader(painter, places.fader, head.track.amplitude, theme)

@@ -8,7 +8,6 @@ import pytest
 from skinsource import Design, decibels, evaluate, track
 from skinsource.design.comparing import region_levels_db
 from skinsource.design.design import Snapshot
-from skinsource.design.edits.edit import Edit
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.engine.analysis_rules import Sensation
 from skinsource.perception.thresholds import LIMITS, PerceptionSettings
@@ -74,8 +73,7 @@ def test_the_map_shows_levels_above_threshold_with_their_limits(window, settle, 
     assert "threshold" in skin.content.quantity.unit
     skin.picture(300, 500)
     assert numbers_text(skin.content).startswith("output\tplace\tabove_threshold_db\n")
-    relative = replace(document.design, scaling="upstream")
-    document.apply(Edit(label="Scaling", design=relative, view=document.view))
+    document.edit("Scaling", replace(document.design, scaling="upstream"))
     settle()
     assert "Probe acceleration" in skin.content.message
     assert skin.content.coloured_values is None
@@ -185,8 +183,7 @@ def test_people_and_snapshots_stand_side_by_side_and_cost_nothing_while_hidden(
     assert panel.columns[5].numbers == pytest.approx(np.std(people, axis=0, ddof=1), abs=1e-6)
     document.look(replace(document.view, levels_matched=False))
     window.do("store_snapshot_1")
-    louder = document.design.with_input(0, amplitude=2.0)
-    document.apply(Edit(label="Louder", design=louder, view=document.view))
+    document.edit("Louder", document.design.with_input(0, amplitude=2.0))
     window.do("store_snapshot_2")
     qtbot.waitUntil(lambda: len(panel.columns) == 8, timeout=60_000)
     settle()
@@ -215,8 +212,7 @@ def test_people_and_snapshots_stand_side_by_side_and_cost_nothing_while_hidden(
     window.docks["analysis"].toggleViewAction().trigger()
     settle()
     qtbot.waitUntil(lambda: Slot("limb synthetic-3") not in graphs)
-    quieter = document.design.with_input(0, amplitude=0.1)
-    document.apply(Edit(label="Quieter", design=quieter, view=document.view))
+    document.edit("Quieter", document.design.with_input(0, amplitude=0.1))
     settle()
     assert not any("limb" in slot.name for slot in graphs)
 
@@ -230,8 +226,7 @@ def test_matched_levels_of_snapshots_are_said_above_the_table_and_never_copied(
     settle()
     assert "levels matched" not in panel.about.whole
     window.do("store_snapshot_1")
-    louder = document.design.with_input(0, amplitude=2.0)
-    document.apply(Edit(label="Louder", design=louder, view=document.view))
+    document.edit("Louder", document.design.with_input(0, amplitude=2.0))
     window.do("store_snapshot_2")
 
     qtbot.waitUntil(window.panel("analysis").copy.isEnabled, timeout=12_000)

@@ -172,6 +172,7 @@ def test_the_chain_is_that_of_the_selected_clip(bench):
     bench.show(selected_clips=(1, 2))
     bench.add("Reverse")
     assert [clip.effects[-1] for clip in bench.track.clips] == [Reverse(), Reverse()]
+    assert bench.labels[-1] == "Add reverse to 2 clips"
     bench.show(selected_inputs=(2,), selected_clips=())
     assert not bench.chain.isVisible()
 

@@ -7,7 +7,7 @@ from itertools import product
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QIcon, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit, QMenu, QToolButton, QWidget
@@ -17,7 +17,17 @@ from skinsource.base.allocation import give_freed_memory_back
 from skinsource.base.run_limited import resident_bytes
 from skinsource.design.edits.edit import as_kind, kind_spec
 from skinsource.design.effects import Fade, Stretch
-from skinsource.design.waveforms import COMMON, KINDS, MORE, Chirp, Formula, Layers, Noise, Tone
+from skinsource.design.waveforms import (
+    COMMON,
+    KINDS,
+    MORE,
+    Chirp,
+    Formula,
+    Layers,
+    Noise,
+    Tone,
+    WaveletTrain,
+)
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import NumberSpec
 from skinsource_gui.fields.editors import FieldCell
@@ -25,11 +35,13 @@ from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.fields.inputs import clip_text, figure_text, full_label
 from skinsource_gui.fields.kinds import PICTURE_PX, KindField, fill_kind_menu, waveform_icon
 from skinsource_gui.fields.parts import PartsEditor
+from skinsource_gui.fields.text_field import LiveText
 from skinsource_gui.fields.units import value_text
 from skinsource_gui.plots.pictures import stimulus_text
 from skinsource_gui.qt.buttons import FirstLetters, LetterButton
 from skinsource_gui.qt.theme import LIGHT
 from tests.gui.inspector.bench import Bench, design_of
+from tests.gui.wheel import NOTCH, turn_wheel
 
 
 @pytest.fixture
@@ -334,6 +346,25 @@ def test_another_kind_of_waveform_brings_its_own_fields(bench):
     bench.show(bench.design.with_input(0, clips=(Clip(id=1, waveform=Layers((A, B, C))),)))
     assert bench.parts == (A, B, C)
     assert cells["kind"].field.hasFocus()
+
+
+BALANCED = WaveletTrain(gains_db=(-6.56, -2.81, 0.0, -1.25, -3.75))
+
+
+@pytest.mark.parametrize("waveform", [BALANCED, Layers((Clip(waveform=BALANCED),))])
+def test_frequencies_typed_anew_keep_their_gains_which_the_wheel_leaves_in_sight(qtbot, waveform):
+    bench = PartsBench(qtbot, design_of(waveform))
+    if waveform is not BALANCED:
+        bench.opened(0)
+    lines = {line.accessibleName(): line for line in bench.panel.findChildren(LiveText)}
+    lines["Frequencies"].selectAll()
+    QTest.keyClicks(lines["Frequencies"], "400, 237.8, 141.4, 84.1, 50")
+    gains, one_line = lines["Gains"], lines["Gains"].fontMetrics().height()
+    assert f"gains_db={BALANCED.gains_db[::-1]}" in repr(bench.track.clips[0].waveform)
+    gains.setFixedWidth(150)
+    assert gains.height() > 2 * one_line
+    assert not turn_wheel(gains.viewport(), QPoint(9, 9), (0, -NOTCH))
+    assert gains.verticalScrollBar().maximum() == 0
 
 
 def test_the_last_part_stays_and_that_is_said(bench):

@@ -19,6 +19,7 @@ from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms import kinds
 from skinsource.design.waveforms.samples import Layers
 from skinsource.design.waveforms.tones import Glide
+from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.limbs.locations import input_name
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import NumberSpec, SamplesSpec
@@ -248,6 +249,33 @@ def _played(
         return {field: spec.checked(played)}
     except InvalidInputError:
         return {}
+
+
+def with_field(model: Any, name: str, value: Any, at_start: Any = None) -> Any:
+    """Return a model with another value in a field; gains of wavelets follow their frequencies.
+
+    If a wavelet has no gain, neither now nor ``at_start`` of the gesture, all gains go.
+
+    >>> train = WaveletTrain((50.0, 400.0), gains_db=(-6.0, 0.0))
+    >>> with_field(train, "frequencies_hz", (400.0, 50.0)).gains_db
+    (0.0, -6.0)
+    """
+    if name != "frequencies_hz" or not isinstance(model, WaveletTrain):
+        return replace(model, **{name: value})
+
+    def wavelets(train: WaveletTrain) -> list[tuple[float, int]]:
+        # A frequency that is there again is another wavelet.
+        all_hz = train.frequencies_hz
+        return [(hz, all_hz[:k].count(hz)) for k, hz in enumerate(all_hz)]
+
+    gains_db: dict[tuple[float, int], float] = {}
+    for train in (at_start, model):
+        if isinstance(train, WaveletTrain) and train.gains_db:
+            gains_db |= zip(wavelets(train), train.gains_db, strict=True)
+    after = replace(model, frequencies_hz=value, gains_db=())
+    if not gains_db.keys() >= set(wavelets(after)):
+        return after
+    return replace(after, gains_db=tuple(gains_db[each] for each in wavelets(after)))
 
 
 def nearest(value: float, spec: NumberSpec) -> float:

@@ -28,11 +28,11 @@ from skinsource.design.edits.edit import (
     change_inputs,
     clip_of,
     clips_of,
-    listed,
     location_text,
     nearest,
     present_inputs,
     refusing,
+    with_field,
 )
 from skinsource.design.effects import effect_kinds
 from skinsource.design.effects.effect import Effect, KeepsTime
@@ -387,6 +387,7 @@ def change_field(
     """Set a field of inputs, of their clips or of the waveforms of those to one value.
 
     Inputs without a clip, and clips whose waveform has no field of this name, stay as they are.
+    Gains of a wavelet train follow its frequencies; all go where a new frequency has none.
 
     Examples
     --------
@@ -397,8 +398,6 @@ def change_field(
     250.0
     """
     targets = _targets(design, view, ids, name)
-    if not targets:
-        return Refusal(sentence=NOTHING_CHOSEN)
     return _with_values(design, view, name, [(target, value) for target in targets])
 
 
@@ -429,7 +428,6 @@ def drag_field(
     >>> print(edit.design.clips[0].waveform.frequency_hz)
     120.0
     """
-    ids = listed(ids)
     targets = _targets(design, view, ids, name)
     leading = (
         (track, clip)
@@ -439,7 +437,7 @@ def drag_field(
     dragged = next(leading, None)
     spec = dragged and fields_of(*dragged)[name]
     if dragged is None or not isinstance(spec, NumberSpec):
-        return change_field(design, view, ids, name, value)
+        return _with_values(design, view, name, [(target, value) for target in targets], start)
     at_start = {_ids_of(target): target for target in _targets(start, view, start.ids, name)}
 
     def value_at_start(target: _Target) -> float:
@@ -510,26 +508,41 @@ def _targets(design: Design, view: View, ids: Iterable[int], name: str) -> list[
 
 
 def _with_values(
-    design: Design, view: View, name: str, values: list[tuple[_Target, Any]]
+    design: Design,
+    view: View,
+    name: str,
+    values: list[tuple[_Target, Any]],
+    start: Design | None = None,
 ) -> Edit | Refusal:
+    if not values:
+        return Refusal(sentence=NOTHING_CHOSEN)
+    at_start = {clip.id: clip.waveform for clip in start.clips} if start else {}
     changes: dict[int, dict[str, Any]] = {}
     clip_changes: dict[int, dict[str, Any]] = {}
+    gains: list[tuple[float, ...]] = []
     for (track, clip), value in values:
         changes[track.id] = {} if clip else {name: value}
         if clip and name in _OF_CLIP:
             clip_changes[clip.id] = {name: value}
         elif clip:
-            waveform: Any = clip.waveform
-            clip_changes[clip.id] = {"waveform": replace(waveform, **{name: value})}
+            before: Any = clip.waveform
+            after = with_field(before, name, value, at_start.get(clip.id))
+            clip_changes[clip.id] = {"waveform": after}
+            if name == "frequencies_hz" and after.gains_db != before.gains_db:
+                gains.append(after.gains_db)
     (track, clip), value = values[0]
     verb = change_text(fields_of(track, clip)[name], value_of(track, name, clip), value)
     outcome = change_inputs(design, view, verb, changes, clip_changes)
+    if isinstance(outcome, Edit) and gains:
+        return replace(outcome, said=_CARRIED if all(gains) else _UNBALANCED)
     if name != "duration_s" or isinstance(outcome, Refusal):
         return outcome
     played_s = [outcome.design.clip(id).duration_s for id in clip_changes]
     return outcome if all(played_s) else replace(outcome, said=_EMPTIED)
 
 
+_CARRIED = "Each frequency keeps its gain."
+_UNBALANCED = "Gains removed: a new frequency has none. Balance the wavelets again."
 _EMPTIED = "Nothing plays: the trim begins behind the new end. Start it earlier."
 
 
