@@ -5,8 +5,8 @@ from unittest.mock import patch
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QRectF, Qt
-from PySide6.QtGui import QGuiApplication, QImage, QPainter
+from PySide6.QtCore import QEvent, QPointF, QRectF, Qt
+from PySide6.QtGui import QGuiApplication, QImage, QMouseEvent, QPainter
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
@@ -52,6 +52,13 @@ def ring(maps, index, output):
     return [image.pixel(x + dx, y + dy) for dx in range(-9, 10) for dy in range(-9, 10)]
 
 
+def move_to(maps, at):
+    none = Qt.MouseButton.NoButton
+    on_screen, plain = maps.mapToGlobal(at), Qt.KeyboardModifier.NoModifier
+    moved = QMouseEvent(QEvent.Type.MouseMove, at, on_screen, none, none, plain)
+    QApplication.sendEvent(maps, moved)
+
+
 def test_four_limbs_have_their_own_levels_one_scale_one_pointer_and_one_selection(
     window, panel, qtbot
 ):
@@ -64,16 +71,26 @@ def test_four_limbs_have_their_own_levels_one_scale_one_pointer_and_one_selectio
     assert [cell.heading for cell in cells][1] == "Synthetic 2 (165 mm)"
     maps, output = panel.maps, 23
     before = [ring(maps, k, output) for k in range(4)]
-    at = point_at(maps, 2, output)
+    at, size = point_at(maps, 2, output), maps.size()
     assert maps.output == output
     assert all(ring(maps, k, output) != before[k] for k in range(4))
     for values in expected:
         assert f"{values[output - 1]:.1f}".replace("-", "−") in panel.text_label.whole
     assert panel.text_label.whole.startswith("Output 23")
-    # Maps that move on under the pointer are read anew.
+    # Maps that move on, or lie elsewhere under the pointer, are read anew.
     with patch.object(maps, "update") as painted:
         maps.show_frame(maps.content.cells)
     painted.assert_any_call(maps.places.cells[0].value.toAlignedRect())
+    content, said = maps.content, {panel.text_label.whole}
+    for drawn, share in ((cells[:3], 1.0), (cells[:3], 0.8), (cells, 0.8), (cells, 1.0)):
+        maps.show_content(replace(content, cells=drawn))
+        maps.resize(size * share)
+        told = panel.text_label.whole
+        maps.picker.leave()
+        move_to(maps, QPointF(at))
+        assert panel.text_label.whole == told
+        said.add(told.split(":")[0])
+    assert len(said) > 2
     QTest.mouseClick(maps, Qt.MouseButton.LeftButton, pos=at)
     assert window.document.view.outputs == (output,)
     QApplication.sendEvent(maps, QEvent(QEvent.Type.Leave))
