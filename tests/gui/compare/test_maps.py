@@ -5,7 +5,7 @@ from unittest.mock import patch
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPointF, QRectF, Qt
+from PySide6.QtCore import QEvent, QRectF, Qt
 from PySide6.QtGui import QGuiApplication, QImage, QMouseEvent, QPainter
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
@@ -52,13 +52,6 @@ def ring(maps, index, output):
     return [image.pixel(x + dx, y + dy) for dx in range(-9, 10) for dy in range(-9, 10)]
 
 
-def move_to(maps, at):
-    none = Qt.MouseButton.NoButton
-    on_screen, plain = maps.mapToGlobal(at), Qt.KeyboardModifier.NoModifier
-    moved = QMouseEvent(QEvent.Type.MouseMove, at, on_screen, none, none, plain)
-    QApplication.sendEvent(maps, moved)
-
-
 def test_four_limbs_have_their_own_levels_one_scale_one_pointer_and_one_selection(
     window, panel, qtbot
 ):
@@ -81,13 +74,15 @@ def test_four_limbs_have_their_own_levels_one_scale_one_pointer_and_one_selectio
     with patch.object(maps, "update") as painted:
         maps.show_frame(maps.content.cells)
     painted.assert_any_call(maps.places.cells[0].value.toAlignedRect())
-    content, said = maps.content, {panel.text_label.whole}
+    content, said, none = maps.content, {panel.text_label.whole}, Qt.MouseButton.NoButton
+    plain, on_screen = Qt.KeyboardModifier.NoModifier, maps.mapToGlobal(at)
+    move = QMouseEvent(QEvent.Type.MouseMove, at, on_screen, none, none, plain)
     for drawn, share in ((cells[:3], 1.0), (cells[:3], 0.8), (cells, 0.8), (cells, 1.0)):
         maps.show_content(replace(content, cells=drawn))
         maps.resize(size * share)
         told = panel.text_label.whole
         maps.picker.leave()
-        move_to(maps, QPointF(at))
+        QApplication.sendEvent(maps, move)
         assert panel.text_label.whole == told
         said.add(told.split(":")[0])
     assert len(said) > 2
@@ -278,11 +273,8 @@ def test_a_limb_that_is_missing_laid_out_otherwise_or_too_large_says_so(
     document.edit("b", document.design.with_input(0, amplitude=0.3))
     settle()
     # Published limbs are larger than that as well.
-    qtbot.waitUntil(
-        lambda: all(
-            "live results are possible up to 5" in cell.text for cell in panel.maps.content.cells
-        )
-    )
+    said = "live results are possible up to 5"
+    qtbot.waitUntil(lambda: all(said in cell.text for cell in panel.maps.content.cells))
     # Lamps and error of what was shown before may still be on their way.
     quantities = [request.wanted for request in requests if request.purpose == Purpose.SHOW]
     # What clips play is drawn all the same, and runs through no limb.
@@ -318,10 +310,8 @@ def test_a_range_that_is_fixed_on_the_skin_map_holds_for_maps_in_the_same_unit(
     def scales():
         return [cell.scale for cell in panel.maps.content.cells if cell.scale is not None]
 
-    def all_fixed():
-        return {scale.range_db for scale in scales()} == {(-60.0, -20.0)}
-
-    qtbot.waitUntil(all_fixed, timeout=60_000)
+    ends = {(-60.0, -20.0)}
+    qtbot.waitUntil(lambda: {scale.range_db for scale in scales()} == ends, timeout=60_000)
     assert {scale.text_below for scale in scales()} == {"dB re 1 m/s² · range fixed"}
     choose(window, shown="mean")
     qtbot.waitUntil(lambda: len(scales()) == 2, timeout=60_000)
@@ -352,12 +342,7 @@ def test_snapshots_of_a_scene_are_told_by_what_their_titles_do_not_share():
 
     tones = [stored(1, "Fig. 2B: Far · 50 Hz"), stored(2, "Fig. 2B: Far · 100 Hz")]
     first, second = snapshot_names(tones, "xyz")
-    assert first == (
-        "Snapshot 1 · 50 Hz",
-        *("1 · 50 Hz", "1 · 50 Hz"),
-        "Snapshot 1",
-        "1",
-    )
+    assert first == ("Snapshot 1 · 50 Hz", "1 · 50 Hz", "1 · 50 Hz", "Snapshot 1", "1")
     assert second[0] == "Snapshot 2 · 100 Hz"
     # One with a title of its own takes nothing from the others, nor gives them the figure's.
     named = replace(tones[0].snapshot, title="Soft")
@@ -378,12 +363,9 @@ DESIGN = Design(limb="synthetic-1", inputs=(track(7),))
 
 def compared(number, noisy):
     names = ("limb_map", "limb_data", "output_levels_db", "surface", "surface_levels_db")
-    values = dict(evaluate(DESIGN, *names))
-    above = np.full(72, 20.0)
-    above[[output - 1 for output in noisy]] = 5.9
-    return Compared(
-        snapshot=Snapshot(number=number, design=DESIGN), values={**values, "above_noise_db": above}
-    )
+    values = {**evaluate(DESIGN, *names), "above_noise_db": np.full(72, 20.0)}
+    values["above_noise_db"][[output - 1 for output in noisy]] = 5.9
+    return Compared(snapshot=Snapshot(number=number, design=DESIGN), values=values)
 
 
 def painted(small):

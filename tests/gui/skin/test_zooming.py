@@ -11,8 +11,8 @@ from skinsource_gui.panels.skin import layout
 from skinsource_gui.panels.skin import picture as map_picture
 from skinsource_gui.panels.skin.layout import HAND
 from skinsource_gui.panels.skin.panel import SkinPanel
-from skinsource_gui.qt.theme import LIGHT
 from skinsource_gui.plots.outputs import output_at
+from skinsource_gui.qt.theme import LIGHT
 from skinsource_gui.qt.wheel import FREE, PAUSE_S, WHOLE, ScrollGesture
 from tests.gui.menus import close_menus, lines_at
 from tests.gui.skin.bench import CONTROL, LEFT, MIDDLE, PLAIN, Window, drag, pixel, place, wheel
@@ -81,10 +81,6 @@ def test_there_are_ways_between_the_hand_and_the_hand_with_its_arm(window, way):
         assert all(seen) == (fit == WHOLE)
         below = output_at(view.stage.layout.points, QPointF(at))
         assert way == "double click" or view.picker.hovered == below != 52 * (fit == HAND)
-
-
-def test_a_zoomed_map_goes_back_to_the_whole_with_a_key(window):
-    view = window.panel.map
     view.stage.pan_zoom.zoom(2.0, QPointF(0, 0))
     assert view.stage.pan_zoom.fit == FREE
     QTest.keyClick(view, Qt.Key.Key_0)
