@@ -153,9 +153,8 @@ def test_limbs_follow_edits_while_seen_and_cost_nothing_while_hidden(
     graphs = window.engine._graphs
     shown(panel, qtbot, 4)
     # The limb in the window is predicted once, for the window.
-    assert {slot.name for slot in graphs if "limb" in slot.name} == {
-        f"limb {limb}" for limb in LIMBS[1:]
-    }
+    others = {f"limb {limb}" for limb in LIMBS[1:]}
+    assert {slot.name for slot in graphs if "limb" in slot.name} == others
     design = window.document.design.with_input(0, amplitude=3.0)
     before = [cell.values_db for cell in panel.maps.content.cells]
     window.document.edit("Louder", design)
@@ -345,10 +344,8 @@ def test_snapshots_of_a_scene_are_told_by_what_their_titles_do_not_share():
     assert first == ("Snapshot 1 · 50 Hz", "1 · 50 Hz", "1 · 50 Hz", "Snapshot 1", "1")
     assert second[0] == "Snapshot 2 · 100 Hz"
     # One with a title of its own takes nothing from the others, nor gives them the figure's.
-    named = replace(tones[0].snapshot, title="Soft")
-    of_three = snapshot_names(
-        [Compared(snapshot=named), *tones[1:], stored(3, "Fig. 2B: Far · Both")], "xyz"
-    )
+    named = Compared(snapshot=replace(tones[0].snapshot, title="Soft"))
+    of_three = snapshot_names([named, *tones[1:], stored(3, "Fig. 2B: Far · Both")], "xyz")
     assert [names[0][13:] for names in of_three] == ["Soft", "100 Hz", "Both"]
     # A title of several is that of none; nothing is taken from titles that share nothing.
     same = snapshot_names([tones[0], stored(3, "Fig. 2B: Far · 50 Hz"), tones[1]], "xyz")
