@@ -1,7 +1,7 @@
 """Selecting outputs on a map by clicks, rubber bands and keys."""
 
 import numpy as np
-from PySide6 import QtGui
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
 
 from skinsource.base.conventions import Floats
@@ -92,8 +92,8 @@ class OutputPicker(QObject):
         Whether a click adds or removes an output without a key that is held.
     reach_px
         From how far away a click selects an output.
-    hovered, pointer
-        The output under the pointer, and the place of that; None while it is elsewhere.
+    hovered
+        The output under the pointer; None while it is elsewhere.
     band
         The rubber band, while one is drawn.
     cursor_output
@@ -105,12 +105,13 @@ class OutputPicker(QObject):
     #: The cursor of the keyboard is at another output.
     moved = Signal()
 
-    def __init__(self, parent: QObject) -> None:
-        super().__init__(parent)
+    def __init__(self, widget: QtWidgets.QWidget) -> None:
+        super().__init__(widget)
         self.selected: Outputs = ()
         self.toggles, self.reach_px = False, REACH_PX
         self.hovered: int | None = None
-        self.pointer: QPointF | None = None
+        self._widget = widget
+        self._on_screen: QPointF | None = None
         self.band: QRectF | None = None
         self.cursor_output: int | None = None
         self._pressed: QPointF | None = None
@@ -119,9 +120,14 @@ class OutputPicker(QObject):
         # The selection when something was given up; None: something else was done since.
         self._kept: Outputs | None = None
 
+    @property
+    def pointer(self) -> QPointF | None:
+        """The place of the pointer, which may rest while the widget moves; None: elsewhere."""
+        return None if self._on_screen is None else self._widget.mapFromGlobal(self._on_screen)
+
     def pointed_at(self, *, focused: bool) -> int | None:
         """Return the output under the pointer; if ``focused``, else that under the cursor."""
-        if self.pointer is not None:
+        if self._on_screen is not None:
             return self.hovered
         return self.cursor_output if focused else None
 
@@ -139,7 +145,7 @@ class OutputPicker(QObject):
 
     def move(self, at: QPointF, points: Floats) -> None:
         """Follow the mouse, with or without the button."""
-        self.pointer = at
+        self._on_screen = self._widget.mapToGlobal(at)
         self.hovered = output_at(points, at, self.reach_px)
         if self._pressed is not None:
             band = QRectF(self._pressed, at).normalized()
@@ -163,7 +169,7 @@ class OutputPicker(QObject):
 
     def leave(self) -> None:
         """Forget the pointer: it is elsewhere, or the keyboard is in use."""
-        self.pointer = self.hovered = None
+        self._on_screen = self.hovered = None
 
     def give_up(self) -> bool:
         """End a press without selecting; return whether there was one."""

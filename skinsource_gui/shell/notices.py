@@ -16,6 +16,7 @@ from skinsource.design.edits.setup import mends
 from skinsource.design.labels import LIMBS
 from skinsource.design.signal_path import unplayable_text
 from skinsource.limbs.dataset.store import StoreInfo
+from skinsource_gui.plots.figure import shrunk
 from skinsource_gui.qt.buttons import page_button, page_label, tool_button
 from skinsource_gui.qt.layouts import in_column, in_row, named
 from skinsource_gui.qt.questions import ask_yes
@@ -176,13 +177,16 @@ class Notice(QObject):
         at_top = self._passes and bar.isHidden()
         self._close.setHidden(at_top)
         stage = self._window.findChild(QtWidgets.QWidget, "stage_caution") if at_top else None
-        self._label.setFont(QtGui.QFont() if stage is None else stage.font())
+        room_px, text = whole.width() - 6 * UNIT_PX, self._label.text()
+        # Above the stage there is room for one line.
+        font = QtGui.QFont() if stage is None else shrunk(stage.font(), [text], room_px)
+        self._label.setFont(font)
         # In letters of any size a line of the card has about as many letters.
         letter_px = self._label.fontMetrics().averageCharWidth()
         widest = whole.width() if self._passes else _CARD_LETTERS * letter_px
         width = min(widest, whole.width() - (0 if self._passes else 2 * UNIT_PX))
         if at_top:
-            text_px = self._label.fontMetrics().horizontalAdvance(self._label.text())
+            text_px = self._label.fontMetrics().horizontalAdvance(text)
             width = min(width, text_px + 6 * UNIT_PX)
         height = self.card.heightForWidth(width)
         if at_top:
@@ -213,14 +217,14 @@ HINTS = (
     "the paper to begin with.",
 )
 NEXT, DONE, ENOUGH = "Next", "Done", "No more hints"
-LATER = "End the presentation to see the first steps"
+LATER = "The first steps are shown in the workspace Compose"
 
 
 class FirstHints(QObject):
     """Shows three hints, one after the other, on the first start of the studio.
 
-    The next one comes with its button, or once the hint was followed.  While somebody presents, the
-    hints are hidden from the audience.
+    The next one comes with its button, or once the hint was followed.  They are hidden from an
+    audience, and where there is no hand to click on.
 
     Parameters
     ----------
@@ -258,8 +262,8 @@ class FirstHints(QObject):
 
     def put_away(self, away: bool) -> None:
         """Hide the present hint, or show it again."""
-        self._away = away
-        if self._step is None:
+        was, self._away = self._away, away
+        if self._step is None or away == was:
             return
         if not away:
             self._say(self._step)

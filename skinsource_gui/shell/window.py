@@ -364,8 +364,8 @@ class MainWindow(QtWidgets.QMainWindow):
         self.files.started_over.connect(self.workspaces.leave_scene)
         self.scenes.opened.connect(self.presenter.note_scene)
         self.files.show_wanted.connect(self.presenter.open_file)
-        for begins_or_ends in (self.notice.pass_now, self.hints.put_away):
-            self.presenter.presenting_changed.connect(begins_or_ends)
+        self.workspaces.shown.connect(lambda name: self.hints.put_away(name != "design"))
+        self.presenter.presenting_changed.connect(self.notice.pass_now)
         saving = self.files, self.scenes, self.library, self.presenter
         for fails in (*saving, self.exports, self.levelling):
             fails.failed.connect(reports.complain)

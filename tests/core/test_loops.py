@@ -51,8 +51,14 @@ def test_what_passes_begins_before_the_stimulus_and_ends_where_it_rests():
     loop = loop_of(design, signals)
     assert loop.begin_s == pytest.approx(0.295 + signals.delay_s)
     after = round((loop.begin_s + loop.duration_s) * signals.sample_rate_hz) + 1
-    assert np.abs(signals.signals[..., after:]).max() <= 0.01 * signals.largest
+    assert np.abs(signals.signals[..., after:]).max() <= 0.05 * signals.largest
     assert np.abs(loop.values(0.0)).max() < 0.02 * signals.largest
+    # A quiet tail is left out, and the last clip is not, however soft.
+    hum = 0.011 * signals.largest * np.sin(np.arange(signals.response_samples))
+    humming = replace(signals, signals=signals.signals + hum)
+    assert loop_of(design, humming).duration_s == pytest.approx(loop.duration_s, abs=0.05)
+    both = design.adding(ss.track(7, ss.waveforms.Tap(), onset_s=0.6, amplitude=0.001))
+    assert loop_of(both, moving(both)).duration_s > 0.32
     times_s, traces = loop.traces((29,), loop.duration_s)
     assert 0.0 <= times_s[0] < times_s[-1] <= loop.duration_s
     peak = np.abs(signals.signals[28]).max()
@@ -118,12 +124,12 @@ def test_of_a_motion_the_part_with_the_most_energy_is_found():
     late = ss.track(12, ss.waveforms.Tap(), onset_s=0.6, amplitude=5.0)
     design = ss.Design(limb="synthetic-1", inputs=(early, late))
     loop = loop_of(design, moving(design))
-    after_s = loop.loudest_after_s(0.1)
-    part = loop.part(after_s, 0.1)
-    assert (part.duration_s, part.largest) == (0.1, loop.largest)
+    after_s = loop.loudest_after_s(0.05)
+    part = loop.part(after_s, 0.05)
+    assert (part.duration_s, part.largest) == (0.05, loop.largest)
     assert after_s == pytest.approx(0.6, abs=0.02)
     np.testing.assert_allclose(
-        part.values(0.25), loop.values((after_s + 0.025) / loop.duration_s), atol=1e-9
+        part.values(0.5), loop.values((after_s + 0.025) / loop.duration_s), atol=1e-9
     )
     # It stays within the motion.
     assert loop.loudest_after_s(0.999 * loop.duration_s) <= 0.001 * loop.duration_s + 1e-9

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QPushButton
 
 import skinsource as ss
@@ -39,22 +39,12 @@ def test_three_hints_come_once_one_after_the_other(qtbot, tmp_path):
     for step, hint in enumerate(HINTS):
         assert notice.text == f"{step + 1} of 3: {hint}"
         press(window, "Done" if step == 2 else "Next")
+        # Remembered at once: the first hint is enough, however the studio ends.
+        assert Preferences(path).hinted
     assert notice.text == ""
     FirstHints(Preferences(path), notice, document()).offer()
     assert notice.text == ""
-
-
-def test_who_wants_no_more_of_them_or_just_ends_the_studio_is_left_alone(qtbot, tmp_path):
-    window, notice = window_of(qtbot)
-    FirstHints(Preferences(tmp_path / "a.ini"), notice, document()).offer()
-    press(window, "No more hints")
-    assert notice.text == ""
-    # Remembered at once: the first hint is enough, however the studio ends.
-    assert Preferences(tmp_path / "a.ini").hinted
-
-
-def test_a_studio_that_has_something_urgent_to_say_hints_nothing(qtbot, tmp_path):
-    _, notice = window_of(qtbot)
+    # Something urgent goes first.
     new = Preferences(tmp_path / "new.ini")
     notice.say("Unsaved work was left", "warning")
     FirstHints(new, notice, document()).offer()
@@ -88,9 +78,19 @@ def test_hints_are_put_away_while_somebody_presents_and_come_back_after(window, 
     window.do("show_first_steps")
     settle()
     press(window, "Next")
+    # Where there is no hand to click on.
+    window.do("arrange_presentation")
+    assert window.notice.text == ""
+    window.do("arrange_design")
+    assert window.notice.text.startswith("2 of 3")
+    window.notice.say("Other")
+    window.workspaces.reset()
+    assert window.notice.text == "Other"
     window.do("present")
     settle()
     assert window.notice.text.startswith("PgDown")
+    stage = window.panel("stage")
+    assert window.notice.card.height() <= stage.heading.mapTo(window, QPoint()).y()
     window.do("next_scene")
     settle()
     assert window.notice.text.startswith("Scene")

@@ -20,8 +20,9 @@ from skinsource.signals.resampling import finer
 SHOWN_HZ, PICTURES_PER_PERIOD = 2.0, 12
 # Components of at least this share of the power of the strongest one are strong.
 _STRONG = 0.1
-# A motion that passes ends where it stays below this share of its largest acceleration.
-_REST = 0.01
+# Outputs are louder that reach this share of the largest acceleration; a motion that passes ends
+# where no more than this share of them moves by more than this share of their own.
+_REST = 0.1
 # It begins so long before the stimulus: the filter of the measurement rings before it.
 _BEFORE_S = 0.005
 _POINTS_PER_PERIOD = 48
@@ -176,11 +177,16 @@ def moving_name(limb: str, axes: str = "") -> str:
 
 def _passing(design: Design, moving: Moving) -> Loop:
     rate_hz = moving.sample_rate_hz
-    size = np.abs(moving.signals).max(axis=(0, 1), initial=0.0)
-    moves = np.flatnonzero(size > _REST * moving.largest)
-    onset_s = min((part.onset_s for part in _played(design)), default=0.0)
-    begin_s = max(onset_s + moving.delay_s - _BEFORE_S, moving.first / rate_hz)
-    last = moving.first + (int(moves[-1]) if moves.size else 0)
+    onsets_s = [part.onset_s for part in _played(design)] or [0.0]
+    begin_s = max(min(onsets_s) + moving.delay_s - _BEFORE_S, moving.first / rate_hz)
+    # The last clip may be far softer than those before.
+    since = max(round((max(onsets_s) + moving.delay_s) * rate_hz) - moving.first, 0)
+    size = np.linalg.norm(moving.signals[..., since:], axis=1)
+    peaks = size.max(axis=1, initial=0.0)
+    louder = peaks > _REST * peaks.max(initial=0.0)
+    n_moving = (size > _REST * peaks[:, None])[louder].sum(axis=0)
+    moves = np.flatnonzero(n_moving > _REST * louder.sum())
+    last = moving.first + since + int(moves.max(initial=0))
     # Of a long response only a part is known.
     end_s = (last if moving.end == moving.response_samples else moving.response_samples) / rate_hz
     return Loop(

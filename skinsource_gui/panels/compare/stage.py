@@ -270,6 +270,11 @@ class Dial(QtWidgets.QDial):
     def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:
         self.setSliderDown(False)
 
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
+        # A slip in front of people would turn it to an end, where little was measured.
+        if event.key() not in (Qt.Key.Key_Home, Qt.Key.Key_End):
+            super().keyPressEvent(event)
+
 
 class Knob(QtWidgets.QWidget):
     """A large dial for one number, which stands below it and can be typed."""
@@ -748,7 +753,10 @@ class StagePanel(MapsPanel):
             if self.strip.in_rows:
                 curves = _in_rows(self.compared[0], known[0][1], curves, [k - 1 for k in kept])
                 ends, top = ((0.0, end_s), (-0.5, 0.5)), 0.0
-                high = "each relative to its peak; + group delay, marked where it arrives"
+                # The loudest part of a long motion begins after that.
+                marks = any(0.0 <= curve.arrival <= end_s for curve in curves if curve.arrival)
+                arrives = ", marked where it arrives" * marks
+                high = f"each relative to its peak; + group delay{arrives}"
             words = (where, high, f"window {end_s * factor:.3g} {unit}")
         self._cut = top > ends[1][1] or (not spectra and shown_s > end_s)
         self.strip.show_curves(tuple(curves), ends, words)

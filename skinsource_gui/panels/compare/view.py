@@ -3,7 +3,7 @@
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from math import ceil, inf
+from math import ceil
 
 import numpy as np
 from PySide6 import QtGui, QtWidgets
@@ -348,7 +348,7 @@ class MapsView(QtWidgets.QWidget):
         self.picker.selected = content.outputs
         self._places = None
         self.setAccessibleName(content.message or content.about or "Compared maps")
-        self._emit_pointed_at()
+        self._rest()
 
     def show_frame(self, cells: tuple[Cell, ...]) -> None:
         """Draw the same maps a moment later."""
@@ -364,10 +364,12 @@ class MapsView(QtWidgets.QWidget):
     def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         self._places = None
+        self._rest()
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         self._places = None
+        self._rest()
 
     def event(self, event: QEvent) -> bool:
         return claims_shortcut(event, self._claims) or super().event(event)
@@ -405,7 +407,14 @@ class MapsView(QtWidgets.QWidget):
         cells = enumerate(self.places.cells)
         self._at = next((k for k, place in cells if place.whole.contains(point)), self._at)
         on_map = any(place.map.contains(point) for place in self.places.cells)
-        self.picker.reach_px = inf if on_map else REACH_PX
+        self.picker.reach_px = self.width() + self.height() if on_map else REACH_PX
+
+    def _rest(self) -> None:
+        """Look anew at what lies under a pointer that rests: maps are others, or elsewhere."""
+        if (at := self.picker.pointer) is not None:
+            self._look_at(at)
+            self.picker.move(at, self.points_of(self._at))
+        self._emit_pointed_at()
 
     def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:

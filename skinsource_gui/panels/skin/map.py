@@ -370,8 +370,8 @@ class SkinMap(QtWidgets.QWidget):
         # Outputs that were selected here last.
         self._chosen: tuple[int, ...] = ()
         self.stage = MapStage(self)
-        self.stage.changed.connect(self.update)
         self.picker = OutputPicker(self)
+        self.stage.changed.connect(self._rest)
         self.picker.chosen.connect(self._choose_outputs)
         self.picker.moved.connect(self._follow_cursor)
         self.setMinimumSize(150, 180)
@@ -506,12 +506,7 @@ class SkinMap(QtWidgets.QWidget):
 
     def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
         self.stage.pan_zoom.move(event)
-        if self.stage.layout is not None:
-            self.picker.move(event.position(), self.stage.layout.points)
-            self._point_at(input_at(self.content, self.stage.layout, event.position()))
-            self._point_at_place(self._place_at(event.position()))
-            self.readout_changed.emit(self.readout())
-            self.update()
+        self._follow(event.position())
 
     def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:
         self.stage.pan_zoom.release(event)
@@ -572,6 +567,20 @@ class SkinMap(QtWidgets.QWidget):
             self.update()
         else:
             super().keyPressEvent(event)
+
+    def _follow(self, at: QPointF) -> None:
+        if self.stage.layout is not None:
+            self.picker.move(at, self.stage.layout.points)
+            self._point_at(input_at(self.content, self.stage.layout, at))
+            self._point_at_place(self._place_at(at))
+            self.readout_changed.emit(self.readout())
+            self.update()
+
+    def _rest(self) -> None:
+        """Look anew at what lies under a pointer that rests, below which all has moved."""
+        if (at := self.picker.pointer) is not None:
+            self._follow(at)
+        self.update()
 
     def _point_at(self, input_id: int | None) -> None:
         if input_id != self._input_under_pointer:

@@ -6,7 +6,7 @@ from unittest.mock import patch
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QRectF, Qt
-from PySide6.QtGui import QGuiApplication, QImage, QPainter
+from PySide6.QtGui import QGuiApplication, QImage, QMouseEvent, QPainter
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
@@ -64,16 +64,28 @@ def test_four_limbs_have_their_own_levels_one_scale_one_pointer_and_one_selectio
     assert [cell.heading for cell in cells][1] == "Synthetic 2 (165 mm)"
     maps, output = panel.maps, 23
     before = [ring(maps, k, output) for k in range(4)]
-    at = point_at(maps, 2, output)
+    at, size = point_at(maps, 2, output), maps.size()
     assert maps.output == output
     assert all(ring(maps, k, output) != before[k] for k in range(4))
     for values in expected:
         assert f"{values[output - 1]:.1f}".replace("-", "−") in panel.text_label.whole
     assert panel.text_label.whole.startswith("Output 23")
-    # Maps that move on under the pointer are read anew.
+    # Maps that move on, or lie elsewhere under the pointer, are read anew.
     with patch.object(maps, "update") as painted:
         maps.show_frame(maps.content.cells)
     painted.assert_any_call(maps.places.cells[0].value.toAlignedRect())
+    content, said, none = maps.content, {panel.text_label.whole}, Qt.MouseButton.NoButton
+    plain, on_screen = Qt.KeyboardModifier.NoModifier, maps.mapToGlobal(at)
+    move = QMouseEvent(QEvent.Type.MouseMove, at, on_screen, none, none, plain)
+    for drawn, share in ((cells[:3], 1.0), (cells[:3], 0.8), (cells, 0.8), (cells, 1.0)):
+        maps.show_content(replace(content, cells=drawn))
+        maps.resize(size * share)
+        told = panel.text_label.whole
+        maps.picker.leave()
+        QApplication.sendEvent(maps, move)
+        assert panel.text_label.whole == told
+        said.add(told.split(":")[0])
+    assert len(said) > 2
     QTest.mouseClick(maps, Qt.MouseButton.LeftButton, pos=at)
     assert window.document.view.outputs == (output,)
     QApplication.sendEvent(maps, QEvent(QEvent.Type.Leave))
@@ -141,9 +153,8 @@ def test_limbs_follow_edits_while_seen_and_cost_nothing_while_hidden(
     graphs = window.engine._graphs
     shown(panel, qtbot, 4)
     # The limb in the window is predicted once, for the window.
-    assert {slot.name for slot in graphs if "limb" in slot.name} == {
-        f"limb {limb}" for limb in LIMBS[1:]
-    }
+    others = {f"limb {limb}" for limb in LIMBS[1:]}
+    assert {slot.name for slot in graphs if "limb" in slot.name} == others
     design = window.document.design.with_input(0, amplitude=3.0)
     before = [cell.values_db for cell in panel.maps.content.cells]
     window.document.edit("Louder", design)
@@ -261,11 +272,8 @@ def test_a_limb_that_is_missing_laid_out_otherwise_or_too_large_says_so(
     document.edit("b", document.design.with_input(0, amplitude=0.3))
     settle()
     # Published limbs are larger than that as well.
-    qtbot.waitUntil(
-        lambda: all(
-            "live results are possible up to 5" in cell.text for cell in panel.maps.content.cells
-        )
-    )
+    said = "live results are possible up to 5"
+    qtbot.waitUntil(lambda: all(said in cell.text for cell in panel.maps.content.cells))
     # Lamps and error of what was shown before may still be on their way.
     quantities = [request.wanted for request in requests if request.purpose == Purpose.SHOW]
     # What clips play is drawn all the same, and runs through no limb.
@@ -301,10 +309,8 @@ def test_a_range_that_is_fixed_on_the_skin_map_holds_for_maps_in_the_same_unit(
     def scales():
         return [cell.scale for cell in panel.maps.content.cells if cell.scale is not None]
 
-    def all_fixed():
-        return {scale.range_db for scale in scales()} == {(-60.0, -20.0)}
-
-    qtbot.waitUntil(all_fixed, timeout=60_000)
+    ends = {(-60.0, -20.0)}
+    qtbot.waitUntil(lambda: {scale.range_db for scale in scales()} == ends, timeout=60_000)
     assert {scale.text_below for scale in scales()} == {"dB re 1 m/s² · range fixed"}
     choose(window, shown="mean")
     qtbot.waitUntil(lambda: len(scales()) == 2, timeout=60_000)
@@ -335,18 +341,11 @@ def test_snapshots_of_a_scene_are_told_by_what_their_titles_do_not_share():
 
     tones = [stored(1, "Fig. 2B: Far · 50 Hz"), stored(2, "Fig. 2B: Far · 100 Hz")]
     first, second = snapshot_names(tones, "xyz")
-    assert first == (
-        "Snapshot 1 · 50 Hz",
-        *("1 · 50 Hz", "1 · 50 Hz"),
-        "Snapshot 1",
-        "1",
-    )
+    assert first == ("Snapshot 1 · 50 Hz", "1 · 50 Hz", "1 · 50 Hz", "Snapshot 1", "1")
     assert second[0] == "Snapshot 2 · 100 Hz"
     # One with a title of its own takes nothing from the others, nor gives them the figure's.
-    named = replace(tones[0].snapshot, title="Soft")
-    of_three = snapshot_names(
-        [Compared(snapshot=named), *tones[1:], stored(3, "Fig. 2B: Far · Both")], "xyz"
-    )
+    named = Compared(snapshot=replace(tones[0].snapshot, title="Soft"))
+    of_three = snapshot_names([named, *tones[1:], stored(3, "Fig. 2B: Far · Both")], "xyz")
     assert [names[0][13:] for names in of_three] == ["Soft", "100 Hz", "Both"]
     # A title of several is that of none; nothing is taken from titles that share nothing.
     same = snapshot_names([tones[0], stored(3, "Fig. 2B: Far · 50 Hz"), tones[1]], "xyz")
@@ -361,12 +360,9 @@ DESIGN = Design(limb="synthetic-1", inputs=(track(7),))
 
 def compared(number, noisy):
     names = ("limb_map", "limb_data", "output_levels_db", "surface", "surface_levels_db")
-    values = dict(evaluate(DESIGN, *names))
-    above = np.full(72, 20.0)
-    above[[output - 1 for output in noisy]] = 5.9
-    return Compared(
-        snapshot=Snapshot(number=number, design=DESIGN), values={**values, "above_noise_db": above}
-    )
+    values = {**evaluate(DESIGN, *names), "above_noise_db": np.full(72, 20.0)}
+    values["above_noise_db"][[output - 1 for output in noisy]] = 5.9
+    return Compared(snapshot=Snapshot(number=number, design=DESIGN), values=values)
 
 
 def painted(small):

@@ -46,9 +46,6 @@ def test_a_rubber_band_selects_what_is_inside(window):
     around = QRectF(place(window, 43), place(window, 55)).normalized().adjusted(-6, -6, 6, 6)
     drag(window.panel.map, around.topLeft().toPoint(), around.bottomRight().toPoint())
     assert window.view.outputs == (43, 44, 45, 46, 52, 53, 54, 55)
-
-
-def test_a_rubber_band_around_nothing_selects_nothing(window):
     start = QPoint(6, window.panel.map.height() - 60)
     drag(window.panel.map, start, start + QPoint(12, 20))
     assert window.view.outputs == ()

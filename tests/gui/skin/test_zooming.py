@@ -11,6 +11,7 @@ from skinsource_gui.panels.skin import layout
 from skinsource_gui.panels.skin import picture as map_picture
 from skinsource_gui.panels.skin.layout import HAND
 from skinsource_gui.panels.skin.panel import SkinPanel
+from skinsource_gui.plots.outputs import output_at
 from skinsource_gui.qt.theme import LIGHT
 from skinsource_gui.qt.wheel import FREE, PAUSE_S, WHOLE, ScrollGesture
 from tests.gui.menus import close_menus, lines_at
@@ -62,7 +63,8 @@ def test_where_there_is_no_arm_its_button_says_so(window, results):
 @pytest.mark.parametrize("way", ["Z", "Z on a word", "button", "double click"])
 def test_there_are_ways_between_the_hand_and_the_hand_with_its_arm(window, way):
     view, arm = window.panel.map, window.panel.measure.arm
-    room = QRectF(view.rect())
+    room, at = QRectF(view.rect()), place(window, 52)
+    QTest.mouseMove(view, at)
     for fit in (HAND, WHOLE, HAND):
         if way == "Z":
             QTest.keyClick(view, Qt.Key.Key_Z)
@@ -77,10 +79,8 @@ def test_there_are_ways_between_the_hand_and_the_hand_with_its_arm(window, way):
         seen = [room.contains(view.stage.place_of(number)) for number in range(1, 73)]
         assert all(seen[:42])
         assert all(seen) == (fit == WHOLE)
-
-
-def test_a_zoomed_map_goes_back_to_the_whole_with_a_key(window):
-    view = window.panel.map
+        below = output_at(view.stage.layout.points, QPointF(at))
+        assert way == "double click" or view.picker.hovered == below != 52 * (fit == HAND)
     view.stage.pan_zoom.zoom(2.0, QPointF(0, 0))
     assert view.stage.pan_zoom.fit == FREE
     QTest.keyClick(view, Qt.Key.Key_0)
