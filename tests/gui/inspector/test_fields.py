@@ -425,7 +425,7 @@ def test_several_selected_clips_are_counted_in_the_heading_and_in_the_history(qt
     assert heading.text() == "Clip 1 of 1 · Tone"
     # Clips are counted where a command on clips acts on as many.
     bench.show(selected_clips=(tone.id,), selected_inputs=(1, 3))
-    assert heading.text() == "2 inputs selected, first clips · Tone"
+    assert heading.text() == "2 inputs, first clips · Tone"
 
 
 def test_a_mixed_list_is_an_empty_line_and_what_is_typed_sets_all(qtbot):
