@@ -185,8 +185,7 @@ def test_people_and_snapshots_stand_side_by_side_and_cost_nothing_while_hidden(
     assert panel.columns[5].numbers == pytest.approx(np.std(people, axis=0, ddof=1), abs=1e-6)
     document.look(replace(document.view, levels_matched=False))
     window.do("store_snapshot_1")
-    louder = document.design.with_input(0, amplitude=2.0)
-    document.apply(Edit(label="Louder", design=louder, view=document.view))
+    document.edit("Louder", document.design.with_input(0, amplitude=2.0))
     window.do("store_snapshot_2")
     qtbot.waitUntil(lambda: len(panel.columns) == 8, timeout=60_000)
     settle()
@@ -215,8 +214,7 @@ def test_people_and_snapshots_stand_side_by_side_and_cost_nothing_while_hidden(
     window.docks["analysis"].toggleViewAction().trigger()
     settle()
     qtbot.waitUntil(lambda: Slot("limb synthetic-3") not in graphs)
-    quieter = document.design.with_input(0, amplitude=0.1)
-    document.apply(Edit(label="Quieter", design=quieter, view=document.view))
+    document.edit("Quieter", document.design.with_input(0, amplitude=0.1))
     settle()
     assert not any("limb" in slot.name for slot in graphs)
 
@@ -230,8 +228,7 @@ def test_matched_levels_of_snapshots_are_said_above_the_table_and_never_copied(
     settle()
     assert "levels matched" not in panel.about.whole
     window.do("store_snapshot_1")
-    louder = document.design.with_input(0, amplitude=2.0)
-    document.apply(Edit(label="Louder", design=louder, view=document.view))
+    document.edit("Louder", document.design.with_input(0, amplitude=2.0))
     window.do("store_snapshot_2")
 
     qtbot.waitUntil(window.panel("analysis").copy.isEnabled, timeout=12_000)
