@@ -223,6 +223,8 @@ class StepsMenu(QtWidgets.QMenu):
             return f"Before the last {MOST_STEPS} steps"
         if document.opened:
             return f"Opened {document.opened.name}"
+        if document.recovered:
+            return "Recovered work"
         return f"Scene: {printable(document.scene)}" if document.scene else "New design"
 
 

@@ -177,7 +177,8 @@ class AutosaveAndRecovery(QObject):
         if logs:
             no_copy = "" if leftover.left else " No copy of unsaved work is left."
             sentences.append(f"The studio crashed; a log says where.{no_copy}")
-            choices.append(("Save the log…", partial(self._save_log, logs[0])))
+            # The others stay at the right, where they are without it.
+            choices.insert(0, ("Save the log…", partial(self._save_log, logs[0])))
             for log in logs:
                 note_offered(log)
         if sentences:

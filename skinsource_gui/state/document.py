@@ -97,6 +97,8 @@ class Document(QObject):
         self._path: Path | None = None
         #: The file that the history begins with; None: it began with a new design.
         self.opened: Path | None = None
+        #: Whether the history begins with recovered work.
+        self.recovered = False
         #: Name of the scene; "" where it is none.
         self.scene = ""
         #: The file whose recovered work is open, until it is saved; else None.
@@ -215,25 +217,29 @@ class Document(QObject):
         *,
         read_only: bool = False,
         scene: str = "",
-        recovered_from: Path | None = None,
     ) -> None:
         """Take over another design, with an empty history.
 
         A file that is ``read_only`` is another studio's: this one may not replace it.  ``scene`` is
-        what the design is called among the scenes it was opened from; ``recovered_from`` is the
-        file that it is left-over work on.
+        what the design is called among the scenes it was opened from.
         """
         self.undo_stack.clear()
         self._read_only = read_only
         self._saved, self._path, self.opened, self.scene = design, path, path, scene
-        self.recovered_from = recovered_from
+        self.recovered_from = None
         self._design, self._view = design, _existing(view, design)
         self._saved_view = self._view
-        self._edited = False
+        self.recovered = self._edited = self._lost = False
         self.jumped.emit()
         self.changed.emit()
-        self._was_modified = self._lost = False
+        self._was_modified = False
         self.title_changed.emit()
+
+    def recover(self, design: Design, view: View, file: Path | None) -> None:
+        """Take over left-over work on ``file``, if any; no file holds it until it is saved."""
+        self.start_over(design, view, None)
+        self.recovered, self.recovered_from = True, file
+        self.mark_lost()
 
     def mark_saved(self, path: Path | None) -> None:
         """Note that ``path`` holds the present design; None: no file is needed."""
@@ -245,7 +251,7 @@ class Document(QObject):
         self.title_changed.emit()
 
     def mark_lost(self) -> None:
-        """Note that the file is lost, so that only this document holds the design."""
+        """Note that no file holds the design, as where its file was lost."""
         self._lost = True
         self._emit_title()
 

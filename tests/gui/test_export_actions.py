@@ -46,10 +46,6 @@ def gate(write_with):
     return gate
 
 
-def part(window, kind, name):
-    return window.findChild(kind, name)
-
-
 def test_a_preview_begins_as_the_file_and_lists_what_an_archive_holds(
     qtbot, window, wait, answers, tmp_path
 ):
@@ -91,6 +87,15 @@ def test_where_nothing_can_be_exported_the_dialog_says_why(window):
     window.exports.end()
 
 
+def test_the_part_in_sight_may_change_while_the_next_one_waits_for_a_prediction(window):
+    before, page = shown(window, "stimulus"), window.exports.page
+    pictures = page._drawer_of
+    page._drawer_of = lambda name: (before.changed.emit(), pictures(name))[1]
+    page.show_export("picture")
+    assert page.part.name == "picture"
+    window.exports.end()
+
+
 def test_the_dialog_opens_where_the_last_export_was(window, wait, answers, tmp_path):
     answers["save"] = str(tmp_path / "levels.csv")
     export(window, "levels")
@@ -121,14 +126,14 @@ def test_a_running_export_is_seen_and_cancelled_with_a_click(
     qtbot, window, wait, gate, answers, tmp_path
 ):
     answers["save"] = str(tmp_path / "field.npz")
-    bar = part(window, QPushButton, "cancel_running_job")
+    bar = window.findChild(QPushButton, "cancel_running_job")
     assert not bar.isVisible()
     assert not window.actions_by_name["cancel_job"].isEnabled()
     export(window, "field")
     export(window, "field")
-    qtbot.waitUntil(lambda: part(window, QLabel, "job_percent").text() == "34 %")
-    assert part(window, QLabel, "job_name").text() == "Exporting field.npz (+1)"
-    assert part(window, QProgressBar, "job_progress").value() == 340
+    qtbot.waitUntil(lambda: window.findChild(QLabel, "job_percent").text() == "34 %")
+    assert window.findChild(QLabel, "job_name").text() == "Exporting field.npz (+1)"
+    assert window.findChild(QProgressBar, "job_progress").value() == 340
     assert window.actions_by_name["cancel_job"].isEnabled()
     for left in (1, 0):
         gate.started.wait(5)

@@ -93,8 +93,10 @@ def test_the_step_that_was_saved_is_marked_and_the_start_has_the_name_of_its_fil
     assert time.strptime(told[1].split(",")[0], "%H:%M:%S")
     bench.document.start_over(bench.document.design, View(), Path("a.skinsource"))
     assert bench.rows()[0][0] == "Opened a.skinsource"
+    bench.document.recover(bench.document.design, View(), None)
+    assert (bench.rows()[0][0], bench.document.modified) == ("Recovered work", True)
     bench.document.start_over(bench.document.design, View(), None, scene="A & B")
-    assert bench.rows()[0][0] == "Scene: A && B"
+    assert (bench.rows()[0][0], bench.document.modified) == ("Scene: A && B", False)
 
 
 def test_a_thousand_steps_are_kept_and_older_ones_are_said_to_be_forgotten(bench):

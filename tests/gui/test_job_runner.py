@@ -50,12 +50,18 @@ def order(path: Path, work) -> Job:
     return Job(path.name, partial(work, path))
 
 
-def test_orders_are_carried_out_one_after_another_away_from_this_thread(qtbot, jobs, tmp_path):
+def ordered(jobs, folder):
+    """Order two jobs, and wait until the first one has started."""
     writers = [Writer(), Writer()]
     for name, writer in zip("ab", writers, strict=True):
-        jobs.add(order(tmp_path / name, writer))
-    assert [job.title for job in jobs.unfinished] == ["a", "b"]
+        jobs.add(order(folder / name, writer))
     assert writers[0].started.wait(5)
+    return writers
+
+
+def test_orders_are_carried_out_one_after_another_away_from_this_thread(qtbot, jobs, tmp_path):
+    writers = ordered(jobs, tmp_path)
+    assert [job.title for job in jobs.unfinished] == ["a", "b"]
     assert not writers[1].started.is_set()
     writers[0].go_on.set()
     qtbot.waitUntil(lambda: jobs.ends == [("done", "a")])
@@ -96,10 +102,7 @@ def test_a_cancel_that_comes_too_late_says_that_the_file_was_written(qtbot, jobs
 
 
 def test_closing_forgets_all_orders_and_waits_for_the_thread(jobs, tmp_path):
-    writers = [Writer(), Writer()]
-    for name, writer in zip("ab", writers, strict=True):
-        jobs.add(order(tmp_path / name, writer))
-    assert writers[0].started.wait(5)
+    writers = ordered(jobs, tmp_path)
     jobs.close()
     assert not writers[1].started.is_set()
     assert list(tmp_path.iterdir()) == []
@@ -120,11 +123,8 @@ def test_progress_is_told_some_times_a_second(qtbot, jobs, tmp_path):
 
 
 def test_a_job_that_waits_is_taken_back_and_the_present_one_goes_on(qtbot, jobs, tmp_path):
-    first, second = Writer(), Writer()
-    waiting = order(tmp_path / "b", second)
-    jobs.add(order(tmp_path / "a", first))
-    jobs.add(waiting)
-    jobs.cancel(waiting)
+    first, second = ordered(jobs, tmp_path)
+    jobs.cancel(jobs.unfinished[1])
     first.go_on.set()
     qtbot.waitUntil(lambda: not jobs.busy)
     assert jobs.ends == [("cancelled", "b"), ("done", "a")]

@@ -93,6 +93,7 @@ def test_other_words_for_an_action_find_it(window, qtbot):
     for letters, expected in {
         "colour": "Dark theme",
         "color": "Light theme",
+        "preferences": "Larger text",
         "matlab": "Export table: Traces…",
         "download": "Get the measured limbs…",
         "font": "Larger text",

@@ -33,14 +33,17 @@ UNNEEDED = (
 LATE = ("scipy.fft", "scipy.spatial", "scipy.ndimage", "scipy.sparse", "h5py")
 
 
-def run(*arguments, **environment):
+def python(*arguments, **environment):
     return subprocess.run(
-        [sys.executable, "-m", "skinsource_gui", *map(str, arguments)],
+        [sys.executable, *map(str, arguments)],
         capture_output=True,
         text=True,
         env={**os.environ, **environment},
         timeout=120,
     )
+
+
+run = partial(python, "-m", "skinsource_gui")
 
 
 def test_help_is_given_without_a_display():
@@ -100,8 +103,7 @@ main(["--render", sys.argv[1]])
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows tells no process what signal ended another")
 def test_ctrl_c_ends_rendering_without_a_word_and_without_a_file(tmp_path):
-    code = [sys.executable, "-c", INTERRUPTED, str(tmp_path / "folder")]
-    done = subprocess.run(code, capture_output=True, text=True, timeout=120)
+    done = python("-c", INTERRUPTED, tmp_path / "folder")
     assert (done.returncode, done.stdout, done.stderr) == (-signal.SIGINT, "", "")
     assert list(tmp_path.iterdir()) == []
 
@@ -173,12 +175,7 @@ application.exec()
 
 def test_the_whole_window_is_painted_before_anything_is_imported_for_computing(tmp_path):
     names = " ".join((*UNNEEDED, *LATE))
-    done = subprocess.run(
-        [sys.executable, "-c", FIRST_PAINT, str(tmp_path / "studio.ini"), names],
-        capture_output=True,
-        text=True,
-        timeout=60,
-    )
+    done = python("-c", FIRST_PAINT, tmp_path / "studio.ini", names)
     assert done.returncode == 0, done.stderr
     painted, imported = done.stdout.splitlines()
     count, _, unpainted = painted.partition(" ")
@@ -206,9 +203,7 @@ numpy.testing.assert_allclose(1.0, 1.0)
 
 
 def test_qt_reads_the_source_of_nothing_that_is_imported_after_it(tmp_path):
-    done = subprocess.run(
-        [sys.executable, "-c", RENDERED, str(tmp_path)], capture_output=True, text=True, timeout=120
-    )
+    done = python("-c", RENDERED, tmp_path)
     assert done.returncode == 0, done.stderr
     *_, ended, read = done.stdout.splitlines()
     assert ended == "0 True True"

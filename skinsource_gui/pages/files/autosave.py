@@ -260,7 +260,8 @@ class Recovery(QObject):
                 bad.append(_set_aside(copy, error))
                 continue
             self._opening = left, copy
-            self._take_over(content, left.file)
+            self._document.recover(content.design, content.view, left.file)
+            self.opened.emit(content.layout)
             self.belonged.emit(left.file)
             if bad:
                 self.failed.emit(" ".join([*bad, "An earlier copy was opened instead."]))
@@ -279,14 +280,6 @@ class Recovery(QObject):
         """Remove the mark of the opened copy when the studio ends without a crash."""
         if self._opening is not None:
             recovery.mark_opened(self._opening[1])
-
-    def _take_over(self, content: DesignFile, file: Path | None) -> None:
-        document = self._document
-        empty = type(content.design)(limb=content.design.limb)
-        document.start_over(empty, content.view, None, recovered_from=file)
-        document.edit("Open unsaved work", content.design)
-        document.look(content.view)
-        self.opened.emit(content.layout)
 
     def _settle(self) -> None:
         if self._opening is not None:

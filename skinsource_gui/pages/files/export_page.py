@@ -73,8 +73,9 @@ class ExportPage(ToolPage):
 
     @property
     def part(self) -> ExportPart:
-        """The part that is shown."""
-        return self._parts[self._list.currentItem().text()]
+        """The part that is shown, until the one that was chosen is made."""
+        part: Any = self._stack.currentWidget()
+        return part
 
     @property
     def settings(self) -> str:

@@ -9,7 +9,7 @@ from types import SimpleNamespace
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
-from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QPushButton
+from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
 
 from skinsource import Design, edits, open_design, save_design, track
 from skinsource.base.job import Job
@@ -24,20 +24,25 @@ from skinsource_gui.state.preferences import start_design
 ENDED = to_bytes(replace(this_process(), started_s=1000.0))
 
 
+def choice(window, text):
+    QApplication.processEvents()
+    return next(button for button in window.notice._choices if button.text() == text)
+
+
 def choose(window, text):
-    buttons = window.notice.card.findChildren(QPushButton)
-    next(button for button in buttons if button.text() == text).click()
+    choice(window, text).click()
 
 
 @pytest.fixture
 def leave(window, user_data):
-    """Leave work in the folder of a studio that was killed; the window begins anew."""
+    """Leave work and a snapshot of it, as a studio that was killed; the window begins anew."""
 
     def killed(*amplitudes):
         before = set(user_data.glob("unsaved/*"))
         start = window.document.design
         for amplitude in amplitudes:
             edit(window, amplitude)
+            window.do("store_snapshot_1")
             assert window.keeping.autosave.keep_now()
         (folder,) = set(user_data.glob("unsaved/*")) - before
         left = folder.rename(folder.with_name(f"{folder.name}{len(before)}"))
@@ -48,8 +53,8 @@ def leave(window, user_data):
     return killed
 
 
-def test_left_over_work_is_offered_with_its_age_and_picture_and_opened_as_not_saved(
-    window, leave, qtbot, user_data
+def test_left_over_work_is_offered_with_its_picture_and_unsaved_until_it_is_saved(
+    window, leave, qtbot, user_data, tmp_path
 ):
     leave(2.5)
     window.docks["spectra"].hide()
@@ -71,6 +76,12 @@ def test_left_over_work_is_offered_with_its_age_and_picture_and_opened_as_not_sa
     qtbot.waitUntil(lambda: list(user_data.rglob("*.opening")) == [], timeout=30_000)
     assert left_over.find(user_data).left == ()
     assert saved_amplitudes(user_data) == [2.5]
+    edit(window, 3.5)
+    window.document.go_to(0)
+    assert window.document.design.inputs[0].amplitude == 2.5
+    assert window.isWindowModified()
+    window.document.mark_saved(tmp_path / "a.skinsource")
+    assert not window.isWindowModified()
 
 
 def test_a_mark_lies_beside_a_copy_until_its_results_are_shown(window, leave, user_data):
@@ -90,11 +101,18 @@ def test_where_nothing_can_be_kept_the_left_over_stays(window, leave, qtbot, use
     assert len(left_over.find(user_data).left) == 1
 
 
-def test_saving_left_over_work_suggests_the_file_that_it_belonged_to(
-    window, leave, user_data, tmp_path, monkeypatch
+def test_left_over_work_takes_the_place_of_the_open_file_and_is_saved_to_that_of_its_own(
+    window, leave, tmp_path, monkeypatch
 ):
     (leave(2.5) / "file").write_bytes(str(tmp_path / "tap.skinsource").encode())
+    path = tmp_path / "a.skinsource"
+    save_design(path, window.document.design)
+    window.files.open(path)
+    lock = Lock(path).path
+    assert lock.exists()
     window.keeping.recovery.open(window.keeping.recovery.look().left[0])
+    assert window.document.path is None
+    assert not lock.exists()
     asked = []
     monkeypatch.setattr(
         QFileDialog, "getSaveFileName", lambda *arguments: (asked.append(arguments[2]), ("", ""))[1]
@@ -121,23 +139,18 @@ def test_left_over_work_can_be_given_up_by_who_agrees(window, leave, user_data, 
     assert window.document.design.inputs[0].amplitude == 1.0
 
 
-def test_a_bad_copy_is_set_aside_and_named_and_the_one_before_is_opened(window, leave, user_data):
-    newest = copies(user_data.parent / leave(2.5, 3.5).parents[1].name)[-1]
-    newest.write_bytes(b"damaged")
-    window.keeping.offer(window.notice)
-    choose(window, "Open it")
-    assert window.document.design.inputs[0].amplitude == 2.5
-    assert newest.name in window.notice.text
-    assert "An earlier copy was opened instead" in window.notice.text
-    (aside,) = (user_data / "unsaved" / left_over.ASIDE).iterdir()
-    assert aside.read_bytes() == b"damaged"
-
-
-def test_a_copy_that_ended_the_studio_is_set_aside_and_named(window, leave, user_data):
-    newest = copies(user_data.parent / leave(2.5, 3.5).parents[1].name)[-1]
+def test_a_bad_copy_and_one_that_ended_the_studio_are_set_aside_and_named(window, leave, user_data):
+    leave(2.5, 3.5, 4.5)
+    _, bad, newest = copies(user_data)
     newest.with_name(f"{newest.name}.opening").write_bytes(b"")
+    bad.write_bytes(b"damaged")
     window.keeping.offer(window.notice)
     assert f"{newest.name} stopped the studio when it was opened" in window.notice.text
+    choose(window, "Open it")
+    assert window.document.design.inputs[0].amplitude == 2.5
+    assert bad.name in window.notice.text
+    assert "An earlier copy was opened instead" in window.notice.text
+    assert (user_data / "unsaved" / left_over.ASIDE / bad.name).read_bytes() == b"damaged"
 
 
 def test_several_are_offered_in_a_list(window, leave, answers):
@@ -182,19 +195,32 @@ def test_without_left_over_work_nothing_is_offered_and_the_page_says_so(window):
     assert window.notice.text == ""
 
 
-def test_the_log_of_a_crash_is_offered_once_and_saved(window, user_data, monkeypatch, tmp_path):
-    (user_data / "logs").mkdir()
+def test_the_log_of_a_crash_is_offered_once_and_moves_not_what_discards_work(
+    window, leave, user_data, monkeypatch, tmp_path
+):
     log = user_data / "logs" / "studio-20260101-000000-1.log"
-    log.write_text(f"SkinSource studio\n{ENDED.decode()}\n2026\nFatal Python error\n")
+    log.parent.mkdir()
+    text = f"SkinSource studio\n{ENDED.decode()}\n2026\nFatal Python error\n"
+    log.write_text(text)
     window.keeping.offer(window.notice)
     assert "The studio crashed" in window.notice.text
     assert window.notice.text.endswith("No copy of unsaved work is left.")
     target = tmp_path / "saved.log"
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(target), ""))
     choose(window, "Save the log…")
-    assert "Fatal Python error" in target.read_text()
+    assert target.read_text().startswith(text)
     window.keeping.offer(window.notice)
     assert window.notice.text == ""
+    leave(2.5)
+    window.keeping.offer(window.notice)
+    before = choice(window, "Discard it").x()
+    log.write_text(text)
+    window.keeping.offer(window.notice)
+    assert choice(window, "Save the log…")
+    assert choice(window, "Discard it").x() == before
+    choose(window, "Discard it")
+    assert left_over.find(user_data).left == ()
+    assert window.document.design.inputs[0].amplitude == 1.0
 
 
 WAIT = {"timeout": 30_000}
@@ -344,18 +370,6 @@ def test_copies_go_on_where_their_folder_was_deleted(work, user_data):
     assert saved_amplitudes(user_data) == [3.5]
     (copy,) = copies(user_data)
     assert (copy.parent / "owner").is_file()
-
-
-def test_a_file_is_given_up_when_left_over_work_takes_its_place(window, leave, tmp_path):
-    leave(2.5)
-    path = tmp_path / "a.skinsource"
-    save_design(path, window.document.design)
-    window.files.open(path)
-    lock = Lock(path).path
-    assert lock.exists()
-    window.keeping.recovery.open(window.keeping.recovery.look().left[0])
-    assert window.document.path is None
-    assert not lock.exists()
 
 
 def edit(window, amplitude):
