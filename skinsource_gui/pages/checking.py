@@ -21,7 +21,6 @@ from skinsource.design.design import Design
 from skinsource.design.design_file import open_design
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.readers.reading_process import ReadingProcess
-from skinsource.specs.numbers import NumberSpec
 from skinsource.studies.checking import (
     FIGURES,
     Condition,
@@ -40,7 +39,7 @@ from skinsource_gui.plots.ranges import Tick
 from skinsource_gui.qt.fitting import fit_to_letters
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import ask_open
-from skinsource_gui.qt.resources import choice_of
+from skinsource_gui.qt.resources import choice_of, number_named
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner, PageJobs
@@ -267,13 +266,7 @@ _DESIGNS = "Designs (*.skinsource);;All files (*)"
 
 _ALL = "all"
 _AXES = choice_of("recording_axes")
-_RATE = NumberSpec(
-    label="Rate",
-    unit="Hz",
-    minimum=1.0,
-    maximum=768_000.0,
-    hint="Of recordings that state none; other rates are resampled",
-)
+_RATE = number_named("rate_of_checked")
 _BEGIN = (
     "Choose a recording of the design: an array of times × outputs × axes, or a column for each "
     "output and axis. Without one, the check is whether the prediction is linear."
