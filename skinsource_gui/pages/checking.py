@@ -80,7 +80,6 @@ class BoxFigure(Figure):
         """Show groups, each a label and its values."""
         self.groups = [(label, values) for label, values in groups if values.size]
         self.say("" if self.groups else _NOTHING)
-        self.read_again()
 
     def draw(self, painter: QtGui.QPainter, room: QRectF) -> None:
         boxes = [quartiles(values) for _, values in self.groups]
