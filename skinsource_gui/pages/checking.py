@@ -39,7 +39,7 @@ from skinsource_gui.plots.ranges import Tick
 from skinsource_gui.qt.fitting import fit_to_letters
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import ask_open
-from skinsource_gui.qt.resources import choice_of, number_named
+from skinsource_gui.qt.resources import choice_of, columns_of, number_named
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner, PageJobs
@@ -208,24 +208,8 @@ def check_rows(
     return tuple(results)
 
 
-_ERROR = (
-    "Normalised mean absolute error, median over the channels: mean over time of |p/P - m/M|; p "
-    "predicted, m measured, P and M their RMS, mean over all channels"
-)
-_AMPLITUDE = "100 |RMS(p/P) - RMS(m/M)| / RMS(m/M); letters as of Error"
 _CHANNELS = "Channels"
-_COLUMNS = {
-    "Design": "Design that is predicted",
-    "Recording": "Recording of the design",
-    "Hz": "Frequency with the most power in the prediction",
-    "Linear": "Smallest adjusted R² of outputs over the level of the inputs; 1: linear",
-    "Superposed": "Smallest Pearson's r between the sum of the inputs and all together",
-    _CHANNELS: "Channels above twice the noise, which count",
-    "Error": _ERROR,
-    "Amplitude %": f"Difference in amplitude, median over the channels: {_AMPLITUDE}",
-    "r": "Pearson's r over time, median over the channels",
-    "Shift": "Samples by which the recording was shifted onto the prediction",
-}
+_COLUMNS = columns_of("checking")
 
 
 def _cells(row: Row) -> list[tuple[str, str]]:

@@ -21,6 +21,7 @@ def read_text(name: str) -> str:
 
 
 _CHOICES = tomllib.loads(read_text("choices.toml"))
+_COLUMNS = tomllib.loads(read_text("columns.toml"))
 _NUMBERS = tomllib.loads(read_text("numbers.toml"))
 
 
@@ -33,3 +34,8 @@ def choice_of(name: str) -> ChoiceSpec:
 def number_named(name: str, **limits: float) -> NumberSpec:
     """Return the number of this name in ``numbers.toml``, with limits that the library names."""
     return NumberSpec(**{**_NUMBERS[name], **limits})
+
+
+def columns_of(table: str, **numbers: float) -> dict[str, str]:
+    """Return what the columns of a table in ``columns.toml`` mean, by their titles."""
+    return {each["title"]: each["meaning"].format(**numbers) for each in _COLUMNS[table]}
