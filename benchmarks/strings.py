@@ -100,7 +100,7 @@ def strings_of_users() -> Iterator[Found]:
         for found in _strings(tree, "message", known | own[path]):
             yield found._replace(where=f"{path.relative_to(ROOT)}:{found.where}")
     for table in [ROOT / "data" / "words.toml", *sorted((ROOT / "resources").glob("*.toml"))]:
-        other = "message" if table.stem == "choices" else ""
+        other = "message" if table.stem in {"choices", "columns"} else ""
         for key, text in re.findall(r'^(\S+) = "(.*)"', table.read_text("utf-8"), re.MULTILINE):
             if kind := KIND_OF.get(key, other):
                 yield Found(str(table.relative_to(ROOT)), kind, text)

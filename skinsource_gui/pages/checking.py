@@ -21,7 +21,6 @@ from skinsource.design.design import Design
 from skinsource.design.design_file import open_design
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.readers.reading_process import ReadingProcess
-from skinsource.specs.numbers import NumberSpec
 from skinsource.studies.checking import (
     FIGURES,
     Condition,
@@ -40,7 +39,7 @@ from skinsource_gui.plots.ranges import Tick
 from skinsource_gui.qt.fitting import fit_to_letters
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import ask_open
-from skinsource_gui.qt.resources import choice_of
+from skinsource_gui.qt.resources import choice_of, columns_of, number_named
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner, PageJobs
@@ -81,7 +80,6 @@ class BoxFigure(Figure):
         """Show groups, each a label and its values."""
         self.groups = [(label, values) for label, values in groups if values.size]
         self.say("" if self.groups else _NOTHING)
-        self.read_again()
 
     def draw(self, painter: QtGui.QPainter, room: QRectF) -> None:
         boxes = [quartiles(values) for _, values in self.groups]
@@ -210,24 +208,8 @@ def check_rows(
     return tuple(results)
 
 
-_ERROR = (
-    "Normalised mean absolute error, median over the channels: mean over time of |p/P - m/M|; p "
-    "predicted, m measured, P and M their RMS, mean over all channels"
-)
-_AMPLITUDE = "100 |RMS(p/P) - RMS(m/M)| / RMS(m/M); letters as of Error"
 _CHANNELS = "Channels"
-_COLUMNS = {
-    "Design": "Design that is predicted",
-    "Recording": "Recording of the design",
-    "Hz": "Frequency with the most power in the prediction",
-    "Linear": "Smallest adjusted R² of outputs over the level of the inputs; 1: linear",
-    "Superposed": "Smallest Pearson's r between the sum of the inputs and all together",
-    _CHANNELS: "Channels above twice the noise, which count",
-    "Error": _ERROR,
-    "Amplitude %": f"Difference in amplitude, median over the channels: {_AMPLITUDE}",
-    "r": "Pearson's r over time, median over the channels",
-    "Shift": "Samples by which the recording was shifted onto the prediction",
-}
+_COLUMNS = columns_of("checking")
 
 
 def _cells(row: Row) -> list[tuple[str, str]]:
@@ -267,13 +249,7 @@ _DESIGNS = "Designs (*.skinsource);;All files (*)"
 
 _ALL = "all"
 _AXES = choice_of("recording_axes")
-_RATE = NumberSpec(
-    label="Rate",
-    unit="Hz",
-    minimum=1.0,
-    maximum=768_000.0,
-    hint="Of recordings that state none; other rates are resampled",
-)
+_RATE = number_named("rate_of_checked")
 _BEGIN = (
     "Choose a recording of the design: an array of times × outputs × axes, or a column for each "
     "output and axis. Without one, the check is whether the prediction is linear."

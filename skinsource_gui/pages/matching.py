@@ -30,6 +30,7 @@ from skinsource_gui.qt.buttons import page_button, page_label, progress_bar
 from skinsource_gui.qt.fitting import fit_to_letters
 from skinsource_gui.qt.keys import KEYS
 from skinsource_gui.qt.layouts import add_row, form_of, in_column, in_row, named, tooltip
+from skinsource_gui.qt.resources import number_named
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.playing import end_sound, sound_worker
 
@@ -136,32 +137,11 @@ class RunView(QtWidgets.QWidget):
 
 
 _NUMBERS = {
-    "reference_hz": NumberSpec(label="Reference", unit="Hz", minimum=1.0, maximum=600.0, step=1.0),
-    "reference_place": NumberSpec(
-        label="Reference place", minimum=1, maximum=MOST_LOCATIONS, whole=True
-    ),
-    "amplitude": NumberSpec(
-        label="Drive",
-        minimum=0.001,
-        maximum=MOST_AMPLITUDE,
-        step=0.05,
-        hint="Drive of the reference; at 0 dB, 1 is full scale",
-    ),
-    "gain_db": NumberSpec(
-        label="Gain",
-        unit="dB",
-        minimum=LOWEST_DB,
-        maximum=HIGHEST_DB,
-        step=1.0,
-        hint="Playback gain, the same for all matches",
-    ),
-    "seed": NumberSpec(
-        label="Seed",
-        minimum=0,
-        maximum=2**31 - 1,
-        whole=True,
-        hint="Seed of order and starts, which differ between persons",
-    ),
+    "reference_hz": number_named("matching_reference_hz"),
+    "reference_place": number_named("matching_reference_place", maximum=MOST_LOCATIONS),
+    "amplitude": number_named("matching_amplitude", maximum=MOST_AMPLITUDE),
+    "gain_db": number_named("matching_gain_db", minimum=LOWEST_DB, maximum=HIGHEST_DB),
+    "seed": number_named("matching_seed"),
 }
 _FIRST = {"reference_hz": 100.0, "reference_place": 7, "amplitude": 0.25, "seed": 1}
 _TEXTS = {

@@ -330,12 +330,10 @@ class Figure(QtWidgets.QWidget):
         return QRectF() if self.axes is None or self.message else self.axes.frame
 
     def say(self, message: str) -> None:
-        """Show ``message`` instead of the picture; "" shows the picture."""
+        """Show ``message`` instead of the picture; "" shows the picture, and reads it again."""
         self.message = message
         self.setAccessibleDescription(message)
-        if message:
-            self.move_cursor(None)
-        self.update()
+        self.move_cursor(self.cursor_at)
 
     def move_cursor(self, at: QPointF | None) -> None:
         """Read another place, or none."""
@@ -343,10 +341,6 @@ class Figure(QtWidgets.QWidget):
         self.cursor_at = at if text else None
         self.reading.emit(text)
         self.update()
-
-    def read_again(self) -> None:
-        """Read again after the picture has changed."""
-        self.move_cursor(self.cursor_at)
 
     def paint(self, painter: QtGui.QPainter, room: QRectF) -> None:
         """Draw the picture or the message, on the screen or on a page."""

@@ -45,6 +45,7 @@ from skinsource.studies import scenes
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.inputs import duration_text, full_label
 from skinsource_gui.fields.units import minus
+from skinsource_gui.qt.resources import number_named
 from skinsource_gui.qt.theme import LIGHT, THEMES, Theme, on_paper, theme_label
 
 #: Pixels in an inch of a page or a drawing, as in CSS.
@@ -521,25 +522,8 @@ LAYOUT = ChoiceSpec(
     options=((OWN, "Custom size"), *((layout.name, layout.title) for layout in LAYOUTS)),
     hint="Size for a paper column, a slide or a poster",
 )
-_SIDE: dict[str, Any] = {
-    "unit": "px",
-    "minimum": 100,
-    "maximum": 20000,
-    "step": 100.0,
-    "whole": True,
-}
-_HINT = "Of the page, in steps of 1/96 inch"
-WIDTH = NumberSpec(label="Width", hint=_HINT, **_SIDE)
-HEIGHT = NumberSpec(label="Height", hint=_HINT, **_SIDE)
-DPI = NumberSpec(
-    label="Resolution",
-    unit="dpi",
-    minimum=24,
-    maximum=2400,
-    step=10.0,
-    whole=True,
-    hint="Dots per inch of the page",
-)
+WIDTH, HEIGHT = number_named("width_of_picture"), number_named("height_of_picture")
+DPI = number_named("dpi_of_picture")
 COLOURS = ChoiceSpec(
     label="Colours",
     options=tuple((name, theme_label(name)) for name in THEMES),

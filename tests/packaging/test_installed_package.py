@@ -31,7 +31,7 @@ def test_every_shipped_data_file_is_installed_unchanged():
 
 
 def test_the_windows_resources_are_installed():
-    tables = ("themes", "keys", "actions", "choices", "exports", "analysis")
+    tables = ("themes", "keys", "actions", "choices", "exports", "analysis", "numbers", "columns")
     for name in ("theme.qss", "icons/play.svg", *(f"{table}.toml" for table in tables)):
         assert (resource_folder() / name).is_file()
 

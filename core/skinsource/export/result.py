@@ -83,14 +83,15 @@ class Result:
             )
         if not self.is_difference and self.name == "output_levels_db":
             return plot.map(self.design, view=self.view, **how)
-        colours = "diverging" if self.is_difference else "sequential"
+        # From 0 on where they are accelerations.
+        levels = self.is_difference or self.unit.startswith("dB")
         return plot.map(
             self.values,
             limb=self.design.limb,
             **{
                 "label": f"{'difference ' if self.is_difference else ''}({self.unit})",
-                "colours": colours,
-                "range_db": _range_of(self.values, self.unit, colours),
+                "colours": "diverging" if self.is_difference else "sequential",
+                "range_db": None if levels else (0.0, float(self.values.max()) or 1.0),
                 **how,
             },
         )
@@ -208,10 +209,3 @@ _ALL_AXES = (
 
 def _chosen(values: dict[str, Any]) -> list[str]:
     return [values["limb_data"].axes[number] for number in values["axis_numbers"]]
-
-
-def _range_of(values: Floats, unit: str, colours: str) -> tuple[float, float] | None:
-    """Return the range of colours of accelerations, from 0 on; None: that of levels."""
-    if unit.startswith("dB") or colours == "diverging":
-        return None
-    return 0.0, float(values.max()) or 1.0

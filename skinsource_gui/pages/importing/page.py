@@ -40,7 +40,6 @@ from skinsource.readers.reader import Found, Series, other_axes, signals_beside
 from skinsource.readers.reading_process import ReadingProcess
 from skinsource.readers.units import UNITS
 from skinsource.signals.spectra import share_outside_band
-from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.samples import Samples
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
@@ -53,7 +52,7 @@ from skinsource_gui.plots.preview import SpectrumPreview
 from skinsource_gui.plots.ranges import Range, XAxis, wave_of
 from skinsource_gui.qt.buttons import Answer, answers, page_label, progress_bar
 from skinsource_gui.qt.layouts import form_of, in_column, in_row, named
-from skinsource_gui.qt.resources import choice_of
+from skinsource_gui.qt.resources import choice_of, number_named
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular, translucent
 from skinsource_gui.state.worker import Worker, fault_text
 
@@ -81,21 +80,9 @@ _UNIT = ChoiceSpec(
     hint="Velocities and displacements become accelerations, from 25 Hz on",
 )
 _SCALE = choice_of("recording_size")
-_RATE = NumberSpec(
-    label="Sample rate",
-    unit="Hz",
-    minimum=LEAST_RATE_HZ,
-    maximum=MOST_RATE_HZ,
-    step=0.02,
-    logarithmic=True,
-    hint="The file does not state it",
-)
-_START = NumberSpec(
-    label="Start", unit="s", minimum=0.0, maximum=_LONGEST_START_S, step=0.1, hint="Of the part"
-)
-_DURATION = NumberSpec(
-    label="Length", unit="s", minimum=0.001, maximum=MOST_PART_S, step=0.1, hint="Of the part"
-)
+_RATE = number_named("rate_of_recording", minimum=LEAST_RATE_HZ, maximum=MOST_RATE_HZ)
+_START = number_named("start_of_part", maximum=_LONGEST_START_S)
+_DURATION = number_named("length_of_part", maximum=MOST_PART_S)
 
 
 #: Values of the fields of a form, by their names.

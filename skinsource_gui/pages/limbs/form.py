@@ -14,13 +14,13 @@ from skinsource.base.errors import counted
 from skinsource.design.design import AXES
 from skinsource.limbs.limb_import import LimbSource
 from skinsource.limbs.own_limbs import NAME_RULE
-from skinsource.specs.numbers import NumberSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.hand.picture import spacing_of
 from skinsource_gui.qt.buttons import page_button
 from skinsource_gui.qt.frames import fitted
 from skinsource_gui.qt.layouts import add_row, form_of, in_row, named, tooltip
+from skinsource_gui.qt.resources import number_named
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
 
 _NO_POINTS, _TURN = np.empty((0, 2)), np.array((1.0, -1.0))
@@ -285,37 +285,11 @@ class PlacesCanvas(QtWidgets.QWidget):
 
 _AXES = replace(AXES, hint="Axes of each output, in file order; z: normal")
 _STARTING_AXES = "z"
-_HIGHEST_RATE_HZ = 768_000.0
-
-
-def _end_of_band(label: str, hint: str) -> NumberSpec:
-    return NumberSpec(
-        label=label, unit="Hz", minimum=0.0, maximum=_HIGHEST_RATE_HZ / 2.0, hint=hint
-    )
-
-
-_NUMBERS = {
-    "sample_rate_hz": NumberSpec(label="Rate", unit="Hz", minimum=100.0, maximum=_HIGHEST_RATE_HZ),
-    "hand_length_mm": NumberSpec(
-        label="Hand length",
-        unit="m",
-        minimum=0.02,
-        maximum=2.0,
-        hint="From the middle fingertip to the middle of the wrist",
-    ),
-    "pre_trigger_delay_s": NumberSpec(
-        label="Delay",
-        unit="s",
-        minimum=0.0,
-        maximum=10.0,
-        hint="Delay of the responses",
-    ),
-    "lowest_hz": _end_of_band("Valid from", "Lowest valid frequency of the responses"),
-    "highest_hz": _end_of_band(
-        "Valid up to", "Highest valid frequency of the responses; 0: unknown"
-    ),
-}
 _BAND = ("lowest_hz", "highest_hz")
+_NUMBERS = {
+    name: number_named(f"limb_{name}")
+    for name in ("sample_rate_hz", "hand_length_mm", "pre_trigger_delay_s", *_BAND)
+}
 # Number fields hold lengths in metres.
 _METRES = 1e-3
 _STARTS = {"sample_rate_hz": 4000.0, "hand_length_mm": 0.18}

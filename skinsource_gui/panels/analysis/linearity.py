@@ -430,7 +430,6 @@ class DiagramsPicture(Figure):
         """Take over what to show, and the numbers of the outputs, in the order of their ranks."""
         self.diagrams, self.outputs = diagrams, outputs
         self.say("")
-        self.read_again()
 
     def draw(self, painter: QtGui.QPainter, room: QRectF) -> None:
         head = room.adjusted(UNIT_PX, 0, -UNIT_PX, 0)

@@ -60,7 +60,6 @@ class MainAxisPicture(Figure):
         """Take over what to show."""
         self.content = content
         self.say("")
-        self.read_again()
 
     def draw(self, painter: QtGui.QPainter, room: QRectF) -> None:
         content = self.content

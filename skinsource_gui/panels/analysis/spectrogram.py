@@ -89,7 +89,6 @@ class SpectrogramPicture(Figure):
             self._pixels.data, width, height, 4 * width, QtGui.QImage.Format.Format_RGB32
         )
         self.say("")
-        self.read_again()
 
     def show_playhead(self, time_s: float) -> None:
         """Take over where the playhead stands."""

@@ -18,20 +18,11 @@ from skinsource_gui.panels.analysis.table import OutputTableView, TableRow
 from skinsource_gui.plots.figure import NoteLabel
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import tab_separated
+from skinsource_gui.qt.resources import columns_of
 from skinsource_gui.qt.theme import UNIT_PX
 
-#: Titles, as narrow as they can be, and what they mean.
-COLUMNS = (
-    ("Output", "Number and place of the output"),
-    ("RMS\nm/s²", "RMS over the time that Levels names"),
-    ("Peak\nm/s²", "Largest magnitude of the signal, over the whole record"),
-    ("Crest", "Crest factor: peak over RMS"),
-    ("Main\nHz", "Peak frequency: most power along the chosen axes"),
-    (
-        "Delay\nms",
-        f"From first input to {BEGUN_SHARE:.0%} of the peak; includes pre-trigger unless removed",
-    ),
-)
+#: Titles, and what they mean.
+COLUMNS = tuple(columns_of("statistics", begun_share=BEGUN_SHARE).items())
 NOISE_MARK = "≈"
 NOISE_NOTE = f"{NOISE_MARK} less than {LEAST_ABOVE_NOISE_DB:g} dB above the noise"
 

@@ -51,7 +51,6 @@ class TransferPicture(Figure):
         highest = float(decibels(content.transfer.magnitude).max())
         self._top_db = self.steady_range.follow(highest, highest, "level")[1]
         self.say("")
-        self.read_again()
 
     def draw(self, painter: QtGui.QPainter, room: QRectF) -> None:
         content = self.content

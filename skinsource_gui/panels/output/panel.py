@@ -60,7 +60,7 @@ from skinsource_gui.qt.buttons import page_button, page_label, scrolled, show_or
 from skinsource_gui.qt.fitting import fit_to_letters
 from skinsource_gui.qt.labels import FittingLabel
 from skinsource_gui.qt.layouts import in_column, in_row, named, show_tooltip
-from skinsource_gui.qt.resources import choice_of
+from skinsource_gui.qt.resources import choice_of, number_named
 from skinsource_gui.qt.theme import UNIT_PX, set_tone, tabular
 from skinsource_gui.state.panel import Panel
 from skinsource_gui.state.playing import Played
@@ -68,14 +68,7 @@ from skinsource_gui.state.playing import Played
 _NUMBER_PX, _OUTPUT_NUMBER_PX, _METER_PX = 88, 56, 8
 _SYSTEM = "System default"
 _BETWEEN = "\n"
-_DELAY = NumberSpec(
-    label="Latency",
-    unit="s",
-    minimum=SHORTEST_LATENCY_S,
-    maximum=LONGEST_LATENCY_S,
-    step=0.001,
-    hint="Shorter: edits are felt sooner, but playback may drop out",
-)
+_DELAY = number_named("latency", minimum=SHORTEST_LATENCY_S, maximum=LONGEST_LATENCY_S)
 _GAIN = NumberSpec(
     label="Gain",
     unit="dB",
@@ -84,14 +77,7 @@ _GAIN = NumberSpec(
     step=1.0,
     hint=f"How strongly it is played; each session starts at {START_DB:g} dB",
 )
-_SHIFT = NumberSpec(
-    label="Shift",
-    unit="Hz",
-    minimum=LEAST_SHIFT_HZ,
-    maximum=MOST_SHIFT_HZ,
-    step=10.0,
-    hint="Hertz that are added to all frequencies",
-)
+_SHIFT = number_named("shift", minimum=LEAST_SHIFT_HZ, maximum=MOST_SHIFT_HZ)
 _EARS = SwitchSpec(
     label="Audible preview",
     hint="Without actuators: all channels in stereo, with frequencies shifted up",

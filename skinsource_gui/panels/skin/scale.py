@@ -1,7 +1,6 @@
 """The colour bar of the skin map: a scale whose ends are dragged or typed, or follow the design."""
 
 from collections.abc import Callable
-from dataclasses import replace
 from functools import lru_cache
 from math import inf
 
@@ -28,6 +27,7 @@ from skinsource_gui.plots.small_map import ColourScale, paint_ramp
 from skinsource_gui.qt.frames import CachedPicture
 from skinsource_gui.qt.keys import meaning_of
 from skinsource_gui.qt.layouts import in_row, named, tooltip
+from skinsource_gui.qt.resources import number_named
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
 
 #: Returns a range of which an end, or both, was moved.
@@ -206,23 +206,9 @@ def _end_field(name: str, spec: NumberSpec, parent: QtWidgets.QWidget) -> Number
     return field
 
 
-_LOW = NumberSpec(
-    label="Lowest colour",
-    unit="dB",
-    minimum=LOWEST_DB,
-    maximum=HIGHEST_DB - SMALLEST_SPAN_DB,
-    step=1.0,
-)
-_HIGH = replace(
-    _LOW, label="Highest colour", minimum=LOWEST_DB + SMALLEST_SPAN_DB, maximum=HIGHEST_DB
-)
-_LIMIT = NumberSpec(
-    label="Limit",
-    unit="m/s²",
-    minimum=1e-6,
-    maximum=1e6,
-    hint="Acceleration along z at the end of the colours, either way",
-)
+_LOW = number_named("lowest_colour", minimum=LOWEST_DB, maximum=HIGHEST_DB - SMALLEST_SPAN_DB)
+_HIGH = number_named("highest_colour", minimum=LOWEST_DB + SMALLEST_SPAN_DB, maximum=HIGHEST_DB)
+_LIMIT = number_named("limit_of_colours")
 
 
 class ColourBar(QtWidgets.QWidget):

@@ -9,11 +9,11 @@ from skinsource.design.labels import AXES, label_of, level_label, signal_label, 
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.signals.map_range import MAP_HIGHEST_DB, SILENT_MAP_RANGE_DB
 from skinsource.specs import fields
-from skinsource.specs.numbers import NumberSpec, Range, RangeSpec
+from skinsource.specs.numbers import Range, RangeSpec
 from skinsource.specs.spec import ChoiceSpec, SwitchSpec
 from skinsource_gui.fields.units import level_text, minus
 from skinsource_gui.plots.small_map import MAP_RANGE, LevelStyle
-from skinsource_gui.qt.resources import choice_of
+from skinsource_gui.qt.resources import choice_of, number_named
 
 #: Levels; acceleration along z, with its sign; its magnitude; its RMS over a sliding window.
 LEVELS, Z, MAGNITUDE, RMS = "levels", "z", "magnitude", "rms"
@@ -121,14 +121,7 @@ def time_text(time_s: float) -> str:
 #: Name of the panel, under which a view keeps its settings.
 SKIN = "skin"
 QUANTITY = choice_of("quantity")
-RMS_WINDOW = NumberSpec(
-    label="Window",
-    unit="s",
-    minimum=0.001,
-    maximum=0.5,
-    step=0.001,
-    hint="Window of the sliding RMS, centred on the playhead",
-)
+RMS_WINDOW = number_named("rms_window")
 Z_LIMITS = RangeSpec(label="Limits", unit="m/s²")
 MAP_STYLE = ChoiceSpec(
     label="Style", options=(("interpolated", "Interpolated"), ("sensors", "Sensors only"))
