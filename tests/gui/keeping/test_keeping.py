@@ -218,9 +218,6 @@ def test_the_log_of_a_crash_is_offered_once_and_moves_not_what_discards_work(
     window.keeping.offer(window.notice)
     assert choice(window, "Save the log…")
     assert choice(window, "Discard it").x() == before
-    choose(window, "Discard it")
-    assert left_over.find(user_data).left == ()
-    assert window.document.design.inputs[0].amplitude == 1.0
 
 
 WAIT = {"timeout": 30_000}
