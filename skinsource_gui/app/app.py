@@ -187,7 +187,10 @@ def run(path: Path | None) -> int:
     def end() -> None:
         if not window.keeping.end_unasked():
             sys.stderr.write("skinsource-gui: unsaved work is lost: no copy could be written\n")
-        window.close_unasked()
+        # A window that waits for an answer cannot be closed.
+        while (question := QtWidgets.QApplication.activeModalWidget()) and question.close():
+            pass
+        QTimer.singleShot(0, window.close_unasked)
 
     end_signals.received.connect(end)
     window.keeping.offer(window.notice)

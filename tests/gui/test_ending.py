@@ -51,8 +51,10 @@ def edit():
 def begin(_outcome):
     made[0].conductor.delivered.disconnect(begin)
     print("ready", made[0].notice.text, flush=True)
-    if sys.argv[1] == "edited":
+    if sys.argv[1] in ("edited", "asked"):
         edit()
+    if sys.argv[1] == "asked":
+        QTimer.singleShot(0, made[0].close)
     if sys.argv[1] == "works":
         timer = QTimer(made[0], interval=10)
         timer.timeout.connect(edit)
@@ -85,8 +87,9 @@ def saved_amplitude(left):
     return open_design(left.copies[0]).design.inputs[0].amplitude
 
 
-def test_unsaved_work_is_kept_when_the_studio_is_told_to_end(tmp_path):
-    studio, _ = run_until_ready("edited", tmp_path)
+@pytest.mark.parametrize("doing", ["edited", "asked"])
+def test_unsaved_work_is_kept_when_the_studio_is_told_to_end(tmp_path, doing):
+    studio, _ = run_until_ready(doing, tmp_path)
     assert studio.stdout.readline() == "edit 1\n"
     studio.send_signal(signal.SIGTERM)
     _, errors = studio.communicate(timeout=60)
