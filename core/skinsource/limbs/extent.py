@@ -139,5 +139,4 @@ def _distance_of_share(share: Floats, distance_mm: Floats) -> Floats:
     order = np.argsort(distance_mm, kind="stable")
     reached = np.cumsum(share[..., order], axis=-1)
     # The last sum may be a little less than 1, but never less than nine tenths.
-    distance: Floats = distance_mm[order][np.argmax(reached >= _ENERGY_SHARE, axis=-1)]
-    return distance
+    return distance_mm[order][np.argmax(reached >= _ENERGY_SHARE, axis=-1)]
