@@ -296,5 +296,4 @@ class Projection:
             raise ValueError("the length of a vector has no spectrum of its own")
         # As pairs of real numbers it takes a quarter of the time.
         parts = np.ascontiguousarray(spectra).view(np.float64)
-        projected: Floats = np.einsum("oa,oaf->of", self.directions, parts)
-        return projected.view(np.complex128)
+        return np.einsum("oa,oaf->of", self.directions, parts).view(np.complex128)

@@ -43,16 +43,6 @@ def inverse(spectra: Complexes, n_fft: int) -> Floats:
     return scipy.fft.irfft(spectra, n_fft, workers=_workers(count, n_fft))
 
 
-def forward_here(signals: Floats, n_fft: int) -> Complexes:
-    """Return spectra as `forward`, computed in this thread; the caller counts."""
-    return scipy.fft.rfft(signals, n_fft)
-
-
-def inverse_here(spectra: Complexes, n_fft: int) -> Floats:
-    """Return signals as `inverse`, computed in this thread; the caller counts."""
-    return scipy.fft.irfft(spectra, n_fft)
-
-
 def _workers(count: int, n_fft: int) -> int:
     return 2 if count > 1 and count * n_fft >= _WORTH_A_THREAD and n_fft < _LONG else 1
 

@@ -131,8 +131,7 @@ def distances_mm(limb: Limb, location: int | Sequence[int]) -> Floats:
 
 
 def _share_above(relative: Floats, below_db: float) -> Floats:
-    above: Floats = np.count_nonzero(relative > 10.0 ** (-below_db / 20.0), axis=-1)
-    return above / relative.shape[-1]
+    return np.mean(relative > 10.0 ** (-below_db / 20.0), axis=-1)
 
 
 def _distance_of_share(share: Floats, distance_mm: Floats) -> Floats:

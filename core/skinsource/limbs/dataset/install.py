@@ -369,8 +369,7 @@ def _response(data: Any, where: str) -> Floats:
             f"{where} holds {not_finite} not finite, the first at "
             f"tap {tap}, output {output}, axis {axis}; expected finite numbers only. {WHAT_TO_DO}"
         )
-    floats: Floats = array.astype(np.float64, copy=False)
-    return floats.transpose(1, 2, 0)
+    return array.astype(np.float64, copy=False).transpose(1, 2, 0)
 
 
 def _whole_number(value: Any, highest: int, what: str) -> int:
