@@ -439,12 +439,7 @@ class SceneActions(QObject):
     #: What went well, as a short text.
     done = Signal(str)
 
-    def __init__(
-        self,
-        services: Services,
-        files: FileActions,
-        arrange: Callable[[], None],
-    ) -> None:
+    def __init__(self, services: Services, files: FileActions, arrange: Callable[[], None]) -> None:
         super().__init__(services.window)
         self._document, self._files, self._limbs = services.document, files, services.limbs
         self._window, self._arrange = services.window, arrange

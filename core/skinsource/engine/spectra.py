@@ -24,13 +24,7 @@ from skinsource.engine.memory import (
     Memory,
     untouched_array,
 )
-from skinsource.engine.transforms import (
-    Channel,
-    driven,
-    forward,
-    parts_of,
-    run_on_two_threads,
-)
+from skinsource.engine.transforms import Channel, driven, forward, parts_of, run_on_two_threads
 from skinsource.limbs.limb import Limb, limb_like
 from skinsource.limbs.scaling import Scaling, per_probe_acceleration
 

@@ -23,14 +23,7 @@ import numpy as np
 
 from skinsource.base import files
 from skinsource.base.assets import user_folder
-from skinsource.base.conventions import (
-    N_AXES,
-    N_INPUTS,
-    N_OUTPUTS,
-    N_TAPS,
-    VOLAR_OUTPUTS,
-    Floats,
-)
+from skinsource.base.conventions import N_AXES, N_INPUTS, N_OUTPUTS, N_TAPS, VOLAR_OUTPUTS, Floats
 from skinsource.base.errors import DatasetError, DownloadError, counted, printable
 from skinsource.base.extras import package_of_extra
 from skinsource.base.files import is_file, make_folder, replacing, storage_errors_of
