@@ -166,14 +166,8 @@ class FileDrops(QObject):
         WindowEvents.follow(window, self._drop, QEvent.Type.Drop)
 
     def _drag(self, event: QtGui.QDragMoveEvent) -> bool:
-        paths = _paths(event)
-        if not paths:
-            event.ignore()
-            return True
-        event.setDropAction(Qt.DropAction.CopyAction)
-        event.accept()
-        at = event.position().toPoint()
-        for panel in self._panels:
+        paths, at = _taken(event), event.position().toPoint()
+        for panel in self._panels if paths else ():
             placed = paths[0].suffix not in _OPENED and self._inside(panel, at)
             panel.show_drop(panel.mapFrom(self._window, at) if placed else None)
         return True
@@ -184,14 +178,10 @@ class FileDrops(QObject):
         return True
 
     def _drop(self, event: QtGui.QDropEvent) -> bool:
-        paths = _paths(event)
+        paths = _taken(event)
         self._leave(event)
         if not paths:
-            event.ignore()
             return True
-        # After a move, the program that offered the file would delete it.
-        event.setDropAction(Qt.DropAction.CopyAction)
-        event.accept()
         place, left = self._place(event.position().toPoint()), paths[1:]
         if paths[0].suffix in _OPENED:
             self.design_dropped.emit(paths[0])
@@ -216,8 +206,14 @@ class FileDrops(QObject):
         return visible and panel.rect().contains(panel.mapFrom(self._window, at))
 
 
-def _paths(event: QtGui.QDropEvent) -> list[Path]:
-    return [Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()]
+def _taken(event: QtGui.QDropEvent) -> list[Path]:
+    """Return the files of an event, which is accepted where there are some."""
+    paths = [Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()]
+    if paths:
+        # After a move, the program that offered the file would delete it.
+        event.setDropAction(Qt.DropAction.CopyAction)
+    event.setAccepted(bool(paths))
+    return paths
 
 
 class ImportActions(QObject):
@@ -443,12 +439,7 @@ class SceneActions(QObject):
     #: What went well, as a short text.
     done = Signal(str)
 
-    def __init__(
-        self,
-        services: Services,
-        files: FileActions,
-        arrange: Callable[[], None],
-    ) -> None:
+    def __init__(self, services: Services, files: FileActions, arrange: Callable[[], None]) -> None:
         super().__init__(services.window)
         self._document, self._files, self._limbs = services.document, files, services.limbs
         self._window, self._arrange = services.window, arrange

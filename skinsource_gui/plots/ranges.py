@@ -676,5 +676,4 @@ def _closed(edges: Floats) -> Floats:
     """Return upper edges, (n_edges, n_columns), with valleys of one column filled."""
     wide = np.concatenate((edges[:, :1], edges, edges[:, -1:]), axis=1)
     raised = np.maximum(wide[:, :-1], wide[:, 1:])
-    closed: Floats = np.minimum(raised[:, :-1], raised[:, 1:])
-    return closed
+    return np.minimum(raised[:, :-1], raised[:, 1:])

@@ -130,11 +130,7 @@ class Palette(QtWidgets.QDialog):
         What can be found; those without a parent are kept as long as the palette.
     """
 
-    def __init__(
-        self,
-        actions: Sequence[QtGui.QAction],
-        parent: QtWidgets.QWidget | None = None,
-    ):
+    def __init__(self, actions: Sequence[QtGui.QAction], parent: QtWidgets.QWidget | None = None):
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle("Search actions")

@@ -167,8 +167,7 @@ class Pages(QObject):
 
     def show_check(self) -> None:
         """Open the page that compares predictions with recordings."""
-        page = pages.CheckingPage(self._runner, self._document, self._preferences, self._window)
-        page.open()
+        pages.CheckingPage(self._runner, self._document, self._preferences, self._window).open()
 
     def show_motion(self) -> None:
         """Open the page that makes a motion."""

@@ -315,8 +315,7 @@ class LazyPanel:
         """The class of the panel, which is imported now if it was not before."""
         module = import_module(f"skinsource_gui.panels.{self.folder or self.name}.{self.module}")
         words = (word.capitalize() for word in self.name.split("_"))
-        panel_type: type[Panel] = getattr(module, f"{''.join(words)}Panel")
-        return panel_type
+        return getattr(module, f"{''.join(words)}Panel")
 
     def __call__(self) -> Panel:
         return self.type()

@@ -14,14 +14,7 @@ from hypothesis import strategies as st
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.edits.edit import as_kind
-from skinsource.design.waveforms import (
-    Drawn,
-    Impulse,
-    Noise,
-    Recording,
-    Tap,
-    Tone,
-)
+from skinsource.design.waveforms import Drawn, Impulse, Noise, Recording, Tap, Tone
 from skinsource.design.waveforms.periodic import Saw
 from skinsource.design.waveforms.wavelet_train import WaveletTrain, frequency_sweep
 from skinsource.signals.generators import sample_count, sinusoid, white_noise

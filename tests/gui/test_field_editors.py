@@ -17,6 +17,7 @@ from skinsource_gui.fields.curve_field import CurveField
 from skinsource_gui.fields.editors import FieldCell, GlideCurve, SweepDialog, ValueLabel
 from skinsource_gui.fields.text_field import LiveText
 from skinsource_gui.fields.units import numbers_text, points_text, read_numbers, read_points
+from skinsource_gui.qt.resources import number_named
 
 FREQUENCIES = specs_of(WaveletTrain)["frequencies_hz"]
 
@@ -382,3 +383,8 @@ def test_keys_choose_move_continue_add_and_remove(field):
     n_edits = len(field.edits)
     QTest.keyClick(field, Qt.Key.Key_Delete)
     assert (len(field.value), len(field.edits)) == (1, n_edits)
+
+
+def test_a_number_of_the_table_has_the_limits_that_its_field_names():
+    spec = number_named("length_of_part", maximum=3.0)
+    assert (spec.minimum, spec.maximum, spec.step, spec.unit) == (0.001, 3.0, 0.1, "s")

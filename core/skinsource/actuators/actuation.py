@@ -383,8 +383,7 @@ def _impulse_response(
     half_hz, top_hz = 0.5 * sample_rate_hz, band_hz[1]
     beyond = np.clip((frequency_hz - top_hz) / (half_hz - top_hz), 0.0, 1.0)
     fall = 0.5 * (1.0 + np.cos(np.pi * beyond))
-    impulse_response: Floats = scipy.fft.irfft(response * fall, length)
-    return impulse_response
+    return scipy.fft.irfft(response * fall, length)
 
 
 def _reach(side: Floats, full_response: Floats) -> int:

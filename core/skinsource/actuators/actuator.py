@@ -58,10 +58,7 @@ class ResponseShape(fields.CheckedModel):
         s² / (s² + s w / Q + w²), of the shape of ``frequency_hz``.
         """
         ratio = finite_array("frequency_hz", frequency_hz) / self.resonance_hz
-        acceleration: Complexes = np.asarray(
-            -(ratio**2) / (1.0 - ratio**2 + 1j * ratio / self.quality), np.complex128
-        )
-        return acceleration
+        return np.asarray(-(ratio**2) / (1.0 - ratio**2 + 1j * ratio / self.quality), np.complex128)
 
 
 class Actuator(ABC):
@@ -165,8 +162,7 @@ class LinearActuator(Actuator):
 
 def _laplace_variable(frequency_hz: ArrayLike) -> Complexes:
     frequency = finite_array("frequency_hz", frequency_hz, "finite frequencies in Hz")
-    s: Complexes = (2j * np.pi * frequency).astype(np.complex128)
-    return s
+    return (2j * np.pi * frequency).astype(np.complex128)
 
 
 def _check_finite(values: Complexes) -> Complexes:

@@ -103,8 +103,7 @@ def target(frequency_hz: ArrayLike, band_hz: Band = BAND_HZ) -> Floats:
         np.clip((place - np.log(full_hz)) / (np.log(zero_hz) - np.log(full_hz)), 0.0, 1.0)
         for full_hz, zero_hz in edges
     ]
-    gain: Floats = np.prod([0.5 * (1.0 + np.cos(np.pi * part)) for part in beyond], axis=0)
-    return gain
+    return np.prod([0.5 * (1.0 + np.cos(np.pi * part)) for part in beyond], axis=0)
 
 
 def in_band_hz(band_hz: Band = BAND_HZ) -> Floats:
@@ -331,8 +330,7 @@ def equalised(
     frequency_hz = np.arange(length // 2 + 1) * rate_hz / length
     spectrum = scipy.fft.rfft(rows, length) * equaliser.filter(actuator, frequency_hz, band)
     around = np.roll(scipy.fft.irfft(spectrum, length), margins[0], axis=-1)
-    voltage: Floats = around[..., : margins[0] + n + margins[1]]
-    return voltage
+    return around[..., : margins[0] + n + margins[1]]
 
 
 def _check_rate(rate_hz: float, band_hz: Band) -> None:
@@ -541,8 +539,7 @@ def minimum_phase_of(logarithms: Floats, length: int) -> Floats:
     cepstrum = scipy.fft.irfft(logarithms, length)
     cepstrum[1 : length // 2] *= 2.0
     cepstrum[length // 2 + 1 :] = 0.0
-    phase: Floats = scipy.fft.rfft(cepstrum).imag
-    return phase
+    return scipy.fft.rfft(cepstrum).imag
 
 
 #: Every kind, in the order in which a user meets them.

@@ -228,8 +228,7 @@ def _differences(
 ) -> Floats:
     response = coil.response(frequency_hz)
     if not with_phase:
-        gain: Floats = np.log(np.abs(response) / np.abs(values))
-        return gain
+        return np.log(np.abs(response) / np.abs(values))
     relative = (response - values) / np.abs(values)
     return np.concatenate((relative.real, relative.imag))
 

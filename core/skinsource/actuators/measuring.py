@@ -63,8 +63,7 @@ class Bands:
     @property
     def counts(self) -> Floats:
         """How many frequencies each takes in, (n_bands,)."""
-        counts: Floats = (self.last + 1 - self.first).astype(np.float64)
-        return counts
+        return (self.last + 1 - self.first).astype(np.float64)
 
     def sums(self, spectrum: Any) -> Any:
         """Sum spectra, (..., n_frequencies), over each band, (..., n_bands)."""
@@ -132,8 +131,7 @@ def part_from(samples: Floats, begin: float, n: int) -> Floats:
     length = scipy.fft.next_fast_len(n, real=True)
     turn = 2j * np.pi * np.arange(length // 2 + 1) / length
     moved = scipy.fft.rfft(part, length) * np.exp(turn * (begin - nearest))
-    between: Floats = scipy.fft.irfft(moved, length)[:n]
-    return between
+    return scipy.fft.irfft(moved, length)[:n]
 
 
 # Share of the sweep that is faded at each end: a voltage that jumps would be a click.
@@ -277,8 +275,7 @@ def minimum_phase(frequency_hz: Floats, gain: Floats) -> Floats:
     levels = np.interp(log_hz, place, level)
     levels += low * np.minimum(log_hz - place[0], 0.0)
     levels += high * np.maximum(log_hz - place[-1], 0.0)
-    phase: Floats = np.interp(frequency_hz, every_hz, minimum_phase_of(levels, _LENGTH))
-    return phase
+    return np.interp(frequency_hz, every_hz, minimum_phase_of(levels, _LENGTH))
 
 
 def _slope(place: Floats, level: Floats, end: float, inwards: float) -> float:
@@ -448,8 +445,7 @@ def _noise_power(sweeps: Sweeps, n: int, length: int | None = None) -> Floats:
     part = max(noise.size // 8, 1)
     hz, density = scipy.signal.welch(noise, 1.0, nperseg=part, detrend="constant")
     cycles_per_sample = np.arange(length // 2 + 1) / length
-    power: Floats = np.interp(cycles_per_sample, hz, density) * (n / 2.0)
-    return power
+    return np.interp(cycles_per_sample, hz, density) * (n / 2.0)
 
 
 def _noise_message(error: Floats) -> str:

@@ -260,8 +260,7 @@ def volts_of(channel: RigChannel, samples: ArrayLike) -> Floats:
     >>> print(ss.rigs.volts_of(channel, [0.5]))
     [5.]
     """
-    volts: Floats = finite_array("samples", samples) * full_scale_volts(channel)
-    return volts
+    return finite_array("samples", samples) * full_scale_volts(channel)
 
 
 @checking

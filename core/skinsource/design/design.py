@@ -136,8 +136,7 @@ class Input(fields.CheckedModel, models.Nesting):
 
 
 def _motions() -> tuple[type[Motion], ...]:
-    kinds: tuple[type[Motion], ...] = importlib.import_module("skinsource.design.motions").MOTIONS
-    return kinds
+    return importlib.import_module("skinsource.design.motions").MOTIONS
 
 
 CLIP_IDS = ListSpec(label="Clips", of=ID, most=MAX_INPUTS * MAX_CLIPS, different=True)
@@ -218,8 +217,7 @@ class Design:
 
     def _repr_html_(self) -> str:
         """Return the HTML that a notebook shows."""
-        html: str = importlib.import_module("skinsource.design.displaying").html_of(self)
-        return html
+        return importlib.import_module("skinsource.design.displaying").html_of(self)
 
     @property
     def ids(self) -> tuple[int, ...]:

@@ -51,8 +51,7 @@ Kinds = tuple[type[Waveform], ...]
 
 def known_kinds() -> Kinds:
     """Return every kind of waveform."""
-    kinds: Kinds = importlib.import_module("skinsource.design.waveforms").kinds()
-    return kinds
+    return importlib.import_module("skinsource.design.waveforms").kinds()
 
 
 def first_kind() -> Waveform:

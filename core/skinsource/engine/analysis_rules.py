@@ -159,8 +159,7 @@ def above_noise_db(record_rms: Floats, output_noise_rms: Floats | None) -> Float
         record_rms, output_noise_rms, out=np.zeros_like(record_rms), where=output_noise_rms > 0.0
     )
     with np.errstate(divide="ignore"):
-        level: Floats = 20.0 * np.log10(ratio)
-    return np.maximum(level, -200.0)
+        return np.maximum(20.0 * np.log10(ratio), -200.0)
 
 
 def place_noise(limb: Limb, location: int) -> Floats | None:

@@ -66,8 +66,7 @@ def _product_sum(left: Complexes, right: Complexes) -> Floats:
     # All bins count twice, but for both ends of the spectrum.
     whole = np.vecdot(left.view(np.float64), right.view(np.float64))
     ends = left[..., 0].real * right[..., 0].real + left[..., -1].real * right[..., -1].real
-    result: Floats = 2.0 * whole - ends
-    return result
+    return 2.0 * whole - ends
 
 
 def combined(
@@ -297,5 +296,4 @@ class Projection:
             raise ValueError("the length of a vector has no spectrum of its own")
         # As pairs of real numbers it takes a quarter of the time.
         parts = np.ascontiguousarray(spectra).view(np.float64)
-        projected: Floats = np.einsum("oa,oaf->of", self.directions, parts)
-        return projected.view(np.complex128)
+        return np.einsum("oa,oaf->of", self.directions, parts).view(np.complex128)

@@ -24,15 +24,7 @@ from skinsource.engine.memory import (
     Memory,
     untouched_array,
 )
-from skinsource.engine.transforms import (
-    Channel,
-    driven,
-    forward,
-    forward_here,
-    inverse_here,
-    parts_of,
-    run_on_two_threads,
-)
+from skinsource.engine.transforms import Channel, driven, forward, parts_of, run_on_two_threads
 from skinsource.limbs.limb import Limb, limb_like
 from skinsource.limbs.scaling import Scaling, per_probe_acceleration
 
@@ -62,7 +54,8 @@ class Response:
 
         They are written to ``out`` where it is given, else to a new array.
         """
-        spectra = forward_here(self.taps[outputs], self.n_fft)
+        # In this thread; the caller counts.
+        spectra = scipy.fft.rfft(self.taps[outputs], self.n_fft)
         return np.multiply(spectra, drive, out=spectra if out is None else out)
 
     @cached_property
@@ -163,7 +156,7 @@ def superpose(
         for response, drive in zip(responses[1:], played[1:], strict=True):
             total += response.driven(part, drive, buffer)
         if in_time:
-            vibration[part] = inverse_here(total, n_fft)[..., : vibration.shape[-1]]
+            vibration[part] = scipy.fft.irfft(total, n_fft)[..., : vibration.shape[-1]]
 
     tasks = [partial(compute, part) for part in parts]
     work = len(drives) * n_outputs * n_axes * n_bins
@@ -180,7 +173,7 @@ def superpose(
 def _transform(response: ResponseSpectrum) -> None:
     n_outputs, n_axes, n_taps = response.taps.shape
     for part in parts_of(n_outputs, n_axes * n_taps):
-        response.values[part] = forward_here(response.taps[part], response.n_fft)
+        response.values[part] = scipy.fft.rfft(response.taps[part], response.n_fft)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -474,8 +467,7 @@ def actuated_limb(limb: Limb, actuation: Actuation, scaling: Scaling) -> Limb:
         spectra = scipy.fft.rfft(taps, n_fft)
         spectra *= scipy.fft.rfft(transfer.samples, n_fft)
         tally(inverse_transforms=taps.shape[0] * taps.shape[1])
-        responses: Floats = scipy.fft.irfft(spectra, n_fft)
-        return responses[..., :n_taps].copy()
+        return scipy.fft.irfft(spectra, n_fft)[..., :n_taps].copy()
 
     return limb_like(
         limb,

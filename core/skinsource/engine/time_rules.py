@@ -71,8 +71,7 @@ class Moving(_PartOfResponse):
 
     def magnitude(self, time_s: float) -> Floats:
         """Return the length of the vector at an instant, (n_outputs,), m/s²."""
-        length: Floats = np.linalg.norm(self.acceleration(time_s), axis=-1)
-        return length
+        return np.linalg.norm(self.acceleration(time_s), axis=-1)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -111,14 +110,12 @@ class SlidingEnergy(_PartOfResponse):
         start = time_s * self.sample_rate_hz - self.first - (count - 1) / 2
         whole, share = sample_and_rest(start)
         square = (1.0 - share) * self._sum(whole, count) + share * self._sum(whole + 1, count)
-        rms: Floats = np.sqrt(np.maximum(square / count, 0.0))
-        return rms
+        return np.sqrt(np.maximum(square / count, 0.0))
 
     def _sum(self, start: int, count: int) -> Floats:
         last = self.sums.shape[-1] - 1
         low, high = min(max(start, 0), last), min(max(start + count, 0), last)
-        energy: Floats = self.sums[:, high] - self.sums[:, low]
-        return energy
+        return self.sums[:, high] - self.sums[:, low]
 
 
 #: Length of a block.  At 1300 Hz every response that is transformed at once is shorter.

@@ -33,28 +33,14 @@ def forward(signals: Floats, n_fft: int) -> Complexes:
     """Return one-sided spectra, (..., n_fft // 2 + 1), of signals padded with 0 to ``n_fft``."""
     count = signals.size // max(signals.shape[-1], 1)
     tally(forward_transforms=count)
-    spectra: Complexes = scipy.fft.rfft(signals, n_fft, workers=_workers(count, n_fft))
-    return spectra
+    return scipy.fft.rfft(signals, n_fft, workers=_workers(count, n_fft))
 
 
 def inverse(spectra: Complexes, n_fft: int) -> Floats:
     """Return the signals, (..., n_fft), of one-sided spectra."""
     count = spectra.size // spectra.shape[-1]
     tally(inverse_transforms=count)
-    signals: Floats = scipy.fft.irfft(spectra, n_fft, workers=_workers(count, n_fft))
-    return signals
-
-
-def forward_here(signals: Floats, n_fft: int) -> Complexes:
-    """Return spectra as `forward`, computed in this thread; the caller counts."""
-    spectra: Complexes = scipy.fft.rfft(signals, n_fft)
-    return spectra
-
-
-def inverse_here(spectra: Complexes, n_fft: int) -> Floats:
-    """Return signals as `inverse`, computed in this thread; the caller counts."""
-    signals: Floats = scipy.fft.irfft(spectra, n_fft)
-    return signals
+    return scipy.fft.irfft(spectra, n_fft, workers=_workers(count, n_fft))
 
 
 def _workers(count: int, n_fft: int) -> int:

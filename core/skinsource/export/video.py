@@ -108,7 +108,7 @@ def _writer(
 ) -> Generator[None, Any, None]:
     encoder = package_of_extra("imageio_ffmpeg", "video")
     described = ("-metadata", f"comment={printable(about)[:500]}", "-f", file_format)
-    writer: Generator[None, Any, None] = encoder.write_frames(
+    return encoder.write_frames(
         str(path),
         size,
         fps=kind.frames_per_s,
@@ -119,7 +119,6 @@ def _writer(
         ffmpeg_log_level="error",
         output_params=[*kind.options, *described],
     )
-    return writer
 
 
 def _kind_of(path: Path) -> _Kind:

@@ -131,13 +131,11 @@ def distances_mm(limb: Limb, location: int | Sequence[int]) -> Floats:
 
 
 def _share_above(relative: Floats, below_db: float) -> Floats:
-    above: Floats = np.count_nonzero(relative > 10.0 ** (-below_db / 20.0), axis=-1)
-    return above / relative.shape[-1]
+    return np.mean(relative > 10.0 ** (-below_db / 20.0), axis=-1)
 
 
 def _distance_of_share(share: Floats, distance_mm: Floats) -> Floats:
     order = np.argsort(distance_mm, kind="stable")
     reached = np.cumsum(share[..., order], axis=-1)
     # The last sum may be a little less than 1, but never less than nine tenths.
-    distance: Floats = distance_mm[order][np.argmax(reached >= _ENERGY_SHARE, axis=-1)]
-    return distance
+    return distance_mm[order][np.argmax(reached >= _ENERGY_SHARE, axis=-1)]

@@ -122,11 +122,10 @@ def prepare_limb(
     """Read all but the responses, and check it; raises as `import_limb`."""
     path = source.responses
     about = read_description(path, process, stop=stop)
-    header: dict[str, Any] = about["header"] or {}
     shape, array, order = _array_to_read(source, about)
     values: dict[str, Any] = {
         "name": "",
-        **_layout_values(header),
+        **_layout_values(about["header"] or {}),
         **{key: value for key, value in source.values.items() if value is not None},
     }
     down = False

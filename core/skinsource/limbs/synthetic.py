@@ -346,8 +346,7 @@ def synthetic_model(number: int) -> SyntheticModel:
 @cache
 def _parameters() -> dict[str, Any]:
     text = (data_folder() / "synthetic-limbs.json").read_text(encoding="utf-8")
-    parameters: dict[str, Any] = json.loads(text)
-    return parameters
+    return json.loads(text)
 
 
 def _prepare(shared: Mapping[str, Any], limb: Mapping[str, Any]) -> SyntheticModel:

@@ -82,24 +82,21 @@ def threshold_rms(
     chosen = CHANNELS if channel is None else (one_of("channel", channel, CHANNELS),)
     displacement_db = np.min([_SHAPES[name](frequency, area) for name in chosen], axis=0)
     peak_m = _MICROMETRE_M * 10.0 ** (displacement_db / 20.0)
-    acceleration: Floats = (2.0 * np.pi * frequency) ** 2 * peak_m / np.sqrt(2.0)
-    return acceleration
+    return (2.0 * np.pi * frequency) ** 2 * peak_m / np.sqrt(2.0)
 
 
 def _pacinian_db(frequency: Floats, area_cm2: float) -> Floats:
     below = 12.0 * np.log2(250.0 / np.minimum(frequency, 250.0))
     above = 10.0 * np.log2(np.maximum(frequency, 300.0) / 300.0)
     smaller = 10.0 * np.log10(REFERENCE_AREA_CM2 / area_cm2)
-    threshold_db: Floats = -20.0 + below + above + smaller
-    return threshold_db
+    return -20.0 + below + above + smaller
 
 
 def _non_pacinian_1_db(frequency: Floats, _: float) -> Floats:
     # No more sensitive than the channel that takes over below 3 Hz.
     below = 5.0 * np.log2(30.0 / np.clip(frequency, 3.0, 30.0))
     above = 6.0 * np.log2(np.maximum(frequency, 60.0) / 60.0)
-    threshold_db: Floats = 10.0 + below + above
-    return threshold_db
+    return 10.0 + below + above
 
 
 _SHAPES = {"P": _pacinian_db, "NP I": _non_pacinian_1_db}
@@ -159,10 +156,7 @@ def table_threshold(table: ThresholdTable, frequency_hz: ArrayLike) -> Floats:
     known_hz, known = np.array(table).T
     inside = (frequency >= known_hz[0]) & (frequency <= known_hz[-1])
     at = np.log(np.where(inside, frequency, known_hz[0]))
-    threshold: Floats = np.where(
-        inside, np.exp(np.interp(at, np.log(known_hz), np.log(known))), np.inf
-    )
-    return threshold
+    return np.where(inside, np.exp(np.interp(at, np.log(known_hz), np.log(known))), np.inf)
 
 
 def _row(name: str, number: int, line: str, *, in_db: bool) -> tuple[float, float]:
@@ -373,8 +367,7 @@ def sensation_magnitude(levels_db: dict[Channel, Floats]) -> Floats:
         np.maximum(10.0 ** (_EXPONENTS[channel] * levels_db[channel] / 20.0) - 1.0, 0.0)
         for channel in CHANNELS
     ]
-    magnitude: Floats = np.maximum(*parts) + 0.5 * np.minimum(*parts)
-    return magnitude
+    return np.maximum(*parts) + 0.5 * np.minimum(*parts)
 
 
 #: Frequencies and qualities of Wh (ISO 5349-1:2001, annex A): band limits, transition.
@@ -392,8 +385,7 @@ def hand_arm_weighting(frequency_hz: Floats) -> Complexes:
     band = s**2 * w2**2 / ((s**2 + s * w1 / _Q1 + w1**2) * (s**2 + s * w2 / _Q1 + w2**2))
     gain = 2.0 * np.pi * _F4_HZ**2 / _F3_HZ
     transition = (s + w3) * gain / (s**2 + s * w4 / _Q2 + w4**2)
-    response: Complexes = band * transition
-    return response
+    return band * transition
 
 
 def weighted_rms(acceleration: Floats, sample_rate_hz: float) -> float:

@@ -226,5 +226,4 @@ def ellipse(covariance: Floats, axes: tuple[int, int]) -> Floats:
     values, vectors = np.linalg.eigh(plane)
     angle = np.linspace(0.0, 2.0 * np.pi, 73)
     circle = np.stack([np.cos(angle), np.sin(angle)], axis=1)
-    points: Floats = (circle * np.sqrt(np.maximum(values, 0.0))) @ vectors.T
-    return points
+    return (circle * np.sqrt(np.maximum(values, 0.0))) @ vectors.T

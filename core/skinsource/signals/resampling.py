@@ -598,8 +598,7 @@ def passed(samples: Floats, from_hz: float, to_hz: float) -> Floats:
     length = scipy.fft.next_fast_len(padded.size, real=True)
     share = scipy.fft.rfftfreq(length, 1.0 / from_hz) / (0.5 * lower_hz)
     gain = np.interp(share, *_response(transition))
-    signal: Floats = scipy.fft.irfft(gain * scipy.fft.rfft(padded, length), length)[: padded.size]
-    return signal
+    return scipy.fft.irfft(gain * scipy.fft.rfft(padded, length), length)[: padded.size]
 
 
 @lru_cache(maxsize=4)

@@ -100,8 +100,7 @@ def values_at(samples: Floats, position: float) -> Floats:
     if first >= end:
         return np.zeros(samples.shape[:-1])
     distance = np.arange(first, end) - whole - behind
-    values: Floats = samples[..., first:end] @ (np.sinc(distance) * _window(distance))
-    return values
+    return samples[..., first:end] @ (np.sinc(distance) * _window(distance))
 
 
 def _window(distance: Floats) -> Floats:
@@ -149,8 +148,7 @@ def values_between(samples: Floats, positions: Floats, band: float = 1.0) -> Flo
 @cache
 def _kernel_table() -> Floats:
     distance = np.arange(REACH * _PER_ZERO + 1) / _PER_ZERO
-    table: Floats = np.sinc(distance) * _window(distance)
-    return table
+    return np.sinc(distance) * _window(distance)
 
 
 def shift_of(shift_s: float, sample_rate_hz: float) -> float:

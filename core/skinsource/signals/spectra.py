@@ -202,8 +202,7 @@ def mean_of_bins(magnitude: Floats, n: int) -> Floats:
     widths = [(0, 0)] * (magnitude.ndim - 1) + [(n // 2, (n - 1) // 2)]
     sums = sliding_window_view(np.pad(magnitude, widths), n, axis=-1).sum(axis=-1)
     ones = np.pad(np.ones(magnitude.shape[-1]), widths[-1])
-    means: Floats = sums / sliding_window_view(ones, n).sum(axis=-1)
-    return means
+    return sums / sliding_window_view(ones, n).sum(axis=-1)
 
 
 def share_outside_band(samples: Floats, sample_rate_hz: float, band: Band = BAND_HZ) -> float:

@@ -167,8 +167,7 @@ def aligned(measured: Floats, predicted: Floats, most: int) -> tuple[Floats, int
 
 
 def _rms(field: Floats) -> Floats:
-    rms: Floats = np.sqrt(np.mean(np.square(field), axis=-1))
-    return rms
+    return np.sqrt(np.mean(np.square(field), axis=-1))
 
 
 def _normalised(name: str, field: Floats) -> Floats:

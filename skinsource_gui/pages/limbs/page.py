@@ -83,12 +83,7 @@ _KINDS = {
 class LimbPage(ToolPage):
     """Puts a limb together and imports it; lists the limbs that were imported."""
 
-    def __init__(
-        self,
-        runner: JobRunner,
-        limbs: InstalledLimbs,
-        parent: QtWidgets.QWidget,
-    ) -> None:
+    def __init__(self, runner: JobRunner, limbs: InstalledLimbs, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent, "limb_page", TITLE, (940, 640))
         self._limbs, self._jobs = limbs, PageJobs(runner, self, (IMPORTING,))
         self.draft = Draft()

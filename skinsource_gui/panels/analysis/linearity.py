@@ -1,6 +1,6 @@
 """Checks of stored designs, as diagrams and text: strengths in proportion, inputs that add up."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
@@ -550,7 +550,7 @@ def _compared_designs(compared: Sequence[Compared], text: str = "") -> ComparedD
     )
 
 
-_Lines = list[tuple[str | float, ...]]
+_Lines = list[Iterable[str | float]]
 
 
 def table_text(
@@ -583,20 +583,14 @@ def table_text(
 
 def _straightness_table(all_outputs: Straightness, axes: tuple[str, ...]) -> _Lines:
     numbers = range(1, len(all_outputs.adjusted_r2) + 1)
-    lines: _Lines = [
-        ("frequency_hz", *(f"adjusted_r2_{k}_{axis}" for k in numbers for axis in axes))
-    ]
+    header = ("frequency_hz", *(f"adjusted_r2_{k}_{axis}" for k in numbers for axis in axes))
     of_channels = all_outputs.adjusted_r2.reshape(-1, all_outputs.frequency_hz.size)
-    for frequency_hz, r2 in zip(all_outputs.frequency_hz, of_channels.T, strict=True):
-        lines.append((frequency_hz, *r2))
-    return lines
+    return [header, *np.column_stack((all_outputs.frequency_hz, of_channels.T))]
 
 
 def _by_strength(result: Proportion, channels: list[str], unit: StrengthUnit) -> _Lines:
-    lines: _Lines = [(unit.column, *(f"rms_{channel}_m_per_s2" for channel in channels))]
-    for strength, rms in zip(result.strengths * unit.si_factor, result.rms, strict=True):
-        lines.append((strength, *rms))
-    return lines
+    header = (unit.column, *(f"rms_{channel}_m_per_s2" for channel in channels))
+    return [header, *np.column_stack((result.strengths * unit.si_factor, result.rms))]
 
 
 def _by_band(result: Proportion, channels: list[str], unit: StrengthUnit) -> _Lines:
@@ -604,13 +598,9 @@ def _by_band(result: Proportion, channels: list[str], unit: StrengthUnit) -> _Li
     of_strengths = [
         f"band_rms_{channel}_m_per_s2 at {at}" for at in strengths for channel in channels
     ]
-    lines: _Lines = [
-        ("frequency_hz", *of_strengths, *(f"adjusted_r2_{channel}" for channel in channels))
-    ]
-    for k, frequency_hz in enumerate(result.frequency_hz):
-        levels, r2 = result.band_rms[..., k].ravel(), result.adjusted_r2[:, k]
-        lines.append((frequency_hz, *levels, *r2))
-    return lines
+    header = ("frequency_hz", *of_strengths, *(f"adjusted_r2_{channel}" for channel in channels))
+    band_rms = result.band_rms.reshape(-1, result.frequency_hz.size)
+    return [header, *np.column_stack((result.frequency_hz, band_rms.T, result.adjusted_r2.T))]
 
 
 _NEEDS = frozenset(

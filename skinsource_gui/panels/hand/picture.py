@@ -659,8 +659,7 @@ class _Plate:
 
     def _bending(self, points: Floats) -> Floats:
         squares = np.square(points[:, None] - self._start).sum(axis=-1)
-        bending: Floats = squares * np.log(np.maximum(squares, 1e-30))
-        return bending
+        return squares * np.log(np.maximum(squares, 1e-30))
 
 
 class PlacesOfMap:

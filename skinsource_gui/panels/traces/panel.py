@@ -261,8 +261,7 @@ def _peaks(traces: Floats) -> Floats:
 
 
 def _largest(traces: Floats) -> Floats:
-    peaks: Floats = np.abs(traces).max(axis=-1)
-    return peaks
+    return np.abs(traces).max(axis=-1)
 
 
 def _wave(results: Mapping[str, Any], scale: Floats | None) -> Wave:

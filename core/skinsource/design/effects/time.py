@@ -9,13 +9,7 @@ import numpy as np
 
 from skinsource.base.arguments import checking
 from skinsource.base.conventions import Floats
-from skinsource.design.effects.effect import (
-    ON,
-    Effect,
-    KeepsTime,
-    TimedEffect,
-    stretched_in_time,
-)
+from skinsource.design.effects.effect import ON, Effect, KeepsTime, TimedEffect, stretched_in_time
 from skinsource.design.effects.playing import (
     check_duration,
     own_times,

@@ -107,8 +107,7 @@ def preset_from(text: str) -> Preset:
     FileFormatError, InvalidInputError
         The text is something else, is damaged, or was written in another version.
     """
-    preset: Preset = models.decode(codec.from_text(text, FORMAT), (Preset,), Address())
-    return preset
+    return models.decode(codec.from_text(text, FORMAT), (Preset,), Address())
 
 
 def read_preset(path: Path) -> Preset:

@@ -209,8 +209,7 @@ class Layers(fields.CheckedModel, models.Nesting):
         if not parts:
             return np.zeros(n)
         combine = np.multiply if self.mode == "product" else np.add
-        total: Floats = reduce(combine, parts)
-        return total
+        return reduce(combine, parts)
 
     def _in_order(self) -> list[Clip]:
         # The result must not depend on the order of the parts, not even by rounding.

@@ -408,8 +408,7 @@ def analytic(rows: Floats) -> Complexes:
     n = rows.shape[1]
     # Padding, so that ringing at one end does not wrap round to the other.
     length = scipy.fft.next_fast_len(2 * n + 1)
-    signals: Complexes = scipy.signal.hilbert(rows, length, axis=1)[:, :n]
-    return signals
+    return scipy.signal.hilbert(rows, length, axis=1)[:, :n]
 
 
 def turned_up(parts: Floats, sample_rate_hz: int, shift_hz: float) -> Floats:
@@ -432,8 +431,7 @@ def turned_up(parts: Floats, sample_rate_hz: int, shift_hz: float) -> Floats:
     # Whole turns are subtracted first, so that long designs lose no accuracy.
     turns = (np.arange(parts.shape[1]) * (shift_hz / sample_rate_hz)) % 1.0
     angle = 2.0 * np.pi * turns
-    shifted: Floats = parts[:n] * np.cos(angle) - parts[n:] * np.sin(angle)
-    return shifted
+    return parts[:n] * np.cos(angle) - parts[n:] * np.sin(angle)
 
 
 def on_two_ears(rows: Floats) -> Floats:
@@ -443,8 +441,7 @@ def on_two_ears(rows: Floats) -> Floats:
     """
     n = rows.shape[0]
     to_right = (np.arange(n) + 0.5) / max(n, 1)
-    ears: Floats = np.stack((1.0 - to_right, to_right)) @ rows
-    return ears
+    return np.stack((1.0 - to_right, to_right)) @ rows
 
 
 #: Samples of all outputs together: one gigabyte.

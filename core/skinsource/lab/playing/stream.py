@@ -118,8 +118,7 @@ def fade_samples(sample_rate_hz: int) -> int:
 
 def rise(n: int) -> Floats:
     """Return half a cosine from just above 0 to just below 1, (n,)."""
-    risen: Floats = 0.5 - 0.5 * np.cos(np.pi * np.arange(1, n + 1) / (n + 1))
-    return risen
+    return 0.5 - 0.5 * np.cos(np.pi * np.arange(1, n + 1) / (n + 1))
 
 
 def mix_of(

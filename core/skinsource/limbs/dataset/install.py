@@ -23,14 +23,7 @@ import numpy as np
 
 from skinsource.base import files
 from skinsource.base.assets import user_folder
-from skinsource.base.conventions import (
-    N_AXES,
-    N_INPUTS,
-    N_OUTPUTS,
-    N_TAPS,
-    VOLAR_OUTPUTS,
-    Floats,
-)
+from skinsource.base.conventions import N_AXES, N_INPUTS, N_OUTPUTS, N_TAPS, VOLAR_OUTPUTS, Floats
 from skinsource.base.errors import DatasetError, DownloadError, counted, printable
 from skinsource.base.extras import package_of_extra
 from skinsource.base.files import is_file, make_folder, replacing, storage_errors_of
@@ -369,8 +362,7 @@ def _response(data: Any, where: str) -> Floats:
             f"{where} holds {not_finite} not finite, the first at "
             f"tap {tap}, output {output}, axis {axis}; expected finite numbers only. {WHAT_TO_DO}"
         )
-    floats: Floats = array.astype(np.float64, copy=False)
-    return floats.transpose(1, 2, 0)
+    return array.astype(np.float64, copy=False).transpose(1, 2, 0)
 
 
 def _whole_number(value: Any, highest: int, what: str) -> int:

@@ -47,8 +47,7 @@ def integrated(
     weight = 0.5 - 0.5 * np.cos(np.pi * part)
     divisor = np.where(weight > 0.0, 2.0 * np.pi * frequency_hz, 1.0)
     spectra = scipy.fft.rfft(acceleration, n_fft) * (weight / (1j * divisor) ** times)
-    integral: Floats = scipy.fft.irfft(spectra, n_fft)
-    return integral
+    return scipy.fft.irfft(spectra, n_fft)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -55,8 +55,7 @@ def quiet_rms(quiet: Floats) -> Floats | None:
 
 
 def _rms(data: Floats) -> Floats:
-    rms: Floats = np.sqrt(np.mean(np.square(data), axis=-1))
-    return rms
+    return np.sqrt(np.mean(np.square(data), axis=-1))
 
 
 def tells_noise(sample_rate_hz: float, pre_trigger_s: float) -> bool:
@@ -91,8 +90,7 @@ def predicted_noise_energy(
     (n_outputs, n_axes), sum of squares, m²/s⁴.
     """
     parts = [n_taps * each * np.square(noise[location]) for location, each in energies.items()]
-    energy: Floats = np.sum(parts, axis=0)
-    return energy
+    return np.sum(parts, axis=0)
 
 
 def windowed_noise_energy(
@@ -122,5 +120,4 @@ def _energy_sum_until(drive: Floats, instants: Indices) -> Floats:
     energy = np.cumsum(np.square(drive))
     summed = np.concatenate([[0.0], np.cumsum(energy)])
     after = np.maximum(instants - drive.size, 0) * energy[-1]
-    total: Floats = summed[np.clip(instants, 0, drive.size)] + after
-    return total
+    return summed[np.clip(instants, 0, drive.size)] + after

@@ -222,8 +222,7 @@ def tone_burst(rate_hz: int) -> Floats:
     """Return the signal to be resampled: one second, nothing above 600 Hz."""
     time_s = np.arange(rate_hz) / rate_hz - MIDDLE_S
     tones = sum(np.cos(2.0 * np.pi * tone * time_s) for tone in TONES_HZ)
-    burst: Floats = np.exp(-0.5 * (time_s / BELL_S) ** 2) * tones
-    return burst
+    return np.exp(-0.5 * (time_s / BELL_S) ** 2) * tones
 
 
 def _resamplings() -> tuple[Case, ...]:

@@ -263,18 +263,22 @@ _SMALLEST = 1e-17
 _CYCLES_SHOWN = 4.0
 
 
-def strengths(opened: OpenedScene) -> Drawn:
-    """Draw each tone at five strengths, divided by them, over each other."""
+def _traces_of_designs(opened: OpenedScene) -> tuple[Floats, Floats]:
+    """Return times and signals of the outputs, (n_designs, n_outputs, n_times), with the delay."""
     view = replace(opened.view, delay_removed=False)
     results = [
         evaluate(condition.design, "response_time_s", "selected_traces", view=view)
         for condition in opened.conditions
     ]
-    time_s = results[0]["response_time_s"]
+    return results[0]["response_time_s"], np.stack([each["selected_traces"] for each in results])
+
+
+def strengths(opened: OpenedScene) -> Drawn:
+    """Draw each tone at five strengths, divided by them, over each other."""
+    view = opened.view
+    time_s, curves = _traces_of_designs(opened)
     factors = np.array([condition.design.inputs[0].amplitude for condition in opened.conditions])
-    normalised = (
-        np.stack([result["selected_traces"] for result in results]) / factors[:, None, None]
-    )
+    normalised = curves / factors[:, None, None]
     drawn_s, drawn = finer(_from_pulse(opened, time_s), normalised)
     clips = opened.design.inputs[0].clips
     sheet, columns = Sheet(opened, 78.0), {"time_s": time_s}
@@ -706,18 +710,11 @@ def traces(opened: OpenedScene, *, colours: Sequence[str], own_scale: bool) -> D
 
     ``own_scale``: whether each row is relative to its peak; else all have one scale.
     """
-    view, several = replace(opened.view, delay_removed=False), len(opened.conditions) > 1
-    results = [
-        evaluate(condition.design, "response_time_s", "selected_traces", view=view)
-        for condition in opened.conditions
-    ]
-    time_s = results[0]["response_time_s"]
+    view, several = opened.view, len(opened.conditions) > 1
+    time_s, curves = _traces_of_designs(opened)
     from_pulse_s = _from_pulse(opened, time_s)
     within = _in_time_range(opened, from_pulse_s)
-    curves = [result["selected_traces"][:, within] for result in results]
-    drawn_s, drawn = finer(
-        from_pulse_s, np.stack([result["selected_traces"] for result in results])
-    )
+    drawn_s, drawn = finer(from_pulse_s, curves)
     shown = _in_time_range(opened, drawn_s)
     drawn_s, drawn = drawn_s[shown], drawn[..., shown]
     size = None if own_scale else common_size(list(drawn))
@@ -729,7 +726,7 @@ def traces(opened: OpenedScene, *, colours: Sequence[str], own_scale: bool) -> D
         scale = "each row relative to its peak" if own_scale else f"a row is {size:.3g} m/s² high"
         annotate_scale(ax, f"{signal_label(view.axes, view.method)}; {scale}")
     columns = {"time_s": time_s[within]}
-    for label, curves_of_design in zip(opened.scene.labels, curves, strict=True):
+    for label, curves_of_design in zip(opened.scene.labels, curves[..., within], strict=True):
         name = f"_{label.replace(' ', '_')}" if several else ""
         for number, curve in zip(view.outputs, curves_of_design, strict=True):
             columns[f"output_{number}{name}_m_per_s2"] = curve

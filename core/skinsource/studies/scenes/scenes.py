@@ -706,8 +706,7 @@ def missing_panels() -> tuple[tuple[str, str], ...]:
 
 @lru_cache(maxsize=1)
 def _read(folder: Path) -> dict[str, Any]:
-    content: dict[str, Any] = tomllib.loads((folder / DESCRIPTIONS).read_text(encoding="utf-8"))
-    return content
+    return tomllib.loads((folder / DESCRIPTIONS).read_text(encoding="utf-8"))
 
 
 @lru_cache(maxsize=1)

@@ -194,9 +194,7 @@ def _measuring(n_left: int, processes: int | None) -> Measuring:
     return lambda plan, numbers, stop: measured(plan, numbers, count, stop)
 
 
-def named_designs(
-    designs: Designs,
-) -> tuple[tuple[str, Design], ...]:
+def named_designs(designs: Designs) -> tuple[tuple[str, Design], ...]:
     """Return each design with a unique name: its file, its title, or a number."""
     several = [designs] if isinstance(designs, Design | str | os.PathLike) else list(designs)
     named: list[tuple[str, Design]] = []
@@ -216,9 +214,7 @@ def named_designs(
     )
 
 
-def variables_of(
-    vary: Variables | None,
-) -> tuple[tuple[str, tuple[Value, ...]], ...]:
+def variables_of(vary: Variables | None) -> tuple[tuple[str, tuple[Value, ...]], ...]:
     """Return variables and their values for a plan."""
     return tuple((name, values_of(name, values)) for name, values in (vary or {}).items())
 

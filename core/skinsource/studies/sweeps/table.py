@@ -248,8 +248,7 @@ def _content_of(line: bytes) -> dict[str, Any] | None:
     text = line[_CHECKED + 1 :]
     if line[:_CHECKED] != _checksum(text):
         return None
-    tree: dict[str, Any] = json.loads(text)
-    return tree
+    return json.loads(text)
 
 
 def _is_nearly(line: bytes, expected: bytes) -> bool:
