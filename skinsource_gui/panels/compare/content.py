@@ -506,7 +506,8 @@ class Kind:
         names = self.names(compared, view, difference=shown == "difference")
         reference = self.reference(compared, design, view)
         if shown == "levels":
-            called = _with_lengths(compared, names) if view.span == "record" else names
+            apart = view.span == "record" and "snapshots" in self.fields
+            called = _with_lengths(compared, names) if apart else names
             maps = of_levels(compared, called, style, own=settings.own_maximum)
         elif shown == "difference":
             maps = of_differences(compared, names, reference, view.span)

@@ -190,10 +190,10 @@ def test_what_the_clip_panel_edits_is_outlined_on_every_selected_track(lanes):
     lanes.click(lanes.middle(2))
     lanes.press(1, held=SHIFT)
     assert lanes.view.selected_inputs == (1, 2)
-    assert lanes.content.chosen == (2, 4)
+    assert lanes.content.chosen == (1, 4)
     edited = edits.change_field(lanes.design, lanes.view, (1, 2), "onset_s", 1.2).design
     moved = [clip.id for clip in edited.clips if clip != lanes.design.clip(clip.id)]
-    assert moved == [2, 4]
+    assert moved == [1, 4]
 
 
 def test_a_drag_whose_edit_is_undone_meanwhile_ends_with_its_label(lanes):
