@@ -218,6 +218,14 @@ def describe_levels(span: str) -> str:
     return f"levels: RMS over the {label_of(SPANS, span).both.lower()}"
 
 
+def about_levels(exported: ExportedDesign) -> str:
+    """Return `describe_levels` with the length of a whole record, without what actuators ring."""
+    line = describe_levels(exported.view.span)
+    if exported.view.span != "record":
+        return line
+    return f"{line}, {round(exported.value('record_samples') / exported.sample_rate_hz, 3):g} s"
+
+
 def about_axes(exported: ExportedDesign) -> str:
     """Return a line on the axes and how they become one signal."""
     axes = axes_of(exported.limb.axes, exported.view.axes)

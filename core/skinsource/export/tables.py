@@ -28,7 +28,7 @@ from skinsource.export.exported_design import (
     ExportedDesign,
     about,
     about_axes,
-    describe_levels,
+    about_levels,
     output_file,
 )
 from skinsource.limbs.extent import Extent
@@ -101,7 +101,7 @@ def write_traces(path: Path, exported: ExportedDesign) -> None:
             about_axes(exported),
             f"pre-trigger delay of {exported.limb.pre_trigger_delay_s * 1e3:g} ms: {shift} the "
             "times",
-            describe_levels(view.span),
+            about_levels(exported),
         ),
         error_line,
     ]
@@ -124,7 +124,7 @@ def write_levels(path: Path, exported: ExportedDesign) -> None:
     """
     results = exported.values({"output_rms", "output_levels_db"})
     error_line = exported.loudest_error_line(results["output_rms"])
-    levels = describe_levels(exported.view.span)
+    levels = about_levels(exported)
     lines = [*about(exported, about_axes(exported), levels), error_line]
     header = ["output", "rms_m_per_s2", "level_db_re_1_m_per_s2", "side", "place"]
     levels_db = levels_for_tables(results["output_levels_db"])
@@ -334,7 +334,7 @@ def write_field(path: Path, exported: ExportedDesign) -> None:
                 f"times: sample k at {_first_sample_text(exported)}k / "
                 f"{exported.sample_rate_hz:g} s; pre-trigger delay of "
                 f"{limb.pre_trigger_delay_s * 1e3:g} ms: contained in the times",
-                describe_levels(exported.view.span),
+                about_levels(exported),
             )
             archive.put("about", np.array("\n".join([*lines, error_line])))
 
@@ -431,7 +431,7 @@ def _map_content(exported: ExportedDesign) -> tuple[dict[str, Any], list[str]]:
     """Return the quantities of the map, and the lines about them."""
     results = exported.values({"surface", "surface_levels_db", "output_rms"})
     error_line = exported.loudest_error_line(results["output_rms"])
-    levels = f"{describe_levels(exported.view.span)}, in dB re 1 m/s²"
+    levels = f"{about_levels(exported)}, in dB re 1 m/s²"
     return results, [*about(exported, about_axes(exported), levels), error_line]
 
 

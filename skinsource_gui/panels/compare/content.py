@@ -265,9 +265,13 @@ def of_spread(
     compared: Sequence[Compared],
     names: Sequence[Names],
     reference: int,
+    span: Span,
     style: LevelStyle = USUAL_STYLE,
 ) -> tuple[Cell, ...]:
-    """Return mean and standard deviation over all that have the outputs of ``reference``."""
+    """Return mean and standard deviation over all that have the outputs of ``reference``.
+
+    Lengths of records count as in `of_differences`.
+    """
     base = compared[reference]
     limb = _limb(base)
     pairs = zip(compared, names, strict=True)
@@ -283,7 +287,7 @@ def of_spread(
             (side.problem for side, _ in comparable if side.problem), too_few
         )
         return (Cell(headings=("",), limb=limb, text="" if computing else problem),)
-    mean, spread = mean_and_spread_over([_levels_db(side) for side in known])
+    mean, spread = mean_and_spread_over(_levels_over(span, *known))
     called = [name for _, name in audible]
     what = _of_all(called, len(compared))
     noisy = noisy_outputs(*known)
@@ -320,9 +324,7 @@ def _difference(side: Compared, names: Names, base: Compared, of_base: Names, sp
         return cell
     if is_silent(side) or is_silent(base):
         return replace(cell, text=SILENCE)
-    lengths_s = (record_s(side), record_s(base)) if span == "record" else (1.0, 1.0)
-    over_db = 10.0 * np.log10(np.divide(lengths_s, max(lengths_s)))
-    levels = difference_db(_levels_db(side) + over_db[0], _levels_db(base) + over_db[1])
+    levels = difference_db(*_levels_over(span, side, base))
     both = _synthetic(side) or _synthetic(base)
     small = _map(side, levels, noisy_outputs(side, base))
     if np.abs(levels).max() < _LEAST_DB:
@@ -512,7 +514,7 @@ class Kind:
         elif shown == "difference":
             maps = of_differences(compared, names, reference, view.span)
         else:
-            maps = of_spread(compared, names, reference, style)
+            maps = of_spread(compared, names, reference, view.span, style)
         matched = matched_text(compared) or display_gain_text(design, view)
         return tuple(
             cell if cell.scale is None else replace(cell, scale=with_matched(cell.scale, matched))
@@ -701,7 +703,7 @@ def lengths_text(compared: Sequence[Compared]) -> str:
     lengths_s = sorted({round(length_s, 2) for side in compared if (length_s := record_s(side))})
     if not lengths_s[1:]:
         return ""
-    return f"over {lengths_s[0]:g} to {lengths_s[-1]:g} s, differences over the longer"
+    return f"over {lengths_s[0]:g} to {lengths_s[-1]:g} s, differences and means over the longest"
 
 
 def _with_lengths(compared: Sequence[Compared], names: Sequence[Names]) -> Sequence[Names]:
@@ -712,6 +714,14 @@ def _with_lengths(compared: Sequence[Compared], names: Sequence[Names]) -> Seque
         (*(f"{form}, {round(record_s(side), 2):g} s" for form in forms), forms[-1])
         for side, forms in zip(compared, names, strict=True)
     ]
+
+
+def _levels_over(span: Span, *known: Compared) -> list[Floats]:
+    """Return levels over the same time: those of whole records over the longest of them."""
+    if span != "record":
+        return [_levels_db(side) for side in known]
+    longest_s = max(map(record_s, known))
+    return [_levels_db(side) + 10.0 * np.log10(record_s(side) / longest_s) for side in known]
 
 
 def record_s(side: Compared) -> float:

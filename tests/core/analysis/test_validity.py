@@ -3,6 +3,7 @@
 import json
 import re
 from dataclasses import replace
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ import skinsource as ss
 from skinsource import View, edits, evaluate
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.engine.quantities import new_graph, sources
+from skinsource.export.stimulus_export import sidecar
 from skinsource.export.stimulus_export.sidecar import about_validity
 from skinsource.export.tables import export_levels
 from skinsource.limbs import catalog
@@ -131,6 +133,7 @@ def test_tables_carry_what_is_not_kept(tmp_path):
     head = [line for line in path.read_text().splitlines() if line.startswith("#")]
     assert any("validity, spacing: CAUTION" in line for line in head)
     assert not any("validity, band" in line for line in head)
+    assert any("RMS over the whole record (record), 0." in line for line in head)
 
 
 def test_the_sidecar_of_a_stimulus_carries_the_conditions(tmp_path):
@@ -150,6 +153,11 @@ def test_the_sidecar_of_a_stimulus_carries_the_note_on_the_limb(monkeypatch):
     monkeypatch.setattr(catalog, "load_synthetic_limb", lambda number: limb)
     assert about_validity(design_of())["limb_note"] == "measured on a cold day"
     assert findings_of(design_of())["limb"].sentence.endswith("measured on a cold day.")
+    # A measure, of which a map has several.
+    noise = noise_findings(np.array([3.0, 9.0]), synthetic=False, silent=False)
+    results = {"limb_data": limb, "validity": [noise]}
+    monkeypatch.setattr(sidecar, "new_graph", lambda: Mock(evaluate=lambda *_: results))
+    assert "whole record, x, y, z" in about_validity(design_of())["validity"][0]["sentence"]
 
 
 FAST = Finding(name="drive", state="left", sentence="Fast, and more.", in_short="Fast.")

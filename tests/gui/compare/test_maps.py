@@ -381,6 +381,6 @@ def test_what_is_mostly_noise_is_hatched_on_each_map_and_on_what_is_made_of_seve
     assert (first.small.noisy, second.small.noisy) == ((3, 70), (70, 71))
     [difference] = of_differences(pair, names, 0, "loudest")
     assert difference.small.noisy == (3, 70, 71)
-    assert [cell.small.noisy for cell in of_spread(pair, names, 0)] == [(3, 70, 71)] * 2
+    assert [cell.small.noisy for cell in of_spread(pair, names, 0, "loudest")] == [(3, 70, 71)] * 2
     [quiet, _] = of_levels([compared(1, noisy=()), pair[1]], names)
     assert painted(first.small) != painted(quiet.small)

@@ -14,7 +14,7 @@ from skinsource.design.design import louder
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource_gui.panels.analysis.settings import VIEWS
 from skinsource_gui.panels.compare.card import card_level_text
-from skinsource_gui.panels.compare.content import of_differences
+from skinsource_gui.panels.compare.content import of_differences, of_spread
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.plots.pictures import ALL_VISIBLE, drawn_image
 from skinsource_gui.shell.status import MatchNote
@@ -77,8 +77,10 @@ def test_a_pause_makes_no_snapshot_softer_and_how_long_it_makes_the_record_is_sa
     assert card_level_text(earlier) != card_level_text(later)
     assert " · over " in panel.text_label.whole
     # Both play the same.
-    [difference] = of_differences((earlier, later), (("one",), ("two",)), 0, "record")
+    pair = (earlier, later), (("one",), ("two",)), 0, "record"
+    [difference], [_, spread] = of_differences(*pair), of_spread(*pair)
     assert difference.heading == "two equals one"
+    assert spread.values_db == pytest.approx(0.0, abs=1e-6)
 
 
 def test_what_is_opened_is_shown_with_the_gain_that_it_was_left_with(window, settle, matched):

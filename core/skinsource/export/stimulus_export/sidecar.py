@@ -12,7 +12,7 @@ from skinsource.actuators.equalising import Equaliser
 from skinsource.base.decibels import decibels
 from skinsource.base.errors import SkinSourceError
 from skinsource.design.design import Design, Input, View
-from skinsource.design.labels import label_of, scalings_on
+from skinsource.design.labels import label_of, level_label, scalings_on, signal_label
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.stimulus import FULL_SCALE_UNIT, Stimulus, added_delays_s, channel_of
 from skinsource.export.exported_design import versions
@@ -120,8 +120,14 @@ def about_validity(design: Design) -> dict[str, Any]:
         results = new_graph().evaluate({"limb_data", "validity"}, sources(design, View()))
     except SkinSourceError:
         return {"limb_note": None, "validity": []}
+    view = View()
+    of_levels = f" Levels: {level_label(view.span)}, {signal_label(view.axes, view.method)}."
     conditions = [
-        {"condition": finding.name, "state": finding.state, "sentence": finding.sentence}
+        {
+            "condition": finding.name,
+            "state": finding.state,
+            "sentence": f"{finding.sentence}{of_levels * bool(finding.outputs)}",
+        }
         for finding in results["validity"]
     ]
     return {"limb_note": results["limb_data"].note or None, "validity": conditions}
