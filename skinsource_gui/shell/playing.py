@@ -142,7 +142,7 @@ class RigPages(QObject):
 
 
 _PLAY = "Animate or stop", "No actuator moves."
-_REPEAT = "Repeat", "A loop on the ruler always repeats."
+_REPEAT = "Repeat", "A loop on the ruler repeats what starts before its end."
 
 
 class Transport(QtWidgets.QWidget):

@@ -54,12 +54,12 @@ class SlowPlayer:
             return
         stays = at is None and self.old is not None
         here = self.old[2] if stays else 0
-        if stays and (loop is None or here < loop[1]):
+        if stays and (loop in (None, self.old[1]) or here < loop[1]):
             self.now = [row, loop, here]
             return
-        first = loop[0] if loop is not None else 0
-        begin = first if at is None or (loop is not None and at >= loop[1]) else at
-        self.now = [row, loop, begin - FADE]
+        first, end = loop or (0, -FADE)
+        begin = first if at is None or (loop and at >= max(end, len(row))) else at
+        self.now = [row, loop, max(begin - FADE, end) if begin >= end else begin - FADE]
 
     def next(self) -> float:
         """The next sample."""
@@ -85,7 +85,7 @@ class SlowPlayer:
             return
         if self.now is None:
             self.over = "stopped"
-        elif self.now[1] is None and self.now[2] >= len(self.now[0]):
+        elif self.now[2] >= max(len(self.now[0]), (self.now[1] or (0, 0))[1]):
             self.over = "end"
 
     def _read(self, playing) -> float:

@@ -33,17 +33,22 @@ def test_a_design_is_played_to_its_end(sound, session):
     assert not output[1].any()
 
 
-def test_a_playhead_behind_the_end_or_outside_the_loop_starts_from_the_beginning(sound, session):
+def test_a_playhead_starts_where_it_is_unless_it_is_behind_the_end_and_the_loop(sound, session):
     looped = replace(ONE, loop_s=(0.2, 0.4))
     for design, at_s, expected in (
-        (ONE, 0.25, 0.25), (ONE, 9.0, 0.0), (looped, 0.3, 0.3), (looped, 0.0, 0.2),
-        (looped, 0.45, 0.2),
+        (ONE, 0.25, 0.25), (ONE, 9.0, 0.0), (looped, 0.3, 0.3), (looped, 0.0, 0.0),
+        (looped, 0.4, 0.4), (looped, 9.0, 0.2),
     ):  # fmt: skip
         queue = play(session, design, at_s=at_s).stream.queue
         swap, begun = queue.swap, queue.position
         begin = swap.at if swap is not None else begun
+        if design is looped:
+            animated = session.animate(design, ss.View(playhead_s=at_s), loops=True)
+            assert animated.position_s() == pytest.approx(expected, abs=0.02)
         assert begin >= round(expected * 48_000) - FADE
         assert begin < round((expected + 0.15) * 48_000)
+    # Without a loop of its own, the middle of a tone is shown again and again.
+    assert session.animate(ONE, ss.View(slow_motion=0.0), loops=True).position_s() > 0.2
 
 
 def test_what_is_stopped_while_it_is_prepared_opens_no_device(sound, session):
@@ -126,29 +131,23 @@ def silent_run(clock, *about):
     return SilentRun(*about, lambda: clock.now_s)
 
 
-def test_it_runs_as_fast_as_the_clock_and_is_over_at_the_end(clock):
-    run = silent_run(clock, 2.0, None, 0.5)
-    clock.now_s += 1.0
-    assert (run.position_s(), run.over) == (1.5, False)
-    clock.now_s += 0.5
-    assert run.over
-
-
-def test_a_loop_is_never_over(clock):
-    run = silent_run(clock, 2.0, (0.5, 1.0), 0.75)
-    clock.now_s += 1.0
-    assert run.position_s() == pytest.approx(0.75)
-    clock.now_s += 100.1
-    assert run.position_s() == pytest.approx(0.85)
-    assert not run.over
-
-
-def test_behind_the_loop_it_runs_to_the_end(clock):
-    run = silent_run(clock, 2.0, (0.5, 1.0), 1.25)
-    clock.now_s += 0.5
-    assert (run.position_s(), run.over) == (1.75, False)
-    clock.now_s += 0.5
-    assert run.over
+@pytest.mark.parametrize(
+    ("loop_s", "at_s", "after_s", "there_s", "over"),
+    [
+        (None, 0.5, 1.0, 1.5, False),
+        (None, 0.5, 1.5, 2.0, True),
+        ((0.5, 1.0), 0.25, 1.0, 0.75, False),
+        ((0.5, 1.0), 0.75, 101.1, 0.85, False),
+        ((0.5, 1.0), 1.25, 0.5, 1.75, False),
+        ((0.5, 1.0), 1.25, 0.75, 2.0, True),
+    ],
+)
+def test_it_runs_with_the_clock_round_a_loop_ahead_and_to_the_end_behind_one(
+    clock, loop_s, at_s, after_s, there_s, over
+):
+    run = silent_run(clock, 2.0, loop_s, at_s)
+    clock.now_s += after_s
+    assert (run.position_s(), run.over) == (pytest.approx(there_s), over)
 
 
 def test_a_change_goes_on_where_it_is_or_enters_the_new_loop(clock):
@@ -158,8 +157,10 @@ def test_a_change_goes_on_where_it_is_or_enters_the_new_loop(clock):
     assert run.position_s() == 1.0
     run.change(3.0, (0.25, 0.75))
     assert run.position_s() == 0.25
-    run.seek(0.5)
-    assert run.position_s() == 0.5
+    # Behind a loop that it had before, it runs on.
+    run.seek(1.0)
+    run.change(2.0, (0.25, 0.75), 5.0)
+    assert run.position_s() == 1.0
 
 
 RATE_HZ = 48_000

@@ -94,10 +94,10 @@ class SilentRun:
         self._at_s, self._since_s = at_s, self._clock()
 
     def change(self, duration_s: float, loop_s: Loop, slow_motion: float = 1.0) -> None:
-        """Continue in another design, or at another speed; outside of the loop at its beginning."""
-        here_s = self.position_s()
+        """Continue in another design, or at another speed; outside a new loop at its beginning."""
+        here_s, stays = self.position_s(), loop_s in (None, self._loop_s)
         self._duration_s, self._loop_s, self.slow_motion = duration_s, loop_s, slow_motion
-        self.seek(here_s if loop_s is None else _begin(here_s, duration_s, loop_s))
+        self.seek(here_s if stays else _begin(here_s, duration_s, loop_s))
 
 
 #: Outputs that are opened at least: a device of two may play a single channel on both.
@@ -198,13 +198,13 @@ class Session:
         Parameters
         ----------
         view
-            How slowly, and where it begins; outside of the repeated part at its beginning.
+            How slowly, and where it begins, as in `play`; without a loop, inside what is repeated.
         loops
             Whether all that moves is repeated where the design has no loop.
         """
         self._start_over()
         duration_s, loop_s, slow_motion = self._animation(design, view, loops=loops)
-        begin_s = _begin(view.playhead_s, duration_s, loop_s)
+        begin_s = _begin(view.playhead_s, duration_s, loop_s, own=design.loop_s is not None)
         silent = SilentRun(duration_s, loop_s, begin_s, slow_motion=slow_motion)
         return Playing(silent=silent, visible_s=duration_s)
 
@@ -252,7 +252,8 @@ class Session:
         loops
             Whether the whole design is repeated where it has no loop.
         at_s
-            Time to begin at; where it is after the end or outside the loop, the beginning.
+            Time to begin at, after the end the beginning; what begins behind the loop ends at the
+            end of the design.
         rig
             What is wired to the device; None where it is not known.
         stop
@@ -273,7 +274,8 @@ class Session:
             return replace(silent, reason=str(missing))
         mix = self._mix(design, output, device, loops=loops, rig=rig)
         stop_if(stop)
-        begin_s = _begin(at_s, mix.duration_s, loop_of(design, mix.duration_s, loops=loops))
+        loop_s, own = loop_of(design, mix.duration_s, loops=loops), design.loop_s is not None
+        begin_s = _begin(at_s, mix.duration_s, loop_s, own=own)
         stream = self._open(mix, device, output, begin_s, gain_db)
         return Playing(stream=stream, visible_s=response_end_s(design, mix.duration_s))
 
@@ -394,10 +396,14 @@ def _check_rig_device(rig: Rig | None, device: Device) -> None:
             )
 
 
-def _begin(at_s: float, duration_s: float, loop_s: tuple[float, float] | None) -> float:
-    """Return ``at_s`` where it is inside the played part, else the beginning of that."""
+def _begin(at_s: float, duration_s: float, loop_s: Loop, *, own: bool = False) -> float:
+    """Return ``at_s`` where it is inside the played part, else the beginning of that.
+
+    Before and behind a loop of its ``own``, a design is played as well.
+    """
     first_s, end_s = loop_s or (0.0, duration_s)
-    return at_s if first_s <= at_s < end_s else first_s
+    from_s, to_s = (0.0, max(end_s, duration_s)) if own else (first_s, end_s)
+    return at_s if from_s <= at_s < to_s else first_s
 
 
 def analytic(rows: Floats) -> Complexes:

@@ -724,16 +724,18 @@ def _begin_mix_change(queue: PlayQueue) -> None:
 
 def _position_in(mix: Mix, swap: MixChange, queue: PlayQueue) -> int:
     """Return the position at which a mix begins."""
+    first, end = mix.loop or _NO_LOOP
     if swap.at is None and queue.old is not None:
-        inside = mix.loop is None or queue.old_position < mix.loop[1]
-        if inside:
+        # It runs on behind a loop that it had passed before.
+        stays = mix.loop is None or mix.loop == queue.old.loop
+        if stays or queue.old_position < end:
             return queue.old_position
-    first = mix.loop[0] if mix.loop is not None else 0
     position = first if swap.at is None else swap.at
-    if mix.loop is not None and position >= mix.loop[1]:
+    if mix.loop is not None and position >= max(end, mix.n_times):
         position = first
     # Samples before it are faded in, so that the first sample is played in full.
-    return position - queue.fade.size
+    faded_in = position - queue.fade.size
+    return faded_in if position < end else max(faded_in, end)
 
 
 def _render(queue: PlayQueue, block: Floats) -> None:
@@ -778,7 +780,7 @@ def _end_after_last_sample(queue: PlayQueue) -> None:
         return
     if queue.mix is None:
         queue.ending = Ending(reason="stopped")
-    elif queue.mix.loop is None and queue.position >= queue.mix.n_times:
+    elif queue.position >= max(queue.mix.n_times, (queue.mix.loop or _NO_LOOP)[1]):
         queue.ending = Ending(reason="end")
 
 
