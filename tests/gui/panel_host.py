@@ -1,6 +1,7 @@
 """A panel without a studio: what it wishes comes true and is kept."""
 
 from dataclasses import replace
+from itertools import compress
 
 import numpy as np
 
@@ -76,7 +77,10 @@ def clip_results(design, rate_hz=1300.0):
         tuple(clip.waveform.samples(rate_hz) for clip in track.clips) for track in design.inputs
     )
     # One clip behind the other is as loud as they are in their places.
-    played = tuple(np.concatenate((np.zeros(1), *clips)) for clips in waveforms)
+    played = tuple(
+        np.concatenate([np.zeros(1), *compress(clips, (not clip.muted for clip in track.clips))])
+        for track, clips in zip(design.inputs, waveforms, strict=True)
+    )
     return {
         "clip_waveforms": waveforms,
         "input_waveforms": played,

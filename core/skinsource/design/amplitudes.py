@@ -61,13 +61,17 @@ def peak_text(design: Design, track: Input, peak: float | None = None) -> str:
 
     ``peak``: that before the amplitude, where it is known.
     """
+    peak = peak_before_amplitude(design, track) if peak is None else peak
+    return "" if peak is None else f"{abs(track.amplitude) * peak:.3g} {amplitude_unit(design)}"
+
+
+def peak_before_amplitude(design: Design, track: Input) -> float | None:
+    """Return the peak of an input before its amplitude; None if it cannot be played."""
     rate_hz = facts_of(design.limb).sample_rate_hz
     try:
-        if peak is None:
-            peak = _peak_of(track.clips, track.gain_curve, rate_hz, track.location)
+        return _peak_of(track.clips, track.gain_curve, rate_hz, track.location)
     except InvalidInputError:
-        return ""
-    return f"{abs(track.amplitude) * peak:.3g} {amplitude_unit(design)}"
+        return None
 
 
 def amplitude_text(design: Design, track: Input) -> str:

@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, QSize, Qt, Signal, SignalInstance
 
 from skinsource.base.conventions import Band, Floats
 from skinsource.design import edits
-from skinsource.design.amplitudes import amplitude_spec, is_gain, peak_text
+from skinsource.design.amplitudes import amplitude_spec, is_gain, peak_before_amplitude, peak_text
 from skinsource.design.clips import GAIN, ONSET, Clip
 from skinsource.design.design import (
     AMPLITUDE,
@@ -403,8 +403,10 @@ class ClipHeading(QtWidgets.QWidget):
         self._swatch.show_input(track.location, track.colour, silent=silent)
         contact = f" ({place.kind})" if place.kind else ""
         show_tooltip(self._title, f"Input place {place.number}: {place.name}{contact}")
-        of_whom = "last silent" if len(batch) > 1 else "silent"
-        self._state.setText(of_whom if silent else "")
+        muted = clip is not None and clip.muted
+        state = "muted" if muted else "silent" * silent
+        of_several = len(batch) > 1 or (muted and len(clips) > 1)
+        self._state.setText(f"last {state}" if state and of_several else state)
 
 
 # Smallest size with letters of any size, and height of the picture, px.
@@ -585,18 +587,25 @@ class InspectorPanel(Panel):
 
     def _show_strength(self, track: Input) -> None:
         design, amplitude, peak = self._design, amplitude_spec(self._design), ""
-        if any(is_gain(design, each, self._peak_of(each)) for each in self._batch):
+        known = [self._peaks_of(each) for each in self._batch]
+        if any(is_gain(design, whole, highest) for whole, highest, _ in known):
             amplitude = AMPLITUDE_GAIN
-            peaks = (peak_text(design, each, self._peak_of(each)) for each in self._batch)
-            peak = _text_of_all(str, peaks)
+            peak = _text_of_all(str, (peak_text(design, whole, heard) for whole, _, heard in known))
         if track.amplitude < 0:
             amplitude = replace(amplitude, hint="Polarity inverted")
         self._fields.show_strength(amplitude, peak)
 
-    def _peak_of(self, track: Input) -> float | None:
-        """Return the peak of a track before its amplitude, as far as it is known."""
+    def _peaks_of(self, track: Input) -> tuple[Input, float | None, float | None]:
+        """Return a track without muted clips, and its peak before its amplitude, where known.
+
+        Then the peak of what is not muted, if there is anything: what plays again stays the same.
+        """
         played = self._played.get(track.id)
-        return None if played is None else float(np.abs(played).max(initial=0.0))
+        heard = whole = None if played is None else float(np.abs(played).max(initial=0.0))
+        if any(clip.muted for clip in track.clips):
+            track = replace(track, clips=tuple(replace(clip, muted=False) for clip in track.clips))
+            whole = peak_before_amplitude(self._design, track)
+        return track, whole, heard or whole
 
     def _show_style(self, track: Input) -> None:
         problem = self._problems.get(track.id, "")

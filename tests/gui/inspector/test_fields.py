@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QPushButton, QScrollArea, QToolButton, QWidget
+from PySide6.QtWidgets import QLabel, QPushButton, QScrollArea, QToolButton, QWidget
 
 from skinsource import Clip, Design, Input
 from skinsource.design.effects.time import Stretch, Trim
@@ -177,6 +177,26 @@ def test_a_recording_that_keeps_its_size_has_a_gain_without_a_unit_and_the_peak(
         bench.panel.show_results(bench.results())
         assert strength() == (("Input gain", "") if shown else ("Amplitude", "m/s²"))
         assert peak() == shown
+
+
+QUIET = Samples(values=0.8 * np.hanning(301), sample_rate_hz=1300.0)
+
+
+@pytest.mark.parametrize("waveform", [Formula(text="3 * sin(6.28 * 50 * t)"), Recording(QUIET)])
+def test_a_muted_clip_says_so_and_keeps_its_peak_unless_others_are_heard(qtbot, waveform):
+    def show(*clips):
+        bench.show(bench.design.with_input(0, clips=clips), selected_clips=(clips[0].id,))
+        bench.panel.show_results(bench.results())
+        says = [label.text() for label in bench.panel.findChildren(QLabel) if label.isVisible()]
+        return "Input gain" in says, bench.label("peak").text(), "muted" in says
+
+    bench = Bench(qtbot, design_of(waveform))
+    (clip,) = bench.track.clips
+    _, peak, _ = before = show(clip)
+    assert before == (True, peak, False)
+    assert show(replace(clip, muted=True)) == (True, peak, True)
+    heard = replace(clip, id=77, waveform=Formula(text="cos(6.28 * 50 * t)"))
+    assert show(replace(clip, muted=True), heard) == (True, "1 m/s²", True)
 
 
 def test_a_place_that_is_not_on_this_hand_is_named_and_can_be_left(bench):
