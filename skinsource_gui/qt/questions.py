@@ -54,10 +54,23 @@ def _give_discard_a_key() -> None:
         discard.setText("&Discard")
 
 
+def show_title(parent: QtWidgets.QWidget) -> None:
+    """Make the dialog that opens next wide enough for its title: Qt heeds the content alone."""
+
+    def widen() -> None:
+        if (box := QtWidgets.QApplication.activeModalWidget()) is not None:
+            # Beside it are the icon and the buttons of the frame, and its letters may be bold.
+            text = f"{box.windowTitle()}{'m' * 16}"
+            box.setMinimumWidth(box.fontMetrics().horizontalAdvance(text))
+
+    QTimer.singleShot(0, parent, widen)
+
+
 def ask_name(parent: QtWidgets.QWidget, title: str, name: str, longest: int) -> str | None:
     """Ask for another name until it is short enough; None: the user has given up."""
     label, sure = "Name", True
     while sure:
+        show_title(parent)
         name, sure = QtWidgets.QInputDialog.getText(parent, title, label, text=name)
         if sure and len(name) <= longest:
             return name

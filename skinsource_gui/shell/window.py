@@ -9,6 +9,9 @@ from PySide6.QtCore import QEvent, QEventLoop, QKeyCombination, QObject, QPoint,
 
 from skinsource.design import edits
 from skinsource.design.design import Design, View
+from skinsource.design.edits.clips import of_each
+from skinsource.design.edits.edit import Edit, Refusal
+from skinsource.design.effects import effect_kinds
 from skinsource.design.labels import scalings_on
 from skinsource.design.panel_settings import with_settings
 from skinsource.design.waveforms import kinds
@@ -25,6 +28,7 @@ from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.keys import KEYS, MOUSE
 from skinsource_gui.qt.layouts import tooltip
+from skinsource_gui.qt.questions import show_title
 from skinsource_gui.shell import docks
 from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.appearance import Appearance, WindowFrame
@@ -80,24 +84,35 @@ def pass_drops_on(panels: PanelRegistry) -> None:
 
 
 class ClipStretching(QObject):
-    """Asks how long the selected clip is to last, and stretches it."""
+    """Asks how long the last selected clip is to last, and stretches all by its factor."""
 
     def __init__(self, document: Document, window: QtWidgets.QWidget) -> None:
         super().__init__(window)
         self._document, self._window = document, window
 
     def ask(self) -> None:
-        """Ask for the new length of the clip that was selected last."""
+        """Ask for the new length of the clip that was selected last; stretch all with it."""
         design, view = self._document.design, self._document.view
         if view.selected_clip is None:
             return
-        clip = design.clip(view.selected_clip)
+        last_s, n_clips = design.clip(view.selected_clip).duration_s, len(view.selected_clips)
+        title, label = "Stretch clip", "Length, ms"
+        if n_clips > 1:
+            title = f"Stretch {n_clips} clips"
+            label = "Length of the last clip, ms; the others stretch by the same factor"
+        show_title(self._window)
         length_ms, sure = QtWidgets.QInputDialog.getDouble(
-            self._window, "Stretch clip", "Length, ms", 1e3 * clip.duration_s, 1.0, 600e3, 1
+            self._window, title, label, 1e3 * last_s, 1.0, 600e3, 1
         )
+
+        def stretch(design: Design, view: View, id: int) -> Edit | Refusal:
+            clip = design.clip(id)
+            # What lasts 0 s is refused.
+            length_s = length_ms / 1e3 * (clip.duration_s / last_s if last_s else 1.0)
+            return edits.stretch_clip(design, view, id, clip.onset_s, clip.onset_s + length_s)
+
         if sure:
-            end_s = clip.onset_s + length_ms / 1e3
-            self._document.apply(edits.stretch_clip(design, view, clip.id, clip.onset_s, end_s))
+            self._document.apply(of_each(stretch, design, view, view.selected_clips))
 
 
 def field_choices(panels: PanelRegistry, bring: Callable[[str], None]) -> list[QtGui.QAction]:
@@ -155,25 +170,35 @@ def scene_choices(show: Callable[[str], None]) -> Iterator[QtGui.QAction]:
 
 
 def design_choices(document: Document) -> list[QtGui.QAction]:
-    """Return new actions: for each meaning of an amplitude, then for each kind of waveform."""
-    design, chosen = document.design, document.view.selected_inputs
+    """Return new actions: for each meaning of an amplitude, kind of waveform, and effect."""
+    design, view = document.design, document.view
+    inputs, clips = view.selected_inputs, view.selected_clips
 
     def scale(scaling: str) -> None:
         document.apply(edits.change_scaling(document.design, document.view, scaling))
 
     def play(kind: str) -> None:
-        document.apply(edits.change_kind(document.design, document.view, chosen, kind))
+        document.apply(edits.change_kind(document.design, document.view, inputs, kind))
+
+    def add(kind: str) -> None:
+        document.apply(edits.add_effect(document.design, document.view, clips, kind))
 
     known = drive_unit_known(design.limb, design.limb_digest)
     scalings = [
         choice_action(f"Scaling: {word.title}", tooltip(word.sentence), partial(scale, word.name))
         for word in scalings_on(drive_unit_known=known)
     ]
-    hint, missing = "Use for the selected inputs", "" if chosen else "Select an input"
-    return scalings + [
+    hint, missing = "Use for the selected inputs", "" if inputs else "Select an input"
+    waveforms = [
         choice_action(f"Waveform: {kind.title}", hint, partial(play, kind.__name__), missing)
         for kind in kinds()
     ]
+    hint, missing = "Add to the selected clips", "" if clips else "Select a clip"
+    effects = [
+        choice_action(f"Effect: {kind.title}", hint, partial(add, kind.__name__), missing)
+        for kind in effect_kinds()
+    ]
+    return scalings + waveforms + effects
 
 
 _LARGEST_AT_FIRST = (1600, 940)

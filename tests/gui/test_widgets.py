@@ -1,9 +1,9 @@
 """Labels and buttons that adapt to their room, and pictures that are kept."""
 
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QRectF
+from PySide6.QtCore import QEvent, QPoint, QRectF, QTimer
 from PySide6.QtGui import QColor, QHelpEvent, QImage, QPainter
-from PySide6.QtWidgets import QApplication, QScrollArea, QToolButton, QToolTip
+from PySide6.QtWidgets import QApplication, QScrollArea, QToolButton, QToolTip, QWidget
 
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
@@ -11,6 +11,7 @@ from skinsource_gui.plots.signal_view import SignalView
 from skinsource_gui.qt.frames import CachedPicture
 from skinsource_gui.qt.labels import FittingLabel
 from skinsource_gui.qt.overlays import Staleness
+from skinsource_gui.qt.questions import ask_name
 from skinsource_gui.qt.theme import scaled
 
 
@@ -28,6 +29,20 @@ def test_a_fitting_label_shows_the_longest_phrase_that_fits_or_dots(qtbot):
     label.resize(label.minimumSizeHint().width() - 8, 20)
     assert label.text().endswith("…")
     assert label.fontMetrics().horizontalAdvance(label.text()) <= label.width()
+
+
+def test_a_dialog_with_a_short_question_is_as_wide_as_its_title(qapp):
+    def look():
+        box = QApplication.activeModalWidget()
+        widths.append(box.width() - box.fontMetrics().horizontalAdvance(box.windowTitle()))
+        box.reject()
+
+    widths, parent = [], QWidget()
+    for title in ("Rename snapshot 1", "Rename snapshot " + "1" * 40):
+        # Before and after what widens it.
+        QTimer.singleShot(0, lambda: QTimer.singleShot(0, look))
+        assert ask_name(parent, title, "a", 100) is None
+    assert min(widths) > 80
 
 
 @pytest.mark.parametrize(("width", "begin"), [(100, "Fingertip voice coil"), (400, "Actuator")])

@@ -229,13 +229,23 @@ def test_effects_that_would_make_a_clip_too_long_are_refused(two_clips):
     assert document.design.clip(1).effects == ()
 
 
-def test_a_clip_is_stretched_to_a_typed_length(two_clips, monkeypatch):
-    monkeypatch.setattr(QInputDialog, "getDouble", lambda *_: (300.0, True))
-    QTest.keyClick(
-        two_clips.panel("timeline").lanes, Qt.Key.Key_S, Qt.KeyboardModifier.ShiftModifier
+def test_selected_clips_are_stretched_by_the_factor_of_the_last_in_one_step(two_clips, monkeypatch):
+    asked, document, lanes = [], two_clips.document, two_clips.panel("timeline").lanes
+    monkeypatch.setattr(
+        QInputDialog, "getDouble", lambda *about: (asked.append(about), (300.0, True))[1]
     )
-    last = two_clips.document.design.clip(2)
+    document.edit("Shorter", document.design.with_clip(1, waveform=replace(TONE, duration_s=0.1)))
+    before = document.design
+    QTest.keyClick(lanes, Qt.Key.Key_S, SHIFT)
+    one, last = document.design.clips
+    assert (one.onset_s, one.duration_s) == (0.0, pytest.approx(0.15))
     assert (last.onset_s, last.duration_s) == (0.1, pytest.approx(0.3))
+    assert "2 clips" in asked[0][1]
+    two_clips.do("undo")
+    assert document.design == before
+    document.look(replace(document.view, selected_inputs=(2,), selected_clips=(2,)))
+    QTest.keyClick(lanes, Qt.Key.Key_S, SHIFT)
+    assert [clip.duration_s for clip in document.design.clips] == pytest.approx([0.1, 0.3])
 
 
 def test_the_menu_says_the_keys_of_the_timeline(two_clips):
