@@ -11,17 +11,9 @@ import pytest
 
 import skinsource as ss
 from skinsource.base.errors import FileFormatError, InvalidInputError
-from skinsource.lab.matching import (
-    HIGHEST_DB,
-    LOWEST_DB,
-    MatchingRun,
-    Procedure,
-    Strengths,
-    add_match,
-    read_matches,
-)
+from skinsource.lab import matching
 
-ANNA = Procedure(person="Anna", frequencies_hz=(50.0, 250.0), places=(3, 7), seed=4)
+ANNA = matching.Procedure(person="Anna", frequencies_hz=(50.0, 250.0), places=(3, 7), seed=4)
 
 ADDING = """
 import sys
@@ -38,7 +30,7 @@ while run.trial is not None:
 
 
 def store_all(procedure, path, level_db=3.0):
-    run = MatchingRun(procedure, path)
+    run = matching.MatchingRun(procedure, path)
     while run.trial is not None:
         run.step(level_db - run.level_db)
         run.store()
@@ -85,21 +77,21 @@ def test_reference_and_test_follow_each_other_and_come_again():
 
 
 def test_arrows_go_by_a_decibel_and_stay_within_what_can_be():
-    run = MatchingRun(ANNA, None)
+    run = matching.MatchingRun(ANNA, None)
     start_db = run.level_db
     assert run.step(1.0)
     assert run.level_db == pytest.approx(start_db + 1.0)
     assert run.step(-1.0)
     assert run.step(100.0)
-    assert run.level_db == HIGHEST_DB
+    assert run.level_db == matching.HIGHEST_DB
     assert not run.step(1.0)
     assert run.step(-200.0)
-    assert run.level_db == LOWEST_DB
+    assert run.level_db == matching.LOWEST_DB
 
 
 def test_what_is_stored_is_a_row_and_is_not_asked_again(tmp_path):
     path = tmp_path / "matches.csv"
-    run = MatchingRun(ANNA, path)
+    run = matching.MatchingRun(ANNA, path)
     first = run.trial
     run.step(2.0)
     run.store()
@@ -108,14 +100,14 @@ def test_what_is_stored_is_a_row_and_is_not_asked_again(tmp_path):
     assert (int(row["place"]), row["direction"]) == (first.place, first.direction)
     assert float(row["matched_db"]) == pytest.approx(first.start_db + 2.0)
     assert float(row["start_db"]) == first.start_db
-    again = MatchingRun(ANNA, path)
+    again = matching.MatchingRun(ANNA, path)
     assert again.done == 1
     assert again.trial == run.trial == ANNA.trials[1]
     assert again.level_db == again.trial.start_db
     store_all(ANNA, path)
-    assert MatchingRun(ANNA, path).trial is None
+    assert matching.MatchingRun(ANNA, path).trial is None
     with pytest.raises(InvalidInputError, match="all matches are made"):
-        MatchingRun(ANNA, path).store()
+        matching.MatchingRun(ANNA, path).store()
     store_all(replace(ANNA, person="Ben"), path)
     rows = rows_of(path)
     assert len(rows) == 16
@@ -124,7 +116,7 @@ def test_what_is_stored_is_a_row_and_is_not_asked_again(tmp_path):
 
 def test_a_match_is_never_stored_twice(tmp_path):
     path = tmp_path / "matches.csv"
-    first, other = MatchingRun(ANNA, path), MatchingRun(ANNA, path)
+    first, other = matching.MatchingRun(ANNA, path), matching.MatchingRun(ANNA, path)
     first.store()
     before = path.read_bytes()
     with pytest.raises(InvalidInputError, match="already"):
@@ -151,18 +143,18 @@ def test_two_processes_that_add_matches_at_the_same_time_lose_none(tmp_path):
         with person:
             assert person.stdout.read() == b""
         assert person.returncode == 0
-    assert Counter(row.person for row in read_matches(path)) == {"Anna": 100, "Ben": 100}
+    assert Counter(row.person for row in matching.read_matches(path)) == {"Anna": 100, "Ben": 100}
     assert list(tmp_path.iterdir()) == [path]
 
 
 def test_another_reference_needs_another_table(tmp_path):
     path = tmp_path / "matches.csv"
-    run = MatchingRun(ANNA, path)
+    run = matching.MatchingRun(ANNA, path)
     match = run.store()
     with pytest.raises(InvalidInputError, match="another reference"):
-        MatchingRun(replace(ANNA, reference_hz=80.0), path)
+        matching.MatchingRun(replace(ANNA, reference_hz=80.0), path)
     with pytest.raises(InvalidInputError, match="another reference"):
-        add_match(path, replace(match, person="Ben", amplitude=0.5))
+        matching.add_match(path, replace(match, person="Ben", amplitude=0.5))
 
 
 @pytest.mark.parametrize(
@@ -188,7 +180,7 @@ def test_a_damaged_table_is_one_error_that_says_where(tmp_path, change, message)
     path.write_text(change(path.read_text()))
     before = path.read_bytes()
     with pytest.raises(FileFormatError, match=message) as refused:
-        MatchingRun(ANNA, path)
+        matching.MatchingRun(ANNA, path)
     assert "matches.csv" in str(refused.value)
     assert path.read_bytes() == before
 
@@ -219,7 +211,7 @@ def test_strengths_average_persons_and_lie_between_what_was_measured(tmp_path):
     path = tmp_path / "matches.csv"
     store_all(ANNA, path, level_db=2.0)
     store_all(replace(ANNA, person="Ben", frequencies_hz=(50.0,)), path, level_db=8.0)
-    strengths = Strengths.of(read_matches(path))
+    strengths = matching.Strengths.of(matching.read_matches(path))
     assert strengths.level_db(50.0, 3) == pytest.approx(5.0)
     assert strengths.level_db(250.0, 3) == pytest.approx(2.0)
     middle_hz = np.sqrt(50.0 * 250.0)
@@ -232,4 +224,4 @@ def test_strengths_average_persons_and_lie_between_what_was_measured(tmp_path):
     with pytest.raises(InvalidInputError, match="50 to 250 Hz"):
         strengths.level_db(260.0, 3)
     with pytest.raises(InvalidInputError, match="no matches"):
-        Strengths.of(())
+        matching.Strengths.of(())
