@@ -2,15 +2,7 @@
 
 from dataclasses import replace
 
-from PySide6.QtWidgets import (
-    QAbstractButton,
-    QApplication,
-    QComboBox,
-    QLabel,
-    QStyle,
-    QStyleOptionComboBox,
-    QTableView,
-)
+from PySide6 import QtWidgets
 
 from skinsource_gui.panels.analysis.settings import VIEWS
 from skinsource_gui.plots.figure import NoteLabel
@@ -24,10 +16,10 @@ PANELS = (*ANALYSIS, "output")
 
 
 def room_of(combo):
-    option = QStyleOptionComboBox()
+    option = QtWidgets.QStyleOptionComboBox()
     combo.initStyleOption(option)
-    field = QStyle.SubControl.SC_ComboBoxEditField
-    control = QStyle.ComplexControl.CC_ComboBox
+    field = QtWidgets.QStyle.SubControl.SC_ComboBoxEditField
+    control = QtWidgets.QStyle.ComplexControl.CC_ComboBox
     return combo.style().subControlRect(control, option, field, combo).width()
 
 
@@ -41,10 +33,10 @@ def cut_texts(panel, but=()):
                 widget.width()
             ):
                 cut.append(widget.whole)
-        elif isinstance(widget, QComboBox) and widget.objectName() != "actuator_field":
+        elif isinstance(widget, QtWidgets.QComboBox) and widget.objectName() != "actuator_field":
             if widget.fontMetrics().horizontalAdvance(widget.currentText()) > room_of(widget):
                 cut.append(widget.currentText())
-        elif isinstance(widget, QLabel) and not isinstance(widget, but):
+        elif isinstance(widget, QtWidgets.QLabel) and not isinstance(widget, but):
             needed = (
                 widget.heightForWidth(widget.width())
                 if widget.wordWrap()
@@ -53,10 +45,10 @@ def cut_texts(panel, but=()):
             wide = 0 if widget.wordWrap() else widget.sizeHint().width()
             if wide > widget.width() or needed > widget.height() + 1:
                 cut.append(widget.text())
-        elif isinstance(widget, QAbstractButton):
+        elif isinstance(widget, QtWidgets.QAbstractButton):
             if widget.fontMetrics().horizontalAdvance(widget.text()) > max(widget.width(), 1):
                 cut.append(widget.text())
-        elif isinstance(widget, QTableView):
+        elif isinstance(widget, QtWidgets.QTableView):
             cut += cut_cells(widget)
         elif isinstance(widget, LegendStrip) and widget.text.named:
             x, line = widget.text_layout.lines()[-1]
@@ -98,7 +90,7 @@ def test_no_result_is_cut_in_a_dock_of_any_width(window, settle, qtbot):
             dock.resize(width, 460)
             # A height that follows from a width, and what stands below it, take several turns.
             for _ in range(4):
-                QApplication.processEvents()
+                QtWidgets.QApplication.processEvents()
             assert panel.width() <= width, name
             texts = cut_texts(panel)
             if name == "statistics":

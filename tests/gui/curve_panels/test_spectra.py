@@ -12,21 +12,13 @@ from skinsource_gui.panels.spectra.panel import SpectraPanel, SpectraSettings
 from skinsource_gui.plots.signal_view import SignalView, save_table
 from skinsource_gui.qt.theme import current_theme
 from skinsource_gui.state.preferences import start_design
-from tests.gui.curve_panels.bench import (
-    LINEAR,
-    SPECTRA,
-    click,
-    header_of,
-    opener,
-    plot_of,
-    spectra_for,
-)
+from tests.gui.curve_panels import bench
 from tests.gui.signal_view.test_navigation import choose
 
 
 @pytest.fixture
 def show(qtbot):
-    return opener(qtbot, SpectraPanel, LINEAR, spectra_for)
+    return bench.opener(qtbot, SpectraPanel, bench.LINEAR, bench.spectra_for)
 
 
 def settings(view):
@@ -37,11 +29,11 @@ def with_spectrum_settings(view, **changes):
     return with_settings(view, "spectra", replace(settings(view), **changes))
 
 
-@pytest.mark.parametrize("span", SPECTRA)
+@pytest.mark.parametrize("span", bench.SPECTRA)
 def test_spectra_are_those_of_the_chosen_span_and_say_so_where_there_is_room(show, span):
-    panel = show(replace(LINEAR, span=span))
-    assert panel.needs >= {SPECTRA[span][0], "span"}
-    metrics, header = QFontMetricsF(plot_of(panel).text_font), header_of(panel)
+    panel = show(replace(bench.LINEAR, span=span))
+    assert panel.needs >= {bench.SPECTRA[span][0], "span"}
+    metrics, header = QFontMetricsF(bench.plot_of(panel).text_font), bench.header_of(panel)
     assert header.scaling[0] in header.fitted(metrics, 10_000.0)[0]
     assert header.scaling[0].endswith("record, 0.5 s") == (span == "record")
     assert header.fitted(metrics, 10.0) == ("m/s²", "")
@@ -49,35 +41,35 @@ def test_spectra_are_those_of_the_chosen_span_and_say_so_where_there_is_room(sho
 
 def test_the_level_switch_shows_db_of_the_same_results_at_once(show):
     panel = show()
-    plot, legend = plot_of(panel), panel.findChild(SignalView).legend
+    plot, legend = bench.plot_of(panel), panel.findChild(SignalView).legend
     plot.crosshair.put(plot.curves.nearest(100.0))
-    button = click(panel, "log-magnitude")
+    button = bench.click(panel, "log-magnitude")
     assert settings(panel.views[-1]).log_magnitude
     assert button.isChecked()
-    assert header_of(panel).unit == "dB re 1 m/s²"
+    assert bench.header_of(panel).unit == "dB re 1 m/s²"
     assert legend.text.readings == ("−6.0", "−26.0")
     assert legend.text.unit == "dB"
     assert plot.value_scale.values == (-85.0, -5.0)
-    click(panel, "log-magnitude")
-    assert header_of(panel).unit == "m/s²"
+    bench.click(panel, "log-magnitude")
+    assert bench.header_of(panel).unit == "m/s²"
     assert plot.value_scale.values[0] == 0.0
 
 
 def test_frequency_goes_from_0_or_from_10_to_650_hz(show):
     panel = show()
-    window = plot_of(panel).x_window
+    window = bench.plot_of(panel).x_window
     assert window.values(window.shown) == pytest.approx((0.0, 650.0))
     choose(panel.findChild(SignalView), "Log frequency")
     assert settings(panel.views[-1]).log_frequency
-    window = plot_of(panel).x_window
+    window = bench.plot_of(panel).x_window
     assert window.values(window.shown) == pytest.approx((10.0, 650.0))
-    labels = {text for _, text in plot_of(panel).stack.x_axis.ticks()}
+    labels = {text for _, text in bench.plot_of(panel).stack.x_axis.ticks()}
     assert {"10", "100", "500"} <= labels
 
 
 def test_the_measured_band_is_told_from_what_lies_outside(show):
     panel = show()
-    axis, area = plot_of(panel).stack.x_axis, plot_of(panel).places.area
+    axis, area = bench.plot_of(panel).stack.x_axis, bench.plot_of(panel).places.area
     below, above = (axis.mapRectToScene(part) for part in axis.shaded())
     assert (below.left(), below.width()) == pytest.approx((area.left(), area.width() * 25 / 650))
     assert above.left() == pytest.approx(area.left() + area.width() * 600 / 650)
@@ -85,7 +77,7 @@ def test_the_measured_band_is_told_from_what_lies_outside(show):
     assert (below.top(), below.height()) == pytest.approx((area.top(), area.height()))
     panel.show_state(
         start_design("synthetic-1"),
-        with_spectrum_settings(LINEAR, frequency_range_hz=(50.0, 300.0)),
+        with_spectrum_settings(bench.LINEAR, frequency_range_hz=(50.0, 300.0)),
     )
     assert axis.shaded() == []
 
@@ -94,8 +86,8 @@ def test_the_measured_band_is_told_from_what_lies_outside(show):
     ("axes", "method", "noted"), [("xy", "mag", True), ("z", "mag", False), ("xyz", "pca", False)]
 )
 def test_the_spectrum_of_a_magnitude_says_that_it_is_rectified(show, axes, method, noted):
-    panel = show(replace(LINEAR, axes=axes, method=method))
-    notes = header_of(panel).notes
+    panel = show(replace(bench.LINEAR, axes=axes, method=method))
+    notes = bench.header_of(panel).notes
     assert bool(notes) == noted
     if noted:
         assert notes[0] == "spectrum of a magnitude: rectified, shows doubled frequencies"
@@ -109,21 +101,23 @@ def noisy(n_times=650):
 def test_a_spectrum_can_be_drawn_as_the_mean_of_neighbouring_bins(show):
     panel = show()
     frequency_hz, magnitude = noisy()
-    panel.show_results({**spectra_for(LINEAR), "selected_spectra": (frequency_hz, magnitude)})
+    panel.show_results(
+        {**bench.spectra_for(bench.LINEAR), "selected_spectra": (frequency_hz, magnitude)}
+    )
     choose(panel.findChild(SignalView), "Mean of 10 bins")
     assert settings_of(panel.views[-1], "spectra", SpectraSettings).averaged
-    drawn = plot_of(panel).curves.y
+    drawn = bench.plot_of(panel).curves.y
     k = 100
     window = slice(k - MEAN_OF_BINS // 2, k + (MEAN_OF_BINS + 1) // 2)
     assert drawn[:, k] == pytest.approx(magnitude[:, window].mean(axis=-1))
-    click(panel, "log-magnitude")
-    assert plot_of(panel).curves.y == pytest.approx(20.0 * np.log10(drawn))
-    click(panel, "log-magnitude")
-    click(panel, "relative")
-    assert plot_of(panel).curves.y.max(axis=-1) == pytest.approx([1.0, 1.0], rel=0.2)
-    click(panel, "relative")
+    bench.click(panel, "log-magnitude")
+    assert bench.plot_of(panel).curves.y == pytest.approx(20.0 * np.log10(drawn))
+    bench.click(panel, "log-magnitude")
+    bench.click(panel, "relative")
+    assert bench.plot_of(panel).curves.y.max(axis=-1) == pytest.approx([1.0, 1.0], rel=0.2)
+    bench.click(panel, "relative")
     choose(panel.findChild(SignalView), "Mean of 10 bins")
-    assert plot_of(panel).curves.y == pytest.approx(magnitude)
+    assert bench.plot_of(panel).curves.y == pytest.approx(magnitude)
 
 
 PEAKS = np.array([[0.5, 0.25, 0.1], [0.01, 0.02, 0.04]])
@@ -133,14 +127,14 @@ def along_axes(view, peaks=PEAKS):
     """Results of two outputs that move at 100 Hz by ``peaks`` along x, y and z."""
     time_s = np.arange(650) / 1300
     spectra = magnitude_spectrum(peaks[..., None] * np.sin(2 * np.pi * 100 * time_s), 1300.0)
-    return {**spectra_for(view), "selected_axis_spectra": spectra}
+    return {**bench.spectra_for(view), "selected_axis_spectra": spectra}
 
 
 @pytest.fixture
 def panel(show):
     """On the axes of both outputs."""
     panel = show()
-    click(panel, "axes")
+    bench.click(panel, "axes")
     panel.show_results(along_axes(panel.views[-1]))
     return panel
 
@@ -151,10 +145,10 @@ def test_a_peak_is_one_of_the_measured_band(show):
     drift, vibration = (np.sin(2 * np.pi * hz * time_s) for hz in (10.0, 100.0))
     traces = np.stack((9.0 * drift + vibration, 0.1 * vibration))
     panel.show_results(
-        {**spectra_for(LINEAR), "selected_spectra": magnitude_spectrum(traces, 1300.0)}
+        {**bench.spectra_for(bench.LINEAR), "selected_spectra": magnitude_spectrum(traces, 1300.0)}
     )
-    click(panel, "relative")
-    plot = plot_of(panel)
+    bench.click(panel, "relative")
+    plot = bench.plot_of(panel)
     assert plot.curves.y[:, plot.curves.nearest(100.0)] == pytest.approx([1.0, 1.0])
     assert plot.curves.y.max() == pytest.approx(9.0)
     assert plot.value_scale.values == (0.0, 1.1)
@@ -164,9 +158,9 @@ def test_scales_need_nothing_that_was_not_there(show):
     panel = show()
     needed = panel.needs
     for name in ("relative", "log-magnitude", "stacked"):
-        click(panel, name)
+        bench.click(panel, name)
         assert panel.needs == needed
-    click(panel, "axes")
+    bench.click(panel, "axes")
     assert panel.needs - needed == {"selected_axis_spectra"}
     assert needed - panel.needs == {"selected_spectra"}
     panel.show_state(None, replace(panel.views[-1], span="loudest"))
@@ -174,7 +168,7 @@ def test_scales_need_nothing_that_was_not_there(show):
 
 
 def test_rows_have_a_curve_for_each_axis_in_colours_that_no_output_has(panel):
-    plot = plot_of(panel)
+    plot = bench.plot_of(panel)
     assert len(plot.stack.rows) == 2
     assert [row.n_curves for row in plot.stack.rows] == [3, 3]
     assert plot.curves.y.max(axis=-1) == pytest.approx(PEAKS.ravel())
@@ -187,7 +181,7 @@ def test_rows_have_a_curve_for_each_axis_in_colours_that_no_output_has(panel):
 
 
 def test_the_legend_names_the_axes_and_reads_all_outputs_along_each(panel):
-    plot, legend = plot_of(panel), panel.findChild(SignalView).legend
+    plot, legend = bench.plot_of(panel), panel.findChild(SignalView).legend
     assert [name.short for name in legend.text.names] == ["x", "y", "z"]
     plot.crosshair.put(plot.curves.nearest(100.0))
     assert legend.text.readings == ("0.5000  0.0100", "0.2500  0.0200", "0.1000  0.0400")
@@ -203,17 +197,17 @@ def test_axes_say_so_whatever_was_chosen_and_nothing_of_rectified_magnitudes(pan
     view = replace(panel.views[-1], method="mag", axes="xyz")
     panel.show_state(None, view)
     panel.show_results(along_axes(view))
-    assert header_of(panel).notes == ()
-    curves = plot_of(panel).curves
+    assert bench.header_of(panel).notes == ()
+    curves = bench.plot_of(panel).curves
     assert "along each axis of the sensors" in curves.heading
     assert "axes: each axis of the sensors, by itself" in curves.about()
-    save_table(tmp_path / "spectra.csv", plot_of(panel), "Spectra")
+    save_table(tmp_path / "spectra.csv", bench.plot_of(panel), "Spectra")
     table = (tmp_path / "spectra.csv").read_text("utf-8")
     assert "frequency_hz,output_29_x_m_per_s2,output_29_y_m_per_s2" in table
     for name, unit in (("relative", "of_its_peak"), ("log-magnitude", "db_re_its_peak")):
-        click(panel, name)
+        bench.click(panel, name)
         panel.show_results(along_axes(panel.views[-1]))
-        save_table(tmp_path / "spectra.csv", plot_of(panel), "Spectra")
+        save_table(tmp_path / "spectra.csv", bench.plot_of(panel), "Spectra")
         table = (tmp_path / "spectra.csv").read_text("utf-8")
         assert f"output_52_z_{unit}" in table
         assert "relative to its largest magnitude" in table

@@ -19,35 +19,22 @@ from skinsource_gui.panels.output.figures import frequencies_of, frequency_axis,
 from skinsource_gui.panels.output.panel import with_actuator, with_equaliser
 from skinsource_gui.plots.pictures import caption_of
 from skinsource_gui.plots.signal_view import DESCRIPTION_QUANTITIES, lazy_lines
-from tests.gui.output.bench import (
-    CHOSEN,
-    COIL,
-    INVERSE,
-    NO_EQUALISER,
-    POLE_PAIR,
-    TONE,
-    brought_forward,
-    choose,
-    design_of,
-    figures,
-    number,
-    settle,
-)
+from tests.gui.output import bench
 
 TAP = track(3, Tap(), colour=1)
 
 
 @pytest.fixture
 def window(open_window):
-    design = design_of(TONE, TAP)
+    design = bench.design_of(bench.TONE, TAP)
     return open_window(design, View(selected_inputs=(design.ids[0],)))
 
 
 @pytest.fixture
 def panel(window, qtbot):
-    panel = brought_forward(window, qtbot)
+    panel = bench.brought_forward(window, qtbot)
     panel.more.click()
-    settle(window)
+    bench.settle(window)
     return panel
 
 
@@ -55,27 +42,29 @@ def test_the_figures_are_those_of_the_selected_input_through_the_equaliser(panel
     assert panel.figures.heading.text().startswith("Place 7, Digit II, pad: peak ")
     assert "uncalibrated gain" in panel.figures.heading.text()
     # The band-limited tone of 10 m/s² moves the contactor by 10 m/s².
-    assert number(panel, "Peak acceleration") == pytest.approx(10.0, rel=0.03)
-    assert number(panel, "Peak velocity") == pytest.approx(1e3 * 10.0 / (2 * np.pi * 100), rel=0.1)
-    assert figures(panel)["Duty cycle"].value == "100 %"
+    assert bench.number(panel, "Peak acceleration") == pytest.approx(10.0, rel=0.03)
+    assert bench.number(panel, "Peak velocity") == pytest.approx(
+        1e3 * 10.0 / (2 * np.pi * 100), rel=0.1
+    )
+    assert bench.figures(panel)["Duty cycle"].value == "100 %"
     coil = ss.actuators.load("example-voice-coil")
     volts = 10.0 / abs(coil.response(100.0))
-    assert number(panel, "Peak voltage") == pytest.approx(volts, rel=0.1)
-    assert "Temperature rise" not in figures(panel)
+    assert bench.number(panel, "Peak voltage") == pytest.approx(volts, rel=0.1)
+    assert "Temperature rise" not in bench.figures(panel)
 
 
 def test_figures_follow_edits_and_settings_and_are_red_beyond_a_limit(window, panel, qtbot):
-    before = number(panel, "Peak voltage")
-    assert not figures(panel)["Peak velocity"].exceeded
+    before = bench.number(panel, "Peak voltage")
+    assert not bench.figures(panel)["Peak velocity"].exceeded
     design, view = window.document.design, window.document.view
     window.document.apply(edits.change_field(design, view, view.selected_inputs, "amplitude", 20.0))
-    settle(window)
-    assert number(panel, "Peak voltage") == pytest.approx(2.0 * before, rel=0.02)
+    bench.settle(window)
+    assert bench.number(panel, "Peak voltage") == pytest.approx(2.0 * before, rel=0.02)
     window.document.apply(
         edits.change_field(design, view, view.selected_inputs, "amplitude", 100.0)
     )
-    settle(window)
-    assert figures(panel)["Peak velocity"].exceeded
+    bench.settle(window)
+    assert bench.figures(panel)["Peak velocity"].exceeded
     assert "Beyond its limit: peak velocity" in panel.figures.limits.text()
     assert "beyond its limit" in panel.figures.table.accessibleDescription()
 
@@ -88,23 +77,23 @@ def test_curves_show_actuator_filter_and_both_and_the_published_one(window, pane
     assert curves.y[2, place] == pytest.approx(0.0, abs=0.2)
     assert curves.columns == ("actuator_db", "filter_db", "equalised_db")
     assert not panel.choices.reset.isVisibleTo(panel)
-    choose(panel, "resistance_ohm", 8.0)
+    bench.choose(panel, "resistance_ohm", 8.0)
     assert window.document.design.actuation.actuators[0].model.resistance_ohm == 8.0
     assert "Resistance 4 Ω → 8 Ω" in panel.choices.about.text()
     assert [name.short for name in panel.plot.plot.curves.names][-1] == "As listed"
     panel.choices.reset.click()
-    settle(window)
-    assert window.document.design.actuation.actuators == (COIL,)
+    bench.settle(window)
+    assert window.document.design.actuation.actuators == (bench.COIL,)
     assert len(panel.plot.plot.curves.names) == 3
 
 
 def test_without_an_equaliser_volts_are_known_where_amplitudes_are_volts(window, panel, qtbot):
-    choose(panel, "equaliser", NO_EQUALISER)
+    bench.choose(panel, "equaliser", bench.NO_EQUALISER)
     assert panel.figures.table.figures == ()
     assert "not known" in panel.figures.refusal.text()
     panel.through.click()
-    settle(window)
-    assert number(panel, "Peak voltage") == pytest.approx(10.0, rel=0.02)
+    bench.settle(window)
+    assert bench.number(panel, "Peak voltage") == pytest.approx(10.0, rel=0.02)
     assert len(panel.plot.plot.curves.names) == 1
     with pytest.raises(KeyError):
         panel.choices.cell("boost_db")
@@ -112,7 +101,9 @@ def test_without_an_equaliser_volts_are_known_where_amplitudes_are_volts(window,
 
 @pytest.mark.parametrize("name", ss.actuators.names())
 def test_every_actuator_can_be_looked_at(name):
-    for equaliser, band_hz in product((INVERSE, POLE_PAIR, NO_EQUALISER), (BAND_HZ, (5.0, 9000.0))):
+    for equaliser, band_hz in product(
+        (bench.INVERSE, bench.POLE_PAIR, bench.NO_EQUALISER), (BAND_HZ, (5.0, 9000.0))
+    ):
         actuator = ss.ActuatorAt(actuator=name, model=ss.actuators.load(name))
         chosen = with_equaliser(with_actuator(None, actuator), equaliser)
         drawn = response_curves(actuator.model, actuator.model, chosen.equaliser, band_hz)
@@ -125,7 +116,7 @@ def test_every_actuator_can_be_looked_at(name):
 
 
 def test_without_an_actuator_there_are_no_figures_and_no_switch(window, panel, qtbot):
-    choose(panel, "actuator", "none")
+    bench.choose(panel, "actuator", "none")
     assert window.document.design.actuation is None
     assert panel.figures.table.figures == ()
     assert panel.figures.refusal.text() == ""
@@ -135,7 +126,7 @@ def test_without_an_actuator_there_are_no_figures_and_no_switch(window, panel, q
     window.docks["output"].hide()
     button.click()
     assert panel.isVisible()
-    choose(panel, "actuator", "kastor-2023-air")
+    bench.choose(panel, "actuator", "kastor-2023-air")
     assert panel.figures.table.figures
     assert "Fingertip voice coil, in air" in window.playback.button.text()
 
@@ -143,17 +134,17 @@ def test_without_an_actuator_there_are_no_figures_and_no_switch(window, panel, q
 def test_a_tap_that_leaves_a_velocity_is_refused_and_another_is_offered(window, panel, qtbot):
     view = window.document.view
     window.document.look(replace(view, selected_inputs=(window.document.design.ids[1],)))
-    settle(window)
+    bench.settle(window)
     assert panel.figures.heading.text().startswith("Place 3")
     assert "52 % of its energy" in panel.figures.refusal.text()
     assert panel.figures.mend.isVisibleTo(panel)
     # Without an equaliser nothing has to be followed, and nothing is offered.
-    choose(panel, "equaliser", NO_EQUALISER)
+    bench.choose(panel, "equaliser", bench.NO_EQUALISER)
     assert "energy" not in panel.figures.refusal.text()
     assert not panel.figures.mend.isVisibleTo(panel)
-    choose(panel, "equaliser", INVERSE)
+    bench.choose(panel, "equaliser", bench.INVERSE)
     panel.figures.mend.click()
-    settle(window)
+    bench.settle(window)
     clip = window.document.design.inputs[1].clips[0]
     assert isinstance(clip.waveform, CentredTap)
     assert panel.figures.refusal.text() == ""
@@ -166,7 +157,7 @@ def test_figures_are_computed_beside_the_window(window, panel, qtbot):
     window.engine.finished.connect(lambda outcome: moved.append(outcome.work.samples_moved))
     with counting() as in_the_way:
         window.document.edit("Softer", design.with_input(0, amplitude=3.0))
-        settle(window)
+        bench.settle(window)
     assert sum(moved) > 0
     assert in_the_way.samples_moved == 0
 
@@ -182,7 +173,7 @@ def test_a_long_drive_is_looked_at_where_it_is_strongest():
 
 
 def test_without_anything_that_plays_it_says_what_to_do(open_window, qtbot):
-    panel = brought_forward(open_window(design_of()), qtbot)
+    panel = bench.brought_forward(open_window(bench.design_of()), qtbot)
     assert "add one" in panel.figures.refusal.text()
     assert panel.figures.table.figures == ()
 
@@ -192,45 +183,45 @@ PIEZO = ss.actuators.profile("example-piezo").title
 
 def test_the_switch_predicts_through_what_is_chosen_and_back(window, panel, qtbot):
     low = Tone(frequency_hz=40.0, duration_s=0.3)
-    window.document.edit("Low", design_of(track(7, low, amplitude=2.0)))
+    window.document.edit("Low", bench.design_of(track(7, low, amplitude=2.0)))
     before = ss.evaluate(window.document.design, "output_levels_db")["output_levels_db"]
     panel.through.click()
-    settle(window)
+    bench.settle(window)
     design = window.document.design
-    assert design.actuated == replace(CHOSEN, on=True)
+    assert design.actuated == replace(bench.CHOSEN, on=True)
     assert panel.through.isChecked()
     assert "1 m/s²" in panel.through_text.text()
     after = ss.evaluate(design, "output_levels_db")["output_levels_db"]
     # A coil whose boost is limited moves less at 40 Hz than it is asked to.
     assert (after < before - 0.1).all()
     panel.through.click()
-    settle(window)
-    assert window.document.design.actuation == CHOSEN
+    bench.settle(window)
+    assert window.document.design.actuation == bench.CHOSEN
     assert not panel.through.isChecked()
     window.document.undo_stack.undo()
-    settle(window)
+    bench.settle(window)
     assert panel.through.isChecked()
 
 
 def test_the_fields_are_edits_and_a_drag_is_one_step(window, panel, qtbot):
     for resistance_ohm in (5.0, 6.0, 8.0):
-        choose(panel, "resistance_ohm", resistance_ohm, gesture=1)
+        bench.choose(panel, "resistance_ohm", resistance_ohm, gesture=1)
     assert window.document.design.actuation.actuators[0].model.resistance_ohm == 8.0
     assert window.document.design.actuated is None
     window.document.undo_stack.undo()
-    settle(window)
-    assert window.document.design.actuation == CHOSEN
+    bench.settle(window)
+    assert window.document.design.actuation == bench.CHOSEN
     panel.through.click()
-    choose(panel, "actuator", "example-piezo")
+    bench.choose(panel, "actuator", "example-piezo")
     # It stays switched on, and the equaliser stays the same.
     actuated = window.document.design.actuated
-    assert (actuated.title, actuated.equaliser) == (PIEZO, CHOSEN.equaliser)
+    assert (actuated.title, actuated.equaliser) == (PIEZO, bench.CHOSEN.equaliser)
 
 
 def test_the_pole_pair_is_always_that_of_the_actuator(window, panel, qtbot):
-    choose(panel, "equaliser", POLE_PAIR)
-    choose(panel, "new_quality", 0.5)
-    choose(panel, "stiffness_n_per_m", 2000.0)
+    bench.choose(panel, "equaliser", bench.POLE_PAIR)
+    bench.choose(panel, "new_quality", 0.5)
+    bench.choose(panel, "stiffness_n_per_m", 2000.0)
     actuation = window.document.design.actuation
     assert actuation.equaliser == ss.equalising.PolePairReplacement(
         *ss.equalising.resonance_of(actuation.actuators[0].model), 0.5
@@ -242,19 +233,19 @@ def test_an_actuator_that_is_not_listed_is_named_and_keeps_its_parameters(window
     design, view = window.document.design, window.document.view
     through = ss.Actuation(actuators=(piezo, replace(piezo, place=3)))
     window.document.apply(ss.edits.choose_actuation(design, view, through))
-    settle(window)
+    bench.settle(window)
     assert panel.choices.cell("actuator").field.currentText() == "Piezo of the lab"
     assert panel.choices.parameters._cells == ()
-    choose(panel, "equaliser", INVERSE)
+    bench.choose(panel, "equaliser", bench.INVERSE)
     assert window.document.design.actuation.actuators == through.actuators
 
 
 def test_under_another_scaling_the_switch_stays_off_and_says_why(window, panel, qtbot):
     design, view = window.document.design, window.document.view
     window.document.apply(ss.edits.change_scaling(design, view, "upstream"))
-    settle(window)
+    bench.settle(window)
     panel.through.click()
-    settle(window)
+    bench.settle(window)
     assert not panel.through.isChecked()
     assert window.document.design.actuated is None
     assert "Probe acceleration" in window.notice.text
@@ -262,7 +253,7 @@ def test_under_another_scaling_the_switch_stays_off_and_says_why(window, panel, 
 
 def test_pictures_and_tables_say_what_they_went_through(window, panel, qtbot):
     panel.through.click()
-    settle(window)
+    bench.settle(window)
     design, view = window.document.design, window.document.view
     own = sources(design, view)
     results = {**own, **ss.evaluate(design, *(DESCRIPTION_QUANTITIES - own.keys()))}
@@ -299,18 +290,18 @@ def test_a_response_that_was_measured_is_predicted_through(
     path = tmp_path / "lab coil.csv"
     path.write_text("\n".join(["frequency_hz,gain,phase_rad", *rows]) + "\n", encoding="utf-8")
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
-    before = number(panel, "Peak voltage")
+    before = bench.number(panel, "Peak voltage")
     panel.through.click()
-    settle(window)
+    bench.settle(window)
     panel.choices.open.click()
     qtbot.waitUntil(lambda: window.document.design.actuation.title == "lab coil", timeout=30_000)
-    settle(window)
+    bench.settle(window)
     # The same coil, by what was measured of it; the equaliser and the switch are as they were.
-    assert number(panel, "Peak voltage") == pytest.approx(before, rel=0.05)
-    assert "Peak current" not in figures(panel)
+    assert bench.number(panel, "Peak voltage") == pytest.approx(before, rel=0.05)
+    assert "Peak current" not in bench.figures(panel)
     assert "uncalibrated" not in panel.figures.heading.text()
     assert "150 points that were measured, from 10 to 2000 Hz" in panel.choices.about.text()
     assert window.document.design.actuated.actuators[0].actuator == "lab coil"
     assert panel.choices.cell("actuator").field.currentText() == "lab coil"
-    choose(panel, "actuator", "example-voice-coil")
+    bench.choose(panel, "actuator", "example-voice-coil")
     assert window.document.design.actuated.actuators[0].model == coil

@@ -18,16 +18,7 @@ from skinsource.lab.rig_measuring.measurement import MeasuringSetup
 from skinsource.limbs.locations import input_name
 from skinsource_gui.pages.rig.page import MeasurePage, RigPage, setup_of, setup_text, title_of
 from tests.core.own_limbs.lab_bench import N_INPUTS, installed
-from tests.core.rig_measuring.bench_top import (
-    COIL,
-    INPUT_VOLTS,
-    RATE_HZ,
-    SENSITIVITY,
-    Card,
-    ears,
-    sensed,
-    use,
-)
+from tests.core.rig_measuring import bench_top
 
 WAIT = {"timeout": 30_000}
 
@@ -188,17 +179,17 @@ def test_what_was_measured_goes_before_what_is_listed():
 
 @pytest.fixture(scope="module")
 def recording():
-    return ears(sensed(COIL))
+    return bench_top.ears(bench_top.sensed(bench_top.COIL))
 
 
 @pytest.fixture
 def card(monkeypatch, recording):
-    return use(monkeypatch, Card(recording, output=1))
+    return bench_top.use(monkeypatch, bench_top.Card(recording, output=1))
 
 
 @pytest.fixture
 def measuring(card, window, page, qtbot):
-    window.playback.player.settings.choose(Output(sample_rate_hz=RATE_HZ))
+    window.playback.player.settings.choose(Output(sample_rate_hz=bench_top.RATE_HZ))
     press(page, "add")
     channel = replace(page.rig.channels[0], actuator="example-voice-coil", full_scale_v=3.0)
     page.take_channel(0, channel)
@@ -209,8 +200,8 @@ def measuring(card, window, page, qtbot):
     measure_page.arm.click()
     qtbot.waitUntil(measure_page.start.isEnabled, **WAIT)
     values = {
-        "sensitivity_v_per_m_per_s2": SENSITIVITY,
-        "input_full_scale_v": INPUT_VOLTS,
+        "sensitivity_v_per_m_per_s2": bench_top.SENSITIVITY,
+        "input_full_scale_v": bench_top.INPUT_VOLTS,
         "level_db": -20.0,
         "sweep_s": 1.5,
         "repeats": 2,
@@ -237,7 +228,7 @@ def test_what_is_measured_is_drawn_beside_the_model_and_kept(measuring, page, qt
     assert page.rig.channels[0].measured is None
     measuring.keep.click()
     channel = page.rig.channels[0]
-    assert np.abs(channel.measured.response(100.0) / COIL.response(100.0) - 1.0) < 0.03
+    assert np.abs(channel.measured.response(100.0) / bench_top.COIL.response(100.0) - 1.0) < 0.03
     assert channel.measured_on
     assert "240 points" in page.fields.measured.text()
     # The next channel is measured with the same sensor, on this machine on another day too.

@@ -5,18 +5,10 @@ from threading import Event
 
 import pytest
 import soundfile
+from PySide6 import QtWidgets
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import (
-    QApplication,
-    QCheckBox,
-    QFileDialog,
-    QLabel,
-    QMessageBox,
-    QProgressBar,
-    QPushButton,
-)
 
 import skinsource as ss
 from skinsource.base.job import stop_if
@@ -57,16 +49,16 @@ def test_from_page_to_file_each_clip_is_sampled_once(desk, qtbot, save_as, monke
 def test_it_can_be_done_with_keys_alone(page, desk, qtbot, save_as):
     page.form.field("advanced").click()
     first = page.form.field("format")
-    assert QApplication.focusWidget() is first
+    assert QtWidgets.QApplication.focusWidget() is first
     QTest.keyClick(first, Qt.Key.Key_Down)
     assert page.form.format.name == "flac"
     reached = set()
     for _ in range(30):
-        QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Tab)
-        reached.add(QApplication.focusWidget().objectName())
-        assert QApplication.focusWidget().accessibleName() or isinstance(
-            QApplication.focusWidget(), QCheckBox | QPushButton
-        ), QApplication.focusWidget()
+        QTest.keyClick(QtWidgets.QApplication.focusWidget(), Qt.Key.Key_Tab)
+        reached.add(QtWidgets.QApplication.focusWidget().objectName())
+        assert QtWidgets.QApplication.focusWidget().accessibleName() or isinstance(
+            QtWidgets.QApplication.focusWidget(), QtWidgets.QCheckBox | QtWidgets.QPushButton
+        ), QtWidgets.QApplication.focusWidget()
         if "stimulus_format" in reached:
             break
     names = ("rate", "plays", "channels", "map", "time", "fade_in", "lead_in", "scale", "sync")
@@ -91,12 +83,12 @@ def test_what_would_clip_is_shown_and_must_be_confirmed(page, desk, qtbot, save_
     assert f"channel 2 (Digit II, base) {clipped}" in label(page, "problem")
     assert f"{clipped} samples would clip" in page.channels.accessibleDescription()
     assert not page.ready
-    page.findChild(QCheckBox, "stimulus_confirm").click()
+    page.findChild(QtWidgets.QCheckBox, "stimulus_confirm").click()
     assert page.ready
     # What was confirmed was this, and nothing else.
     choose(page, qtbot, "rate", "8000")
     assert not page.ready
-    page.findChild(QCheckBox, "stimulus_confirm").click()
+    page.findChild(QtWidgets.QCheckBox, "stimulus_confirm").click()
     path = save_as("loud.wav")
     export(desk, page, qtbot)
     assert json.loads((path.parent / "loud.wav.json").read_text())["clip_count"] > 0
@@ -112,7 +104,7 @@ def test_the_file_of_another_channel_is_replaced_only_if_the_user_says_so(
     export(desk, page, qtbot)
     assert answers["asked"] == ["twenty_channel-2.pwle.json exists already. Replace it?"]
     assert (mine.read_text(), path.exists()) == ("mine", False)
-    answers["question"] = QMessageBox.StandardButton.Yes
+    answers["question"] = QtWidgets.QMessageBox.StandardButton.Yes
     # The dialog stayed open.
     export(desk, page, qtbot)
     assert path.exists()
@@ -140,7 +132,7 @@ def test_a_lossy_rate_keeps_the_button_off_until_it_is_ticked(make_desk, qtbot, 
     assert label(low, "problem") == (
         "More than 1 dB is lost: choose 1300 Hz, the rate of the design, or lower the frequencies."
     )
-    tick = low.findChild(QCheckBox, "stimulus_confirm")
+    tick = low.findChild(QtWidgets.QCheckBox, "stimulus_confirm")
     assert tick.isVisible()
     tick.click()
     assert low.ready
@@ -166,11 +158,11 @@ def gate(monkeypatch):
 
 
 def bar_of(page):
-    return page.findChild(QProgressBar, "stimulus_progress")
+    return page.findChild(QtWidgets.QProgressBar, "stimulus_progress")
 
 
 def pale(page, name):
-    effect = page.findChild(QLabel, f"stimulus_{name}").graphicsEffect()
+    effect = page.findChild(QtWidgets.QLabel, f"stimulus_{name}").graphicsEffect()
     return effect is not None and effect.isEnabled()
 
 
@@ -293,7 +285,7 @@ def test_values_that_are_refused_are_marked_with_the_reason_and_not_exported(par
     frame = editor.line.viewport().grab().toImage().pixelColor(20, 1)
     assert frame == QColor(current_theme().error)
     part.form.emit_order()
-    assert not part.window().findChild(QPushButton, "export_button").isEnabled()
+    assert not part.window().findChild(QtWidgets.QPushButton, "export_button").isEnabled()
     editor.line.setFocus()
     QTest.keyClick(editor.line, Qt.Key.Key_Escape)
     qtbot.waitUntil(lambda: part.ready, timeout=WAIT_MS)
@@ -321,7 +313,9 @@ def test_the_next_set_has_the_same_fields_and_begins_beside_the_last_one(
     assert levels_of(part, qtbot) == [2.0, 2.0]
     first, asked = save_as(part.suggestion()[0]), []
     export(desk, part, qtbot)
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *all: asked.append(all) or ("", ""))
+    monkeypatch.setattr(
+        QtWidgets.QFileDialog, "getSaveFileName", lambda *all: asked.append(all) or ("", "")
+    )
     part = opened(desk, qtbot, "stimulus_set")
     assert levels_of(part, qtbot) == [2.0, 2.0]
     assert part.values[part.variables[1]].value == (50, 120)
