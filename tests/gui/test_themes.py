@@ -3,18 +3,10 @@
 from collections import Counter
 
 import pytest
+from PySide6 import QtWidgets
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import (
-    QAbstractSlider,
-    QAbstractSpinBox,
-    QApplication,
-    QComboBox,
-    QLineEdit,
-    QVBoxLayout,
-    QWidget,
-)
 
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
@@ -32,7 +24,7 @@ def make_all(window):
     for name in NAMES:
         window.panel(name)
         window.docks[name].show()
-    QApplication.processEvents()
+    QtWidgets.QApplication.processEvents()
 
 
 def pictures(window):
@@ -41,10 +33,10 @@ def pictures(window):
     for name in NAMES:
         window.docks[name].show()
         window.docks[name].raise_()
-        QApplication.processEvents()
+        QtWidgets.QApplication.processEvents()
         window.catch_up()
         window.setFocus()
-        QApplication.processEvents()
+        QtWidgets.QApplication.processEvents()
         images[name] = window.panel(name).grab().toImage()
     return images
 
@@ -81,10 +73,10 @@ READABLE = 4.5
 @pytest.fixture(params=["light", "dark"])
 def field(request, qtbot, use_theme):
     use_theme(THEMES[request.param])
-    parent = QWidget()
+    parent = QtWidgets.QWidget()
     qtbot.addWidget(parent)
     field = ChoiceField(SPEC)
-    QVBoxLayout(parent).addWidget(field)
+    QtWidgets.QVBoxLayout(parent).addWidget(field)
     parent.show()
     qtbot.waitExposed(parent)
     field.showPopup()
@@ -109,7 +101,7 @@ def entry_colours(field, row):
 def test_the_highlighted_entry_can_be_read_and_stands_out(field):
     for _ in range(2):
         QTest.keyClick(field.view(), Qt.Key.Key_Down)
-    QApplication.processEvents()
+    QtWidgets.QApplication.processEvents()
     assert field.view().currentIndex().row() == 2
     ground, ink = entry_colours(field, 2)
     assert contrast(ink, ground) >= READABLE
@@ -118,8 +110,14 @@ def test_the_highlighted_entry_can_be_read_and_stands_out(field):
 
 def test_the_wheel_alone_gives_the_focus_to_nothing_that_it_would_change(window):
     """Qt gives the focus before it delivers the wheel, which sent events do not do."""
-    for widget in window.findChildren(QWidget):
-        if isinstance(widget, QComboBox | QAbstractSpinBox | QLineEdit | QAbstractSlider):
+    for widget in window.findChildren(QtWidgets.QWidget):
+        if isinstance(
+            widget,
+            QtWidgets.QComboBox
+            | QtWidgets.QAbstractSpinBox
+            | QtWidgets.QLineEdit
+            | QtWidgets.QAbstractSlider,
+        ):
             assert (
                 not widget.focusPolicy() & Qt.FocusPolicy.WheelFocus & ~Qt.FocusPolicy.StrongFocus
             )

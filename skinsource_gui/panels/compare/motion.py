@@ -158,9 +158,8 @@ class MovingMaps:
         if known is None:
             return None
         loop, gain = known
-        # Motions that pass begin together, and shorter ones rest until the longest is over.
-        share = self.ran_s % self.length_s(loop) / loop.duration_s
-        return gain * loop.values(min(share, 1.0))
+        # Motions that pass begin together and go on until the longest loop is over.
+        return gain * loop.values(self.ran_s % self.length_s(loop) / loop.duration_s)
 
     def length_s(self, loop: Loop) -> float:
         """Return after which time of the skin a loop begins again."""

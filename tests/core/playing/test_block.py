@@ -6,42 +6,34 @@ import numpy as np
 import pytest
 
 from skinsource.lab.playing.stream import next_block
-from tests.core.playing.playing_bench import (
-    FADE,
-    FALL,
-    RATE_HZ,
-    block,
-    blocks,
-    mix,
-    play_queue,
-    playing,
-    tone,
-)
+from tests.core.playing import playing_bench
 
-WINDOW = RATE_HZ // 10
+WINDOW = playing_bench.RATE_HZ // 10
 
 
 def test_what_is_sent_is_what_was_to_be_played_to_the_last_bit():
     # Also in a block longer than any device asks for.
     rows = np.random.default_rng(1).uniform(-1, 1, (3, 9000))
-    live = playing(mix(rows))
-    output = block(live, 9200)
-    assert np.array_equal(output[:, FADE : FADE + 9000], rows.astype(np.float32))
-    assert not output[:, :FADE].any()
-    assert not output[:, FADE + 9000 :].any()
+    live = playing_bench.playing(playing_bench.mix(rows))
+    output = playing_bench.block(live, 9200)
+    assert np.array_equal(
+        output[:, playing_bench.FADE : playing_bench.FADE + 9000], rows.astype(np.float32)
+    )
+    assert not output[:, : playing_bench.FADE].any()
+    assert not output[:, playing_bench.FADE + 9000 :].any()
     # What is heard is told from where the block began.
-    assert live.began_at == -FADE
+    assert live.began_at == -playing_bench.FADE
 
 
 def test_a_queue_takes_no_mix_that_does_not_fit():
     with pytest.raises(ValueError, match="2 outputs at 8000 Hz, the queue 1"):
-        play_queue(1).play(mix(np.zeros((2, 100))))
+        playing_bench.play_queue(1).play(playing_bench.mix(np.zeros((2, 100))))
     with pytest.raises(ValueError, match="44100"):
-        play_queue(1).play(mix(np.zeros(100), rate_hz=44100))
+        playing_bench.play_queue(1).play(playing_bench.mix(np.zeros(100), rate_hz=44100))
 
 
 def test_nothing_grows_while_it_plays():
-    live = playing(mix(tone(4000), loop=(0, 4000)))
+    live = playing_bench.playing(playing_bench.mix(playing_bench.tone(4000), loop=(0, 4000)))
     out = np.zeros((240, 1), np.float32)
 
     def play(n):
@@ -74,11 +66,13 @@ def test_what_starts_behind_a_loop_plays_to_the_end_through_an_edit_as_well():
 def test_a_sample_beyond_full_scale_is_not_played_and_its_output_is_named():
     rows = np.zeros((2, 1000))
     rows[0], rows[1, 600] = 0.5, 1.25
-    live = playing(mix(rows))
-    output = blocks(live, [FADE, 256, 256, 256])[:, FADE:]
+    live = playing_bench.playing(playing_bench.mix(rows))
+    output = playing_bench.blocks(live, [playing_bench.FADE, 256, 256, 256])[
+        :, playing_bench.FADE :
+    ]
     assert np.array_equal(output[:, :600], rows[:, :600].astype(np.float32))
-    assert np.all(np.abs(np.diff(output[0, 599:])) <= 0.5 * np.pi / 2 / FALL)
-    assert not output[:, 600 + FALL :].any()
+    assert np.all(np.abs(np.diff(output[0, 599:])) <= 0.5 * np.pi / 2 / playing_bench.FALL)
+    assert not output[:, 600 + playing_bench.FALL :].any()
     ending = live.ending
     assert (ending.reason, ending.output, ending.name) == ("limit", 2, "place 2")
     assert ending.peak == pytest.approx(1.25)
@@ -88,24 +82,24 @@ def test_a_sample_beyond_full_scale_is_not_played_and_its_output_is_named():
 
 def test_the_gain_that_is_named_is_low_enough_for_all_that_comes():
     row = np.concatenate((np.linspace(0.0, 3.0, 500), np.full(100, -7.0)))
-    loud = playing(mix(row))
-    block(loud, 800)
+    loud = playing_bench.playing(playing_bench.mix(row))
+    playing_bench.block(loud, 800)
     assert loud.ending.peak < 1.1
     stated_db = float(loud.ending.sentence.split("down to ")[1].split()[0].replace("\u2212", "-"))
-    again = playing(mix(row), gain_db=stated_db)
-    block(again, 800)
+    again = playing_bench.playing(playing_bench.mix(row), gain_db=stated_db)
+    playing_bench.block(again, 800)
     assert again.ending.reason == "end"
     assert stated_db == pytest.approx(-20 * np.log10(7.0), abs=0.11)
 
 
 def test_the_limit_is_told_apart_from_what_is_no_number():
-    live = playing(mix(np.full(400, 0.5)))
-    block(live, FADE)
+    live = playing_bench.playing(playing_bench.mix(np.full(400, 0.5)))
+    playing_bench.block(live, playing_bench.FADE)
     live.mix = object.__new__(type(live.mix))
     broken = np.full((1, 400), np.nan, np.float32)
     for name, value in (
         ("samples", broken),
-        ("sample_rate_hz", RATE_HZ),
+        ("sample_rate_hz", playing_bench.RATE_HZ),
         ("peak", 0.5),
         ("names", ("place 1",)),
         ("loop", None),
@@ -113,16 +107,19 @@ def test_the_limit_is_told_apart_from_what_is_no_number():
         ("most_gain", np.inf),
     ):
         object.__setattr__(live.mix, name, value)
-    output = block(live, 100)
+    output = playing_bench.block(live, 100)
     assert np.isfinite(output).all()
     assert live.ending.reason == "broken"
     assert "output 1 (place 1) was given a value that is not a number" in live.ending.sentence
 
 
 def test_a_steady_tone_at_full_scale_has_an_rms_of_minus_three_decibels():
-    live = play_queue()
-    live.play(mix(np.sin(2 * np.pi * np.arange(4 * WINDOW) * 100 / RATE_HZ)), 0)
-    blocks(live, [97] * 24)
+    live = playing_bench.play_queue()
+    live.play(
+        playing_bench.mix(np.sin(2 * np.pi * np.arange(4 * WINDOW) * 100 / playing_bench.RATE_HZ)),
+        0,
+    )
+    playing_bench.blocks(live, [97] * 24)
     levels = live.levels()
     assert levels.peak_db[0] == pytest.approx(0.0, abs=0.01)
     assert levels.rms_db[0] == pytest.approx(-3.0103, abs=0.001)
@@ -130,15 +127,15 @@ def test_a_steady_tone_at_full_scale_has_an_rms_of_minus_three_decibels():
 
 
 def test_each_output_has_its_own_and_what_is_over_stays_the_highest():
-    live = play_queue(2, gain_db=-20.0)
+    live = playing_bench.play_queue(2, gain_db=-20.0)
     rows = np.zeros((2, 3 * WINDOW))
     rows[0, 10] = -1.0
     rows[1] = 0.5
-    live.play(mix(rows), 0)
-    block(live, WINDOW)
+    live.play(playing_bench.mix(rows), 0)
+    playing_bench.block(live, WINDOW)
     first = live.levels()
     assert first.peak_db == pytest.approx([-20.0, -26.02], abs=0.01)
-    block(live, WINDOW)
+    playing_bench.block(live, WINDOW)
     second = live.levels()
     assert second.peak_db[0] == -200.0
     assert second.rms_db == pytest.approx([-200.0, -26.02], abs=0.01)

@@ -110,6 +110,19 @@ def test_maps_side_by_side_move_together_in_one_scale(stage, qtbot, of):
     assert of != "axes" or "normal" not in stage.maps.content.common_scale.text_below
 
 
+def test_motions_that_pass_go_on_until_the_longest_is_over(stage, qtbot):
+    document = stage.window().document
+    document.edit("", replace(document.design, inputs=(ss.track(7, ss.waveforms.Tap()),)))
+    side_by_side(stage, qtbot, 4, of="limbs")
+    moving = stage.moving
+    moving.turns = 0.99
+    k = int(np.argmin([loop.duration_s for loop, _ in moving.loops]))
+    loop, _ = moving.loops[k]
+    assert loop.duration_s < 0.99 * moving.longest_s
+    now = loop.moving.acceleration(loop.begin_s + 0.99 * moving.longest_s)
+    np.testing.assert_allclose(moving.values(k), now[:, 0], atol=1e-12)
+
+
 def test_maps_and_traces_move_along_the_axis_of_the_view_and_say_it(stage, qtbot):
     window = stage.window()
     window.document.look(replace(window.document.view, axes="x", outputs=(20,)))
