@@ -16,15 +16,7 @@ from skinsource.export.stimulus_export import sidecar
 from skinsource.export.stimulus_export.sidecar import about_validity
 from skinsource.export.tables import export_levels
 from skinsource.limbs import catalog
-from skinsource.perception.validity import (
-    Finding,
-    Judged,
-    drive_findings,
-    in_full,
-    in_short,
-    noise_findings,
-    probe_velocity,
-)
+from skinsource.perception import validity
 
 RATE = 1300.0
 
@@ -50,7 +42,7 @@ def test_a_velocity_is_the_integral_of_the_acceleration():
     exact = np.exp(-(((fine - 0.5) / 0.05) ** 2)) * np.sin(2 * np.pi * 90.0 * fine) * 20.0
     velocity = np.cumsum(exact) * 1e-5
     expected = np.abs(velocity - velocity.mean()).max()
-    assert probe_velocity(burst, RATE) == pytest.approx(expected, rel=0.02)
+    assert validity.probe_velocity(burst, RATE) == pytest.approx(expected, rel=0.02)
 
 
 def test_what_rings_past_the_end_does_not_come_back_at_the_start():
@@ -58,7 +50,7 @@ def test_what_rings_past_the_end_does_not_come_back_at_the_start():
     silence = np.zeros(2600)
     padded = np.concatenate((silence, pulse, silence))
     for more in ((), (5.0,)):
-        short, long = (probe_velocity(samples, RATE, *more) for samples in (pulse, padded))
+        short, long = (validity.probe_velocity(samples, RATE, *more) for samples in (pulse, padded))
         assert short == pytest.approx(long, rel=1e-3)
 
 
@@ -115,7 +107,7 @@ def test_outputs_below_six_decibels_are_told_and_can_be_deselected():
     above = np.full(72, 20.0)
     above[[0, 66, 67, 68, 71]] = 5.9
     above[4] = 6.0
-    finding = noise_findings(above, synthetic=False, silent=False)
+    finding = validity.noise_findings(above, synthetic=False, silent=False)
     assert finding.state == "left"
     assert finding.outputs == (1, 67, 68, 69, 72)
     assert "5 of 72" in finding.sentence
@@ -123,7 +115,7 @@ def test_outputs_below_six_decibels_are_told_and_can_be_deselected():
     view = View(outputs=(1, 5, 72))
     assert edits.mend(design_of(), view, finding).view.outputs == (5,)
     assert isinstance(edits.mend(design_of(), View(outputs=(5,)), finding), Refusal)
-    quiet = noise_findings(np.full(72, 6.0), synthetic=False, silent=False)
+    quiet = validity.noise_findings(np.full(72, 6.0), synthetic=False, silent=False)
     assert (quiet.state, quiet.outputs) == ("kept", ())
 
 
@@ -154,55 +146,60 @@ def test_the_sidecar_of_a_stimulus_carries_the_note_on_the_limb(monkeypatch):
     assert about_validity(design_of())["limb_note"] == "measured on a cold day"
     assert findings_of(design_of())["limb"].sentence.endswith("measured on a cold day.")
     # A measure, of which a map has several.
-    noise = noise_findings(np.array([3.0, 9.0]), synthetic=False, silent=False)
+    noise = validity.noise_findings(np.array([3.0, 9.0]), synthetic=False, silent=False)
     results = {"limb_data": limb, "validity": [noise]}
     monkeypatch.setattr(sidecar, "new_graph", lambda: Mock(evaluate=lambda *_: results))
     assert "whole record, x, y, z" in about_validity(design_of())["validity"][0]["sentence"]
 
 
-FAST = Finding(name="drive", state="left", sentence="Fast, and more.", in_short="Fast.")
+FAST = validity.Finding(name="drive", state="left", sentence="Fast, and more.", in_short="Fast.")
 HALF, MOST = (
-    Finding(
+    validity.Finding(
         name="band", state="left", sentence="Some.", in_short="It is {:.0%} outside.", number=share
     )
     for share in (0.5, 0.9)
 )
-UNKNOWN = Finding(name="noise", state="unknown", sentence="Nobody knows")
-KEPT = Finding(name="band", state="kept", sentence="Fine.")
+UNKNOWN = validity.Finding(name="noise", state="unknown", sentence="Nobody knows")
+KEPT = validity.Finding(name="band", state="kept", sentence="Fine.")
 NOTE = "made from other files"
 
 
 def test_notes_and_what_is_not_kept_are_said_in_short_and_what_is_unknown_only_in_full():
-    judged = Judged(label="A", note=NOTE, findings=(FAST, UNKNOWN, KEPT))
-    assert in_short([judged]) == ("Made from other files.", "Fast.")
-    assert in_full([judged]) == (
+    judged = validity.Judged(label="A", note=NOTE, findings=(FAST, UNKNOWN, KEPT))
+    assert validity.in_short([judged]) == ("Made from other files.", "Fast.")
+    assert validity.in_full([judged]) == (
         "NOTE on the limb: made from other files",
         "validity, drive: CAUTION: Fast, and more.",
         "validity, noise: unknown: Nobody knows",
     )
-    assert in_short([Judged(label="A", findings=(KEPT,))]) == ()
+    assert validity.in_short([validity.Judged(label="A", findings=(KEPT,))]) == ()
 
 
 def test_what_holds_for_several_is_said_once_with_who_they_are_and_for_all_without():
     several = [
-        Judged(label="A", note=NOTE, findings=(FAST,)),
-        Judged(label="B", findings=(FAST,)),
-        Judged(label="C", note=NOTE, findings=(FAST,)),
+        validity.Judged(label="A", note=NOTE, findings=(FAST,)),
+        validity.Judged(label="B", findings=(FAST,)),
+        validity.Judged(label="C", note=NOTE, findings=(FAST,)),
     ]
-    assert in_short(several) == ("A, C: Made from other files.", "Fast.")
-    several[1] = Judged(label="B", findings=(KEPT,))
-    assert in_short(several) == ("A, C: Made from other files.", "A, C: Fast.")
+    assert validity.in_short(several) == ("A, C: Made from other files.", "Fast.")
+    several[1] = validity.Judged(label="B", findings=(KEPT,))
+    assert validity.in_short(several) == ("A, C: Made from other files.", "A, C: Fast.")
 
 
 def test_numbers_that_differ_between_designs_are_a_range():
-    several = [Judged(label="A", findings=(MOST,)), Judged(label="B", findings=(HALF,))]
-    assert in_short(several) == ("It is 50% to 90% outside.",)
-    assert in_short([*several, Judged(label="C", findings=())]) == (
+    several = [
+        validity.Judged(label="A", findings=(MOST,)),
+        validity.Judged(label="B", findings=(HALF,)),
+    ]
+    assert validity.in_short(several) == ("It is 50% to 90% outside.",)
+    assert validity.in_short([*several, validity.Judged(label="C", findings=())]) == (
         "A, B: It is 50% to 90% outside.",
     )
-    assert in_short(several[:1]) == ("It is 90% outside.",)
+    assert validity.in_short(several[:1]) == ("It is 90% outside.",)
     # A note may hold anything.
-    assert in_short([Judged(label="A", note="a {:.0%} b", findings=())]) == ("A {:.0%} b.",)
+    assert validity.in_short([validity.Judged(label="A", note="a {:.0%} b", findings=())]) == (
+        "A {:.0%} b.",
+    )
 
 
 @pytest.mark.parametrize("scaling", ["probe", "upstream"])
@@ -219,7 +216,7 @@ def test_each_condition_that_is_not_kept_has_short_words_and_no_other(scaling):
         assert bool(finding.in_short) == (finding.state == "left")
         assert (finding.number is None) == ("{" not in finding.in_short)
         assert len(finding.in_short) <= 100
-    short = " ".join(in_short([Judged(label="A", findings=findings)]))
+    short = " ".join(validity.in_short([validity.Judged(label="A", findings=findings)]))
     assert "{" not in short
     assert " of the energy lies above 300 Hz" in short
 
@@ -228,8 +225,8 @@ def test_short_words_hold_the_number_of_the_sentence():
     time_s = np.arange(1300) / 1300.0
     loud = 90.0 * np.sin(800.0 * np.pi * time_s) + 30.0 * np.sin(20.0 * np.pi * time_s)
     findings = [
-        *drive_findings([(7, loud)], 1300.0, "probe"),
-        noise_findings(np.array([3.0, 9.0, 9.0, 9.0]), synthetic=False, silent=False),
+        *validity.drive_findings([(7, loud)], 1300.0, "probe"),
+        validity.noise_findings(np.array([3.0, 9.0, 9.0, 9.0]), synthetic=False, silent=False),
     ]
     with_number = [finding.name for finding in findings if finding.number is not None]
     assert with_number == ["band", "drive", "spacing", "noise"]

@@ -54,12 +54,14 @@ def test_nothing_grows_while_it_plays():
 
 
 def test_what_starts_behind_a_loop_plays_to_the_end_through_an_edit_as_well():
-    live = playing(mix(tone(4000), loop=(1000, 2000)), at=3000)
-    block(live, 500)
-    live.play(mix(tone(4000, amplitude=0.25), loop=(1000, 2000)))
-    block(live, 500)
-    assert (live.position, live.ending) == (4000 - FADE, None)
-    block(live, FADE)
+    live = playing_bench.playing(
+        playing_bench.mix(playing_bench.tone(4000), loop=(1000, 2000)), at=3000
+    )
+    playing_bench.block(live, 500)
+    live.play(playing_bench.mix(playing_bench.tone(4000, amplitude=0.25), loop=(1000, 2000)))
+    playing_bench.block(live, 500)
+    assert (live.position, live.ending) == (4000 - playing_bench.FADE, None)
+    playing_bench.block(live, playing_bench.FADE)
     assert live.ending.reason == "end"
 
 

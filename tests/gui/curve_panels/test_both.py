@@ -20,15 +20,7 @@ from skinsource_gui.panels.traces.panel import TracesPanel, TracesSettings
 from skinsource_gui.plots.signal_view import SignalView
 from skinsource_gui.qt.theme import LIGHT
 from skinsource_gui.state.preferences import start_design
-from tests.gui.curve_panels.bench import (
-    LINEAR,
-    SIGNED,
-    header_of,
-    opener,
-    plot_of,
-    spectra_for,
-    traces_for,
-)
+from tests.gui.curve_panels import bench
 from tests.gui.signal_view.test_navigation import choose, open_menu
 
 
@@ -40,8 +32,8 @@ class Kind(NamedTuple):
     results_for: Callable
 
 
-TRACES = Kind(TracesPanel, SIGNED, traces_for)
-SPECTRA = Kind(SpectraPanel, LINEAR, spectra_for)
+TRACES = Kind(TracesPanel, bench.SIGNED, bench.traces_for)
+SPECTRA = Kind(SpectraPanel, bench.LINEAR, bench.spectra_for)
 
 
 @pytest.fixture(params=[TRACES, SPECTRA], ids=["traces", "spectra"])
@@ -51,7 +43,7 @@ def kind(request):
 
 @pytest.fixture
 def show(kind, qtbot):
-    return opener(qtbot, *kind)
+    return bench.opener(qtbot, *kind)
 
 
 def test_what_the_panel_needs_is_computed_or_given(qapp, kind):
@@ -65,21 +57,21 @@ def test_what_the_panel_needs_is_computed_or_given(qapp, kind):
 
 @pytest.mark.parametrize(("limb", "badge"), [("synthetic-2", "SYNTHETIC"), ("measured-1", "")])
 def test_only_synthetic_limbs_carry_the_badge(show, limb, badge):
-    assert header_of(show(limb=limb)).badge == badge
+    assert bench.header_of(show(limb=limb)).badge == badge
 
 
 def test_while_the_first_curves_are_computed_nobody_is_told_to_select_outputs(show, kind, qtbot):
     panel = show(replace(kind.view, outputs=()))
-    assert plot_of(panel).message == "Select outputs on the skin map"
+    assert bench.plot_of(panel).message == "Select outputs on the skin map"
     panel.show_stale(True)
     panel.show_state(start_design("synthetic-1"), kind.view)
-    assert plot_of(panel).message == ""
-    qtbot.waitUntil(lambda: plot_of(panel).message == "Computing…")
+    assert bench.plot_of(panel).message == ""
+    qtbot.waitUntil(lambda: bench.plot_of(panel).message == "Computing…")
     panel.show_state(start_design("synthetic-1"), kind.view)
-    assert plot_of(panel).message == "Computing…"
+    assert bench.plot_of(panel).message == "Computing…"
     panel.show_results(kind.results_for(kind.view))
-    assert plot_of(panel).message == ""
-    assert plot_of(panel).curves is not None
+    assert bench.plot_of(panel).message == ""
+    assert bench.plot_of(panel).curves is not None
 
 
 def test_files_of_the_curves_say_whose_they_are_and_how_they_were_made(show):
@@ -99,7 +91,7 @@ def test_files_of_the_curves_say_whose_they_are_and_how_they_were_made(show):
 
 def test_outputs_near_the_noise_are_pale_and_the_plot_says_so(show, kind):
     panel = show(replace(kind.view, outputs=(29, 52)))
-    plot = plot_of(panel)
+    plot = bench.plot_of(panel)
     colours = [curve.pen.color() for row in plot.stack.rows for curve in row.curves[:2]]
     panel._staleness.set_stale(True, at_once=True)
     panel.show_noisy((52, 70))
@@ -117,12 +109,12 @@ BETWEEN_S, BETWEEN_HZ = (0.08, 0.12), (60.0, 200.0)
 
 
 def with_cursors(name, settings):
-    return with_settings(SIGNED, name, settings)
+    return with_settings(bench.SIGNED, name, settings)
 
 
 @pytest.fixture
 def traces(qtbot):
-    show = opener(qtbot, TracesPanel, SIGNED, traces_for)
+    show = bench.opener(qtbot, TracesPanel, bench.SIGNED, bench.traces_for)
     return lambda at=None, **options: show(
         with_cursors("traces", TracesSettings(cursors=at, **options))
     )
@@ -130,7 +122,7 @@ def traces(qtbot):
 
 @pytest.fixture
 def spectra(qtbot):
-    show = opener(qtbot, SpectraPanel, SIGNED, spectra_for)
+    show = bench.opener(qtbot, SpectraPanel, bench.SIGNED, bench.spectra_for)
     return lambda at=None, **options: show(
         with_cursors("spectra", SpectraSettings(cursors=at, **options))
     )
@@ -167,7 +159,7 @@ def test_what_drifts_has_no_velocity():
 def test_traces_are_measured_between_the_cursors_even_relative_to_their_peaks(traces):
     for relative in (False, True):
         text = legend_of(traces(BETWEEN_S, relative=relative))
-        results = traces_for(SIGNED)
+        results = bench.traces_for(bench.SIGNED)
         inside = (results["response_time_s"] >= BETWEEN_S[0]) & (
             results["response_time_s"] <= BETWEEN_S[1]
         )
@@ -181,16 +173,16 @@ def test_traces_are_measured_between_the_cursors_even_relative_to_their_peaks(tr
 def test_the_numbers_of_all_outputs_stay_while_the_pointer_is_in_the_plot(traces):
     panel = traces(BETWEEN_S)
     before = legend_of(panel)
-    plot_of(panel).crosshair.put(3)
+    bench.plot_of(panel).crosshair.put(3)
     assert legend_of(panel) == before
-    assert len(before.readings) == len(SIGNED.outputs)
+    assert len(before.readings) == len(bench.SIGNED.outputs)
     assert not legend_of(traces()).details
 
 
 @pytest.mark.parametrize("options", [{}, {"log_magnitude": False}, {"averaged": True}])
 def test_spectra_tell_peak_its_frequency_and_the_rms_of_the_band(spectra, options):
     text = legend_of(spectra(BETWEEN_HZ, **options))
-    frequency_hz, magnitude = spectra_for(SIGNED)["selected_spectra"]
+    frequency_hz, magnitude = bench.spectra_for(bench.SIGNED)["selected_spectra"]
     inside = (frequency_hz >= BETWEEN_HZ[0]) & (frequency_hz <= BETWEEN_HZ[1])
     assert text.where == "peak in m/s² at Hz · Δf 140 Hz"
     for line, curve in zip(text.details, magnitude, strict=True):
@@ -205,7 +197,7 @@ def test_spectra_tell_peak_its_frequency_and_the_rms_of_the_band(spectra, option
 def test_the_rms_between_all_frequencies_is_that_of_the_record():
     signal = ss.sinusoid(130.0, duration_s=0.5) + 0.5 * ss.sinusoid(260.0, duration_s=0.5)
     frequency_hz, magnitude = ss.magnitude_spectrum(signal[None], 1300.0)
-    results = spectra_for(SIGNED) | {
+    results = bench.spectra_for(bench.SIGNED) | {
         "selected_spectra": (frequency_hz, magnitude),
         "outputs": (29,),
     }
@@ -222,7 +214,12 @@ def test_the_menu_brings_cursors_takes_them_away_and_copies_what_they_read(trace
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     choose(signals, "Cursors")
     low, high = settings_of(panel.views[-1], "traces", TracesSettings).cursors
-    assert plot_of(panel).x_window.extent[0] < low < high < plot_of(panel).x_window.extent[1]
+    assert (
+        bench.plot_of(panel).x_window.extent[0]
+        < low
+        < high
+        < bench.plot_of(panel).x_window.extent[1]
+    )
     choose(signals, "Copy what cursors read")
     copied = QApplication.clipboard().text().splitlines()
     assert copied == [legend_of(panel).where, *legend_of(panel).details]
@@ -233,7 +230,7 @@ def test_the_menu_brings_cursors_takes_them_away_and_copies_what_they_read(trace
 
 def test_keys_put_a_cursor_at_the_crosshair_and_the_other_makes_room(traces):
     panel = traces(BETWEEN_S)
-    plot = plot_of(panel)
+    plot = bench.plot_of(panel)
     plot.setFocus()
     QTest.keyClick(plot, Qt.Key.Key_Home)
     QTest.keyClick(plot, Qt.Key.Key_O)
@@ -248,7 +245,7 @@ def test_keys_put_a_cursor_at_the_crosshair_and_the_other_makes_room(traces):
 @pytest.mark.parametrize("log", [False, True])
 def test_a_cursor_follows_the_mouse_on_any_axis(spectra, log):
     panel = spectra(BETWEEN_HZ, log_frequency=log)
-    plot = plot_of(panel)
+    plot = bench.plot_of(panel)
     area = plot.places.area
 
     def at(hz):
@@ -267,6 +264,6 @@ def test_a_cursor_follows_the_mouse_on_any_axis(spectra, log):
 
 
 def test_a_peak_hold_tells_no_rms():
-    results = spectra_for(replace(SIGNED, span="loudest"))
+    results = bench.spectra_for(replace(bench.SIGNED, span="loudest"))
     details = measured_between(results, SpectraSettings(), BETWEEN_HZ).details
     assert not any("RMS" in line for line in details)
