@@ -33,6 +33,7 @@ def clip(samples, **changes):
         ((ss.Clip(waveform=ss.waveforms.Layers((clip(RECORDED),))),), True),
         ((ss.Clip(), clip(RECORDED)), True),
         ((ss.Clip(), clip(RECORDED, muted=True)), False),
+        ((clip(RECORDED, muted=True),), True),
         ((ss.Clip(), clip(SCALED)), False),
     ],
 )

@@ -49,10 +49,12 @@ def is_gain(design: Design, track: Input, peak: float | None = None) -> bool:
 
     Recordings have one, and what has another ``peak`` than 1 before the amplitude, where that is
     known.  Under upstream scaling it is none, because there the amplitude is the peak on the skin.
+    Muted clips count where all are muted.
     """
+    heard = tuple(clip for clip in track.clips if not clip.muted) or track.clips
     return design.scaling != "upstream" and (
         not _LEAST_PEAK <= (peak or 1.0) <= _MOST_PEAK
-        or any(_has_its_own_size(clip.waveform) for clip in track.clips if not clip.muted)
+        or any(_has_its_own_size(clip.waveform) for clip in heard)
     )
 
 
