@@ -239,7 +239,7 @@ class InputFields(QObject):
             cell.show_mixed(len(different) > 1)
 
     def show_strength(self, amplitude: NumberSpec, peak: str) -> None:
-        """Say what an amplitude is; ``peak``: the resulting one, where it is a plain factor."""
+        """Say what an amplitude is; ``peak``: the resulting one, where that is another number."""
         if self._strength == (amplitude, peak):
             return
         self._strength = amplitude, peak
@@ -349,6 +349,14 @@ def _text_of_all(text_of: Callable[[Any], str], things: Iterable[Any]) -> str:
     """Return the text of each of some clips or inputs, or that they differ; "" without any."""
     texts = {text_of(thing) for thing in things}
     return MIXED if len(texts) > 1 else "".join(texts)
+
+
+def _has_other_digits(design: Design, track: Input, peak: float | None) -> bool:
+    """Return whether a peak before the amplitude makes another text than the amplitude."""
+    # Upstream, an amplitude is a peak on the skin.
+    if not peak or design.scaling == "upstream":
+        return False
+    return peak_text(design, track, peak) != peak_text(design, track, 1.0)
 
 
 class ClipHeading(QtWidgets.QWidget):
@@ -588,8 +596,10 @@ class InspectorPanel(Panel):
     def _show_strength(self, track: Input) -> None:
         design, amplitude, peak = self._design, amplitude_spec(self._design), ""
         known = [self._peaks_of(each) for each in self._batch]
-        if any(is_gain(design, whole, highest) for whole, highest, _ in known):
+        gain = any(is_gain(design, whole, highest) for whole, highest, _ in known)
+        if gain:
             amplitude = AMPLITUDE_GAIN
+        if gain or any(_has_other_digits(design, whole, heard) for whole, _, heard in known):
             peak = _text_of_all(str, (peak_text(design, whole, heard) for whole, _, heard in known))
         if track.amplitude < 0:
             amplitude = replace(amplitude, hint="Polarity inverted")

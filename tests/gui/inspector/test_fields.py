@@ -172,10 +172,11 @@ def test_a_recording_that_keeps_its_size_has_a_gain_without_a_unit_and_the_peak(
     bench.show(bench.design.with_clip(clip.id, waveform=Recording(normalised)))
     assert strength() == ("Amplitude", "m/s²")
     assert not bench.label("peak").isVisible()
-    for text, shown in (("3 * sin(6.28 * 50 * t)", "1.49 m/s²"), ("sin(6.28 * 50 * t)", "")):
-        bench.show(bench.design.with_clip(clip.id, waveform=Formula(text=text)))
+    for factor, shown in ((3, "1.5 m/s²"), (0.95, "0.475 m/s²"), (1, "")):
+        waveform = Formula(text=f"{factor} * cos(6.28 * 50 * t)")
+        bench.show(bench.design.with_clip(clip.id, waveform=waveform))
         bench.panel.show_results(bench.results())
-        assert strength() == (("Input gain", "") if shown else ("Amplitude", "m/s²"))
+        assert strength() == (("Input gain", "") if factor == 3 else ("Amplitude", "m/s²"))
         assert peak() == shown
 
 
