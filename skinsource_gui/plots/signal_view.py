@@ -586,6 +586,8 @@ DESCRIPTION_QUANTITIES = frozenset(
         "limb_data",
         "match_gain",
         "method",
+        "record_samples",
+        "sample_rate_hz",
         "scaling",
         "span",
     }
@@ -605,13 +607,14 @@ def lazy_lines(
 
 def _lines(results: Mapping[str, Any], first: tuple[str, ...], each_axis: bool) -> tuple[str, ...]:
     note, inputs = results["limb_data"].note, results["inputs"]
+    record_s = results["record_samples"] / results["sample_rate_hz"]
     return (
         *first,
         *describe_played(results["limb"], note, results["scaling"], inputs, results["actuation"]),
         f"axes: {EACH_AXIS}, by itself"
         if each_axis
         else describe_projection(results["axes"], results["method"]),
-        describe_levels(results["span"]),
+        describe_levels(results["span"], record_s),
     )
 
 

@@ -210,20 +210,19 @@ def describe_projection(axes: str, method: str) -> str:
     return f"axes: {label_of(AXES, axes).both}{how}"
 
 
-def describe_levels(span: str) -> str:
-    """Return a line on the span that levels are the RMS over.
+def describe_levels(span: str, record_s: float) -> str:
+    """Return a line on the span that levels are the RMS over: of a whole record with its length.
 
     Files without levels have it too: a reader sees whether traces and levels belong together.
     """
-    return f"levels: RMS over the {label_of(SPANS, span).both.lower()}"
+    line = f"levels: RMS over the {label_of(SPANS, span).both.lower()}"
+    return f"{line}, {round(record_s, 3):g} s" if span == "record" else line
 
 
 def about_levels(exported: ExportedDesign) -> str:
-    """Return `describe_levels` with the length of a whole record, without what actuators ring."""
-    line = describe_levels(exported.view.span)
-    if exported.view.span != "record":
-        return line
-    return f"{line}, {round(exported.value('record_samples') / exported.sample_rate_hz, 3):g} s"
+    """Return `describe_levels` of a design."""
+    record_s = exported.value("record_samples") / exported.sample_rate_hz
+    return describe_levels(exported.view.span, record_s)
 
 
 def about_axes(exported: ExportedDesign) -> str:

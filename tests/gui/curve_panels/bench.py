@@ -38,6 +38,8 @@ def of(view, limb):
         "axes": view.axes,
         "method": view.method,
         "span": view.span,
+        "record_samples": 650,
+        "sample_rate_hz": 1300.0,
     }
 
 
@@ -63,7 +65,7 @@ def spectra_for(view, *, n_times=650, amplitude=0.5, limb="synthetic-1"):
     rows = [amplitude / 10**k * np.sin(2 * np.pi * 100 * time_s) for k in range(len(view.outputs))]
     traces = np.array(rows).reshape(len(view.outputs), n_times)
     name, spectrum = SPECTRA[view.span]
-    return of(view, limb) | {name: spectrum(traces, 1300.0), "sample_rate_hz": 1300.0}
+    return of(view, limb) | {name: spectrum(traces, 1300.0), "response_samples": n_times}
 
 
 def opener(qtbot, kind, usual, results_for):

@@ -85,6 +85,8 @@ def test_files_of_the_curves_say_whose_they_are_and_how_they_were_made(show):
     ):
         assert fact in curves.about()
     assert any("clip of the input at place 7: Tone(" in line for line in curves.about())
+    whole = show(View(outputs=(29,))).findChild(SignalView).plot.curves
+    assert "levels: RMS over the whole record (record), 0.5 s" in whole.about()
     # The caption below a picture says the rest.
     assert curves.heading == ("Synthetic 1 (175 mm)", "x, y, z, principal axis")
 

@@ -255,7 +255,7 @@ def test_pictures_and_tables_say_what_they_went_through(window, panel, qtbot):
     panel.through.click()
     bench.settle(window)
     design, view = window.document.design, window.document.view
-    own = sources(design, view)
+    own = {**sources(design, view), "record_samples": 650}
     results = {**own, **ss.evaluate(design, *(DESCRIPTION_QUANTITIES - own.keys()))}
     assert "; predicted through " in caption_of(design)
     assert any(line.startswith("predicted through: ") for line in lazy_lines(results)())
